@@ -1,0 +1,106 @@
+package sunbeam.precompute.patch;
+
+import java.util.Arrays;
+import java.util.function.DoubleUnaryOperator;
+
+/**
+ * One period of a surface: heights in metres on a rectangular grid, seen from above. Column index grows with +x, row 0
+ * is the top (largest y); the surface repeats this patch periodically in both directions.
+ *
+ * <p>Immutable. Missing samples are NaN until {@link MissingSamples} fills them.
+ */
+public final class HeightMap {
+    private final int columns;
+    private final int rows;
+    private final double pitchX;
+    private final double pitchY;
+    private final double[] heights;
+
+    /**
+     * @param columns number of samples along x, at least 1
+     * @param rows number of samples along y, at least 1
+     * @param pitchX distance of neighbouring columns in metres, positive and finite
+     * @param pitchY distance of neighbouring rows in metres, positive and finite
+     * @param heights {@code rows * columns} heights in metres, row by row from the top; copied
+     * @throws IllegalArgumentException when a size, pitch or the array's length does not fit
+     */
+    public HeightMap(int columns, int rows, double pitchX, double pitchY, double[] heights) {
+        if (columns < 1 || rows < 1) {
+            throw new IllegalArgumentException("a height map needs samples, got " + columns + " x " + rows);
+        }
+        if (!(pitchX > 0 && pitchY > 0 && Double.isFinite(pitchX) && Double.isFinite(pitchY))) {
+            throw new IllegalArgumentException("pitch must be positive, got " + pitchX + " x " + pitchY + " m");
+        }
+        if (heights.length != (long) columns * rows) {
+            throw new IllegalArgumentException("expected " + (long) columns * rows + " heights, got " + heights.length);
+        }
+        this.columns = columns;
+        this.rows = rows;
+        this.pitchX = pitchX;
+        this.pitchY = pitchY;
+        this.heights = heights.clone();
+    }
+
+    public int columns() {
+        return columns;
+    }
+
+    public int rows() {
+        return rows;
+    }
+
+    /** Distance of neighbouring columns, metres. */
+    public double pitchX() {
+        return pitchX;
+    }
+
+    /** Distance of neighbouring rows, metres. */
+    public double pitchY() {
+        return pitchY;
+    }
+
+    /** Period along x, metres. */
+    public double width() {
+        return columns * pitchX;
+    }
+
+    /** Period along y, metres. */
+    public double height() {
+        return rows * pitchY;
+    }
+
+    /** Height in metres at a column (0 = left) and row (0 = top). */
+    public double at(int column, int row) {
+        return heights[row * columns + column];
+    }
+
+    /** A copy of all heights in metres, row by row from the top. */
+    public double[] toArray() {
+        return heights.clone();
+    }
+
+    /** Lowest height in metres, ignoring missing samples; NaN when all are missing. */
+    public double minimum() {
+        return Arrays.stream(heights).filter(Double::isFinite).min().orElse(Double.NaN);
+    }
+
+    /** Highest height in metres, ignoring missing samples; NaN when all are missing. */
+    public double maximum() {
+        return Arrays.stream(heights).filter(Double::isFinite).max().orElse(Double.NaN);
+    }
+
+    /** Peak to valley, metres. */
+    public double relief() {
+        return maximum() - minimum();
+    }
+
+    /** The same grid with every height replaced by a function of it. */
+    public HeightMap map(DoubleUnaryOperator function) {
+        return new HeightMap(
+                columns,
+                rows,
+                pitchX,
+                pitchY,
+                Arrays.stream(heights).map(function).toArray());
+    }
+}
