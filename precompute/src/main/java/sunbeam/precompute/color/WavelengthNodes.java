@@ -1,0 +1,42 @@
+package sunbeam.precompute.color;
+
+/**
+ * Wavelengths and their weights: X = sum_i power(lambda_i) weightX_i, Y and Z alike, so that power 1 gives D65 white
+ * with Y = 1.
+ *
+ * @param wavelengths nodes in metres, ascending
+ * @param weights {@code [node][3]}, weights of X, Y and Z
+ */
+public record WavelengthNodes(double[] wavelengths, double[][] weights) {
+
+    public int count() {
+        return wavelengths.length;
+    }
+
+    /**
+     * Equal steps over 380..780 nm with the trapezoid rule, normalised by the same rule's sum for Y.
+     *
+     * @param stepMetres wanted step in metres; shortened so that the band's ends are nodes
+     */
+    public static WavelengthNodes uniform(CieTable cie, double stepMetres) {
+        double band = CieTable.MAXIMUM_WAVELENGTH - CieTable.MINIMUM_WAVELENGTH;
+        int intervals = Math.max(1, (int) Math.ceil(band / stepMetres - 1e-9));
+        double[] wavelengths = new double[intervals + 1];
+        double[][] weights = new double[intervals + 1][3];
+        double sumY = 0;
+        for (int i = 0; i <= intervals; i++) {
+            wavelengths[i] = CieTable.MINIMUM_WAVELENGTH + band * i / intervals;
+            double end = i == 0 || i == intervals ? 0.5 : 1;
+            for (int c = 0; c < 3; c++) {
+                weights[i][c] = end * cie.at(wavelengths[i], c);
+            }
+            sumY += weights[i][1];
+        }
+        for (double[] weight : weights) {
+            for (int c = 0; c < 3; c++) {
+                weight[c] /= sumY;
+            }
+        }
+        return new WavelengthNodes(wavelengths, weights);
+    }
+}

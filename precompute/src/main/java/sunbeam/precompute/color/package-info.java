@@ -1,0 +1,2 @@
+/** Spectra to CIE XYZ. */
+package sunbeam.precompute.color;

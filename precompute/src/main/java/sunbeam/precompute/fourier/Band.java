@@ -1,0 +1,40 @@
+package sunbeam.precompute.fourier;
+
+/**
+ * Consecutive DFT bins along one axis: indices first .. first + count - 1, negative ones included; bin j has the
+ * frequency j / period.
+ */
+public record Band(int first, int count) {
+
+    public Band {
+        if (count < 1) {
+            throw new IllegalArgumentException("empty band: " + count);
+        }
+    }
+
+    /** The bins from {@code first} to {@code last}, both included. */
+    public static Band of(int first, int last) {
+        return new Band(first, last - first + 1);
+    }
+
+    /** The smallest band that holds all frequencies of an interval and a margin of bins on both sides. */
+    public static Band covering(double minimumFrequency, double maximumFrequency, double period, int margin) {
+        return of(
+                (int) Math.floor(minimumFrequency * period) - margin,
+                (int) Math.ceil(maximumFrequency * period) + margin);
+    }
+
+    public int last() {
+        return first + count - 1;
+    }
+
+    /** The smallest band around bin 0 that holds this one. */
+    public Band symmetric() {
+        int reach = Math.max(Math.abs(first), Math.abs(last()));
+        return of(-reach, reach);
+    }
+
+    public boolean contains(Band other) {
+        return first <= other.first && last() >= other.last();
+    }
+}

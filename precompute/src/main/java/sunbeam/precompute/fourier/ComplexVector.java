@@ -1,0 +1,22 @@
+package sunbeam.precompute.fourier;
+
+/**
+ * Complex numbers as two arrays of equal length; the arrays are shared, not copied, because transforms work in place.
+ */
+public record ComplexVector(double[] real, double[] imaginary) {
+
+    public ComplexVector {
+        if (real.length != imaginary.length) {
+            throw new IllegalArgumentException(
+                    "real and imaginary part differ in length: " + real.length + " and " + imaginary.length);
+        }
+    }
+
+    public static ComplexVector zeros(int length) {
+        return new ComplexVector(new double[length], new double[length]);
+    }
+
+    public int length() {
+        return real.length;
+    }
+}

@@ -1,0 +1,31 @@
+package sunbeam.precompute.optics;
+
+/**
+ * The Gaussian coherence window exp(-r^2 / (2 sigma^2)) of amplitude 1 at its centre.
+ *
+ * @param sigmaMetres its standard deviation in space, metres; a quarter of the coherence length
+ */
+public record CoherenceWindow(double sigmaMetres) {
+    /** Sunlight's coherence length, metres (thesis section 2.2.2). */
+    public static final double SUNLIGHT_COHERENCE_LENGTH = 65e-6;
+
+    public CoherenceWindow {
+        if (!(sigmaMetres > 0) || !Double.isFinite(sigmaMetres)) {
+            throw new IllegalArgumentException("sigma must be positive, got " + sigmaMetres + " m");
+        }
+    }
+
+    /** The window whose four standard deviations are the given length in metres. */
+    public static CoherenceWindow ofCoherenceLength(double metres) {
+        return new CoherenceWindow(metres / 4);
+    }
+
+    public double coherenceLength() {
+        return 4 * sigmaMetres;
+    }
+
+    /** Standard deviation of the window's spectrum, 1 / (2 pi sigma), in cycles per metre. */
+    public double sigmaFrequency() {
+        return 1 / (2 * Math.PI * sigmaMetres);
+    }
+}

@@ -1,0 +1,27 @@
+package sunbeam.precompute.optics;
+
+/** A unit vector in the tangent frame (x tangent, y bitangent, z normal) that points away from the surface. */
+public record Direction(double x, double y, double z) {
+
+    /**
+     * The direction with two polar angles.
+     *
+     * @param thetaDegrees angle to the normal in degrees, 0..90
+     * @param phiDegrees azimuth in degrees, counter-clockwise from +x
+     */
+    public static Direction ofDegrees(double thetaDegrees, double phiDegrees) {
+        double theta = Math.toRadians(thetaDegrees);
+        double phi = Math.toRadians(phiDegrees);
+        double sine = Math.sin(theta);
+        return new Direction(sine * Math.cos(phi), sine * Math.sin(phi), Math.cos(theta));
+    }
+
+    /** The direction that a BRDF map shows at (x, y) of the unit disc. */
+    public static Direction ofDisc(double x, double y) {
+        return new Direction(x, y, Math.sqrt(Math.max(0, 1 - x * x - y * y)));
+    }
+
+    public double dot(Direction other) {
+        return x * other.x + y * other.y + z * other.z;
+    }
+}

@@ -1,0 +1,33 @@
+package sunbeam.precompute.optics;
+
+/**
+ * A pair of directions: {@code wi} towards the light, {@code wr} towards the viewer, and what the diffraction integral
+ * sees of them, (u, v, w) = -(wi + wr), so w is at most 0 (Stam 1999, section 4).
+ */
+public record Geometry(Direction wi, Direction wr) {
+
+    public double u() {
+        return -(wi.x() + wr.x());
+    }
+
+    public double v() {
+        return -(wi.y() + wr.y());
+    }
+
+    public double w() {
+        return -(wi.z() + wr.z());
+    }
+
+    public double cosThetaI() {
+        return wi.z();
+    }
+
+    public double cosThetaR() {
+        return wr.z();
+    }
+
+    /** Cosine of the angle between the half vector and either direction. */
+    public double cosThetaD() {
+        return Math.sqrt(Math.max(0, 0.5 * (1 + wi.dot(wr))));
+    }
+}

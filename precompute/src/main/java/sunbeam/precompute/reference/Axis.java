@@ -1,0 +1,26 @@
+package sunbeam.precompute.reference;
+
+import sunbeam.precompute.optics.WindowOrigin;
+import sunbeam.precompute.patch.HeightMap;
+
+/**
+ * Positions of the samples along one axis, relative to the sample under the window's maximum.
+ *
+ * @param count number of samples
+ * @param step signed distance of neighbouring samples in metres; negative along y, because rows run downwards
+ * @param origin index of the sample under the window's maximum
+ */
+record Axis(int count, double step, int origin) {
+
+    static Axis x(HeightMap map, WindowOrigin origin) {
+        return new Axis(map.columns(), map.pitchX(), origin.sample(map.columns()));
+    }
+
+    static Axis y(HeightMap map, WindowOrigin origin) {
+        return new Axis(map.rows(), -map.pitchY(), origin.sample(map.rows()));
+    }
+
+    double period() {
+        return count * Math.abs(step);
+    }
+}
