@@ -1,0 +1,205 @@
+package sunbeam.precompute.table;
+
+import io.jhdf.HdfFile;
+import io.jhdf.WritableHdfFile;
+import io.jhdf.api.Dataset;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.security.MessageDigest;
+import java.security.NoSuchAlgorithmException;
+import java.util.HexFormat;
+import java.util.Map;
+import java.util.TreeMap;
+import sunbeam.precompute.expansion.CoefficientTable;
+import sunbeam.precompute.fourier.Band;
+
+/**
+ * Fourier tables as HDF5: dataset {@code terms} of float32, shape (terms, 2, rows, columns) with real and imaginary
+ * parts, dataset {@code coefficients} (terms, samples) where the expansion has no closed form, and attributes that say
+ * what all of it means. A SHA-256 checksum covers data and attributes.
+ */
+public final class TableFile {
+    private static final String TERMS = "terms";
+    private static final String COEFFICIENTS = "coefficients";
+
+    private TableFile() {}
+
+    /**
+     * Writes a table to a new file; the caller sees to it that nobody reads it half-written.
+     *
+     * @throws UncheckedIOException when the file cannot be written
+     */
+    public static void write(Path file, FourierTable table) {
+        TableAttributes attributes = TableAttributes.describing(table);
+        try (WritableHdfFile hdf = HdfFile.write(file)) {
+            hdf.putDataset(TERMS, nested(table));
+            if (table.coefficients() != null) {
+                hdf.putDataset(COEFFICIENTS, table.coefficients().values());
+            }
+            attributes.values().forEach(hdf::putAttribute);
+            hdf.putAttribute(TableAttributes.CHECKSUM, checksum(attributes, table));
+        } catch (RuntimeException e) {
+            throw new UncheckedIOException(
+                    "cannot write " + file + ": " + rootMessage(e), new IOException(rootMessage(e), e));
+        }
+    }
+
+    /**
+     * Reads a table and checks it.
+     *
+     * @throws TableException when the file is missing, truncated, altered or of another version
+     */
+    public static FourierTable read(Path file) {
+        if (!Files.isRegularFile(file)) {
+            throw new TableException(file + ": no such table; make it with 'sunbeam precompute'");
+        }
+        try (HdfFile hdf = new HdfFile(file)) {
+            long bytes = Files.size(file);
+            if (bytes < endOfFileAddress(hdf)) {
+                throw new TableException("truncated: " + bytes + " bytes left of " + endOfFileAddress(hdf));
+            }
+            return read(hdf, bytes);
+        } catch (TableException e) {
+            throw unusable(file, e.getMessage(), e);
+        } catch (IOException | RuntimeException e) {
+            // The HDF5 library reports damage by exceptions of many kinds; each means the same to the user.
+            throw unusable(file, "not a readable HDF5 file: " + rootMessage(e), e);
+        }
+    }
+
+    /** How long the file says it is: bytes 28 to 35 of a superblock of version 2 or 3 (HDF5 specification, II.A). */
+    private static long endOfFileAddress(HdfFile hdf) {
+        return hdf.getHdfBackingStorage()
+                .map(28, Long.BYTES)
+                .order(ByteOrder.LITTLE_ENDIAN)
+                .getLong();
+    }
+
+    private static TableException unusable(Path file, String reason, Exception cause) {
+        return new TableException(file + ": " + reason + "; make it again with 'sunbeam precompute'", cause);
+    }
+
+    private static FourierTable read(HdfFile hdf, long fileBytes) {
+        Map<String, Object> values = new TreeMap<>();
+        hdf.getAttributes().forEach((name, attribute) -> values.put(name, attribute.getData()));
+        TableAttributes attributes = TableAttributes.of(values);
+        if (!TableAttributes.FORMAT.equals(values.get("format"))) {
+            throw new TableException("not a Sunbeam table");
+        }
+        int version = attributes.integer("format_version");
+        if (version != TableAttributes.VERSION) {
+            throw new TableException(
+                    "table of version " + version + ", this Sunbeam reads version " + TableAttributes.VERSION);
+        }
+        Dataset terms = dataset(hdf, TERMS, 4, fileBytes);
+        int[] shape = terms.getDimensions();
+        if (shape[1] != 2) {
+            throw new TableException("dataset '" + TERMS + "' has " + shape[1] + " parts instead of 2");
+        }
+        int size = Math.multiplyExact(shape[2], shape[3]);
+        float[][][] parts = split(terms, shape[0], size);
+        FourierTable table = new FourierTable(
+                attributes.patch(),
+                attributes.kind(),
+                attributes.scale(),
+                new Band(attributes.integer("first_bin_x"), shape[3]),
+                new Band(attributes.integer("first_bin_y"), shape[2]),
+                parts[0],
+                parts[1],
+                coefficients(hdf, attributes, fileBytes));
+        if (!checksum(attributes, table).equals(attributes.text(TableAttributes.CHECKSUM))) {
+            throw new TableException("its checksum does not fit: the file was altered or damaged");
+        }
+        return table;
+    }
+
+    private static Dataset dataset(HdfFile hdf, String name, int dimensions, long fileBytes) {
+        if (!(hdf.getChild(name) instanceof Dataset dataset)) {
+            throw new TableException("dataset '" + name + "' is missing");
+        }
+        long bytes = 4;
+        for (long side : dataset.getDimensionsAsLong()) {
+            if (side < 1) {
+                throw new TableException("dataset '" + name + "' has an empty side");
+            }
+            bytes = Math.multiplyExact(bytes, side);
+        }
+        // Before memory is taken: a file cannot hold more numbers than it has bytes for.
+        if (dataset.getDimensions().length != dimensions || dataset.getJavaType() != float.class || bytes > fileBytes) {
+            throw new TableException("dataset '" + name + "' has the wrong shape or type for this file");
+        }
+        return dataset;
+    }
+
+    private static float[][][] split(Dataset terms, int count, int size) {
+        float[] flat = (float[]) terms.getDataFlat();
+        float[][][] parts = new float[2][count][size];
+        for (int n = 0; n < count; n++) {
+            System.arraycopy(flat, 2 * n * size, parts[0][n], 0, size);
+            System.arraycopy(flat, (2 * n + 1) * size, parts[1][n], 0, size);
+        }
+        return parts;
+    }
+
+    private static CoefficientTable coefficients(HdfFile hdf, TableAttributes attributes, long fileBytes) {
+        if (!attributes.has("coefficients_first_phase_radians")) {
+            return null;
+        }
+        float[][] values = (float[][]) dataset(hdf, COEFFICIENTS, 2, fileBytes).getData();
+        return new CoefficientTable(
+                attributes.real("coefficients_first_phase_radians"),
+                attributes.real("coefficients_last_phase_radians"),
+                values);
+    }
+
+    private static float[][][][] nested(FourierTable table) {
+        int columns = table.bandX().count();
+        int rows = table.bandY().count();
+        float[][][][] result = new float[table.terms()][2][rows][columns];
+        for (int n = 0; n < table.terms(); n++) {
+            for (int row = 0; row < rows; row++) {
+                System.arraycopy(table.real()[n], row * columns, result[n][0][row], 0, columns);
+                System.arraycopy(table.imaginary()[n], row * columns, result[n][1][row], 0, columns);
+            }
+        }
+        return result;
+    }
+
+    private static String checksum(TableAttributes attributes, FourierTable table) {
+        try {
+            MessageDigest digest = MessageDigest.getInstance("SHA-256");
+            digest.update(attributes.canonical().getBytes(StandardCharsets.UTF_8));
+            for (int n = 0; n < table.terms(); n++) {
+                update(digest, table.real()[n]);
+                update(digest, table.imaginary()[n]);
+            }
+            if (table.coefficients() != null) {
+                for (float[] row : table.coefficients().values()) {
+                    update(digest, row);
+                }
+            }
+            return HexFormat.of().formatHex(digest.digest());
+        } catch (NoSuchAlgorithmException e) {
+            throw new IllegalStateException("every Java has SHA-256", e);
+        }
+    }
+
+    private static void update(MessageDigest digest, float[] values) {
+        ByteBuffer bytes = ByteBuffer.allocate(4 * values.length);
+        bytes.asFloatBuffer().put(values);
+        digest.update(bytes);
+    }
+
+    private static String rootMessage(Throwable failure) {
+        Throwable cause = failure;
+        while (cause.getCause() != null) {
+            cause = cause.getCause();
+        }
+        return cause.getMessage() == null ? cause.getClass().getSimpleName() : cause.getMessage();
+    }
+}

@@ -1,0 +1,25 @@
+#version 330 core
+#include "include/gain.glsl"
+#include "method/method.glsl"
+
+// A BRDF map: the pixel at (x, y) of the unit disc shows the direction (x, y, sqrt(1 - x^2 - y^2)).
+
+// Towards the light, in the tangent frame.
+uniform vec3 lightDirection;
+// Width and height of the whole map in pixels.
+uniform vec2 mapSize;
+
+// Linear XYZ of the relative radiance; alpha 1 inside the disc, 0 outside.
+layout(location = 0) out vec4 radiance;
+
+void main() {
+    vec2 disc = 2.0 * gl_FragCoord.xy / mapSize - 1.0;
+    float radiusSquared = dot(disc, disc);
+    if (radiusSquared >= 1.0) {
+        radiance = vec4(0.0);
+        return;
+    }
+    vec3 wr = vec3(disc, sqrt(1.0 - radiusSquared));
+    vec3 uvw = diffractionVector(lightDirection, wr);
+    radiance = vec4(relativeRadiance(lightDirection, wr) * diffractedXyz(uvw), 1.0);
+}

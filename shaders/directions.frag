@@ -1,0 +1,34 @@
+#version 330 core
+#include "include/gain.glsl"
+#include "method/method.glsl"
+
+// A list of directions, one per fragment, through the very code that draws the maps.
+
+// Three rows of texels for each row of fragments: (wi, 0), (wr, 0), (u, v, w, wavelength). The last is computed in double
+// precision, because u and v cancel near the specular direction.
+uniform sampler2D directions;
+// Standard deviation of the coherence window in metres.
+uniform float windowSigma;
+
+// With a wavelength: coherent power, ensemble power, relative radiance, BRDF. Without: X, Y, Z of power, gain.
+layout(location = 0) out vec4 result;
+
+void main() {
+    ivec2 texel = ivec2(gl_FragCoord.xy) * ivec2(1, 3);
+    vec3 wi = texelFetch(directions, texel, 0).xyz;
+    vec3 wr = texelFetch(directions, texel + ivec2(0, 1), 0).xyz;
+    vec4 uvwLambda = texelFetch(directions, texel + ivec2(0, 2), 0);
+    float gain = relativeRadiance(wi, wr);
+#ifdef SPECTRAL
+    float coherent = coherentPower(uvwLambda.xyz, uvwLambda.w);
+    float ensemble = ensemblePower(uvwLambda.xyz, uvwLambda.w);
+#if AVERAGE == AVERAGE_ENSEMBLE
+    float power = ensemble;
+#else
+    float power = coherent;
+#endif
+    result = vec4(coherent, ensemble, gain * power, brdfPerPower(wi, wr, uvwLambda.w, windowSigma) * power);
+#else
+    result = vec4(diffractedXyz(uvwLambda.xyz), gain);
+#endif
+}

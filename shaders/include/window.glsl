@@ -1,0 +1,10 @@
+// The Gaussian coherence window, seen from frequency space.
+
+// Standard deviation of its spectrum in DFT bins of the patch, along x and y.
+uniform vec2 windowSigmaBins;
+
+// Amplitude that a bin at this distance (in bins) lends to the wanted frequency.
+float windowAmplitude(float distance, float sigma) {
+    float ratio = distance / sigma;
+    return exp(-0.5 * ratio * ratio);
+}

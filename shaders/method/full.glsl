@@ -1,0 +1,92 @@
+#include "include/expansion.glsl"
+
+// Every wavelength node, expansion terms times a Gaussian neighbourhood of DFT bins: the thesis's FLSS (algorithm 3.3).
+
+// DFT bins of the terms T_n, one layer each, (real, imaginary); texel (0, 0) is bin tableFirst.
+uniform sampler2DArray tableTerms;
+uniform ivec2 tableFirst;
+// Number of bins per unit of frequency, which is the patch's period in metres.
+uniform vec2 tablePeriod;
+
+const int SIDE = 2 * RADIUS + 1;
+
+struct Neighbourhood {
+    ivec2 corner;
+    float weightsX[SIDE];
+    float weightsY[SIDE];
+};
+
+ivec2 anchorBin(vec2 position) {
+#if ANCHOR == ANCHOR_FLOOR
+    return ivec2(floor(position));
+#else
+    return ivec2(floor(position + 0.5));
+#endif
+}
+
+Neighbourhood neighbourhoodOf(vec2 uv, float wavelength) {
+    vec2 position = uv / wavelength * tablePeriod;
+    ivec2 first = anchorBin(position) - RADIUS;
+    Neighbourhood result;
+    result.corner = first - tableFirst;
+    vec2 offset = vec2(first) - position;
+    for (int i = 0; i < SIDE; ++i) {
+        result.weightsX[i] = windowAmplitude(offset.x + float(i), windowSigmaBins.x);
+        result.weightsY[i] = windowAmplitude(offset.y + float(i), windowSigmaBins.y);
+    }
+    return result;
+}
+
+// Amplitudes of the taps first, square last: one coherence area.
+float coherentPower(vec3 uvw, float wavelength) {
+    Neighbourhood taps = neighbourhoodOf(uvw.xy, wavelength);
+    float zeta = expansionPhase(uvw.z, wavelength);
+    vec2 coefficient = firstCoefficient(zeta);
+    vec2 amplitude = vec2(0.0);
+    for (int n = 0; n < TERMS; ++n) {
+        vec2 term = vec2(0.0);
+        for (int j = 0; j < SIDE; ++j) {
+            vec2 row = vec2(0.0);
+            for (int i = 0; i < SIDE; ++i) {
+                row += taps.weightsX[i] * texelFetch(tableTerms, ivec3(taps.corner + ivec2(i, j), n), 0).rg;
+            }
+            term += taps.weightsY[j] * row;
+        }
+        amplitude += complexMultiply(coefficient, term);
+        coefficient = nextCoefficient(coefficient, n + 1, zeta);
+    }
+    return squaredMagnitude(amplitude);
+}
+
+// Squares of the taps, then their sum: Stam's angle brackets (thesis eq. 2.29 in spirit).
+float ensemblePower(vec3 uvw, float wavelength) {
+    Neighbourhood taps = neighbourhoodOf(uvw.xy, wavelength);
+    float zeta = expansionPhase(uvw.z, wavelength);
+    float power = 0.0;
+    for (int j = 0; j < SIDE; ++j) {
+        for (int i = 0; i < SIDE; ++i) {
+            vec2 coefficient = firstCoefficient(zeta);
+            vec2 bin = vec2(0.0);
+            for (int n = 0; n < TERMS; ++n) {
+                bin += complexMultiply(coefficient, texelFetch(tableTerms, ivec3(taps.corner + ivec2(i, j), n), 0).rg);
+                coefficient = nextCoefficient(coefficient, n + 1, zeta);
+            }
+            float weight = taps.weightsX[i] * taps.weightsY[j];
+            power += weight * weight * squaredMagnitude(bin);
+        }
+    }
+    return power;
+}
+
+vec3 diffractedXyz(vec3 uvw) {
+    vec3 xyz = vec3(0.0);
+    for (int i = 0; i < wavelengthCount; ++i) {
+        vec4 node = texelFetch(wavelengthNodes, ivec2(i, 0), 0);
+#if AVERAGE == AVERAGE_ENSEMBLE
+        xyz += node.yzw * ensemblePower(uvw, node.x);
+#else
+        xyz += node.yzw * coherentPower(uvw, node.x);
+#endif
+    }
+    return xyz;
+}
