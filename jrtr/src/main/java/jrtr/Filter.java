@@ -1,0 +1,9 @@
+package jrtr;
+
+/** What a sampler gives between texel centres, which lie at (i + 1/2) / size. */
+public enum Filter {
+    /** The nearest texel, bit for bit. */
+    NEAREST,
+    /** Bilinear interpolation within a layer. Weights may have as few as 8 bits on some hardware. */
+    LINEAR
+}

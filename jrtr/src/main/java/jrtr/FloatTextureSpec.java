@@ -1,0 +1,64 @@
+package jrtr;
+
+/**
+ * Shape of a float texture.
+ *
+ * @param width texels per row, at least 1
+ * @param height rows, at least 1
+ * @param layers layers, at least 1
+ * @param array whether the sampler is a {@code sampler2DArray}; without it there is one layer and a {@code sampler2D}
+ * @param format channels per texel
+ * @param filter nearest unless set by {@link #with(Filter)}
+ * @param wrap clamp unless set by {@link #with(Wrap)}
+ */
+public record FloatTextureSpec(
+        int width, int height, int layers, boolean array, FloatFormat format, Filter filter, Wrap wrap) {
+
+    /** Rejects sizes below 1 and layers without an array. */
+    public FloatTextureSpec {
+        if (width < 1 || height < 1 || layers < 1) {
+            throw new IllegalArgumentException(
+                    "texture of " + width + " x " + height + " x " + layers + ": every side must be at least 1");
+        }
+        if (!array && layers != 1) {
+            throw new IllegalArgumentException("a texture of " + layers + " layers must be an array");
+        }
+    }
+
+    /** A row of values: {@code length} x 1 texels, read with {@code texelFetch(s, ivec2(i, 0), 0)}. */
+    public static FloatTextureSpec line(int length, FloatFormat format) {
+        return flat(length, 1, format);
+    }
+
+    /** One layer, {@code sampler2D}. */
+    public static FloatTextureSpec flat(int width, int height, FloatFormat format) {
+        return new FloatTextureSpec(width, height, 1, false, format, Filter.NEAREST, Wrap.CLAMP);
+    }
+
+    /** Several layers of one size, {@code sampler2DArray}. */
+    public static FloatTextureSpec array(int width, int height, int layers, FloatFormat format) {
+        return new FloatTextureSpec(width, height, layers, true, format, Filter.NEAREST, Wrap.CLAMP);
+    }
+
+    /** The same shape with another filter. */
+    public FloatTextureSpec with(Filter newFilter) {
+        return new FloatTextureSpec(width, height, layers, array, format, newFilter, wrap);
+    }
+
+    /** The same shape with another wrap. */
+    public FloatTextureSpec with(Wrap newWrap) {
+        return new FloatTextureSpec(width, height, layers, array, format, filter, newWrap);
+    }
+
+    /** Floats in one layer: width x height x channels. */
+    public long floatsPerLayer() {
+        return (long) width * height * format.channels();
+    }
+
+    /** Floats in all layers; saturates at {@link Long#MAX_VALUE}. */
+    public long floats() {
+        long high = Math.multiplyHigh(floatsPerLayer(), layers);
+        long low = floatsPerLayer() * layers;
+        return high == 0 && low >= 0 ? low : Long.MAX_VALUE;
+    }
+}

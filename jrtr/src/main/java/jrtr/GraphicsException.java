@@ -1,0 +1,26 @@
+package jrtr;
+
+/**
+ * The machine, its driver or a shader cannot do what was asked. The message is one line that names the thing, the value
+ * and, where there is one, the remedy.
+ */
+public class GraphicsException extends RuntimeException {
+    private static final long serialVersionUID = 1L;
+
+    /** @param message what failed and how to mend it; line breaks are replaced by spaces */
+    public GraphicsException(String message) {
+        super(oneLine(message));
+    }
+
+    /**
+     * @param message what failed and how to mend it; line breaks are replaced by spaces
+     * @param cause the driver's or library's own failure
+     */
+    public GraphicsException(String message, Throwable cause) {
+        super(oneLine(message), cause);
+    }
+
+    private static String oneLine(String message) {
+        return message.strip().replaceAll("\\s*\\R\\s*", " ");
+    }
+}

@@ -1,0 +1,25 @@
+package jrtr;
+
+/**
+ * Shape of an 8-bit RGBA texture.
+ *
+ * @param width texels per row, at least 1
+ * @param height rows, at least 1
+ * @param encoding what the bytes stand for
+ * @param wrap beyond the edges
+ */
+public record ImageTextureSpec(int width, int height, ColorEncoding encoding, Wrap wrap) {
+
+    /** Rejects sizes below 1. */
+    public ImageTextureSpec {
+        if (width < 1 || height < 1) {
+            throw new IllegalArgumentException(
+                    "image of " + width + " x " + height + ": both sides must be at least 1");
+        }
+    }
+
+    /** Bytes of the whole image without mipmaps: 4 x width x height. */
+    public long bytes() {
+        return 4L * width * height;
+    }
+}

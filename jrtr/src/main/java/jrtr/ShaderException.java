@@ -1,0 +1,44 @@
+package jrtr;
+
+import java.util.List;
+
+/**
+ * A shader that cannot be assembled, compiled, linked or fed. The message starts with {@code file:line:} wherever the
+ * fault has a place, and quotes that line.
+ */
+public class ShaderException extends GraphicsException {
+    private static final long serialVersionUID = 1L;
+
+    private final transient List<ShaderProblem> problems;
+
+    /** @param message what failed and how to mend it */
+    public ShaderException(String message) {
+        super(message);
+        this.problems = List.of();
+    }
+
+    /**
+     * @param doing what was being done, such as "compiling full.frag.glsl"
+     * @param problems all that the compiler said, the first error first in the message; not empty
+     */
+    public ShaderException(String doing, List<ShaderProblem> problems) {
+        super(summary(doing, problems));
+        this.problems = List.copyOf(problems);
+    }
+
+    /** All that the compiler said, with places; empty where no compiler was involved. */
+    public List<ShaderProblem> problems() {
+        return problems == null ? List.of() : problems;
+    }
+
+    private static String summary(String doing, List<ShaderProblem> problems) {
+        List<ShaderProblem> errors =
+                problems.stream().filter(ShaderProblem::isError).toList();
+        List<ShaderProblem> shown = errors.isEmpty() ? problems : errors;
+        if (shown.isEmpty()) {
+            throw new IllegalArgumentException("no problem to report for " + doing);
+        }
+        int more = shown.size() - 1;
+        return shown.get(0).describe() + " [" + doing + (more > 0 ? ", and " + more + " more" : "") + "]";
+    }
+}

@@ -1,0 +1,10 @@
+package jrtr;
+
+/**
+ * A line as its author wrote it.
+ *
+ * @param file name of the shader file, or {@code <defines>} for the generated prologue
+ * @param number line number, counted from 1
+ * @param text the line, comments included, without its line break
+ */
+public record SourceLine(String file, int number, String text) {}

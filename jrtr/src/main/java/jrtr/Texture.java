@@ -1,0 +1,20 @@
+package jrtr;
+
+/** Texels that a shader can sample. Bound to a sampler by name, with a {@link Binding}. */
+public interface Texture {
+
+    /** The name given at creation, for messages. */
+    String label();
+
+    /** Texels per row. */
+    int width();
+
+    /** Rows. */
+    int height();
+
+    /** Layers; 1 unless this is an array. */
+    int layers();
+
+    /** Whether the shader's sampler is a {@code sampler2DArray} (also with one layer) rather than a {@code sampler2D}. */
+    boolean isArray();
+}

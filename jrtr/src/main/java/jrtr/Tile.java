@@ -1,0 +1,57 @@
+package jrtr;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * A rectangle of pixels, counted from the image's top left corner.
+ *
+ * @param x columns to its left, at least 0
+ * @param y rows above it, at least 0
+ * @param width columns, at least 1
+ * @param height rows, at least 1
+ */
+public record Tile(int x, int y, int width, int height) {
+
+    /** Rejects negative corners and empty rectangles. */
+    public Tile {
+        if (x < 0 || y < 0 || width < 1 || height < 1) {
+            throw new IllegalArgumentException(
+                    "tile " + width + " x " + height + " at (" + x + ", " + y + ") is empty or outside");
+        }
+    }
+
+    /** The whole image. */
+    public static Tile whole(int width, int height) {
+        return new Tile(0, 0, width, height);
+    }
+
+    /**
+     * Tiles that cover an image exactly once, row by row from the top left.
+     *
+     * @param side width and height of each tile, at least 1; those at the right and the bottom are cut
+     */
+    public static List<Tile> cover(int width, int height, int side) {
+        if (side < 1) {
+            throw new IllegalArgumentException("tile side " + side + " is below 1");
+        }
+        List<Tile> tiles = new ArrayList<>();
+        for (long y = 0; y < height; y += side) {
+            for (long x = 0; x < width; x += side) {
+                int tileWidth = (int) Math.min(side, width - x);
+                tiles.add(new Tile((int) x, (int) y, tileWidth, (int) Math.min(side, height - y)));
+            }
+        }
+        return List.copyOf(tiles);
+    }
+
+    /** Pixels: width x height. */
+    public long pixels() {
+        return (long) width * height;
+    }
+
+    /** Whether an image of this size holds the whole tile. */
+    public boolean fitsIn(int imageWidth, int imageHeight) {
+        return (long) x + width <= imageWidth && (long) y + height <= imageHeight;
+    }
+}

@@ -1,0 +1,42 @@
+package jrtr.gl;
+
+import com.jogamp.opengl.GL3;
+
+/** A target's image as a texture. Lives and dies with its target. */
+record GlAttachment(GlFloatTarget owner, int index, int glName) implements GlTexture {
+
+    @Override
+    public int glTarget() {
+        return GL3.GL_TEXTURE_2D;
+    }
+
+    @Override
+    public void requireReadyFor(GlDevice user) {
+        owner.requireUsableBy(user);
+    }
+
+    @Override
+    public String label() {
+        return owner.label() + "[" + index + "]";
+    }
+
+    @Override
+    public int width() {
+        return owner.spec().width();
+    }
+
+    @Override
+    public int height() {
+        return owner.spec().height();
+    }
+
+    @Override
+    public int layers() {
+        return 1;
+    }
+
+    @Override
+    public boolean isArray() {
+        return false;
+    }
+}

@@ -1,0 +1,126 @@
+package jrtr.gl;
+
+import com.jogamp.opengl.GL3;
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
+import jrtr.ContextInfo;
+import jrtr.ContextLimits;
+import jrtr.ContextOptions;
+import jrtr.GraphicsException;
+
+/** The way to OpenGL for all resources of one context: its functions, thread, limits, errors and open resources. */
+final class GlDevice {
+    private final GlSurface surface;
+    private final Thread owner = Thread.currentThread();
+    private final GlMessages messages;
+    private final ContextInfo info;
+    private final Set<GlResource> resources = new LinkedHashSet<>();
+    private boolean measuring;
+    private boolean closed;
+
+    GlDevice(GlSurface surface, ContextOptions options) {
+        this.surface = surface;
+        GL3 gl = surface.makeCurrent();
+        this.messages = new GlMessages();
+        boolean active = options.debugOutput() && messages.listenTo(surface.context(), gl);
+        this.info = GlInfo.of(gl, active);
+    }
+
+    /** The functions, with the context current. */
+    GL3 gl() {
+        requireUsable();
+        return surface.makeCurrent();
+    }
+
+    /** Throws unless the context is open and this is its thread. */
+    void requireUsable() {
+        requireOwner();
+        if (closed) {
+            throw new IllegalStateException("the render context is closed");
+        }
+    }
+
+    void requireOwner() {
+        if (Thread.currentThread() != owner) {
+            throw new IllegalStateException("the render context belongs to thread '" + owner.getName()
+                    + "' but was used from '" + Thread.currentThread().getName() + "'");
+        }
+    }
+
+    ContextInfo info() {
+        return info;
+    }
+
+    ContextLimits limits() {
+        return info.limits();
+    }
+
+    boolean isClosed() {
+        return closed;
+    }
+
+    /**
+     * Throws if the driver has reported an error since the last check.
+     *
+     * @param doing completes "OpenGL reported ... while"
+     */
+    void check(GL3 gl, String doing) {
+        int error = gl.glGetError();
+        String message = messages.takeError();
+        if (error == GL3.GL_NO_ERROR && message == null) {
+            return;
+        }
+        // A context keeps one flag per kind of error: all are taken, so that the next check starts clean.
+        for (int more = 0; more < 8 && gl.glGetError() != GL3.GL_NO_ERROR; more++) {
+            message = message == null ? "and others" : message;
+        }
+        String name = error == GL3.GL_NO_ERROR ? "an error" : GlNames.error(error);
+        String detail = message == null ? "" : " (" + message + ")";
+        throw new GraphicsException("OpenGL reported " + name + " while " + doing + detail + GlNames.remedy(error));
+    }
+
+    /** The driver's messages about a shader are reported by the shader's own log. */
+    void forgetMessages() {
+        messages.takeError();
+    }
+
+    /** OpenGL runs one timer query at a time. */
+    void beginMeasurement() {
+        if (measuring) {
+            throw new IllegalStateException("a measurement is under way; measurements do not nest");
+        }
+        measuring = true;
+    }
+
+    void endMeasurement() {
+        measuring = false;
+    }
+
+    void register(GlResource resource) {
+        resources.add(resource);
+    }
+
+    void unregister(GlResource resource) {
+        resources.remove(resource);
+    }
+
+    /** Frees all resources, newest first, then the context. */
+    void close() {
+        requireOwner();
+        if (closed) {
+            return;
+        }
+        try {
+            surface.makeCurrent();
+            List<GlResource> open = new ArrayList<>(resources);
+            for (int index = open.size() - 1; index >= 0; index--) {
+                open.get(index).close();
+            }
+        } finally {
+            closed = true;
+            surface.destroy();
+        }
+    }
+}

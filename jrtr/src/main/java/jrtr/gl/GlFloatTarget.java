@@ -1,0 +1,224 @@
+package jrtr.gl;
+
+import com.jogamp.opengl.GL3;
+import java.nio.FloatBuffer;
+import java.util.ArrayList;
+import java.util.List;
+import jrtr.ContextLimits;
+import jrtr.FloatTarget;
+import jrtr.FloatTargetSpec;
+import jrtr.GraphicsException;
+import jrtr.Texture;
+import jrtr.Tile;
+import jrtr.Wrap;
+
+/** A framebuffer object with RGBA32F textures and, if asked for, a depth renderbuffer. */
+final class GlFloatTarget extends GlResource implements FloatTarget {
+    private final FloatTargetSpec spec;
+    private final List<GlAttachment> colors = new ArrayList<>();
+    private final int[] framebuffer = new int[1];
+    private final int[] depthBuffer = new int[1];
+
+    private GlFloatTarget(GlDevice device, String label, FloatTargetSpec spec) {
+        super(device, label);
+        this.spec = spec;
+    }
+
+    static GlFloatTarget create(GlDevice device, String label, FloatTargetSpec spec) {
+        requireAllowed(device, label, spec);
+        GL3 gl = device.gl();
+        GlFloatTarget target = new GlFloatTarget(device, label, spec);
+        try {
+            target.allocate(gl);
+            return target;
+        } catch (RuntimeException failure) {
+            target.close();
+            throw failure;
+        }
+    }
+
+    private static void requireAllowed(GlDevice device, String label, FloatTargetSpec spec) {
+        ContextLimits limits = device.limits();
+        int side = Math.min(limits.textureSize(), limits.renderbufferSize());
+        int maxWidth = Math.min(side, limits.viewportWidth());
+        int maxHeight = Math.min(side, limits.viewportHeight());
+        if (spec.width() > maxWidth || spec.height() > maxHeight) {
+            throw new GraphicsException("target '" + label + "' needs " + spec.width() + " x " + spec.height()
+                    + " pixels but this driver allows at most " + maxWidth + " x " + maxHeight + " ("
+                    + device.info().renderer() + ")");
+        }
+        if (spec.colors() > limits.colors()) {
+            throw new GraphicsException("target '" + label + "' needs " + spec.colors()
+                    + " images but this driver allows at most " + limits.colors() + " ("
+                    + device.info().renderer() + ")");
+        }
+    }
+
+    private void allocate(GL3 gl) {
+        gl.glGenFramebuffers(1, framebuffer, 0);
+        int[] drawBuffers = new int[spec.colors()];
+        for (int color = 0; color < spec.colors(); color++) {
+            colors.add(new GlAttachment(this, color, createImage(gl)));
+            drawBuffers[color] = GL3.GL_COLOR_ATTACHMENT0 + color;
+        }
+        gl.glBindFramebuffer(GL3.GL_FRAMEBUFFER, framebuffer[0]);
+        for (GlAttachment color : colors) {
+            int point = GL3.GL_COLOR_ATTACHMENT0 + color.index();
+            gl.glFramebufferTexture2D(GL3.GL_FRAMEBUFFER, point, GL3.GL_TEXTURE_2D, color.glName(), 0);
+        }
+        if (spec.depth()) {
+            attachDepth(gl);
+        }
+        gl.glDrawBuffers(drawBuffers.length, drawBuffers, 0);
+        int status = gl.glCheckFramebufferStatus(GL3.GL_FRAMEBUFFER);
+        if (status != GL3.GL_FRAMEBUFFER_COMPLETE) {
+            throw new GraphicsException(
+                    "target '" + label() + "' cannot be drawn to on this driver: " + GlNames.framebufferStatus(status));
+        }
+        device().check(gl, "taking memory for '" + label() + "'");
+    }
+
+    private int createImage(GL3 gl) {
+        TextureMemory memory = new TextureMemory(device(), label());
+        int name = memory.create(gl, GL3.GL_TEXTURE_2D, Wrap.CLAMP);
+        try {
+            gl.glTexParameteri(GL3.GL_TEXTURE_2D, GL3.GL_TEXTURE_MIN_FILTER, GL3.GL_NEAREST);
+            gl.glTexParameteri(GL3.GL_TEXTURE_2D, GL3.GL_TEXTURE_MAG_FILTER, GL3.GL_NEAREST);
+            gl.glTexParameteri(GL3.GL_TEXTURE_2D, GL3.GL_TEXTURE_MAX_LEVEL, 0);
+            double bytes = 16.0 * spec.width() * spec.height();
+            memory.allocate(gl, GL3.GL_RGBA32F, spec.width(), spec.height(), GL3.GL_RGBA, GL3.GL_FLOAT, bytes);
+            return name;
+        } catch (RuntimeException failure) {
+            gl.glDeleteTextures(1, new int[] {name}, 0);
+            throw failure;
+        }
+    }
+
+    private void attachDepth(GL3 gl) {
+        gl.glGenRenderbuffers(1, depthBuffer, 0);
+        gl.glBindRenderbuffer(GL3.GL_RENDERBUFFER, depthBuffer[0]);
+        gl.glRenderbufferStorage(GL3.GL_RENDERBUFFER, GL3.GL_DEPTH_COMPONENT32F, spec.width(), spec.height());
+        gl.glFramebufferRenderbuffer(GL3.GL_FRAMEBUFFER, GL3.GL_DEPTH_ATTACHMENT, GL3.GL_RENDERBUFFER, depthBuffer[0]);
+    }
+
+    /** Directs drawing here, to the tile only; the viewport is the whole target, so coordinates are the target's. */
+    void bindForDrawing(GL3 gl, Tile tile) {
+        gl.glBindFramebuffer(GL3.GL_FRAMEBUFFER, framebuffer[0]);
+        gl.glViewport(0, 0, spec.width(), spec.height());
+        gl.glEnable(GL3.GL_SCISSOR_TEST);
+        gl.glScissor(tile.x(), bottomOf(tile), tile.width(), tile.height());
+    }
+
+    boolean owns(GlTexture texture) {
+        return texture instanceof GlAttachment attachment && attachment.owner() == this;
+    }
+
+    void requireInside(Tile tile) {
+        if (!tile.fitsIn(spec.width(), spec.height())) {
+            throw new IllegalArgumentException("tile " + tile + " is not inside target '" + label() + "' of "
+                    + spec.width() + " x " + spec.height());
+        }
+    }
+
+    private int bottomOf(Tile tile) {
+        return spec.height() - tile.y() - tile.height();
+    }
+
+    @Override
+    public void clear(float red, float green, float blue, float alpha) {
+        GL3 gl = gl();
+        bindForDrawing(gl, Tile.whole(spec.width(), spec.height()));
+        gl.glColorMask(true, true, true, true);
+        float[] value = {red, green, blue, alpha};
+        for (int color = 0; color < spec.colors(); color++) {
+            gl.glClearBufferfv(GL3.GL_COLOR, color, value, 0);
+        }
+        if (spec.depth()) {
+            gl.glDepthMask(true);
+            gl.glClearBufferfv(GL3.GL_DEPTH, 0, new float[] {1}, 0);
+        }
+        device().check(gl, "clearing '" + label() + "'");
+    }
+
+    @Override
+    public float[] read(int color) {
+        return read(color, Tile.whole(spec.width(), spec.height()));
+    }
+
+    @Override
+    public float[] read(int color, Tile tile) {
+        requireColor(color);
+        GL3 gl = bindForReading(tile);
+        gl.glReadBuffer(GL3.GL_COLOR_ATTACHMENT0 + color);
+        return readPixels(gl, tile, GL3.GL_RGBA, 4);
+    }
+
+    @Override
+    public float[] readDepth(Tile tile) {
+        if (!spec.depth()) {
+            throw new IllegalStateException("target '" + label() + "' has no depth");
+        }
+        return readPixels(bindForReading(tile), tile, GL3.GL_DEPTH_COMPONENT, 1);
+    }
+
+    private GL3 bindForReading(Tile tile) {
+        requireInside(tile);
+        GL3 gl = gl();
+        gl.glBindFramebuffer(GL3.GL_FRAMEBUFFER, framebuffer[0]);
+        return gl;
+    }
+
+    private float[] readPixels(GL3 gl, Tile tile, int format, int channels) {
+        long length = tile.pixels() * channels;
+        if (length > Integer.MAX_VALUE - 8) {
+            throw new GraphicsException("reading " + tile.width() + " x " + tile.height() + " pixels of '" + label()
+                    + "' needs " + length + " floats, more than an array has; read smaller tiles");
+        }
+        float[] pixels = new float[(int) length];
+        // Drawing ends before the copy begins: the copy pins the array, and with it the garbage collector.
+        gl.glFinish();
+        gl.glPixelStorei(GL3.GL_PACK_ALIGNMENT, 4);
+        gl.glReadPixels(
+                tile.x(), bottomOf(tile), tile.width(), tile.height(), format, GL3.GL_FLOAT, FloatBuffer.wrap(pixels));
+        device().check(gl, "reading '" + label() + "'");
+        turnUpsideDown(pixels, tile.width() * channels);
+        return pixels;
+    }
+
+    private static void turnUpsideDown(float[] pixels, int rowLength) {
+        float[] row = new float[rowLength];
+        for (int top = 0, bottom = pixels.length - rowLength; top < bottom; top += rowLength, bottom -= rowLength) {
+            System.arraycopy(pixels, top, row, 0, rowLength);
+            System.arraycopy(pixels, bottom, pixels, top, rowLength);
+            System.arraycopy(row, 0, pixels, bottom, rowLength);
+        }
+    }
+
+    private void requireColor(int color) {
+        if (color < 0 || color >= spec.colors()) {
+            throw new IllegalArgumentException(
+                    "target '" + label() + "' has images 0 to " + (spec.colors() - 1) + ", not " + color);
+        }
+    }
+
+    @Override
+    public Texture texture(int color) {
+        requireColor(color);
+        gl();
+        return colors.get(color);
+    }
+
+    @Override
+    public FloatTargetSpec spec() {
+        return spec;
+    }
+
+    @Override
+    void delete(GL3 gl) {
+        gl.glDeleteFramebuffers(1, framebuffer, 0);
+        gl.glDeleteRenderbuffers(1, depthBuffer, 0);
+        for (GlAttachment color : colors) {
+            gl.glDeleteTextures(1, new int[] {color.glName()}, 0);
+        }
+    }
+}

@@ -1,0 +1,48 @@
+package jrtr.gl;
+
+import com.jogamp.opengl.GL2ES2;
+import com.jogamp.opengl.GL3;
+
+/** OpenGL's numbers in words. */
+final class GlNames {
+
+    private GlNames() {}
+
+    static String error(int code) {
+        return switch (code) {
+            case GL3.GL_INVALID_ENUM -> "GL_INVALID_ENUM";
+            case GL3.GL_INVALID_VALUE -> "GL_INVALID_VALUE";
+            case GL3.GL_INVALID_OPERATION -> "GL_INVALID_OPERATION";
+            case GL3.GL_INVALID_FRAMEBUFFER_OPERATION -> "GL_INVALID_FRAMEBUFFER_OPERATION";
+            case GL3.GL_OUT_OF_MEMORY -> "GL_OUT_OF_MEMORY";
+            default -> "error " + hex(code);
+        };
+    }
+
+    static String remedy(int code) {
+        return code == GL3.GL_OUT_OF_MEMORY ? ". Ask for something smaller" : "";
+    }
+
+    static String framebufferStatus(int code) {
+        return switch (code) {
+            case GL3.GL_FRAMEBUFFER_UNSUPPORTED -> "this combination of images is not supported by the driver";
+            case GL3.GL_FRAMEBUFFER_INCOMPLETE_ATTACHMENT -> "an image cannot be drawn to";
+            default -> "status " + hex(code);
+        };
+    }
+
+    static String debugType(int code) {
+        return switch (code) {
+            case GL2ES2.GL_DEBUG_TYPE_ERROR -> "error";
+            case GL2ES2.GL_DEBUG_TYPE_DEPRECATED_BEHAVIOR -> "deprecated";
+            case GL2ES2.GL_DEBUG_TYPE_UNDEFINED_BEHAVIOR -> "undefined";
+            case GL2ES2.GL_DEBUG_TYPE_PORTABILITY -> "portability";
+            case GL2ES2.GL_DEBUG_TYPE_PERFORMANCE -> "performance";
+            default -> "other";
+        };
+    }
+
+    static String hex(int code) {
+        return "0x" + Integer.toHexString(code);
+    }
+}

@@ -1,0 +1,96 @@
+package jrtr.gl;
+
+import com.jogamp.opengl.GL3;
+import java.util.List;
+import jrtr.Binding;
+import jrtr.ContextInfo;
+import jrtr.ContextOptions;
+import jrtr.FloatTarget;
+import jrtr.FloatTargetSpec;
+import jrtr.FloatTexture;
+import jrtr.FloatTextureSpec;
+import jrtr.GpuTimer;
+import jrtr.ImageTexture;
+import jrtr.ImageTextureSpec;
+import jrtr.RenderContext;
+import jrtr.ShaderProgram;
+import jrtr.ShaderSource;
+import jrtr.Tile;
+
+/** A render context on any surface. */
+final class GlRenderContext implements RenderContext {
+    private final GlDevice device;
+    private final FullScreenDraw fullScreen;
+
+    private GlRenderContext(GlDevice device) {
+        this.device = device;
+        this.fullScreen = new FullScreenDraw(device);
+    }
+
+    /** Takes over the surface, which ends with the context, or here if there can be none. */
+    static GlRenderContext on(GlSurface surface, ContextOptions options) {
+        try {
+            return new GlRenderContext(new GlDevice(surface, options));
+        } catch (RuntimeException failure) {
+            surface.destroy();
+            throw failure;
+        }
+    }
+
+    @Override
+    public ContextInfo info() {
+        return device.info();
+    }
+
+    @Override
+    public ShaderProgram createProgram(ShaderSource vertex, ShaderSource fragment) {
+        return GlProgram.create(device, vertex, fragment);
+    }
+
+    @Override
+    public ShaderProgram createFullScreenProgram(ShaderSource fragment) {
+        return GlProgram.create(device, fullScreen.vertexShader(), fragment);
+    }
+
+    @Override
+    public FloatTexture createFloatTexture(String label, FloatTextureSpec spec) {
+        return GlFloatTexture.create(device, label, spec);
+    }
+
+    @Override
+    public ImageTexture createImageTexture(String label, ImageTextureSpec spec) {
+        return GlImageTexture.create(device, label, spec);
+    }
+
+    @Override
+    public FloatTarget createFloatTarget(String label, FloatTargetSpec spec) {
+        return GlFloatTarget.create(device, label, spec);
+    }
+
+    @Override
+    public GpuTimer createTimer() {
+        return new GlTimer(device);
+    }
+
+    @Override
+    public void drawFullScreen(ShaderProgram program, List<Binding> bindings, FloatTarget target, Tile tile) {
+        fullScreen.draw((GlProgram) program, bindings, (GlFloatTarget) target, tile);
+    }
+
+    @Override
+    public void finish() {
+        GL3 gl = device.gl();
+        gl.glFinish();
+        device.check(gl, "finishing");
+    }
+
+    @Override
+    public boolean isClosed() {
+        return device.isClosed();
+    }
+
+    @Override
+    public void close() {
+        device.close();
+    }
+}

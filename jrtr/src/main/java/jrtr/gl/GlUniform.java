@@ -1,0 +1,74 @@
+package jrtr.gl;
+
+import com.jogamp.opengl.GL3;
+
+/**
+ * A uniform that a linked program uses.
+ *
+ * @param name without {@code [0]}
+ * @param location OpenGL's handle for setting it
+ * @param type OpenGL's number of the type
+ * @param array whether it was declared as an array
+ */
+record GlUniform(String name, int location, int type, boolean array) {
+
+    boolean isSampler() {
+        return samplerTarget() != 0 || typeName().contains("sampler");
+    }
+
+    /** The texture target that this sampler reads, or 0 if the engine has no such textures. */
+    int samplerTarget() {
+        return switch (type) {
+            case GL3.GL_SAMPLER_2D -> GL3.GL_TEXTURE_2D;
+            case GL3.GL_SAMPLER_2D_ARRAY -> GL3.GL_TEXTURE_2D_ARRAY;
+            default -> 0;
+        };
+    }
+
+    /** Components of a float or int scalar or vector type; 0 for all others. */
+    int components() {
+        return switch (type) {
+            case GL3.GL_FLOAT, GL3.GL_INT -> 1;
+            case GL3.GL_FLOAT_VEC2, GL3.GL_INT_VEC2 -> 2;
+            case GL3.GL_FLOAT_VEC3, GL3.GL_INT_VEC3 -> 3;
+            case GL3.GL_FLOAT_VEC4, GL3.GL_INT_VEC4 -> 4;
+            default -> 0;
+        };
+    }
+
+    /** The type as GLSL writes it, with brackets for an array. */
+    String describe() {
+        return typeName() + (array ? "[] " : " ") + name;
+    }
+
+    private String typeName() {
+        return switch (type) {
+            case GL3.GL_FLOAT -> "float";
+            case GL3.GL_FLOAT_VEC2 -> "vec2";
+            case GL3.GL_FLOAT_VEC3 -> "vec3";
+            case GL3.GL_FLOAT_VEC4 -> "vec4";
+            case GL3.GL_INT -> "int";
+            case GL3.GL_INT_VEC2 -> "ivec2";
+            case GL3.GL_INT_VEC3 -> "ivec3";
+            case GL3.GL_INT_VEC4 -> "ivec4";
+            case GL3.GL_BOOL -> "bool";
+            case GL3.GL_UNSIGNED_INT -> "uint";
+            case GL3.GL_FLOAT_MAT3 -> "mat3";
+            case GL3.GL_FLOAT_MAT4 -> "mat4";
+            case GL3.GL_SAMPLER_1D -> "sampler1D";
+            case GL3.GL_SAMPLER_2D -> "sampler2D";
+            case GL3.GL_SAMPLER_3D -> "sampler3D";
+            case GL3.GL_SAMPLER_CUBE -> "samplerCube";
+            case GL3.GL_SAMPLER_2D_SHADOW -> "sampler2DShadow";
+            case GL3.GL_SAMPLER_1D_ARRAY -> "sampler1DArray";
+            case GL3.GL_SAMPLER_2D_ARRAY -> "sampler2DArray";
+            case GL3.GL_SAMPLER_2D_RECT -> "sampler2DRect";
+            case GL3.GL_INT_SAMPLER_2D -> "isampler2D";
+            case GL3.GL_INT_SAMPLER_2D_ARRAY -> "isampler2DArray";
+            case GL3.GL_UNSIGNED_INT_SAMPLER_2D -> "usampler2D";
+            case GL3.GL_UNSIGNED_INT_SAMPLER_2D_ARRAY -> "usampler2DArray";
+            case GL3.GL_SAMPLER_BUFFER -> "samplerBuffer";
+            default -> "type " + GlNames.hex(type);
+        };
+    }
+}

@@ -1,0 +1,88 @@
+package jrtr.gl;
+
+import com.jogamp.opengl.GL3;
+import java.nio.charset.StandardCharsets;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.stream.Collectors;
+import jrtr.ShaderException;
+
+/** The names that a linked program uses and that its shaders declare. */
+final class GlUniforms {
+    private final String program;
+    private final Set<String> declared;
+    private final Map<String, GlUniform> active = new TreeMap<>();
+
+    /** Asks OpenGL for all active uniforms, once. */
+    GlUniforms(GL3 gl, int name, String program, Set<String> declared) {
+        this.program = program;
+        this.declared = declared;
+        int[] count = new int[2];
+        gl.glGetProgramiv(name, GL3.GL_ACTIVE_UNIFORMS, count, 0);
+        gl.glGetProgramiv(name, GL3.GL_ACTIVE_UNIFORM_MAX_LENGTH, count, 1);
+        for (int index = 0; index < count[0]; index++) {
+            GlUniform uniform = describe(gl, name, index, count[1]);
+            if (uniform.location() >= 0) {
+                active.put(uniform.name(), uniform);
+            }
+        }
+    }
+
+    private static GlUniform describe(GL3 gl, int program, int index, int maxLength) {
+        byte[] bytes = new byte[Math.max(1, maxLength)];
+        int[] lengthSizeType = new int[3];
+        gl.glGetActiveUniform(
+                program, index, bytes.length, lengthSizeType, 0, lengthSizeType, 1, lengthSizeType, 2, bytes, 0);
+        String name = new String(bytes, 0, lengthSizeType[0], StandardCharsets.US_ASCII);
+        boolean array = name.endsWith("[0]") || lengthSizeType[1] > 1;
+        String plain = name.endsWith("[0]") ? name.substring(0, name.length() - 3) : name;
+        return new GlUniform(plain, gl.glGetUniformLocation(program, name), lengthSizeType[2], array);
+    }
+
+    Map<String, GlUniform> active() {
+        return active;
+    }
+
+    /**
+     * The uniform of that name, or null if the shaders declare it without using it.
+     *
+     * @throws ShaderException if there is none
+     */
+    GlUniform find(String name) {
+        GlUniform uniform = active.get(name);
+        if (uniform == null && !declared.contains(root(name))) {
+            String known = active.values().stream().map(GlUniform::describe).collect(Collectors.joining(", "));
+            throw new ShaderException(
+                    program + " has no uniform '" + name + "'; it has: " + (known.isEmpty() ? "none" : known));
+        }
+        return uniform;
+    }
+
+    /**
+     * As {@link #find}, of one of the given types.
+     *
+     * @param value what is being set, for the message
+     */
+    GlUniform findOfType(String name, String value, int... types) {
+        GlUniform uniform = find(name);
+        if (uniform == null) {
+            return null;
+        }
+        for (int type : types) {
+            if (uniform.type() == type) {
+                return uniform;
+            }
+        }
+        String hint = uniform.isSampler() ? "; bind a texture to it in the draw" : "";
+        throw new ShaderException(program + ": uniform " + uniform.describe() + " cannot be set to a " + value + hint);
+    }
+
+    private static String root(String name) {
+        int end = 0;
+        while (end < name.length() && name.charAt(end) != '.' && name.charAt(end) != '[') {
+            end++;
+        }
+        return name.substring(0, end);
+    }
+}

@@ -1,0 +1,124 @@
+package jrtr.gl;
+
+import com.jogamp.common.util.VersionNumber;
+import com.jogamp.nativewindow.AbstractGraphicsDevice;
+import com.jogamp.nativewindow.NativeWindowFactory;
+import com.jogamp.opengl.GL3;
+import com.jogamp.opengl.GLCapabilities;
+import com.jogamp.opengl.GLContext;
+import com.jogamp.opengl.GLDrawable;
+import com.jogamp.opengl.GLDrawableFactory;
+import com.jogamp.opengl.GLException;
+import com.jogamp.opengl.GLProfile;
+import java.awt.AWTError;
+import jrtr.ContextOptions;
+import jrtr.GraphicsException;
+
+/** A context on a drawable that is never shown and never drawn to: all drawing goes to the targets. */
+final class OffscreenSurface implements GlSurface {
+    private static final String[] CORE_PROFILES = {GLProfile.GL4, GLProfile.GL3};
+
+    private static final VersionNumber OLDEST = new VersionNumber(3, 3, 0);
+
+    private final GLDrawable drawable;
+    private final GLContext context;
+
+    private OffscreenSurface(GLDrawable drawable, GLContext context) {
+        this.drawable = drawable;
+        this.context = context;
+    }
+
+    static OffscreenSurface create(ContextOptions options) {
+        connectToDisplay();
+        try (JoglNoise noise = JoglNoise.divert()) {
+            OffscreenSurface surface = open(options);
+            noise.discard();
+            return surface;
+        } catch (RuntimeException | LinkageError failure) {
+            throw new GraphicsException(
+                    "no OpenGL 3.3 core context: " + reason(failure)
+                            + ". Install a driver, or Mesa's software renderer (libgl1-mesa-dri, libgl1)",
+                    failure);
+        }
+    }
+
+    /** JOGL prints stack traces when it meets no display; so the display is tried first, by itself. */
+    private static void connectToDisplay() {
+        try {
+            NativeWindowFactory.initSingleton();
+            AbstractGraphicsDevice device = NativeWindowFactory.createDevice(null, true);
+            device.close();
+        } catch (RuntimeException | AWTError failure) {
+            throw new GraphicsException(
+                    "no display: " + displayName()
+                            + ". Set DISPLAY to a running X server, or start one without a screen: Xvfb :1 & export DISPLAY=:1",
+                    failure);
+        } catch (LinkageError failure) {
+            throw new GraphicsException(
+                    "JOGL's native libraries cannot be loaded: " + reason(failure)
+                            + ". The folder for temporary files (java.io.tmpdir) must be writable and executable, and the X11 libraries installed",
+                    failure);
+        }
+    }
+
+    private static String displayName() {
+        String name = System.getenv("DISPLAY");
+        return name == null || name.isBlank() ? "DISPLAY is not set" : "DISPLAY=" + name + " does not answer";
+    }
+
+    private static OffscreenSurface open(ContextOptions options) {
+        GLProfile profile = GLProfile.get(CORE_PROFILES, true);
+        GLCapabilities capabilities = new GLCapabilities(profile);
+        capabilities.setOnscreen(false);
+        capabilities.setDoubleBuffered(false);
+        GLDrawableFactory factory = GLDrawableFactory.getFactory(profile);
+        GLDrawable drawable = factory.createDummyDrawable(factory.getDefaultDevice(), true, capabilities, null);
+        if (!drawable.isRealized()) {
+            drawable.setRealized(true);
+        }
+        OffscreenSurface surface = new OffscreenSurface(drawable, drawable.createContext(null));
+        try {
+            surface.start(options);
+            return surface;
+        } catch (RuntimeException failure) {
+            surface.destroy();
+            throw failure;
+        }
+    }
+
+    private void start(ContextOptions options) {
+        if (options.debugOutput()) {
+            context.setContextCreationFlags(GLContext.CTX_OPTION_DEBUG);
+        }
+        makeCurrent();
+        if (context.getGLVersionNumber().compareTo(OLDEST) < 0) {
+            throw new GLException("the driver has OpenGL " + context.getGLVersionNumber() + " only");
+        }
+    }
+
+    @Override
+    public GLContext context() {
+        return context;
+    }
+
+    @Override
+    public GL3 makeCurrent() {
+        if (!context.isCurrent() && context.makeCurrent() == GLContext.CONTEXT_NOT_CURRENT) {
+            throw new GLException("the context cannot be made current");
+        }
+        return context.getGL().getGL3();
+    }
+
+    @Override
+    public void destroy() {
+        try {
+            context.destroy();
+        } finally {
+            drawable.setRealized(false);
+        }
+    }
+
+    private static String reason(Throwable failure) {
+        return failure.getMessage() == null ? failure.getClass().getSimpleName() : failure.getMessage();
+    }
+}

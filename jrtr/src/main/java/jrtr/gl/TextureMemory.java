@@ -1,0 +1,102 @@
+package jrtr.gl;
+
+import com.jogamp.opengl.GL3;
+import java.util.Locale;
+import jrtr.ContextLimits;
+import jrtr.FloatFormat;
+import jrtr.GraphicsException;
+import jrtr.Wrap;
+
+/** Checks and takes memory for textures. */
+final class TextureMemory {
+    private final GlDevice device;
+    private final String label;
+
+    TextureMemory(GlDevice device, String label) {
+        this.device = device;
+        this.label = label;
+    }
+
+    /** Throws if a side is beyond what the driver allows. */
+    void requireSides(int width, int height, int layers) {
+        ContextLimits limits = device.limits();
+        if (width > limits.textureSize() || height > limits.textureSize()) {
+            throw new GraphicsException("texture '" + label + "' needs " + width + " x " + height
+                    + " texels but this driver allows at most " + limits.textureSize() + " along a side ("
+                    + device.info().renderer() + ")");
+        }
+        if (layers > limits.arrayLayers()) {
+            throw new GraphicsException("texture '" + label + "' needs " + layers
+                    + " layers but this driver allows at most " + limits.arrayLayers() + " ("
+                    + device.info().renderer() + ")");
+        }
+    }
+
+    /** Makes an empty texture and binds it. */
+    int create(GL3 gl, int target, Wrap wrap) {
+        int[] name = new int[1];
+        gl.glGenTextures(1, name, 0);
+        gl.glActiveTexture(GL3.GL_TEXTURE0);
+        gl.glBindTexture(target, name[0]);
+        int mode = wrap == Wrap.CLAMP ? GL3.GL_CLAMP_TO_EDGE : GL3.GL_REPEAT;
+        gl.glTexParameteri(target, GL3.GL_TEXTURE_WRAP_S, mode);
+        gl.glTexParameteri(target, GL3.GL_TEXTURE_WRAP_T, mode);
+        return name[0];
+    }
+
+    /** Takes memory for level 0 of the bound 2-D texture. */
+    void allocate(GL3 gl, int internalFormat, int width, int height, int format, int type, double bytes) {
+        gl.glTexImage2D(GL3.GL_PROXY_TEXTURE_2D, 0, internalFormat, width, height, 0, format, type, null);
+        requireProxy(gl, GL3.GL_PROXY_TEXTURE_2D, bytes);
+        gl.glTexImage2D(GL3.GL_TEXTURE_2D, 0, internalFormat, width, height, 0, format, type, null);
+        device.check(gl, taking(bytes));
+    }
+
+    /** Takes memory for the bound 2-D array texture. */
+    void allocateArray(
+            GL3 gl, int internalFormat, int width, int height, int layers, int format, int type, double bytes) {
+        int proxy = GL3.GL_PROXY_TEXTURE_2D_ARRAY;
+        gl.glTexImage3D(proxy, 0, internalFormat, width, height, layers, 0, format, type, null);
+        requireProxy(gl, proxy, bytes);
+        gl.glTexImage3D(GL3.GL_TEXTURE_2D_ARRAY, 0, internalFormat, width, height, layers, 0, format, type, null);
+        device.check(gl, taking(bytes));
+    }
+
+    /** A driver answers a proxy that is too large as a whole by a width of 0. */
+    private void requireProxy(GL3 gl, int proxy, double bytes) {
+        int[] width = new int[1];
+        gl.glGetTexLevelParameteriv(proxy, 0, GL3.GL_TEXTURE_WIDTH, width, 0);
+        if (width[0] == 0) {
+            // Some drivers raise an error beside the answer; the answer is what counts.
+            gl.glGetError();
+            device.forgetMessages();
+            throw new GraphicsException("texture '" + label + "' needs " + mebibytes(bytes)
+                    + ", more than this driver gives to one texture ("
+                    + device.info().renderer() + ")");
+        }
+    }
+
+    private String taking(double bytes) {
+        return "taking " + mebibytes(bytes) + " for '" + label + "'";
+    }
+
+    private static String mebibytes(double bytes) {
+        return String.format(Locale.ROOT, "%.1f MiB", bytes / (1 << 20));
+    }
+
+    static int internalFormat(FloatFormat format) {
+        return switch (format) {
+            case R32F -> GL3.GL_R32F;
+            case RG32F -> GL3.GL_RG32F;
+            case RGBA32F -> GL3.GL_RGBA32F;
+        };
+    }
+
+    static int pixelFormat(FloatFormat format) {
+        return switch (format) {
+            case R32F -> GL3.GL_RED;
+            case RG32F -> GL3.GL_RG;
+            case RGBA32F -> GL3.GL_RGBA;
+        };
+    }
+}

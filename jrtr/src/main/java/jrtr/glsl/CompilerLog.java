@@ -1,0 +1,76 @@
+package jrtr.glsl;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import jrtr.ShaderProblem;
+import jrtr.ShaderProblem.Severity;
+import jrtr.ShaderSource;
+import jrtr.SourceLine;
+
+/**
+ * Reads what drivers say about a shader and puts each message at its place in the author's files. Known forms:
+ *
+ * <ul>
+ *   <li>Mesa: {@code 0:12(3): error: `x' undeclared}
+ *   <li>NVIDIA: {@code 0(12) : error C1503: undefined variable "x"}
+ *   <li>AMD, Intel on Windows, Apple: {@code ERROR: 0:12: 'x' : undeclared identifier}
+ * </ul>
+ *
+ * Lines of any other form are kept without a place, unless another line has one.
+ */
+public final class CompilerLog {
+    private static final Pattern MESA =
+            Pattern.compile("\\d+:(?<line>\\d+)\\(\\d+\\): (?<kind>[a-z ]*(?:error|warning)): (?<message>.*)");
+    private static final Pattern NVIDIA =
+            Pattern.compile("\\d+\\((?<line>\\d+)\\) : (?<kind>[a-z ]*(?:error|warning)) (?<message>.*)");
+    private static final Pattern OTHERS = Pattern.compile("(?<kind>ERROR|WARNING): \\d+:(?<line>\\d+): (?<message>.*)");
+    private static final List<Pattern> FORMS = List.of(MESA, NVIDIA, OTHERS);
+
+    private CompilerLog() {}
+
+    /**
+     * The log's messages in their order; those without a place are errors at line 0 and appear only if no message has a
+     * place. An empty log gives an empty list.
+     */
+    public static List<ShaderProblem> parse(String log, ShaderSource source) {
+        List<ShaderProblem> placed = new ArrayList<>();
+        List<ShaderProblem> unplaced = new ArrayList<>();
+        log.replace("\0", "")
+                .lines()
+                .map(String::strip)
+                .filter(line -> !line.isEmpty())
+                .forEach(line -> {
+                    ShaderProblem problem = parseLine(line, source);
+                    (problem.line() > 0 ? placed : unplaced).add(problem);
+                });
+        return placed.isEmpty() ? unplaced : placed;
+    }
+
+    private static ShaderProblem parseLine(String line, ShaderSource source) {
+        for (Pattern form : FORMS) {
+            Matcher matcher = form.matcher(line);
+            if (matcher.matches()) {
+                return atPlace(matcher, source);
+            }
+        }
+        return new ShaderProblem(Severity.ERROR, source.name(), 0, line, "");
+    }
+
+    private static ShaderProblem atPlace(Matcher matcher, ShaderSource source) {
+        boolean warning = matcher.group("kind").toLowerCase(Locale.ROOT).contains("warning");
+        Severity severity = warning ? Severity.WARNING : Severity.ERROR;
+        SourceLine origin = originOf(matcher.group("line"), source);
+        return new ShaderProblem(severity, origin.file(), origin.number(), matcher.group("message"), origin.text());
+    }
+
+    /** Compilers put "unexpected end of file" one past the end; such numbers are taken as the last line. */
+    private static SourceLine originOf(String number, ShaderSource source) {
+        int last = source.origins().size();
+        // Anything of ten digits or more is past the end of every shader.
+        int line = number.length() < 10 ? Integer.parseInt(number) : last;
+        return source.origins().get(Math.max(1, Math.min(line, last)) - 1);
+    }
+}

@@ -1,0 +1,174 @@
+package jrtr.glsl;
+
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.Deque;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import jrtr.ShaderException;
+import jrtr.ShaderSource;
+import jrtr.SourceLine;
+
+/** One expansion of a root file; see {@link ShaderLibrary} for the rules. Used once. */
+final class IncludeExpansion {
+    static final String PROLOGUE_FILE = "<defines>";
+
+    private static final Pattern DIRECTIVE = Pattern.compile("\\s*#\\s*([a-z]+)\\b(.*)");
+    private static final Pattern QUOTED_NAME = Pattern.compile("\\s*\"([^\"]+)\"\\s*");
+    private static final Pattern SAFE_NAME = Pattern.compile("[A-Za-z0-9_.-]+(/[A-Za-z0-9_.-]+)*");
+
+    private final ShaderLibrary library;
+    private final List<String> prologue;
+    private final StringBuilder text = new StringBuilder();
+    private final List<SourceLine> origins = new ArrayList<>();
+    private final Map<String, FirstInclusion> included = new HashMap<>();
+    private final Deque<String> openFiles = new ArrayDeque<>();
+    private int openConditions;
+    private boolean versionSeen;
+
+    private record FirstInclusion(boolean conditional, SourceLine place) {}
+
+    IncludeExpansion(ShaderLibrary library, List<String> prologue) {
+        this.library = library;
+        this.prologue = prologue;
+    }
+
+    ShaderSource expand(String root) {
+        checkName(root, "shader ");
+        String content = library.text(root)
+                .orElseThrow(() -> new ShaderException("shader " + root + " is missing from the shader library"));
+        appendFile(root, content);
+        if (!versionSeen) {
+            throw new ShaderException(root + ":1: a shader must begin with #version, such as `#version 330 core`");
+        }
+        return new ShaderSource(root, text.toString(), origins);
+    }
+
+    private void appendFile(String file, String content) {
+        openFiles.push(file);
+        int conditionsBefore = openConditions;
+        CommentStripper comments = new CommentStripper();
+        List<String> lines = withoutByteOrderMark(content).lines().toList();
+        for (int index = 0; index < lines.size(); index++) {
+            appendLine(new SourceLine(file, index + 1, lines.get(index)), comments.strip(lines.get(index)));
+        }
+        if (comments.isInsideBlock()) {
+            throw new ShaderException(file + ":" + lines.size() + ": a comment /* is never closed");
+        }
+        if (openConditions != conditionsBefore) {
+            throw new ShaderException(file + ":" + lines.size() + ": #if and #endif do not pair up in this file");
+        }
+        openFiles.pop();
+    }
+
+    private void appendLine(SourceLine line, String code) {
+        Matcher directive = DIRECTIVE.matcher(code);
+        String keyword = directive.matches() ? directive.group(1) : "";
+        switch (keyword) {
+            case "include" -> include(line, directive.group(2));
+            case "version" -> version(line, code);
+            case "line" -> throw fault(line, "#line is not allowed: files and lines are tracked without it");
+            default -> {
+                countConditions(keyword);
+                requireAscii(line, code);
+                requireVersionFirst(line, code);
+                emit(line, code);
+            }
+        }
+    }
+
+    private void include(SourceLine line, String argument) {
+        Matcher quoted = QUOTED_NAME.matcher(argument);
+        if (!quoted.matches()) {
+            throw fault(line, "#include needs a file name in double quotes");
+        }
+        requireVersionFirst(line, "#include");
+        String name = quoted.group(1);
+        checkName(name, line.file() + ":" + line.number() + ": #include ");
+        refuseCycle(line, name);
+        FirstInclusion first = included.get(name);
+        if (first == null) {
+            String content = library.text(name)
+                    .orElseThrow(() -> fault(line, "included file " + name + " is missing from the shader library"));
+            included.put(name, new FirstInclusion(openConditions > 0, line));
+            appendFile(name, content);
+        } else if (first.conditional()) {
+            String place = first.place().file() + ":" + first.place().number();
+            throw fault(
+                    line,
+                    name + " was already included inside #if at " + place
+                            + " and may be compiled out; include it before the #if");
+        } else {
+            emit(line, "");
+        }
+    }
+
+    private void refuseCycle(SourceLine line, String name) {
+        if (openFiles.contains(name)) {
+            List<String> cycle = new ArrayList<>(openFiles);
+            Collections.reverse(cycle);
+            throw fault(line, "cycle of includes: " + String.join(" -> ", cycle) + " -> " + name);
+        }
+    }
+
+    private void version(SourceLine line, String code) {
+        if (openFiles.size() > 1) {
+            throw fault(line, "#version belongs in the root file " + openFiles.getLast() + " only");
+        }
+        if (versionSeen) {
+            throw fault(line, "#version stands here for the second time");
+        }
+        versionSeen = true;
+        emit(line, code);
+        for (int index = 0; index < prologue.size(); index++) {
+            emit(new SourceLine(PROLOGUE_FILE, index + 1, prologue.get(index)), prologue.get(index));
+        }
+    }
+
+    private void countConditions(String directive) {
+        switch (directive) {
+            case "if", "ifdef", "ifndef" -> openConditions++;
+            case "endif" -> openConditions--;
+            default -> {
+                // Other directives neither open nor close a condition.
+            }
+        }
+    }
+
+    private void requireVersionFirst(SourceLine line, String code) {
+        if (!versionSeen && !code.isBlank()) {
+            throw fault(line, "#version must come before this line");
+        }
+    }
+
+    private static void requireAscii(SourceLine line, String code) {
+        if (code.chars().anyMatch(character -> character > 126)) {
+            throw fault(line, "GLSL allows characters beyond ASCII in comments only");
+        }
+    }
+
+    private static void checkName(String name, String prefix) {
+        if (!SAFE_NAME.matcher(name).matches() || name.matches("(.*/)?\\.\\.?(/.*)?")) {
+            throw new ShaderException(
+                    prefix + "\"" + name + "\": a name is relative to the library's root, with forward slashes");
+        }
+    }
+
+    private void emit(SourceLine origin, String code) {
+        text.append(code).append('\n');
+        origins.add(origin);
+    }
+
+    private static String withoutByteOrderMark(String content) {
+        return content.startsWith("\uFEFF") ? content.substring(1) : content;
+    }
+
+    private static ShaderException fault(SourceLine line, String message) {
+        return new ShaderException(line.file() + ":" + line.number() + ": " + message + ": `"
+                + line.text().strip() + "`");
+    }
+}

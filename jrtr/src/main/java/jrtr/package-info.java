@@ -1,0 +1,26 @@
+/**
+ * jrtr, a small real-time rendering engine. This package is its vocabulary: contexts, shaders, textures, targets and
+ * timers, none of which names OpenGL.
+ *
+ * <p>The rooms:
+ *
+ * <ul>
+ *   <li>{@code jrtr}: the interfaces and values that an application programs against. Start at {@link
+ *       jrtr.RenderContext}.
+ *   <li>{@code jrtr.glsl}: shader text before any driver sees it, that is include expansion, source maps and the reading
+ *       of compilers' logs. Plain string code.
+ *   <li>{@code jrtr.gl}: the implementation on JOGL. Its one public class is {@link jrtr.gl.RenderContexts}, the
+ *       factory.
+ *   <li>{@code jrtr.scene}: reserved for the scene graph (groups, shapes, lights, camera, render queue), which stands on
+ *       this package alone.
+ * </ul>
+ *
+ * <p>Conventions: images and rectangles are counted from the top left, row 0 is the top one; the implementation turns
+ * that into OpenGL's bottom-up rows. A resource belongs to the context that made it, is freed by its own {@code
+ * close()} or by the context's, and may be used on the context's thread only.
+ *
+ * <p>Failures: {@link jrtr.GraphicsException} for what the machine, the driver or a shader cannot do; {@link
+ * IllegalArgumentException} and {@link IllegalStateException} for misuse by the calling program (a wrong array length, a
+ * closed resource, a foreign thread).
+ */
+package jrtr;
