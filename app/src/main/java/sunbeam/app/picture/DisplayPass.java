@@ -1,0 +1,64 @@
+package sunbeam.app.picture;
+
+import java.util.List;
+import jrtr.Binding;
+import jrtr.FloatFormat;
+import jrtr.FloatTarget;
+import jrtr.FloatTargetSpec;
+import jrtr.FloatTexture;
+import jrtr.FloatTextureSpec;
+import jrtr.RenderContext;
+import jrtr.ShaderProgram;
+import jrtr.Tile;
+import sunbeam.app.gpu.Shaders;
+
+/** Turns linear XYZ into sRGB with the shader that the window uses too (shaders/include/display.glsl). */
+public final class DisplayPass implements AutoCloseable {
+    private final RenderContext context;
+    private final ShaderProgram program;
+
+    /** Compiles the shader. */
+    public DisplayPass(RenderContext context) {
+        this.context = context;
+        this.program = context.createFullScreenProgram(Shaders.library().load("display.frag"));
+    }
+
+    /**
+     * Applies exposure, gamut and sRGB curve.
+     *
+     * @return {@code height * width * 4} values in [0, 1], red, green, blue and coverage, row 0 on top
+     */
+    public float[] srgb(LinearPicture picture, double exposure) {
+        int width = picture.width();
+        int height = picture.height();
+        float[] texels = new float[4 * width * height];
+        for (int row = 0; row < height; row++) {
+            for (int column = 0; column < width; column++) {
+                int pixel = row * width + column;
+                // Textures count rows from the bottom as fragments do.
+                int texel = 4 * ((height - 1 - row) * width + column);
+                if (picture.covered(pixel)) {
+                    System.arraycopy(picture.xyz(), 3 * pixel, texels, texel, 3);
+                    texels[texel + 3] = 1;
+                }
+            }
+        }
+        try (FloatTexture texture =
+                        context.createFloatTexture("picture", FloatTextureSpec.flat(width, height, FloatFormat.RGBA32F));
+                FloatTarget target = context.createFloatTarget("display", FloatTargetSpec.color(width, height))) {
+            texture.upload(texels);
+            program.set("exposure", (float) exposure);
+            context.drawFullScreen(
+                    program,
+                    List.of(new Binding("linearPicture", texture)),
+                    target,
+                    Tile.whole(width, height));
+            return target.read(0);
+        }
+    }
+
+    @Override
+    public void close() {
+        program.close();
+    }
+}

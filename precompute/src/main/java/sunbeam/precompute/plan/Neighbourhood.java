@@ -1,0 +1,26 @@
+package sunbeam.precompute.plan;
+
+/**
+ * The DFT bins that are summed around a frequency, (2 radius + 1)^2 of them.
+ *
+ * @param radius bins on each side, 0..15
+ * @param anchor the bin in the middle
+ */
+public record Neighbourhood(int radius, Anchor anchor) {
+    /** The largest radius that can be asked for; beyond it a window this narrow wants other means. */
+    public static final int MAXIMUM_RADIUS = 15;
+
+    /** How the middle bin follows from the frequency. */
+    public enum Anchor {
+        /** The bin at or below it, as in the thesis. */
+        FLOOR,
+        /** The nearest bin. */
+        NEAREST
+    }
+
+    public Neighbourhood {
+        if (radius < 0 || radius > MAXIMUM_RADIUS) {
+            throw new IllegalArgumentException("radius " + radius + " is not in 0.." + MAXIMUM_RADIUS);
+        }
+    }
+}

@@ -1,0 +1,67 @@
+package sunbeam.precompute.plan;
+
+import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.fourier.Band;
+import sunbeam.precompute.optics.Direction;
+import sunbeam.precompute.optics.Geometry;
+
+/**
+ * The (u, v, w) that a scene can reach, as intervals: nothing outside is computed or stored.
+ *
+ * @param minimumW smallest |w|, 0..2
+ * @param maximumW largest |w|, 0..2
+ */
+public record VisibleRange(
+        double minimumU, double maximumU, double minimumV, double maximumV, double minimumW, double maximumW) {
+
+    /** Every pair of directions of the hemisphere. */
+    public static VisibleRange all() {
+        return new VisibleRange(-2, 2, -2, 2, 0, 2);
+    }
+
+    /** One light, every direction to the viewer: a BRDF map. */
+    public static VisibleRange of(Direction light) {
+        return new VisibleRange(
+                -light.x() - 1, -light.x() + 1, -light.y() - 1, -light.y() + 1, light.z(), light.z() + 1);
+    }
+
+    /** The smallest range that holds all of some pairs of directions; at least one is needed. */
+    public static VisibleRange of(Iterable<Geometry> geometries) {
+        double[] low = {Double.MAX_VALUE, Double.MAX_VALUE, Double.MAX_VALUE};
+        double[] high = {-Double.MAX_VALUE, -Double.MAX_VALUE, -Double.MAX_VALUE};
+        for (Geometry geometry : geometries) {
+            double[] uvw = {geometry.u(), geometry.v(), -geometry.w()};
+            for (int axis = 0; axis < 3; axis++) {
+                low[axis] = Math.min(low[axis], uvw[axis]);
+                high[axis] = Math.max(high[axis], uvw[axis]);
+            }
+        }
+        if (low[0] > high[0]) {
+            throw new IllegalArgumentException("no directions");
+        }
+        return new VisibleRange(low[0], high[0], low[1], high[1], low[2], high[2]);
+    }
+
+    /** Bins along x that can be seen at a wavelength of 380 nm or longer, and a margin on both sides. */
+    public Band bandX(double period, int margin) {
+        return band(minimumU, maximumU, period, margin);
+    }
+
+    /** Bins along y that can be seen at a wavelength of 380 nm or longer, and a margin on both sides. */
+    public Band bandY(double period, int margin) {
+        return band(minimumV, maximumV, period, margin);
+    }
+
+    private static Band band(double low, double high, double period, int margin) {
+        double shortest = CieTable.MINIMUM_WAVELENGTH;
+        double longest = CieTable.MAXIMUM_WAVELENGTH;
+        return Band.covering(
+                low / (low < 0 ? shortest : longest), high / (high < 0 ? longest : shortest), period, margin);
+    }
+
+    /** Largest |(u, v)|. */
+    public double maximumUv() {
+        return Math.hypot(
+                Math.max(Math.abs(minimumU), Math.abs(maximumU)), Math.max(Math.abs(minimumV), Math.abs(maximumV)));
+    }
+}
