@@ -3,12 +3,15 @@ package sunbeam.precompute.expansion;
 import org.apache.commons.math3.complex.Complex;
 
 /**
- * exp(i k w h) = exp(-i zeta s) = sum_n c_n(zeta) T_n(s), up to a constant phase, with s the scaled height
- * ({@link HeightScale}) and zeta = k |w| halfRange (w is never positive).
+ * exp(i k w h) = exp(-i zeta s), up to a constant phase, as a sum that separates direction from surface:
+ *
+ * <pre>exp(-i zeta s) = sum_n (-i)^turns(n) c_n(zeta) T_n(s)</pre>
+ *
+ * with s the scaled height ({@link HeightScale}), zeta = k |w| halfRange (w is never positive) and real c_n.
  */
 public interface Expansion {
 
-    /** How it is called at the command line and in files. */
+    /** How it is called at the command line and in files, and its quarter turns. */
     ExpansionKind kind();
 
     /** Number of terms, at least 1. */
@@ -16,23 +19,30 @@ public interface Expansion {
 
     HeightScale scale();
 
-    /** Whether all T_n are real; then two of them share one complex transform. */
-    boolean hasRealBasis();
-
-    /** T_n(s) for s in [-1, 1] and n from 0 to terms() - 1. */
+    /** T_n(s) for s in [-1, 1] and n from 0 to terms() - 1; real where {@link ExpansionKind#hasRealBasis()}. */
     Complex basis(int n, double s);
 
-    /** c_n(zeta) for zeta in 0..{@link #maximumPhase()}. */
-    Complex coefficient(int n, double zeta);
+    /** All c_n(zeta), n from 0 to terms() - 1, for zeta in {@link #minimumPhase()}..{@link #maximumPhase()}. */
+    double[] coefficients(double zeta);
+
+    /** The smallest phase that the expansion was made for. */
+    default double minimumPhase() {
+        return 0;
+    }
 
     /** The largest phase that the expansion was made for. */
     double maximumPhase();
 
-    /** Sampled c_n(zeta) where they have no closed form, null otherwise. */
-    default CoefficientTable sampledCoefficients() {
-        return null;
-    }
-
-    /** A bound of |exp(-i zeta s) - sum_n c_n T_n(s)| in exact arithmetic, for every s in [-1, 1]. */
+    /** A bound of |exp(-i zeta s) - sum| in exact arithmetic, for every height that occurs. */
     double errorBound(double zeta);
+
+    /** The sum, for comparison with exp(-i zeta s). */
+    default Complex sum(double zeta, double s) {
+        double[] coefficients = coefficients(zeta);
+        Complex sum = Complex.ZERO;
+        for (int n = 0; n < terms(); n++) {
+            sum = sum.add(kind().turn(n).multiply(basis(n, s)).multiply(coefficients[n]));
+        }
+        return sum;
+    }
 }

@@ -1,18 +1,38 @@
 package sunbeam.precompute.expansion;
 
 import java.util.Locale;
+import org.apache.commons.math3.complex.Complex;
 
 /** The expansions that Sunbeam knows. */
 public enum ExpansionKind {
     /** Powers of the height: the thesis's choice (eq. 2.44). Its terms reach e^phase before they shrink. */
-    TAYLOR,
+    TAYLOR(true),
     /** Jacobi-Anger: Chebyshev polynomials with Bessel coefficients, of at most 2. */
-    CHEBYSHEV,
+    CHEBYSHEV(true),
     /** The singular vectors of the kernel over the heights that occur and the phases that are needed. */
-    LOWRANK;
+    LOWRANK(false);
+
+    private static final Complex[] POWERS_OF_MINUS_I = {Complex.ONE, Complex.I.negate(), Complex.ONE.negate(), Complex.I
+    };
+
+    private final boolean realBasis;
+
+    ExpansionKind(boolean realBasis) {
+        this.realBasis = realBasis;
+    }
 
     /** Lower-case name, as at the command line and in files. */
     public String label() {
         return name().toLowerCase(Locale.ROOT);
+    }
+
+    /** Whether all T_n are real; then term n carries the factor (-i)^n, and two terms share one complex transform. */
+    public boolean hasRealBasis() {
+        return realBasis;
+    }
+
+    /** The constant factor of term n: (-i)^n for a real basis, 1 otherwise. */
+    public Complex turn(int n) {
+        return realBasis ? POWERS_OF_MINUS_I[n % 4] : Complex.ONE;
     }
 }

@@ -2,19 +2,21 @@ package sunbeam.precompute.expansion;
 
 import org.apache.commons.math3.complex.Complex;
 
-/** T_n = s^n, c_n = (-i zeta)^n / n! (thesis eq. 2.44), with heights scaled to [-1, 1]. */
+/** T_n = s^n, c_n = zeta^n / n! (thesis eq. 2.44), with heights scaled to [-1, 1]. */
 public record TaylorExpansion(HeightScale scale, int terms, double maximumPhase) implements Expansion {
-    private static final Complex[] POWERS_OF_MINUS_I = {Complex.ONE, Complex.I.negate(), Complex.ONE.negate(), Complex.I
-    };
+
+    /** The fewest terms whose remainder stays below a tolerance at the largest phase. */
+    public static TaylorExpansion within(HeightScale scale, double maximumPhase, double tolerance) {
+        int terms = 1;
+        for (double remainder = maximumPhase; remainder > tolerance; remainder *= maximumPhase / terms) {
+            terms++;
+        }
+        return new TaylorExpansion(scale, terms, maximumPhase);
+    }
 
     @Override
     public ExpansionKind kind() {
         return ExpansionKind.TAYLOR;
-    }
-
-    @Override
-    public boolean hasRealBasis() {
-        return true;
     }
 
     @Override
@@ -23,21 +25,18 @@ public record TaylorExpansion(HeightScale scale, int terms, double maximumPhase)
     }
 
     @Override
-    public Complex coefficient(int n, double zeta) {
-        return POWERS_OF_MINUS_I[n % 4].multiply(magnitude(n, zeta));
-    }
-
-    private static double magnitude(int n, double zeta) {
-        double value = 1;
-        for (int m = 1; m <= n; m++) {
-            value *= zeta / m;
+    public double[] coefficients(double zeta) {
+        double[] values = new double[terms];
+        values[0] = 1;
+        for (int n = 1; n < terms; n++) {
+            values[n] = values[n - 1] * zeta / n;
         }
-        return value;
+        return values;
     }
 
     /** Lagrange's remainder with M = 1, because the argument is imaginary (the thesis's eq. 2.51 takes e^zeta). */
     @Override
     public double errorBound(double zeta) {
-        return Math.min(magnitude(terms, zeta), 1 + Math.exp(zeta));
+        return coefficients(zeta)[terms - 1] * zeta / terms;
     }
 }

@@ -3,7 +3,9 @@ package sunbeam.precompute.table;
 import java.util.function.IntConsumer;
 import java.util.stream.IntStream;
 import org.apache.commons.math3.complex.Complex;
+import sunbeam.precompute.expansion.CoefficientTable;
 import sunbeam.precompute.expansion.Expansion;
+import sunbeam.precompute.expansion.ExpansionKind;
 import sunbeam.precompute.fourier.Band;
 import sunbeam.precompute.fourier.BandTransform2d;
 import sunbeam.precompute.fourier.ComplexVector;
@@ -30,7 +32,7 @@ public final class TableBuilder {
     public FourierTable build(Expansion expansion, Band bandX, Band bandY) {
         float[][] real = new float[expansion.terms()][];
         float[][] imaginary = new float[expansion.terms()][];
-        if (expansion.hasRealBasis()) {
+        if (expansion.kind().hasRealBasis()) {
             transformPairs(expansion, bandX, bandY, real, imaginary);
         } else {
             transformSingly(expansion, bandX, bandY, real, imaginary);
@@ -43,7 +45,7 @@ public final class TableBuilder {
                 bandY,
                 real,
                 imaginary,
-                expansion.sampledCoefficients());
+                expansion.kind() == ExpansionKind.TAYLOR ? null : CoefficientTable.sampled(expansion));
     }
 
     private void transformSingly(Expansion expansion, Band bandX, Band bandY, float[][] real, float[][] imaginary) {

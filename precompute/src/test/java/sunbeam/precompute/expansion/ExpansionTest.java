@@ -1,0 +1,120 @@
+package sunbeam.precompute.expansion;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.List;
+import org.apache.commons.math3.complex.Complex;
+import org.apache.commons.math3.special.BesselJ;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import sunbeam.precompute.Surfaces;
+import sunbeam.precompute.patch.HeightLevels;
+
+class ExpansionTest {
+    // Sums of some hundred terms of at most 2: rounding of the sum, not of the method.
+    private static final double ROUNDING = 1e-12;
+
+    private static HeightLevels heights(double relief) {
+        return HeightLevels.of(Surfaces.of(64, 64, 50e-9, (x, y) -> relief * Math.pow(Math.sin(4e6 * x + 1e6 * y), 2)));
+    }
+
+    private static double measured(Expansion expansion, HeightLevels heights, double zeta) {
+        double worst = 0;
+        for (double height : heights.levels()) {
+            double s = expansion.scale().scaled(height);
+            Complex exact = new Complex(Math.cos(zeta * s), -Math.sin(zeta * s));
+            worst = Math.max(worst, exact.subtract(expansion.sum(zeta, s)).abs());
+        }
+        return worst;
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {50e-9, 250e-9, 375e-9, 819e-9, 2e-6, 5e-6})
+    void measuredErrorsStayBelowTheBound(double relief) {
+        HeightLevels heights = heights(relief);
+        HeightScale scale = HeightScale.midRange(heights);
+        double maximum = scale.phase(380e-9, 2);
+        List<Expansion> expansions = List.of(
+                ChebyshevExpansion.within(scale, maximum, 1e-3),
+                new ChebyshevExpansion(scale, 7, maximum),
+                LowRankExpansion.within(heights, scale, 0, maximum, 1e-3),
+                LowRankExpansion.within(heights, scale, maximum / 4, maximum, 1e-5));
+        for (Expansion expansion : expansions) {
+            for (double share : new double[] {0.26, 0.5, 0.77, 1}) {
+                double zeta = share * maximum;
+                assertThat(measured(expansion, heights, zeta))
+                        .as("%s with %d terms at %.1f", expansion.kind(), expansion.terms(), zeta)
+                        .isLessThanOrEqualTo(expansion.errorBound(zeta) + ROUNDING);
+            }
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {50e-9, 250e-9, 375e-9})
+    void taylorStaysBelowItsBoundWhereItDoesNotCancel(double relief) {
+        HeightLevels heights = heights(relief);
+        HeightScale scale = HeightScale.midRange(heights);
+        TaylorExpansion expansion = TaylorExpansion.within(scale, scale.phase(380e-9, 2), 1e-3);
+        for (double share : new double[] {0.3, 0.6, 1}) {
+            double zeta = share * expansion.maximumPhase();
+            // Terms reach e^zeta, at most e^6.2 = 500 here, and lose as many digits of double precision.
+            assertThat(measured(expansion, heights, zeta)).isLessThanOrEqualTo(expansion.errorBound(zeta) + 1e-12);
+        }
+    }
+
+    @Test
+    void plannedTermsKeepTheToleranceAndOneFewerDoesNot() {
+        HeightScale scale = new HeightScale(0, 400e-9);
+        double maximum = scale.phase(380e-9, 2);
+        ChebyshevExpansion chebyshev = ChebyshevExpansion.within(scale, maximum, 1e-3);
+        assertThat(chebyshev.errorBound(maximum)).isLessThanOrEqualTo(1e-3);
+        assertThat(new ChebyshevExpansion(scale, chebyshev.terms() - 1, maximum).errorBound(maximum))
+                .isGreaterThan(1e-3);
+        TaylorExpansion taylor = TaylorExpansion.within(scale, maximum, 1e-3);
+        assertThat(taylor.errorBound(maximum)).isLessThanOrEqualTo(1e-3);
+        assertThat(new TaylorExpansion(scale, taylor.terms() - 1, maximum).errorBound(maximum))
+                .isGreaterThan(1e-3);
+    }
+
+    @Test
+    void lagrangeBoundOfAnImaginaryArgumentNeedsNoExponential() {
+        // Thesis eq. 2.51 at x = 1.5 pi and N = 20, with M = 1 in place of e^x: 2.7e-6 (design section 7, item 4).
+        TaylorExpansion taylor = new TaylorExpansion(new HeightScale(0, 1e-6), 20, 1.5 * Math.PI);
+        double thesis = Math.exp(1.5 * Math.PI);
+        assertThat(thesis).isCloseTo(111.3, within(0.1));
+        double worst = 0;
+        for (double s = -1; s <= 1; s += 0.01) {
+            Complex exact = new Complex(Math.cos(1.5 * Math.PI * s), -Math.sin(1.5 * Math.PI * s));
+            worst = Math.max(worst, exact.subtract(taylor.sum(1.5 * Math.PI, s)).abs());
+        }
+        double bound = taylor.errorBound(1.5 * Math.PI);
+        assertThat(worst).isLessThanOrEqualTo(bound);
+        // The bound is tight to within the next term's factor; the thesis's would be 111 times larger.
+        assertThat(worst * 10).isGreaterThan(bound);
+    }
+
+    @Test
+    void besselCoefficientsAgreeWithTheLibrarysSingleValues() {
+        for (double zeta : new double[] {0, 1e-9, 0.3, 6.2, 13.5, 83}) {
+            double[] all = ChebyshevExpansion.bessel(60, zeta);
+            for (int n = 0; n < 60; n++) {
+                double expected = (n == 0 ? 1 : 2) * BesselJ.value(n, zeta);
+                assertThat(all[n]).as("2 J_%d(%g)", n, zeta).isCloseTo(expected, within(1e-14));
+            }
+        }
+    }
+
+    @Test
+    void theLowRankBasisNeedsFewerTermsThanHalfOfChebyshevs() {
+        HeightLevels heights = heights(819e-9);
+        HeightScale scale = HeightScale.midRange(heights);
+        double maximum = scale.phase(380e-9, 2);
+        int chebyshev = ChebyshevExpansion.within(scale, maximum, 1e-3).terms();
+        int lowRank = LowRankExpansion.within(heights, scale, 0, maximum, 1e-3).terms();
+        // Design section 4: 22 against 9; heights here are spread evenly, which is the worst case for the basis.
+        assertThat(chebyshev).isBetween(20, 24);
+        assertThat(lowRank).isLessThan(chebyshev);
+    }
+}
