@@ -133,7 +133,7 @@ class FloatTargetTest {
     }
 
     @Test
-    void animageIsATextureForAnotherTargetButNotForItsOwn() {
+    void anImageIsATextureForAnotherTargetButNotForItsOwn() {
         ShaderProgram coordinates = rendering.program("", COORDINATES);
         ShaderProgram copy = rendering.program("uniform sampler2D t;", "texelFetch(t, ivec2(gl_FragCoord.xy), 0)");
         try (FloatTarget source = rendering.target(4, 3)) {
