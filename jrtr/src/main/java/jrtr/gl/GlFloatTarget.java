@@ -85,7 +85,7 @@ final class GlFloatTarget extends GlResource implements FloatTarget {
             gl.glTexParameteri(GL3.GL_TEXTURE_2D, GL3.GL_TEXTURE_MIN_FILTER, GL3.GL_NEAREST);
             gl.glTexParameteri(GL3.GL_TEXTURE_2D, GL3.GL_TEXTURE_MAG_FILTER, GL3.GL_NEAREST);
             gl.glTexParameteri(GL3.GL_TEXTURE_2D, GL3.GL_TEXTURE_MAX_LEVEL, 0);
-            double bytes = 16.0 * spec.width() * spec.height();
+            long bytes = 16L * spec.width() * spec.height();
             memory.allocate(gl, GL3.GL_RGBA32F, spec.width(), spec.height(), GL3.GL_RGBA, GL3.GL_FLOAT, bytes);
             return name;
         } catch (RuntimeException failure) {

@@ -45,7 +45,7 @@ final class GlFloatTexture extends GlResource implements FloatTexture, GlTexture
         gl.glTexParameteri(target, GL3.GL_TEXTURE_MAX_LEVEL, 0);
         int internalFormat = TextureMemory.internalFormat(spec.format());
         int format = TextureMemory.pixelFormat(spec.format());
-        double bytes = 4.0 * spec.floats();
+        long bytes = 4 * spec.floats();
         if (spec.array()) {
             memory.allocateArray(
                     gl, internalFormat, spec.width(), spec.height(), spec.layers(), format, GL3.GL_FLOAT, bytes);

@@ -27,9 +27,12 @@ final class GlMessages {
 
     void receive(int source, int type, int severity, String text) {
         String message = text.strip();
-        LOGGER.log(level(severity), () -> "OpenGL " + GlNames.debugType(type) + ": " + message);
+        boolean ofShader = source == GL2ES2.GL_DEBUG_SOURCE_SHADER_COMPILER;
+        // A shader's log becomes an exception of its own, which has the author's files and lines.
+        LOGGER.log(
+                ofShader ? Level.DEBUG : level(severity), () -> "OpenGL " + GlNames.debugType(type) + ": " + message);
         boolean grave = type == GL2ES2.GL_DEBUG_TYPE_ERROR && severity == GL2ES2.GL_DEBUG_SEVERITY_HIGH;
-        if (grave && source != GL2ES2.GL_DEBUG_SOURCE_SHADER_COMPILER) {
+        if (grave && !ofShader) {
             error.compareAndSet(null, message);
         }
     }

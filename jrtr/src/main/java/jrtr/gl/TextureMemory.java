@@ -45,7 +45,7 @@ final class TextureMemory {
     }
 
     /** Takes memory for level 0 of the bound 2-D texture. */
-    void allocate(GL3 gl, int internalFormat, int width, int height, int format, int type, double bytes) {
+    void allocate(GL3 gl, int internalFormat, int width, int height, int format, int type, long bytes) {
         gl.glTexImage2D(GL3.GL_PROXY_TEXTURE_2D, 0, internalFormat, width, height, 0, format, type, null);
         requireProxy(gl, GL3.GL_PROXY_TEXTURE_2D, bytes);
         gl.glTexImage2D(GL3.GL_TEXTURE_2D, 0, internalFormat, width, height, 0, format, type, null);
@@ -54,7 +54,7 @@ final class TextureMemory {
 
     /** Takes memory for the bound 2-D array texture. */
     void allocateArray(
-            GL3 gl, int internalFormat, int width, int height, int layers, int format, int type, double bytes) {
+            GL3 gl, int internalFormat, int width, int height, int layers, int format, int type, long bytes) {
         int proxy = GL3.GL_PROXY_TEXTURE_2D_ARRAY;
         gl.glTexImage3D(proxy, 0, internalFormat, width, height, layers, 0, format, type, null);
         requireProxy(gl, proxy, bytes);
@@ -63,7 +63,7 @@ final class TextureMemory {
     }
 
     /** A driver answers a proxy that is too large as a whole by a width of 0. */
-    private void requireProxy(GL3 gl, int proxy, double bytes) {
+    private void requireProxy(GL3 gl, int proxy, long bytes) {
         int[] width = new int[1];
         gl.glGetTexLevelParameteriv(proxy, 0, GL3.GL_TEXTURE_WIDTH, width, 0);
         if (width[0] == 0) {
@@ -76,12 +76,12 @@ final class TextureMemory {
         }
     }
 
-    private String taking(double bytes) {
+    private String taking(long bytes) {
         return "taking " + mebibytes(bytes) + " for '" + label + "'";
     }
 
-    private static String mebibytes(double bytes) {
-        return String.format(Locale.ROOT, "%.1f MiB", bytes / (1 << 20));
+    private static String mebibytes(long bytes) {
+        return String.format(Locale.ROOT, "%.1f MiB", bytes / (double) (1 << 20));
     }
 
     static int internalFormat(FloatFormat format) {

@@ -35,7 +35,8 @@ public final class DeclaredUniforms {
         StringBuilder kept = new StringBuilder();
         int depth = 0;
         boolean insideValue = false;
-        for (char character : declared.toCharArray()) {
+        for (int index = 0; index < declared.length(); index++) {
+            char character = declared.charAt(index);
             depth += character == '(' ? 1 : character == ')' ? -1 : 0;
             insideValue = character == '=' || (insideValue && !(character == ',' && depth == 0));
             if (!insideValue) {

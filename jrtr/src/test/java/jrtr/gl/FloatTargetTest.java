@@ -1,0 +1,163 @@
+package jrtr.gl;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.util.List;
+import jrtr.Binding;
+import jrtr.FloatTarget;
+import jrtr.FloatTargetSpec;
+import jrtr.GraphicsException;
+import jrtr.ShaderProgram;
+import jrtr.Tile;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.TestInstance;
+
+@NeedsDisplay
+@TestInstance(TestInstance.Lifecycle.PER_CLASS)
+class FloatTargetTest {
+    private static final String COORDINATES = "vec4(gl_FragCoord.xy, -1e30, 1.0 / 3.0)";
+
+    private Rendering rendering;
+
+    @BeforeAll
+    void open() {
+        rendering = new Rendering();
+    }
+
+    @AfterAll
+    void close() {
+        rendering.close();
+    }
+
+    @Test
+    void whatIsReadHasItsTopRowFirstAndIsNotClamped() {
+        float[] pixels = rendering.drawn(rendering.program("", COORDINATES), 3, 5);
+
+        assertThat(pixels).hasSize(4 * 3 * 5);
+        for (int row = 0; row < 5; row++) {
+            for (int column = 0; column < 3; column++) {
+                int pixel = 4 * (row * 3 + column);
+                assertThat(pixels[pixel]).isEqualTo(column + 0.5f);
+                assertThat(pixels[pixel + 1]).isEqualTo(5 - row - 0.5f);
+                assertThat(pixels[pixel + 2]).isEqualTo(-1e30f);
+                assertThat(pixels[pixel + 3]).isEqualTo(1 / 3f);
+            }
+        }
+    }
+
+    @Test
+    void partsReadAreThoseOfTheWhole() {
+        try (FloatTarget target = rendering.target(7, 6)) {
+            rendering.draw(rendering.program("", COORDINATES), target);
+            float[] whole = target.read(0);
+            Tile tile = new Tile(2, 1, 4, 3);
+
+            float[] part = target.read(0, tile);
+
+            for (int row = 0; row < 3; row++) {
+                for (int index = 0; index < 16; index++) {
+                    assertThat(part[row * 16 + index]).isEqualTo(whole[4 * ((row + 1) * 7 + 2) + index]);
+                }
+            }
+            assertThatThrownBy(() -> target.read(0, new Tile(4, 0, 4, 1)))
+                    .isInstanceOf(IllegalArgumentException.class)
+                    .hasMessageContaining("7 x 6");
+            assertThatThrownBy(() -> target.read(1)).isInstanceOf(IllegalArgumentException.class);
+            assertThatThrownBy(() -> target.readDepth(tile)).isInstanceOf(IllegalStateException.class);
+        }
+    }
+
+    @Test
+    void aTileDrawTouchesItsPixelsOnly() {
+        int width = 17;
+        int height = 11;
+        Tile tile = new Tile(3, 2, 5, 4);
+        ShaderProgram program = rendering.program("", COORDINATES);
+        try (FloatTarget target = rendering.target(width, height)) {
+            target.clear(-7, -7, -7, -7);
+            rendering.context.drawFullScreen(program, List.of(), target, tile);
+            float[] pixels = target.read(0);
+
+            for (int row = 0; row < height; row++) {
+                for (int column = 0; column < width; column++) {
+                    boolean inside = column >= 3 && column < 8 && row >= 2 && row < 6;
+                    assertThat(pixels[4 * (row * width + column)])
+                            .as("column %d, row %d", column, row)
+                            .isEqualTo(inside ? column + 0.5f : -7);
+                    assertThat(pixels[4 * (row * width + column) + 1]).isEqualTo(inside ? height - row - 0.5f : -7);
+                }
+            }
+            assertThatThrownBy(
+                            () -> rendering.context.drawFullScreen(program, List.of(), target, new Tile(16, 0, 2, 1)))
+                    .isInstanceOf(IllegalArgumentException.class);
+        }
+    }
+
+    @Test
+    void tilesThatCoverTheTargetDrawTheSamePictureAsOneDraw() {
+        ShaderProgram program = rendering.program(
+                "",
+                "vec4(sin(gl_FragCoord.x * gl_FragCoord.y), COORD, 0, 0)"
+                        .replace("COORD", "fract(dot(gl_FragCoord.xy, vec2(0.37, 0.71)))"));
+        try (FloatTarget target = rendering.target(50, 33)) {
+            rendering.draw(program, target);
+            float[] atOnce = target.read(0);
+            target.clear(0, 0, 0, 0);
+            for (Tile tile : Tile.cover(50, 33, 16)) {
+                rendering.context.drawFullScreen(program, List.of(), target, tile);
+            }
+
+            assertThat(target.read(0)).isEqualTo(atOnce);
+        }
+    }
+
+    @Test
+    void severalImagesAreWrittenAtOnce() {
+        ShaderProgram program = rendering.context.createFullScreenProgram(Rendering.fragment("""
+                layout(location = 0) out vec4 first;
+                layout(location = 1) out vec4 second;
+                void main() { first = vec4(1); second = vec4(2); }
+                """));
+        try (FloatTarget target = rendering.context.createFloatTarget("two", new FloatTargetSpec(2, 2, 2, true))) {
+            target.clear(9, 9, 9, 9);
+            assertThat(target.read(1)).containsOnly(9);
+            rendering.draw(program, target);
+
+            assertThat(target.read(0)).containsOnly(1);
+            assertThat(target.read(1)).containsOnly(2);
+            assertThat(target.readDepth(Tile.whole(2, 2))).containsOnly(1);
+        }
+    }
+
+    @Test
+    void anImageIsATextureForAnotherTargetButNotForItsOwn() {
+        ShaderProgram coordinates = rendering.program("", COORDINATES);
+        ShaderProgram copy = rendering.program("uniform sampler2D t;", "texelFetch(t, ivec2(gl_FragCoord.xy), 0)");
+        try (FloatTarget source = rendering.target(4, 3)) {
+            rendering.draw(coordinates, source);
+            Binding binding = new Binding("t", source.texture(0));
+
+            assertThat(rendering.drawn(copy, 4, 3, binding)).isEqualTo(source.read(0));
+            assertThatThrownBy(() -> rendering.draw(copy, source, binding))
+                    .isInstanceOf(IllegalStateException.class)
+                    .hasMessageContaining("drawn to and read");
+        }
+    }
+
+    @Test
+    void sizesBeyondTheDriversLimitsAreRefused() {
+        int side = rendering.context.info().limits().textureSize() + 1;
+
+        assertThatThrownBy(() -> rendering.target(side, 1))
+                .isInstanceOf(GraphicsException.class)
+                .hasMessageContaining("needs " + side + " x 1 pixels")
+                .hasMessageContaining("at most");
+        assertThatThrownBy(() -> rendering.context.createFloatTarget("many", new FloatTargetSpec(1, 1, 1000, false)))
+                .isInstanceOf(GraphicsException.class)
+                .hasMessageContaining("1000 images");
+        rendering.context.finish();
+    }
+}

@@ -1,0 +1,244 @@
+package jrtr.gl;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.FloatBuffer;
+import java.util.SplittableRandom;
+import jrtr.Binding;
+import jrtr.ContextLimits;
+import jrtr.Filter;
+import jrtr.FloatFormat;
+import jrtr.FloatTexture;
+import jrtr.FloatTextureSpec;
+import jrtr.GraphicsException;
+import jrtr.ShaderException;
+import jrtr.ShaderProgram;
+import jrtr.Wrap;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.TestInstance;
+
+@NeedsDisplay
+@TestInstance(TestInstance.Lifecycle.PER_CLASS)
+class FloatTextureTest {
+    private static final String FETCH_TOP_DOWN = "texelFetch(t, ivec2(gl_FragCoord.xy), 0)";
+
+    private Rendering rendering;
+
+    @BeforeAll
+    void open() {
+        rendering = new Rendering();
+    }
+
+    @AfterAll
+    void close() {
+        rendering.close();
+    }
+
+    private FloatTexture texture(FloatTextureSpec spec, float... texels) {
+        FloatTexture texture = rendering.context.createFloatTexture("table", spec);
+        texture.upload(texels);
+        return texture;
+    }
+
+    @Test
+    void everyBitOfNormalNumbersInfinitiesAndZerosSurvives() {
+        float[] values = {
+            0f,
+            -0f,
+            1f,
+            -1f,
+            Float.MAX_VALUE,
+            -Float.MAX_VALUE,
+            Float.MIN_NORMAL,
+            -Float.MIN_NORMAL,
+            Float.POSITIVE_INFINITY,
+            Float.NEGATIVE_INFINITY,
+            1 / 3f,
+            1e-30f,
+            1e30f,
+            16777215f,
+            0.1f,
+            3.4e-38f
+        };
+        ShaderProgram program = rendering.program("uniform sampler2D t;", FETCH_TOP_DOWN);
+        FloatTexture texture = texture(FloatTextureSpec.line(4, FloatFormat.RGBA32F), values);
+
+        float[] back = rendering.drawn(program, 4, 1, new Binding("t", texture));
+
+        for (int index = 0; index < values.length; index++) {
+            assertThat(Float.floatToRawIntBits(back[index]))
+                    .as("%s", values[index])
+                    .isEqualTo(Float.floatToRawIntBits(values[index]));
+        }
+    }
+
+    @Test
+    void nanStaysNanAndDenormalsStayOrBecomeZero() {
+        float denormal = Float.MIN_NORMAL / 8;
+        ShaderProgram program = rendering.program("uniform sampler2D t;", FETCH_TOP_DOWN);
+        FloatTexture texture =
+                texture(FloatTextureSpec.line(1, FloatFormat.RGBA32F), Float.NaN, denormal, -denormal, 1);
+
+        float[] back = rendering.drawn(program, 1, 1, new Binding("t", texture));
+
+        assertThat(back[0]).isNaN();
+        // OpenGL 3.3, section 2.1.1: denormals may be flushed to zero.
+        assertThat(back[1]).isIn(denormal, 0f, -0f);
+        assertThat(back[2]).isIn(-denormal, 0f, -0f);
+    }
+
+    @Test
+    void moreThanAHundredLayersOfComplexNumbersArriveInPlace() {
+        int width = 5;
+        int height = 3;
+        int layers = 130;
+        float[] values = new float[2 * width * height * layers];
+        SplittableRandom random = new SplittableRandom(1);
+        for (int index = 0; index < values.length; index++) {
+            values[index] = (float) random.nextDouble(-1, 1);
+        }
+        FloatTexture texture = texture(FloatTextureSpec.array(width, height, layers, FloatFormat.RG32F), values);
+        ShaderProgram program = rendering.program(
+                "uniform sampler2DArray t; uniform int height;",
+                "texelFetch(t, ivec3(gl_FragCoord.x, int(gl_FragCoord.y) % height, int(gl_FragCoord.y) / height), 0)");
+        program.set("height", height);
+
+        float[] back = rendering.drawn(program, width, height * layers, new Binding("t", texture));
+
+        int rows = height * layers;
+        for (int row = 0; row < rows; row++) {
+            for (int x = 0; x < width; x++) {
+                int pixel = 4 * ((rows - 1 - row) * width + x);
+                int texel = 2 * (row * width + x);
+                assertThat(back[pixel]).isEqualTo(values[texel]);
+                assertThat(back[pixel + 1]).isEqualTo(values[texel + 1]);
+                // Channels that the format lacks.
+                assertThat(back[pixel + 2]).isZero();
+                assertThat(back[pixel + 3]).isEqualTo(1);
+            }
+        }
+    }
+
+    @Test
+    void oneLayerCanBeReplacedFromAnyBuffer() {
+        FloatTextureSpec spec = FloatTextureSpec.array(2, 1, 3, FloatFormat.R32F);
+        FloatTexture texture = texture(spec, 1, 2, 3, 4, 5, 6);
+        FloatBuffer direct = ByteBuffer.allocateDirect(16)
+                .order(ByteOrder.nativeOrder())
+                .asFloatBuffer()
+                .put(new float[] {0, 40, 50, 0})
+                .position(1)
+                .limit(3);
+        texture.uploadLayer(1, direct);
+        texture.uploadLayer(2, FloatBuffer.wrap(new float[] {0, 0, 60, 70}, 2, 2));
+        ShaderProgram program = rendering.program(
+                "uniform sampler2DArray t;",
+                "vec4(texelFetch(t, ivec3(0, 0, 1), 0).r, texelFetch(t, ivec3(1, 0, 1), 0).r,"
+                        + "texelFetch(t, ivec3(1, 0, 2), 0).r, texelFetch(t, ivec3(1, 0, 0), 0).r)");
+
+        assertThat(rendering.drawn(program, 1, 1, new Binding("t", texture))).containsExactly(40, 50, 70, 2);
+        assertThat(direct.position()).isEqualTo(1);
+    }
+
+    @Test
+    void filterAndWrapFollowTheSpecification() {
+        ShaderProgram program = rendering.program(
+                "uniform sampler2D t;",
+                "vec4(texture(t, vec2(0.5, 0.5)).r, texture(t, vec2(1.25, 0.5)).r,"
+                        + "texture(t, vec2(0.3, 0.5)).r, texture(t, vec2(0.75, 0.5)).r)");
+        FloatTextureSpec spec = FloatTextureSpec.line(2, FloatFormat.R32F);
+        FloatTexture linear = texture(spec.with(Filter.LINEAR).with(Wrap.REPEAT), 10, 20);
+        FloatTexture nearest = texture(spec, 10, 20);
+
+        float[] interpolated = rendering.drawn(program, 1, 1, new Binding("t", linear));
+        float[] stepped = rendering.drawn(program, 1, 1, new Binding("t", nearest));
+
+        // Texel centres at 1/4 and 3/4. Hardware keeps 8 bits of the weight or more: 10 / 256 = 0.04.
+        assertThat(interpolated[0]).isCloseTo(15, within(0.04f));
+        assertThat(interpolated[1]).isCloseTo(10, within(0.04f));
+        assertThat(interpolated[2]).isCloseTo(11, within(0.04f));
+        assertThat(interpolated[3]).isCloseTo(20, within(0.04f));
+        assertThat(stepped[1]).isEqualTo(20);
+        assertThat(stepped[2]).isEqualTo(10);
+        assertThat(stepped[3]).isEqualTo(20);
+    }
+
+    @Test
+    void sizesBeyondTheDriversLimitsAreRefusedWithNeededAndAllowed() {
+        ContextLimits limits = rendering.context.info().limits();
+        int side = limits.textureSize() + 1;
+
+        assertThatThrownBy(() -> rendering.context.createFloatTexture(
+                        "too wide", FloatTextureSpec.flat(side, 1, FloatFormat.R32F)))
+                .isInstanceOf(GraphicsException.class)
+                .hasMessageContaining("'too wide' needs " + side + " x 1 texels")
+                .hasMessageContaining("at most " + limits.textureSize());
+        assertThatThrownBy(() -> rendering.context.createFloatTexture(
+                        "too deep", FloatTextureSpec.array(1, 1, limits.arrayLayers() + 1, FloatFormat.R32F)))
+                .isInstanceOf(GraphicsException.class)
+                .hasMessageContaining((limits.arrayLayers() + 1) + " layers")
+                .hasMessageContaining("at most " + limits.arrayLayers());
+    }
+
+    @Test
+    void aTextureThatIsTooLargeAsAWholeIsRefusedBeforeMemoryIsTaken() {
+        ContextLimits limits = rendering.context.info().limits();
+        // Terabytes: no driver has them.
+        FloatTextureSpec huge = FloatTextureSpec.array(
+                limits.textureSize(), limits.textureSize(), limits.arrayLayers(), FloatFormat.RGBA32F);
+
+        assertThatThrownBy(() -> rendering.context.createFloatTexture("huge", huge))
+                .isInstanceOf(GraphicsException.class)
+                .hasMessageContaining("'huge'")
+                .hasMessageContaining("MiB");
+        rendering.context.finish();
+    }
+
+    @Test
+    void wrongLengthsAndLayersAreRefused() {
+        FloatTexture texture =
+                rendering.context.createFloatTexture("table", FloatTextureSpec.array(2, 2, 2, FloatFormat.RG32F));
+
+        assertThatThrownBy(() -> texture.upload(new float[15]))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining("16 floats")
+                .hasMessageContaining("15");
+        assertThatThrownBy(() -> texture.uploadLayer(0, new float[16])).isInstanceOf(IllegalArgumentException.class);
+        assertThatThrownBy(() -> texture.uploadLayer(2, new float[8]))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining("layers 0 to 1");
+    }
+
+    @Test
+    void bindingsThatDoNotFitAreRefused() {
+        ShaderProgram program = rendering.program("uniform sampler2D t;", FETCH_TOP_DOWN);
+        FloatTexture flat = texture(FloatTextureSpec.line(1, FloatFormat.R32F), 1);
+        FloatTexture array = texture(FloatTextureSpec.array(1, 1, 1, FloatFormat.R32F), 1);
+        FloatTexture empty =
+                rendering.context.createFloatTexture("empty", FloatTextureSpec.array(1, 1, 2, FloatFormat.R32F));
+        empty.uploadLayer(0, new float[] {1});
+
+        assertThatThrownBy(() -> rendering.drawn(program, 1, 1))
+                .isInstanceOf(ShaderException.class)
+                .hasMessageContaining("no texture is bound to sampler 't'");
+        assertThatThrownBy(() -> rendering.drawn(program, 1, 1, new Binding("t", array)))
+                .isInstanceOf(ShaderException.class)
+                .hasMessageContaining("'table' is an array")
+                .hasMessageContaining("sampler2D t");
+        assertThatThrownBy(() -> rendering.drawn(program, 1, 1, new Binding("u", flat)))
+                .isInstanceOf(ShaderException.class)
+                .hasMessageContaining("no uniform 'u'");
+        assertThatThrownBy(() -> rendering.drawn(program, 1, 1, new Binding("t", flat), new Binding("t", flat)))
+                .isInstanceOf(ShaderException.class)
+                .hasMessageContaining("bound twice");
+        assertThatThrownBy(() -> rendering.drawn(program, 1, 1, new Binding("t", empty)))
+                .isInstanceOf(IllegalStateException.class)
+                .hasMessageContaining("layer 1 was uploaded");
+    }
+}

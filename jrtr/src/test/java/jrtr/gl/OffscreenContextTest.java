@@ -1,0 +1,158 @@
+package jrtr.gl;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
+import java.util.stream.Stream;
+import jrtr.ContextInfo;
+import jrtr.FloatFormat;
+import jrtr.FloatTarget;
+import jrtr.FloatTexture;
+import jrtr.FloatTextureSpec;
+import jrtr.GpuTimer;
+import jrtr.RenderContext;
+import jrtr.ShaderProgram;
+import org.junit.jupiter.api.Test;
+
+@NeedsDisplay
+class OffscreenContextTest {
+
+    @Test
+    void saysWhoRendersAndWhatIsAllowed() {
+        try (RenderContext context = RenderContexts.offscreen()) {
+            ContextInfo info = context.info();
+
+            assertThat(info.vendor()).isNotBlank();
+            assertThat(info.renderer()).isNotBlank();
+            assertThat(info.shadingLanguageVersion()).isNotBlank();
+            assertThat(info.debugOutputActive()).isFalse();
+            // The least that OpenGL 3.3 core promises (specification, tables 6.44 to 6.53).
+            assertThat(info.limits().textureSize()).isGreaterThanOrEqualTo(1024);
+            assertThat(info.limits().arrayLayers()).isGreaterThanOrEqualTo(256);
+            assertThat(info.limits().renderbufferSize()).isGreaterThanOrEqualTo(1024);
+            assertThat(info.limits().viewportWidth()).isGreaterThanOrEqualTo(1024);
+            assertThat(info.limits().textureUnits()).isGreaterThanOrEqualTo(16);
+            assertThat(info.limits().fragmentUniformComponents()).isGreaterThanOrEqualTo(1024);
+            assertThat(info.limits().colors()).isGreaterThanOrEqualTo(8);
+        }
+    }
+
+    @Test
+    void knowsSoftwareRenderersByName() {
+        assertThat(GlInfo.isSoftware("llvmpipe (LLVM 15.0.6, 256 bits)")).isTrue();
+        assertThat(GlInfo.isSoftware("NVIDIA GeForce RTX 3060/PCIe/SSE2")).isFalse();
+    }
+
+    @Test
+    void otherThreadsAreRefused() throws InterruptedException {
+        ExecutorService other = Executors.newSingleThreadExecutor();
+        try (Rendering rendering = new Rendering()) {
+            FloatTarget target = rendering.target(2, 2);
+
+            assertRefused(other.submit(() -> rendering.target(2, 2)));
+            assertRefused(other.submit(() -> target.read(0)));
+            assertRefused(other.submit(target::close));
+            assertRefused(other.submit(rendering::close));
+            assertThat(target.isClosed()).isFalse();
+        } finally {
+            other.shutdown();
+        }
+    }
+
+    private static void assertRefused(Future<?> call) {
+        assertThatThrownBy(call::get)
+                .isInstanceOf(ExecutionException.class)
+                .cause()
+                .isInstanceOf(IllegalStateException.class)
+                .hasMessageContaining("belongs to thread");
+    }
+
+    @Test
+    void severalContextsLiveOnOneThread() {
+        try (Rendering first = new Rendering();
+                Rendering second = new Rendering()) {
+            ShaderProgram one = first.program("", "vec4(1)");
+            ShaderProgram two = second.program("", "vec4(2)");
+            FloatTarget target = first.target(1, 1);
+
+            assertThat(first.drawn(one, 1, 1)).containsOnly(1);
+            assertThat(second.drawn(two, 1, 1)).containsOnly(2);
+            assertThatThrownBy(() -> first.draw(two, target))
+                    .isInstanceOf(IllegalStateException.class)
+                    .hasMessageContaining("another render context");
+            second.context.close();
+            assertThat(first.drawn(one, 1, 1)).containsOnly(1);
+        }
+    }
+
+    @Test
+    void closingTheContextClosesItsResourcesAndIsRepeatable() {
+        Rendering rendering = new Rendering();
+        ShaderProgram program = rendering.program("uniform float x;", "vec4(x)");
+        FloatTexture texture =
+                rendering.context.createFloatTexture("table", FloatTextureSpec.line(1, FloatFormat.R32F));
+        FloatTarget target = rendering.target(1, 1);
+        GpuTimer timer = rendering.context.createTimer();
+
+        rendering.close();
+        rendering.close();
+
+        assertThat(rendering.context.isClosed()).isTrue();
+        assertThat(program.isClosed()).isTrue();
+        assertThat(texture.isClosed()).isTrue();
+        assertThat(target.isClosed()).isTrue();
+        assertThat(timer.isClosed()).isTrue();
+        texture.close();
+        assertThatThrownBy(rendering.context::finish)
+                .isInstanceOf(IllegalStateException.class)
+                .hasMessageContaining("closed");
+        assertThatThrownBy(() -> program.set("x", 1f)).isInstanceOf(IllegalStateException.class);
+    }
+
+    @Test
+    void closedResourcesAreRefusedByName() {
+        try (Rendering rendering = new Rendering()) {
+            FloatTarget target = rendering.target(1, 1);
+            ShaderProgram program = rendering.program("", "vec4(1)");
+            target.close();
+            target.close();
+
+            assertThatThrownBy(() -> target.read(0))
+                    .isInstanceOf(IllegalStateException.class)
+                    .hasMessage("'test target' is closed");
+            assertThatThrownBy(() -> rendering.draw(program, target))
+                    .isInstanceOf(IllegalStateException.class)
+                    .hasMessage("'test target' is closed");
+        }
+    }
+
+    @Test
+    void contextsLeaveNoConnectionsAndFilesBehind() throws IOException {
+        RenderContexts.offscreen().close();
+        long before = openFiles();
+        for (int repetition = 0; repetition < 10; repetition++) {
+            RenderContexts.offscreen().close();
+        }
+
+        // Below one for each context; the virtual machine itself may open a few in the meantime.
+        assertThat(openFiles() - before).isLessThan(10);
+    }
+
+    /** Linux tells; elsewhere the test only shows that contexts can be made again and again. */
+    private static long openFiles() throws IOException {
+        Path folder = Path.of("/proc/self/fd");
+        if (!Files.isDirectory(folder)) {
+            return 0;
+        }
+        try (Stream<Path> files = Files.list(folder)) {
+            return files.count();
+        }
+    }
+}

@@ -1,0 +1,51 @@
+package jrtr.gl;
+
+import java.util.List;
+import java.util.Map;
+import jrtr.Binding;
+import jrtr.ContextOptions;
+import jrtr.FloatTarget;
+import jrtr.FloatTargetSpec;
+import jrtr.RenderContext;
+import jrtr.ShaderProgram;
+import jrtr.ShaderSource;
+import jrtr.Tile;
+import jrtr.glsl.ShaderLibrary;
+
+/** A context with short ways to small drawings. Debug output is on, so that no driver's complaint goes unseen. */
+final class Rendering implements AutoCloseable {
+    final RenderContext context = RenderContexts.offscreen(ContextOptions.withDebugOutput());
+
+    static ShaderSource fragment(String code) {
+        return ShaderLibrary.ofMap(Map.of("test.frag.glsl", "#version 330 core\n" + code))
+                .load("test.frag.glsl");
+    }
+
+    /** A program whose main() is {@code color = vec4(...)}. */
+    ShaderProgram program(String declarations, String color) {
+        return context.createFullScreenProgram(
+                fragment(declarations + "\nout vec4 color;\nvoid main() { color = " + color + "; }\n"));
+    }
+
+    FloatTarget target(int width, int height) {
+        return context.createFloatTarget("test target", FloatTargetSpec.color(width, height));
+    }
+
+    void draw(ShaderProgram program, FloatTarget target, Binding... bindings) {
+        Tile whole = Tile.whole(target.spec().width(), target.spec().height());
+        context.drawFullScreen(program, List.of(bindings), target, whole);
+    }
+
+    /** Draws and reads back RGBA, row 0 on top. */
+    float[] drawn(ShaderProgram program, int width, int height, Binding... bindings) {
+        try (FloatTarget target = target(width, height)) {
+            draw(program, target, bindings);
+            return target.read(0);
+        }
+    }
+
+    @Override
+    public void close() {
+        context.close();
+    }
+}

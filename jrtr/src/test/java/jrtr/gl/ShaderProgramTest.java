@@ -1,0 +1,173 @@
+package jrtr.gl;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.util.Map;
+import jrtr.ShaderException;
+import jrtr.ShaderProgram;
+import jrtr.ShaderSource;
+import jrtr.glsl.ShaderLibrary;
+import org.joml.Matrix3f;
+import org.joml.Matrix4f;
+import org.joml.Vector2f;
+import org.joml.Vector3f;
+import org.joml.Vector4f;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.TestInstance;
+
+@NeedsDisplay
+@TestInstance(TestInstance.Lifecycle.PER_CLASS)
+class ShaderProgramTest {
+    private Rendering rendering;
+
+    @BeforeAll
+    void open() {
+        rendering = new Rendering();
+    }
+
+    @AfterAll
+    void close() {
+        rendering.close();
+    }
+
+    private float[] pixel(ShaderProgram program) {
+        return rendering.drawn(program, 1, 1);
+    }
+
+    @Test
+    void aCompileErrorInAnIncludeHasItsFileLineAndText() {
+        ShaderSource broken = ShaderLibrary.ofMap(Map.of(
+                        "root.frag.glsl", "#version 330 core\n#include \"lens.glsl\"\nvoid main() {}\n",
+                        "lens.glsl", "// a lens\nfloat focus() {\n    return distanze;\n}\n"))
+                .load("root.frag.glsl", Map.of("TERMS", "37", "WIDTH", "3"));
+
+        assertThatThrownBy(() -> rendering.context.createFullScreenProgram(broken))
+                .isInstanceOfSatisfying(ShaderException.class, failure -> {
+                    assertThat(failure.problems().get(0).file()).isEqualTo("lens.glsl");
+                    assertThat(failure.problems().get(0).line()).isEqualTo(3);
+                })
+                .hasMessageStartingWith("lens.glsl:3: ")
+                .hasMessageContaining("distanze")
+                .hasMessageContaining("`return distanze;`")
+                .hasMessageEndingWith("]")
+                .hasMessageNotContaining("\n");
+        // The driver's own report of the failure must not be mistaken for a later call's.
+        rendering.context.finish();
+    }
+
+    @Test
+    void aBrokenDefineIsReportedInThePrologue() {
+        ShaderSource broken = ShaderLibrary.ofMap(
+                        Map.of("x.frag.glsl", "#version 330 core\nout vec4 c;\nvoid main() { c = vec4(TERMS); }\n"))
+                .load("x.frag.glsl", Map.of("TERMS", "37)"));
+
+        assertThatThrownBy(() -> rendering.context.createFullScreenProgram(broken))
+                .isInstanceOf(ShaderException.class)
+                .hasMessageStartingWith("x.frag.glsl:3: ");
+    }
+
+    @Test
+    void aLinkErrorNamesBothStages() {
+        ShaderSource fragment =
+                Rendering.fragment("float missing();\nout vec4 c;\nvoid main() { c = vec4(missing()); }\n");
+
+        assertThatThrownBy(() -> rendering.context.createFullScreenProgram(fragment))
+                .isInstanceOf(ShaderException.class)
+                .hasMessageContaining("linking fullscreen.vert.glsl with test.frag.glsl")
+                .hasMessageContaining("missing");
+        rendering.context.finish();
+    }
+
+    @Test
+    void everyTypeOfUniformArrives() {
+        ShaderProgram program = rendering.program("""
+                uniform float f; uniform int i; uniform bool b;
+                uniform vec2 v2; uniform vec3 v3; uniform vec4 v4;
+                uniform mat3 m3; uniform mat4 m4;
+                """, """
+                vec4(f + float(i) + (b ? 0.5 : 0.0), v2.x + 10.0 * v2.y,
+                     (m3 * v3).y, (m4 * v4).w)""");
+        program.set("f", 0.25f);
+        program.set("i", -3);
+        program.set("b", true);
+        program.set("v2", new Vector2f(1, 2));
+        Matrix3f m3 = new Matrix3f(1, 2, 3, 4, 5, 6, 7, 8, 9);
+        Vector3f v3 = new Vector3f(1, -1, 2);
+        program.set("m3", m3);
+        program.set("v3", v3);
+        Matrix4f m4 = new Matrix4f(1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16);
+        Vector4f v4 = new Vector4f(1, 2, -1, 3);
+        program.set("m4", m4);
+        program.set("v4", v4);
+
+        // All values are small multiples of 1/4, exact in float.
+        assertThat(pixel(program))
+                .containsExactly(-2.25f, 21, m3.transform(new Vector3f(v3)).y, m4.transform(new Vector4f(v4)).w);
+    }
+
+    @Test
+    void arraysOfScalarsAndVectorsArrive() {
+        ShaderProgram program = rendering.program(
+                "uniform float w[3]; uniform vec3 p[2]; uniform int n[2]; uniform vec2 single; uniform int k;",
+                "vec4(w[k] + w[k + 2], p[k + 1].y, n[k] + 10 * n[k + 1], single.y)");
+        program.set("w", new float[] {1, 2, 4});
+        program.set("p", new float[] {1, 2, 3, 4, 5, 6});
+        program.set("n", new int[] {3, 4});
+        program.set("single", new float[] {7, 8});
+
+        assertThat(pixel(program)).containsExactly(5, 5, 43, 8);
+        assertThatThrownBy(() -> program.set("p", new float[] {1, 2}))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining("vec3[] p");
+        assertThatThrownBy(() -> program.set("single", new float[4])).isInstanceOf(IllegalArgumentException.class);
+    }
+
+    @Test
+    void anUnknownUniformIsAnErrorThatListsTheOthers() {
+        ShaderProgram program = rendering.program("uniform float gain; uniform vec3 light;", "vec4(light, gain)");
+
+        assertThatThrownBy(() -> program.set("gian", 1f))
+                .isInstanceOf(ShaderException.class)
+                .hasMessageContaining("no uniform 'gian'")
+                .hasMessageContaining("float gain, vec3 light");
+        assertThat(program.uniforms()).containsExactly("gain", "light");
+    }
+
+    @Test
+    void aUniformThatIsDeclaredButOptimisedAwayIsIgnored() {
+        ShaderProgram program = rendering.program("uniform float unused; uniform float used;", "vec4(used)");
+
+        program.set("unused", 3f);
+        program.set("used", 2f);
+
+        assertThat(program.isActive("unused")).isFalse();
+        assertThat(pixel(program)).containsOnly(2);
+    }
+
+    @Test
+    void aValueOfTheWrongTypeIsAnError() {
+        ShaderProgram program =
+                rendering.program("uniform float gain; uniform sampler2D table;", "gain * texture(table, vec2(0))");
+
+        assertThatThrownBy(() -> program.set("gain", 1))
+                .isInstanceOf(ShaderException.class)
+                .hasMessageContaining("float gain cannot be set to a int");
+        assertThatThrownBy(() -> program.set("table", 0))
+                .isInstanceOf(ShaderException.class)
+                .hasMessageContaining("bind a texture");
+        assertThat(program.samplers()).containsExactly("table");
+    }
+
+    @Test
+    void samplersOfOtherKindsAreRefused() {
+        assertThatThrownBy(() -> rendering.program("uniform sampler3D t;", "texture(t, vec3(0))"))
+                .isInstanceOf(ShaderException.class)
+                .hasMessageContaining("sampler3D t is not supported");
+        assertThatThrownBy(() -> rendering.program("uniform sampler2D t[2];", "texture(t[1], vec2(0))"))
+                .isInstanceOf(ShaderException.class)
+                .hasMessageContaining("not supported");
+    }
+}

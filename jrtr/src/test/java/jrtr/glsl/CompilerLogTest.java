@@ -1,0 +1,68 @@
+package jrtr.glsl;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import java.util.Map;
+import jrtr.ShaderException;
+import jrtr.ShaderProblem;
+import jrtr.ShaderProblem.Severity;
+import jrtr.ShaderSource;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+class CompilerLogTest {
+    /** Expanded line 4 is line 2 of lens.glsl. */
+    private final ShaderSource source = ShaderLibrary.ofMap(Map.of(
+                    "root.glsl", "#version 330 core\nfloat a;\n#include \"lens.glsl\"\n",
+                    "lens.glsl", "float b;\n    float c = foo; // why\n"))
+            .load("root.glsl");
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            quoteCharacter = '\0',
+            value = {
+                "0:4(13): error: `foo' undeclared | ERROR | `foo' undeclared",
+                "0:4(3): warning: `foo' used uninitialized | WARNING | `foo' used uninitialized",
+                "0:4(1): preprocessor error: syntax error | ERROR | syntax error",
+                "0(4) : error C1503: undefined variable \"foo\" | ERROR | C1503: undefined variable \"foo\"",
+                "0(4) : warning C7011: implicit cast | WARNING | C7011: implicit cast",
+                "0(4) : fatal error C9999: gone | ERROR | C9999: gone",
+                "ERROR: 0:4: 'foo' : undeclared identifier | ERROR | 'foo' : undeclared identifier"
+            })
+    void everyDriversFormIsPutAtTheAuthorsLine(String log, Severity severity, String message) {
+        List<ShaderProblem> problems = CompilerLog.parse(log + "\n\0", source);
+
+        assertThat(problems)
+                .containsExactly(new ShaderProblem(severity, "lens.glsl", 2, message, "    float c = foo; // why"));
+    }
+
+    @Test
+    void linesWithoutAPlaceAreKeptOnlyWhereNoneHasOne() {
+        assertThat(CompilerLog.parse("error: no main\n", source))
+                .containsExactly(new ShaderProblem(Severity.ERROR, "root.glsl", 0, "error: no main", ""));
+        assertThat(CompilerLog.parse("Fragment info\n-----\n0(2) : error C1: x\n", source))
+                .extracting(ShaderProblem::line)
+                .containsExactly(2);
+        assertThat(CompilerLog.parse("\n\0", source)).isEmpty();
+    }
+
+    @Test
+    void aLinePastTheEndIsTheLastOne() {
+        assertThat(CompilerLog.parse("0:99(1): error: end of file\n0:99999999999(1): error: end", source))
+                .allSatisfy(
+                        problem -> assertThat(problem.file() + problem.line()).isEqualTo("lens.glsl2"));
+    }
+
+    @Test
+    void theExceptionSaysFileLineMessageAndTheOffendingLineOnOneLine() {
+        List<ShaderProblem> problems = CompilerLog.parse(
+                "0:2(1): warning: odd\n0:4(13): error: `foo' undeclared\n0:4(1): error: more\n", source);
+
+        assertThat(new ShaderException("compiling root.glsl", problems))
+                .hasMessage("lens.glsl:2: `foo' undeclared: `float c = foo; // why` "
+                        + "[compiling root.glsl, and 1 more]");
+    }
+}

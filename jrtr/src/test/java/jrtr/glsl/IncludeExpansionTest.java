@@ -1,0 +1,160 @@
+package jrtr.glsl;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.util.Map;
+import jrtr.ShaderException;
+import jrtr.ShaderSource;
+import jrtr.SourceLine;
+import org.junit.jupiter.api.Test;
+
+class IncludeExpansionTest {
+    private static final String VERSION = "#version 330 core\n";
+
+    private static ShaderSource load(Map<String, String> files) {
+        return ShaderLibrary.ofMap(files).load("root.glsl");
+    }
+
+    @Test
+    void nestedIncludesAreExpandedInPlace() {
+        ShaderSource source = load(Map.of(
+                "root.glsl", VERSION + "before\n#include \"a.glsl\"\nafter\n",
+                "a.glsl", "a1\n  #  include \"sub/b.glsl\"\na3",
+                "sub/b.glsl", "b1\n"));
+
+        assertThat(source.text()).isEqualTo(VERSION + "before\na1\nb1\na3\nafter\n");
+        assertThat(source.origins())
+                .containsExactly(
+                        new SourceLine("root.glsl", 1, "#version 330 core"),
+                        new SourceLine("root.glsl", 2, "before"),
+                        new SourceLine("a.glsl", 1, "a1"),
+                        new SourceLine("sub/b.glsl", 1, "b1"),
+                        new SourceLine("a.glsl", 3, "a3"),
+                        new SourceLine("root.glsl", 4, "after"));
+    }
+
+    @Test
+    void aFileIsIncludedOnce() {
+        ShaderSource source = load(Map.of(
+                "root.glsl", VERSION + "#include \"a.glsl\"\n#include \"b.glsl\"\n#include \"a.glsl\"\nend\n",
+                "a.glsl", "a\n",
+                "b.glsl", "#include \"a.glsl\"\nb\n"));
+
+        assertThat(source.text().lines().filter(line -> !line.isEmpty()))
+                .containsExactly("#version 330 core", "a", "b", "end");
+    }
+
+    @Test
+    void definesFollowTheVersionSortedByName() {
+        ShaderSource source = ShaderLibrary.ofMap(Map.of("root.glsl", "// first\n" + VERSION + "code\n"))
+                .load("root.glsl", Map.of("TERMS", "37", "FLAG", "", "RADIUS", "(2.5)"));
+
+        assertThat(source.text())
+                .isEqualTo("\n#version 330 core\n#define FLAG\n#define RADIUS (2.5)\n#define TERMS 37\ncode\n");
+        assertThat(source.origins().get(3).file()).isEqualTo("<defines>");
+        assertThat(source.origins().get(5)).isEqualTo(new SourceLine("root.glsl", 3, "code"));
+    }
+
+    @Test
+    void includesInCommentsAreNotFollowed() {
+        ShaderSource source = load(Map.of(
+                "root.glsl",
+                VERSION + "// #include \"no.glsl\"\n/* #include \"no.glsl\"\n#include \"no.glsl\"\n*/ x /* y */ z\n"));
+
+        assertThat(source.text()).isEqualTo(VERSION + "\n\n\n  x   z\n");
+    }
+
+    @Test
+    void commentsMayHoldAnyCharacterButCodeOnlyAscii() {
+        assertThat(load(Map.of("root.glsl", "\uFEFF" + VERSION + "x // λ²\r\ny\r\n"))
+                        .text())
+                .isEqualTo(VERSION + "x\ny\n");
+        assertThatThrownBy(() -> load(Map.of("root.glsl", VERSION + "float λ;\n")))
+                .isInstanceOf(ShaderException.class)
+                .hasMessageStartingWith("root.glsl:2: ");
+    }
+
+    @Test
+    void cyclesAreNamedWithTheirPath() {
+        assertThatThrownBy(() -> load(Map.of(
+                        "root.glsl", VERSION + "#include \"a.glsl\"\n",
+                        "a.glsl", "\n#include \"b.glsl\"\n",
+                        "b.glsl", "#include \"a.glsl\"\n")))
+                .isInstanceOf(ShaderException.class)
+                .hasMessageStartingWith("b.glsl:1: cycle of includes: root.glsl -> a.glsl -> b.glsl -> a.glsl");
+    }
+
+    @Test
+    void aFileThatIncludesItselfIsACycle() {
+        assertThatThrownBy(() -> load(Map.of("root.glsl", VERSION + "#include \"root.glsl\"\n")))
+                .hasMessageStartingWith("root.glsl:2: cycle of includes: root.glsl -> root.glsl");
+    }
+
+    @Test
+    void aMissingFileIsNamedWithItsIncluderAndLine() {
+        assertThatThrownBy(() -> load(Map.of(
+                        "root.glsl", VERSION + "#include \"a.glsl\"\n", "a.glsl", "x\n#include \"gone.glsl\"\n")))
+                .isInstanceOf(ShaderException.class)
+                .hasMessageStartingWith("a.glsl:2: included file gone.glsl is missing");
+        assertThatThrownBy(() -> load(Map.of()))
+                .isInstanceOf(ShaderException.class)
+                .hasMessageContaining("root.glsl is missing");
+    }
+
+    @Test
+    void aFileIncludedInsideAConditionMayNotBeIncludedAgain() {
+        Map<String, String> files = Map.of(
+                "root.glsl", VERSION + "#ifdef A\n#include \"a.glsl\"\n#endif\n#include \"a.glsl\"\n", "a.glsl", "a\n");
+
+        assertThatThrownBy(() -> load(files))
+                .hasMessageStartingWith("root.glsl:5: a.glsl was already included inside #if at root.glsl:3");
+    }
+
+    @Test
+    void conditionsMustPairUpWithinAFile() {
+        assertThatThrownBy(() ->
+                        load(Map.of("root.glsl", VERSION + "#include \"a.glsl\"\n#endif\n", "a.glsl", "#if 1\nx\n")))
+                .hasMessageStartingWith("a.glsl:2: #if and #endif do not pair up");
+    }
+
+    @Test
+    void theVersionStandsInTheRootFileBeforeAllCodeAndOnce() {
+        assertThatThrownBy(() -> load(Map.of("root.glsl", "x\n" + VERSION))).hasMessageStartingWith("root.glsl:1: ");
+        assertThatThrownBy(() -> load(Map.of("root.glsl", "\n// nothing\n"))).hasMessageContaining("#version");
+        assertThatThrownBy(() -> load(Map.of("root.glsl", VERSION + VERSION))).hasMessageStartingWith("root.glsl:2: ");
+        assertThatThrownBy(() -> load(Map.of("root.glsl", VERSION + "#include \"a.glsl\"\n", "a.glsl", "\n" + VERSION)))
+                .hasMessageStartingWith("a.glsl:2: #version belongs in the root file root.glsl");
+    }
+
+    @Test
+    void malformedDirectivesAreRefusedAtTheirLine() {
+        assertThatThrownBy(() -> load(Map.of("root.glsl", VERSION + "#include <a.glsl>\n")))
+                .hasMessageStartingWith("root.glsl:2: #include needs a file name in double quotes");
+        assertThatThrownBy(() -> load(Map.of("root.glsl", VERSION + "#line 7\n")))
+                .hasMessageStartingWith("root.glsl:2: #line is not allowed");
+        assertThatThrownBy(() -> load(Map.of("root.glsl", VERSION + "x\n/* y\n")))
+                .hasMessageStartingWith("root.glsl:3: a comment");
+    }
+
+    @Test
+    void namesCannotLeaveTheLibrary() {
+        for (String name : new String[] {"../x.glsl", "/etc/passwd", "a/../../x", "a\\\\b", ".", "a//b"}) {
+            assertThatThrownBy(() -> load(Map.of("root.glsl", VERSION + "#include \"" + name + "\"\n")))
+                    .as(name)
+                    .isInstanceOf(ShaderException.class)
+                    .hasMessageStartingWith("root.glsl:2: ");
+        }
+    }
+
+    @Test
+    void definesMustBeOneLineWithALegalName() {
+        ShaderLibrary library = ShaderLibrary.ofMap(Map.of("root.glsl", VERSION));
+        for (Map<String, String> bad : java.util.List.of(
+                Map.of("A B", "1"), Map.of("1A", ""), Map.of("GL_x", ""), Map.of("a__b", ""), Map.of("A", "1\n2"))) {
+            assertThatThrownBy(() -> library.load("root.glsl", bad))
+                    .as(bad.toString())
+                    .isInstanceOf(ShaderException.class);
+        }
+    }
+}
