@@ -4,7 +4,6 @@ import java.awt.image.BufferedImage;
 import java.awt.image.DataBuffer;
 import java.awt.image.SampleModel;
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Iterator;
 import java.util.Optional;
@@ -57,13 +56,13 @@ final class HeightImageReader {
     private static BufferedImage decode(Path file, ImageFormat format) throws IOException {
         ImageReader reader = readerFor(format);
         try (FileImageInputStream in = new FileImageInputStream(file.toFile())) {
-            // Metadata of PNG and BMP are of no use here; TIFF keeps its baseline tags all the same.
-            reader.setInput(in, true, true);
+            // Of metadata only TIFF's are of use; the others could be large.
+            reader.setInput(in, true, format != ImageFormat.TIFF);
             int columns = reader.getWidth(0);
             int rows = reader.getHeight(0);
             ImageLimits.requireSize(file, columns, rows);
             if (format == ImageFormat.TIFF) {
-                TiffTags.require(file, reader, Files.size(file));
+                TiffTags.require(file, reader);
             }
             int bytesPerPixel = bytesPerPixel(file, reader);
             ImageLimits.requireMemory(

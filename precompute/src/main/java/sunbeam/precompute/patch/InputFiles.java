@@ -1,26 +1,11 @@
 package sunbeam.precompute.patch;
 
 import java.nio.file.Files;
-import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
-import sunbeam.precompute.text.Quoted;
 
 /** What is checked of every file before it is opened. */
 final class InputFiles {
     private InputFiles() {}
-
-    /**
-     * The path that a user named.
-     *
-     * @throws PatchException when the text cannot be a path
-     */
-    static Path path(String text) {
-        try {
-            return Path.of(text);
-        } catch (InvalidPathException e) {
-            throw new PatchException(Quoted.of(text) + " is no file name: " + e.getReason(), e);
-        }
-    }
 
     /**
      * Nothing but an existing, readable, regular file passes; a device or a pipe could be read for ever.

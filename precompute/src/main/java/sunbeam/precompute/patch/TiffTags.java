@@ -2,7 +2,6 @@ package sunbeam.precompute.patch;
 
 import java.io.IOException;
 import java.nio.file.Path;
-import java.util.Arrays;
 import java.util.Set;
 import javax.imageio.ImageReader;
 import javax.imageio.metadata.IIOMetadata;
@@ -34,16 +33,13 @@ final class TiffTags {
     /**
      * Checks the tags of the first image.
      *
-     * @param fileBytes size of the file
      * @throws PatchException when heights cannot be read from such an image
      */
-    static void require(Path file, ImageReader reader, long fileBytes) throws IOException {
+    static void require(Path file, ImageReader reader) throws IOException {
         IIOMetadata metadata = reader.getImageMetadata(0);
         TiffTags tags = new TiffTags(file, TIFFDirectory.createFromMetadata(metadata));
         tags.requireLosslessAndUpright();
-        tags.requireDataInside(
-                fileBytes, BaselineTIFFTagSet.TAG_STRIP_OFFSETS, BaselineTIFFTagSet.TAG_STRIP_BYTE_COUNTS);
-        tags.requireDataInside(fileBytes, BaselineTIFFTagSet.TAG_TILE_OFFSETS, BaselineTIFFTagSet.TAG_TILE_BYTE_COUNTS);
+        tags.requireKnownSamples();
         tags.requireTilesWithinLimits();
     }
 
@@ -66,18 +62,19 @@ final class TiffTags {
         }
     }
 
-    private void requireDataInside(long fileBytes, int offsetsTag, int countsTag) {
-        long[] offsets = numbers(offsetsTag);
-        long[] counts = numbers(countsTag);
-        for (int i = 0; i < Math.min(offsets.length, counts.length); i++) {
-            if (offsets[i] < 0 || counts[i] < 0 || offsets[i] + counts[i] > fileBytes) {
-                throw new PatchException(
-                        file + " is truncated: its image data end beyond the end of the file; export it again");
-            }
-        }
-        // Data that overlap are decoded once per mention: a small file could otherwise stand for a very large one.
-        if (Arrays.stream(counts).sum() > fileBytes) {
-            throw new PatchException(file + " is damaged: its image data overlap; export it again");
+    /** The JDK's reader takes signed bytes and half floats for unsigned integers without a word. */
+    private void requireKnownSamples() {
+        int bits = number(BaselineTIFFTagSet.TAG_BITS_PER_SAMPLE, 1);
+        int format = number(BaselineTIFFTagSet.TAG_SAMPLE_FORMAT, BaselineTIFFTagSet.SAMPLE_FORMAT_UNSIGNED_INTEGER);
+        boolean known = switch (format) {
+            case BaselineTIFFTagSet.SAMPLE_FORMAT_UNSIGNED_INTEGER -> true;
+            case BaselineTIFFTagSet.SAMPLE_FORMAT_SIGNED_INTEGER -> bits == 16;
+            case BaselineTIFFTagSet.SAMPLE_FORMAT_FLOATING_POINT -> bits == 32 || bits == 64;
+            default -> false;
+        };
+        if (!known) {
+            throw new PatchException("%s is a TIFF with %d-bit samples of format %d; save it as 16-bit or 32-bit float"
+                    .formatted(file, bits, format));
         }
     }
 
@@ -97,6 +94,10 @@ final class TiffTags {
 
     private long[] numbers(int tag) {
         TIFFField field = directory.getTIFFField(tag);
-        return field == null ? new long[0] : field.getAsLongs();
+        long[] values = new long[field == null ? 0 : field.getCount()];
+        for (int i = 0; i < values.length; i++) {
+            values[i] = field.getAsLong(i);
+        }
+        return values;
     }
 }
