@@ -9,8 +9,8 @@ final class ImageLimits {
     static final int LONGEST_SIDE = 16_384;
     /** Most samples: 8192 x 8192, whose heights take half a gigabyte. */
     static final long MOST_SAMPLES = 1L << 26;
-    /** Heights are held twice at most while they are levelled. */
-    private static final int BYTES_PER_HEIGHT = 2 * Double.BYTES;
+    /** Heights are held twice while they are levelled; arrays this large leave gaps in the heap of about as much. */
+    private static final int BYTES_PER_HEIGHT = 3 * Double.BYTES;
 
     private ImageLimits() {}
 

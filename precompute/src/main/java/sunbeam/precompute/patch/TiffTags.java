@@ -87,17 +87,9 @@ final class TiffTags {
         }
     }
 
+    /** The tag's first value; a tag of another type than a number shows a damaged file. */
     private int number(int tag, int missing) {
-        long[] values = numbers(tag);
-        return values.length == 0 ? missing : (int) values[0];
-    }
-
-    private long[] numbers(int tag) {
         TIFFField field = directory.getTIFFField(tag);
-        long[] values = new long[field == null ? 0 : field.getCount()];
-        for (int i = 0; i < values.length; i++) {
-            values[i] = field.getAsLong(i);
-        }
-        return values;
+        return field == null || field.getCount() == 0 ? missing : (int) field.getAsLong(0);
     }
 }

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.junit.jupiter.api.Assumptions.assumeFalse;
 
+import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;
 import java.io.DataOutputStream;
 import java.io.IOException;
@@ -94,6 +95,25 @@ class BadImageTest {
     }
 
     @Test
+    void refusesABmpAroundAnotherImage() throws IOException {
+        Path file = TestImages.write(TestImages.grey8(2, 2, (c, r, b) -> c), folder.resolve("jpeg.bmp"));
+        byte[] content = Files.readAllBytes(file);
+        content[30] = 4;
+        Files.write(file, content);
+
+        assertRefused(file, "around another image");
+    }
+
+    @Test
+    void refusesHeightsMultipliedByAlpha() throws IOException {
+        BufferedImage image = new BufferedImage(2, 1, BufferedImage.TYPE_4BYTE_ABGR_PRE);
+        image.getRaster().setPixels(0, 0, 2, 1, new int[] {9, 9, 9, 255, 9, 9, 9, 128});
+        Path file = TestImages.write(image, folder.resolve("veiled.tiff"));
+
+        assertRefused(file, "multiplied by alpha");
+    }
+
+    @Test
     void refusesAHugeTiffByItsTags() throws IOException {
         assertRefused(
                 new TinyTiff(40_000, 40_000, 8, new byte[4]).write(folder.resolve("huge.tif")),
@@ -105,7 +125,7 @@ class BadImageTest {
     void refusesAnImageThatTheHeapCannotHold() {
         assertThatThrownBy(() -> ImageLimits.requireMemory(Path.of("big.png"), 1L << 26, 4, 1L << 30))
                 .isInstanceOf(PatchException.class)
-                .hasMessageContaining("big.png needs 1.3 GB")
+                .hasMessageContaining("big.png needs 1.9 GB")
                 .hasMessageContaining("1.1 GB")
                 .hasMessageContaining("-Xmx");
     }
