@@ -25,6 +25,11 @@ public final class HeightMap {
      * @throws IllegalArgumentException when a size, pitch or the array's length does not fit
      */
     public HeightMap(int columns, int rows, double pitchX, double pitchY, double[] heights) {
+        this(heights.clone(), columns, rows, pitchX, pitchY);
+    }
+
+    /** As the public constructor, but keeps the array itself: a large scan is not held twice. */
+    private HeightMap(double[] heights, int columns, int rows, double pitchX, double pitchY) {
         if (columns < 1 || rows < 1) {
             throw new IllegalArgumentException("a height map needs samples, got " + columns + " x " + rows);
         }
@@ -38,7 +43,17 @@ public final class HeightMap {
         this.rows = rows;
         this.pitchX = pitchX;
         this.pitchY = pitchY;
-        this.heights = heights.clone();
+        this.heights = heights;
+    }
+
+    /** A height map that takes over the array: the caller must not touch it again. */
+    static HeightMap owning(int columns, int rows, double pitchX, double pitchY, double[] heights) {
+        return new HeightMap(heights, columns, rows, pitchX, pitchY);
+    }
+
+    /** The same grid with other heights, whose array is taken over: the caller must not touch it again. */
+    HeightMap withOwned(double[] replaced) {
+        return new HeightMap(replaced, columns, rows, pitchX, pitchY);
     }
 
     public int columns() {
@@ -96,11 +111,6 @@ public final class HeightMap {
 
     /** The same grid with every height replaced by a function of it. */
     public HeightMap map(DoubleUnaryOperator function) {
-        return new HeightMap(
-                columns,
-                rows,
-                pitchX,
-                pitchY,
-                Arrays.stream(heights).map(function).toArray());
+        return withOwned(Arrays.stream(heights).map(function).toArray());
     }
 }

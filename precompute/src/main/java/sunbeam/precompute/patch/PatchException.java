@@ -1,12 +1,17 @@
 package sunbeam.precompute.patch;
 
-/** A patch (image, descriptor or built-in) that cannot be used; the message names it, the value and the remedy. */
+import sunbeam.precompute.text.Quoted;
+
+/**
+ * A patch (image, descriptor or built-in) that cannot be used; the message, always one line, names it, the value and
+ * the remedy.
+ */
 public final class PatchException extends RuntimeException {
     public PatchException(String message) {
-        super(message);
+        super(Quoted.oneLine(message));
     }
 
     public PatchException(String message, Throwable cause) {
-        super(message, cause);
+        super(Quoted.oneLine(message), cause);
     }
 }

@@ -1,0 +1,123 @@
+package sunbeam.precompute.patch;
+
+import java.util.Arrays;
+
+/**
+ * Fills missing samples (NaN or infinite) from their surroundings: ring by ring from the edge of each hole inwards,
+ * every sample becomes the average of those of its up to eight neighbours that are known already. Samples of one ring
+ * do not see each other, so the result does not depend on the order of the scan. Linear in the number of samples.
+ */
+public final class MissingSamples {
+    private static final byte KNOWN = 0;
+    private static final byte MISSING = 1;
+    private static final byte QUEUED = 2;
+
+    private final int columns;
+    private final int rows;
+    private final double[] heights;
+    private final byte[] state;
+    private final int count;
+
+    /**
+     * A height map that misses nothing.
+     *
+     * @param heights the height map without missing samples
+     * @param count how many samples were filled
+     */
+    public record Filled(HeightMap heights, int count) {}
+
+    private MissingSamples(HeightMap map) {
+        columns = map.columns();
+        rows = map.rows();
+        heights = map.toArray();
+        state = new byte[heights.length];
+        int missing = 0;
+        for (int i = 0; i < heights.length; i++) {
+            if (!Double.isFinite(heights[i])) {
+                state[i] = MISSING;
+                missing++;
+            }
+        }
+        count = missing;
+    }
+
+    /**
+     * The map with every missing sample filled.
+     *
+     * @throws IllegalArgumentException when all samples are missing
+     */
+    public static Filled fill(HeightMap map) {
+        MissingSamples filling = new MissingSamples(map);
+        if (filling.count == 0) {
+            return new Filled(map, 0);
+        }
+        if (filling.count == filling.heights.length) {
+            throw new IllegalArgumentException("all " + filling.count + " samples are missing");
+        }
+        filling.fillRings();
+        return new Filled(map.withOwned(filling.heights), filling.count);
+    }
+
+    private void fillRings() {
+        int[] ring = firstRing();
+        while (ring.length > 0) {
+            double[] averages =
+                    Arrays.stream(ring).mapToDouble(this::averageOfKnown).toArray();
+            for (int i = 0; i < ring.length; i++) {
+                heights[ring[i]] = averages[i];
+                state[ring[i]] = KNOWN;
+            }
+            ring = Arrays.stream(ring)
+                    .flatMap(i -> Arrays.stream(queueMissing(i)))
+                    .toArray();
+        }
+    }
+
+    /** The missing samples with a known neighbour, marked as queued. */
+    private int[] firstRing() {
+        int[] ring = new int[count];
+        int length = 0;
+        for (int i = 0; i < state.length; i++) {
+            if (state[i] == MISSING && neighbours(i, KNOWN).length > 0) {
+                ring[length++] = i;
+            }
+        }
+        ring = Arrays.copyOf(ring, length);
+        for (int i : ring) {
+            state[i] = QUEUED;
+        }
+        return ring;
+    }
+
+    private double averageOfKnown(int index) {
+        int[] known = neighbours(index, KNOWN);
+        double first = heights[known[0]];
+        // Relative to one of them, so that a large common offset costs no digits.
+        return first + Arrays.stream(known).mapToDouble(i -> heights[i] - first).sum() / known.length;
+    }
+
+    private int[] queueMissing(int index) {
+        int[] found = neighbours(index, MISSING);
+        for (int i : found) {
+            state[i] = QUEUED;
+        }
+        return found;
+    }
+
+    /** Indices of the up to eight neighbours in the given state; the patch's edge is not wrapped: scans do not tile. */
+    private int[] neighbours(int index, byte wanted) {
+        int row = index / columns;
+        int column = index % columns;
+        int[] found = new int[8];
+        int length = 0;
+        for (int r = Math.max(0, row - 1); r <= Math.min(rows - 1, row + 1); r++) {
+            for (int c = Math.max(0, column - 1); c <= Math.min(columns - 1, column + 1); c++) {
+                int neighbour = r * columns + c;
+                if (neighbour != index && state[neighbour] == wanted) {
+                    found[length++] = neighbour;
+                }
+            }
+        }
+        return Arrays.copyOf(found, length);
+    }
+}

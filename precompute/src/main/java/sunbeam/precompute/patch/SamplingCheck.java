@@ -1,0 +1,63 @@
+package sunbeam.precompute.patch;
+
+import java.util.Locale;
+import java.util.Optional;
+import sunbeam.precompute.units.Lengths;
+
+/** Whether a scan is fine enough, across and in height, for the shortest wavelength that is rendered. */
+public final class SamplingCheck {
+    /** Shortest wavelength of the model, metres. */
+    public static final double SHORTEST_WAVELENGTH = 380e-9;
+
+    /**
+     * Coarsest pitch that holds all that light can see, metres: |(u, v)| reaches 2, hence spatial frequencies reach 2 /
+     * lambda, and by the sampling theorem these need a pitch of lambda / 4.
+     */
+    public static final double COARSEST_PITCH = SHORTEST_WAVELENGTH / 4;
+
+    /**
+     * Coarsest height step that passes without a word, metres. Rounding to steps q scatters the share (k w q)^2 / 12 of
+     * the light at random; 5 nm at the shortest wavelength and w = 2 make 0.2 %.
+     */
+    public static final double COARSEST_STEP = 5e-9;
+
+    private SamplingCheck() {}
+
+    /**
+     * A warning when the pitch exceeds {@link #COARSEST_PITCH}. An axis with a single sample is not looked at: the
+     * surface is constant along it.
+     */
+    public static Optional<String> pitch(HeightMap map) {
+        double pitchX = map.columns() > 1 ? map.pitchX() : 0;
+        double pitchY = map.rows() > 1 ? map.pitchY() : 0;
+        double coarsest = Math.max(pitchX, pitchY);
+        // 1e-9: a pitch of exactly lambda/4, divided from a width, must not warn for its rounding.
+        if (coarsest <= COARSEST_PITCH * (1 + 1e-9)) {
+            return Optional.empty();
+        }
+        return Optional.of(
+                "sampling too coarse: samples are %s apart along %s, but light of %s sees structure down to %s; use a finer scan or expect wrong colours far from the specular direction"
+                        .formatted(
+                                Lengths.format(coarsest),
+                                pitchX >= pitchY ? "x" : "y",
+                                Lengths.format(SHORTEST_WAVELENGTH),
+                                Lengths.format(COARSEST_PITCH)));
+    }
+
+    /**
+     * A warning when integer samples stand for steps above {@link #COARSEST_STEP}.
+     *
+     * @param step height of one count, metres
+     */
+    public static Optional<String> heightStep(double step) {
+        if (step <= COARSEST_STEP) {
+            return Optional.empty();
+        }
+        double phase = 2 * 2 * Math.PI / SHORTEST_WAVELENGTH * step;
+        return Optional.of(
+                "heights are coarse: one grey level is %s, which scatters about %s %% of the light at random; use a 16-bit or float image"
+                        .formatted(
+                                Lengths.format(step),
+                                String.format(Locale.ROOT, "%.2g", 100 * Math.min(1, phase * phase / 12))));
+    }
+}

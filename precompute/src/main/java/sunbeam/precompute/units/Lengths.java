@@ -1,0 +1,71 @@
+package sunbeam.precompute.units;
+
+import java.math.BigDecimal;
+import java.math.MathContext;
+import java.math.RoundingMode;
+import java.util.Map;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import sunbeam.precompute.text.Quoted;
+
+/**
+ * Lengths as people write them ("65um", "65 µm", "375 nm", "2.5e-6 m") to and from metres. A length always carries its
+ * unit: pm, nm, um, mm, cm or m, with either Unicode mu (U+00B5, U+03BC) for the u.
+ */
+public final class Lengths {
+    private static final Map<String, Integer> POWER_OF_TEN =
+            Map.of("pm", -12, "nm", -9, "um", -6, "mm", -3, "cm", -2, "m", 0);
+    private static final String[] ENGINEERING_UNITS = {"pm", "nm", "um", "mm", "m"};
+    /** Digits that a message shows; a height needs no more to be recognised. */
+    private static final int SHOWN_DIGITS = 6;
+
+    /** Three digits of exponent are more than any length needs and keep the decimal arithmetic small. */
+    private static final Pattern LENGTH =
+            Pattern.compile("([+-]?(?:[0-9]+(?:\\.[0-9]*)?|\\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?)\\s*(\\S*)");
+
+    private Lengths() {}
+
+    /**
+     * The length in metres, correctly rounded: {@code parse("65um") == 65e-6}. The sign is kept; whether a negative
+     * length makes sense is the caller's question.
+     *
+     * @throws LengthFormatException when the text has no number, no unit or an unknown unit
+     */
+    public static double parse(String text) {
+        String trimmed = text.strip();
+        Matcher matcher = LENGTH.matcher(trimmed);
+        if (trimmed.length() > 100 || !matcher.matches()) {
+            throw new LengthFormatException(
+                    Quoted.of(text) + " is no length; write a number with its unit, such as 65um or 375 nm");
+        }
+        String unit = matcher.group(2).replace('\u00b5', 'u').replace('\u03bc', 'u');
+        if (unit.isEmpty()) {
+            throw new LengthFormatException(
+                    Quoted.of(text) + " has no unit; write the length with pm, nm, um, mm, cm or m, such as 65um");
+        }
+        Integer power = POWER_OF_TEN.get(unit);
+        if (power == null) {
+            throw new LengthFormatException(Quoted.of(text) + " has the unknown unit " + Quoted.of(matcher.group(2))
+                    + "; use pm, nm, um, mm, cm or m");
+        }
+        return new BigDecimal(matcher.group(1)).scaleByPowerOfTen(power).doubleValue();
+    }
+
+    /**
+     * The length for people, in the unit that puts it between 1 and 1000 where there is one, with at most six digits:
+     * {@code "65 um"}, {@code "818.69 nm"}. What {@link #parse} reads again, save NaN and the infinities.
+     */
+    public static String format(double metres) {
+        if (metres == 0 || !Double.isFinite(metres)) {
+            return (metres == 0 ? "0" : Double.toString(metres)) + " m";
+        }
+        BigDecimal rounded = new BigDecimal(metres).round(new MathContext(SHOWN_DIGITS, RoundingMode.HALF_EVEN));
+        // Digits before the decimal point of the value in metres: 6.5e-5 -> -4, and 65 um has 2 of them in um.
+        int magnitude = rounded.precision() - rounded.scale();
+        int index = Math.max(0, Math.min(ENGINEERING_UNITS.length - 1, Math.floorDiv(magnitude - 1, 3) + 4));
+        String unit = ENGINEERING_UNITS[index];
+        BigDecimal value = rounded.scaleByPowerOfTen(-POWER_OF_TEN.get(unit)).stripTrailingZeros();
+        boolean readable = Math.abs(value.precision() - value.scale()) <= 9;
+        return (readable ? value.toPlainString() : value.toString()) + " " + unit;
+    }
+}

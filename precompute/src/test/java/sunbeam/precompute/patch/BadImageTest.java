@@ -1,0 +1,215 @@
+package sunbeam.precompute.patch;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.junit.jupiter.api.Assumptions.assumeFalse;
+
+import java.awt.image.BufferedImage;
+import java.io.ByteArrayOutputStream;
+import java.io.DataOutputStream;
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.Optional;
+import java.util.zip.CRC32;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class BadImageTest {
+    @TempDir
+    Path folder;
+
+    @Test
+    void namesAMissingFile() {
+        assertRefused(folder.resolve("nowhere.png"), "no such file");
+    }
+
+    @Test
+    void refusesAFolder() throws IOException {
+        assertRefused(Files.createDirectory(folder.resolve("scans.png")), "is a folder");
+    }
+
+    @Test
+    void refusesAnUnreadableFile() throws IOException {
+        Path file = TestImages.write(TestImages.grey8(2, 2, (c, r, b) -> c), folder.resolve("secret.png"));
+        assumeFalse(
+                !file.toFile().setReadable(false) || Files.isReadable(file),
+                "this user or file system can read every file");
+
+        assertRefused(file, "cannot be read; check its permissions");
+    }
+
+    @ParameterizedTest
+    @CsvSource({"'', is empty", "'heights,1,2,3', not a PNG", "GIF89a, not a PNG", "'II+\0', not a PNG"})
+    void refusesWhatIsNoImage(String content, String complaint) throws IOException {
+        assertRefused(Files.writeString(folder.resolve("scan.png"), content), complaint);
+    }
+
+    @Test
+    void refusesJpegBecauseItFalsifiesHeights() throws IOException {
+        Path file = TestImages.write(TestImages.grey8(8, 8, (c, r, b) -> c), folder.resolve("scan.jpg"));
+
+        assertRefused(file, "JPEG");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"png", "bmp", "tiff"})
+    void refusesATruncatedFile(String format) throws IOException {
+        Path file = TestImages.write(TestImages.grey8(40, 40, (c, r, b) -> c * r), folder.resolve("cut." + format));
+        byte[] content = Files.readAllBytes(file);
+        for (int tenths = 1; tenths < 10; tenths++) {
+            Files.write(file, Arrays.copyOf(content, content.length * tenths / 10));
+            assertThatThrownBy(() -> HeightImageReader.read(file, Optional.empty()))
+                    .as(tenths + " tenths")
+                    .isInstanceOf(PatchException.class)
+                    .hasMessageContaining("cut." + format);
+        }
+    }
+
+    @ParameterizedTest
+    @CsvSource({"40000, 40000", "16385, 1", "1, 16385", "16384, 16384", "2147483647, 2147483647"})
+    void refusesAHugeImageByItsHeader(int columns, int rows) throws IOException {
+        Path file = Files.write(folder.resolve("huge.png"), pngHeader(columns, rows));
+
+        assertRefused(file, columns + " x " + rows, "16384", "67108864", "crop");
+    }
+
+    @Test
+    void refusesAHugeBmpByItsHeader() throws IOException {
+        Path file = TestImages.write(TestImages.grey8(2, 2, (c, r, b) -> c), folder.resolve("huge.bmp"));
+        byte[] content = Files.readAllBytes(file);
+        ByteBuffer.wrap(content)
+                .order(ByteOrder.LITTLE_ENDIAN)
+                .putInt(18, 40_000)
+                .putInt(22, 40_000);
+        Files.write(file, content);
+
+        assertRefused(file, "40000 x 40000", "16384");
+    }
+
+    @Test
+    void refusesABmpAroundAnotherImage() throws IOException {
+        Path file = TestImages.write(TestImages.grey8(2, 2, (c, r, b) -> c), folder.resolve("jpeg.bmp"));
+        byte[] content = Files.readAllBytes(file);
+        content[30] = 4;
+        Files.write(file, content);
+
+        assertRefused(file, "around another image");
+    }
+
+    @Test
+    void refusesHeightsMultipliedByAlpha() throws IOException {
+        BufferedImage image = new BufferedImage(2, 1, BufferedImage.TYPE_4BYTE_ABGR_PRE);
+        image.getRaster().setPixels(0, 0, 2, 1, new int[] {9, 9, 9, 255, 9, 9, 9, 128});
+        Path file = TestImages.write(image, folder.resolve("veiled.tiff"));
+
+        assertRefused(file, "multiplied by alpha");
+    }
+
+    @Test
+    void refusesAHugeTiffByItsTags() throws IOException {
+        assertRefused(
+                new TinyTiff(40_000, 40_000, 8, new byte[4]).write(folder.resolve("huge.tif")),
+                "40000 x 40000",
+                "16384");
+    }
+
+    @Test
+    void refusesAnImageThatTheHeapCannotHold() {
+        assertThatThrownBy(() -> ImageLimits.requireMemory(Path.of("big.png"), 1L << 26, 4, 1L << 30))
+                .isInstanceOf(PatchException.class)
+                .hasMessageContaining("big.png needs 1.9 GB")
+                .hasMessageContaining("1.1 GB")
+                .hasMessageContaining("-Xmx");
+    }
+
+    @Test
+    void refusesASingleSample() throws IOException {
+        Path file = TestImages.write(TestImages.grey8(1, 1, (c, r, b) -> 9), folder.resolve("dot.png"));
+
+        assertRefused(file, "1 x 1", "at least 2 x 1");
+    }
+
+    @ParameterizedTest
+    @CsvSource({"1, 5", "5, 1", "1, 2"})
+    void acceptsASingleRowOrColumn(int columns, int rows) throws IOException {
+        Path file = TestImages.write(TestImages.grey8(columns, rows, (c, r, b) -> c + r), folder.resolve("line.png"));
+
+        assertThat(HeightImageReader.read(file, Optional.empty()).samples()).hasSize(columns * rows);
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        TinyTiff.ORIENTATION + ", 3, orientation tag 3",
+        TinyTiff.PHOTOMETRIC + ", 0, photometric interpretation 0",
+        TinyTiff.COMPRESSION + ", 7, JPEG compression",
+        TinyTiff.STRIP_OFFSETS + ", 1000, damaged",
+        TinyTiff.STRIP_BYTES + ", 2000000000, damaged",
+        TinyTiff.CHANNELS + ", 60000, damaged",
+        TinyTiff.CHANNELS + ", 5, 5 channels",
+        TinyTiff.SAMPLE_FORMAT + ", 2, 8-bit samples of format 2",
+        TinyTiff.SAMPLE_FORMAT + ", 3, 8-bit samples of format 3"
+    })
+    void refusesATiffWhoseTagsWouldMislead(int tag, int value, String complaint) throws IOException {
+        Path file = new TinyTiff(4, 4, 8, new byte[16]).with(tag, value).write(folder.resolve("odd.tif"));
+
+        assertRefused(file, complaint);
+    }
+
+    @Test
+    void refusesATiffWithHugeTiles() throws IOException {
+        Path file = new TinyTiff(4, 4, 8, new byte[16])
+                .with(TinyTiff.TILE_WIDTH, 60_000)
+                .with(TinyTiff.TILE_LENGTH, 60_000)
+                .write(folder.resolve("tiles.tif"));
+
+        assertRefused(file, "tiles of 60000 x 60000");
+    }
+
+    @Test
+    void readsTheSameTiffWithoutTheMisleadingTag() throws IOException {
+        Path file = new TinyTiff(4, 4, 8, new byte[16]).write(folder.resolve("plain.tif"));
+
+        assertThat(HeightImageReader.read(file, Optional.empty()).samples()).containsOnly(0);
+    }
+
+    @Test
+    void refuses32BitIntegers() throws IOException {
+        assertRefused(new TinyTiff(2, 2, 32, new byte[16]).write(folder.resolve("int.tif")), "32 bits per sample");
+    }
+
+    private static void assertRefused(Path file, String... complaints) {
+        assertThatThrownBy(() -> HeightImageReader.read(file, Optional.empty()))
+                .isInstanceOf(PatchException.class)
+                .hasMessageContaining(file.toString())
+                .satisfies(e -> assertThat(e.getMessage()).contains(complaints).doesNotContain("\n"));
+    }
+
+    /** A PNG that claims a size and ends after its first bytes of data. */
+    private static byte[] pngHeader(int columns, int rows) throws IOException {
+        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+        DataOutputStream out = new DataOutputStream(bytes);
+        out.writeLong(0x89504e470d0a1a0aL);
+        byte[] header = ByteBuffer.allocate(17)
+                .put("IHDR".getBytes(StandardCharsets.US_ASCII))
+                .putInt(columns)
+                .putInt(rows)
+                .put(new byte[] {8, 0, 0, 0, 0})
+                .array();
+        CRC32 checksum = new CRC32();
+        checksum.update(header);
+        out.writeInt(13);
+        out.write(header);
+        out.writeInt((int) checksum.getValue());
+        out.writeInt(0x7fffffff);
+        out.write("IDAT".getBytes(StandardCharsets.US_ASCII));
+        return bytes.toByteArray();
+    }
+}

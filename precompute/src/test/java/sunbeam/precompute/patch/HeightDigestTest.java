@@ -1,0 +1,45 @@
+package sunbeam.precompute.patch;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.ByteBuffer;
+import java.nio.charset.StandardCharsets;
+import java.security.MessageDigest;
+import java.util.HexFormat;
+import java.util.Random;
+import org.junit.jupiter.api.Test;
+
+class HeightDigestTest {
+    private final double[] heights = new Random(6).doubles(200 * 90).toArray();
+
+    @Test
+    void isTheSha256OfTheDocumentedLayout() throws Exception {
+        ByteBuffer layout = ByteBuffer.allocate(21 + 24 + 8 * heights.length);
+        layout.put("sunbeam height map 1\n".getBytes(StandardCharsets.US_ASCII));
+        layout.putInt(200).putInt(90).putDouble(1e-9).putDouble(2e-9);
+        for (double height : heights) {
+            layout.putDouble(height);
+        }
+        String expected =
+                HexFormat.of().formatHex(MessageDigest.getInstance("SHA-256").digest(layout.array()));
+
+        assertThat(HeightDigest.sha256(new HeightMap(200, 90, 1e-9, 2e-9, heights)))
+                .isEqualTo(expected);
+    }
+
+    @Test
+    void changesWithEveryPartOfTheSurface() {
+        double[] touched = heights.clone();
+        touched[touched.length - 1] = Math.nextUp(touched[touched.length - 1]);
+
+        assertThat(new String[] {
+                    HeightDigest.sha256(new HeightMap(200, 90, 1e-9, 2e-9, heights)),
+                    HeightDigest.sha256(new HeightMap(90, 200, 1e-9, 2e-9, heights)),
+                    HeightDigest.sha256(new HeightMap(200, 90, 2e-9, 2e-9, heights)),
+                    HeightDigest.sha256(new HeightMap(200, 90, 1e-9, 1e-9, heights)),
+                    HeightDigest.sha256(new HeightMap(200, 90, 1e-9, 2e-9, touched))
+                })
+                .doesNotHaveDuplicates()
+                .allMatch(digest -> digest.matches("[0-9a-f]{64}"));
+    }
+}

@@ -1,0 +1,129 @@
+package sunbeam.precompute.patch;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.util.Arrays;
+import java.util.Random;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.EnumSource;
+
+class LevellingTest {
+    private static final double OFFSET = 1e-3;
+    /** A height near 1 mm is a double to 2.2e-19 m; what is left of it after a subtraction is no better. */
+    private static final double ROUNDING_OF_OFFSET = 2.2e-19;
+
+    private interface Surface {
+        double at(int column, int row);
+    }
+
+    private static HeightMap map(int columns, int rows, Surface surface) {
+        double[] heights = new double[columns * rows];
+        for (int i = 0; i < heights.length; i++) {
+            heights[i] = surface.at(i % columns, i / columns);
+        }
+        return new HeightMap(columns, rows, 50e-9, 50e-9, heights);
+    }
+
+    private static double mean(HeightMap map) {
+        return Arrays.stream(map.toArray()).average().orElseThrow();
+    }
+
+    private static double largest(HeightMap map) {
+        return Math.max(Math.abs(map.minimum()), Math.abs(map.maximum()));
+    }
+
+    @Test
+    void noneLeavesHeightsAsTheyAre() {
+        HeightMap map = map(3, 2, (c, r) -> OFFSET + c * 1e-9);
+
+        assertThat(Levelling.NONE.apply(map).toArray()).containsExactly(map.toArray());
+    }
+
+    @Test
+    void meanSurvivesAnOffsetOfAMillimetre() {
+        Random random = new Random(3);
+        double[] relief = random.doubles(200 * 100, 0, 400e-9).toArray();
+        double mean = Arrays.stream(relief).average().orElseThrow();
+        HeightMap levelled = Levelling.MEAN.apply(map(200, 100, (c, r) -> OFFSET + relief[r * 200 + c]));
+
+        for (int i = 0; i < relief.length; i++) {
+            // Half a unit for rounding the stored height, and as much again for each of the two means.
+            assertThat(levelled.at(i % 200, i / 200) - (relief[i] - mean))
+                    .isBetween(-2 * ROUNDING_OF_OFFSET, 2 * ROUNDING_OF_OFFSET);
+        }
+        // The second pass works on values below 1e-6 m: 2e4 sums of these, relative rounding 1e-16 each.
+        assertThat(mean(levelled)).isBetween(-1e-20, 1e-20);
+    }
+
+    @ParameterizedTest
+    @CsvSource({"64, 48", "1, 37", "37, 1", "2, 2", "1, 2"})
+    void planeRemovesATiltUnderAMillimetreOfOffset(int columns, int rows) {
+        HeightMap tilted = map(columns, rows, (c, r) -> OFFSET + 3e-9 * c - 7e-9 * r);
+
+        // The samples themselves are rounded by up to half a unit; the rest is a few operations on 1e-7 m.
+        assertThat(largest(Levelling.PLANE.apply(tilted))).isLessThan(2 * ROUNDING_OF_OFFSET);
+    }
+
+    @Test
+    void planeKeepsWhatIsNoPlane() {
+        // A product of two odd ramps has neither mean nor slope on a centred grid.
+        Surface saddle = (c, r) -> 1e-9 * (c - 10) * (r - 7);
+        HeightMap levelled = Levelling.PLANE.apply(map(21, 15, (c, r) -> saddle.at(c, r) + 5e-9 * c + 2e-9 * r));
+
+        for (int r = 0; r < 15; r++) {
+            for (int c = 0; c < 21; c++) {
+                // Heights are below 3e-7 m, some ten roundings of relative 1e-16 each.
+                assertThat(levelled.at(c, r) - saddle.at(c, r)).isBetween(-1e-21, 1e-21);
+            }
+        }
+    }
+
+    @Test
+    void planeLeavesNoSlopeThatASecondOneWouldFind() {
+        Random random = new Random(4);
+        HeightMap once = Levelling.PLANE.apply(map(40, 30, (c, r) -> 1e-6 * random.nextDouble() + 1e-8 * c));
+        HeightMap twice = Levelling.PLANE.apply(once);
+
+        for (int i = 0; i < 1200; i++) {
+            assertThat(twice.at(i % 40, i / 40) - once.at(i % 40, i / 40)).isBetween(-1e-20, 1e-20);
+        }
+    }
+
+    @ParameterizedTest
+    @EnumSource(names = {"MEAN", "PLANE"})
+    void missingSamplesTakeNoPartAndStayMissing(Levelling levelling) {
+        HeightMap map =
+                map(9, 9, (c, r) -> c >= 5 && r >= 5 ? Double.NaN : 4e-9 * (levelling == Levelling.PLANE ? c : 1));
+        HeightMap levelled = levelling.apply(map);
+
+        assertThat(largest(levelled)).isLessThan(1e-22);
+        assertThat(Arrays.stream(levelled.toArray()).filter(Double::isNaN).count())
+                .isEqualTo(16);
+    }
+
+    @Test
+    void planeTakesTheSlopeAlongTheLineWhenOnlyALineIsKnown() {
+        HeightMap diagonal = map(5, 5, (c, r) -> c == r ? 2e-9 * c : Double.NaN);
+
+        assertThat(largest(Levelling.PLANE.apply(diagonal))).isLessThan(1e-23);
+    }
+
+    @ParameterizedTest
+    @EnumSource
+    void acceptsAMapWithoutAnySample(Levelling levelling) {
+        HeightMap nothing = map(3, 3, (c, r) -> Double.NaN);
+
+        assertThat(levelling.apply(nothing).toArray()).containsOnly(Double.NaN);
+    }
+
+    @Test
+    void isNamedInAnyCase() {
+        assertThat(Levelling.parse("Plane")).isEqualTo(Levelling.PLANE);
+        assertThatThrownBy(() -> Levelling.parse("flat"))
+                .hasMessageContaining("\"flat\"")
+                .hasMessageContaining("none, mean or plane");
+    }
+}

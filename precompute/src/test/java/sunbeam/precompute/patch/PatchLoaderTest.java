@@ -1,0 +1,200 @@
+package sunbeam.precompute.patch;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.Map;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+class PatchLoaderTest {
+    private static final HeightMap STEP =
+            new HeightMap(4, 1, 50e-9, 50e-9, new double[] {1e-3, 1e-3, 1e-3 + 2e-7, 1e-3 + 2e-7});
+
+    @TempDir
+    Path folder;
+
+    private final PatchLoader loader = new PatchLoader(BuiltInPatches.of(Map.of("step", () -> STEP)));
+
+    private String ramp() throws IOException {
+        return TestImages.write(TestImages.grey8(256, 2, (c, r, b) -> c), folder.resolve("ramp.png"))
+                .toString();
+    }
+
+    private String descriptor(String extra) throws IOException {
+        ramp();
+        String json = "{\"heights\": \"ramp.png\", \"width\": \"12.8 um\", \"maxHeight\": \"255 nm\"" + extra + "}";
+        return Files.writeString(folder.resolve("skin.json"), json).toString();
+    }
+
+    private void assertRefused(PatchRequest request, String... complaints) {
+        assertThatThrownBy(() -> loader.load(request))
+                .isInstanceOf(PatchException.class)
+                .satisfies(e -> assertThat(e.getMessage()).contains(complaints).doesNotContain("\n"));
+    }
+
+    @Test
+    void findsABuiltInPatchAndLevelsIt() {
+        Patch patch = loader.load(PatchRequest.of("step"));
+
+        assertThat(patch.name()).isEqualTo("step");
+        assertThat(patch.source()).contains("built-in step", "4 x 1 samples", "levelling mean");
+        assertThat(patch.warnings()).isEmpty();
+        // The offset of 1 mm is a double to 2.2e-19 m.
+        assertThat(patch.heights().maximum() - 1e-7).isBetween(-3e-19, 3e-19);
+        assertThat(patch.digest()).isEqualTo(HeightDigest.sha256(patch.heights()));
+    }
+
+    @Test
+    void readsAnImageWithItsScale() throws IOException {
+        Patch patch = loader.load(PatchRequest.parse(ramp(), "12.8um", null, "255nm", null, "none"));
+
+        assertThat(patch.name()).isEqualTo("ramp");
+        assertThat(patch.heights().columns()).isEqualTo(256);
+        assertThat(patch.heights().pitchX()).isEqualTo(12.8e-6 / 256);
+        for (int column = 0; column < 256; column++) {
+            // Three roundings of relative 1e-16 on at most 255 nm.
+            assertThat(patch.heights().at(column, 1) - column * 1e-9).isBetween(-1e-22, 1e-22);
+        }
+        assertThat(patch.source())
+                .contains("ramp.png", "8-bit grey PNG", "256 x 2 samples, 12.8 um x 100 nm", "full scale 255 nm");
+        assertThat(patch.warnings()).isEmpty();
+    }
+
+    @Test
+    void readsADescriptor() throws IOException {
+        Patch patch = loader.load(PatchRequest.of(descriptor(", \"levelling\": \"plane\"")));
+
+        assertThat(patch.name()).isEqualTo("skin");
+        // A ramp is a plane: the rounding of 255 nm is what remains.
+        assertThat(patch.heights().relief()).isLessThan(1e-21);
+    }
+
+    @Test
+    void theScaleOfADescriptorAndOfTheOptionsGiveTheSamePatch() throws IOException {
+        Patch described = loader.load(PatchRequest.of(descriptor("")));
+        Patch asked = loader.load(PatchRequest.parse(ramp(), "12.8um", null, "255nm", null, null));
+
+        assertThat(described.digest()).isEqualTo(asked.digest());
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        ", , --width 65um and --max-height 375nm",
+        "65um, , --max-height 375nm",
+        ", 375nm, --width 65um",
+    })
+    void asksForTheScaleOfAnImage(String width, String maxHeight, String remedy) throws IOException {
+        assertRefused(
+                PatchRequest.parse(ramp(), width, null, maxHeight, null, null),
+                "ramp.png is an image without scale",
+                remedy);
+    }
+
+    @ParameterizedTest
+    @CsvSource({"65um, , , --width", ", 65um, , --height", ", , 375nm, --max-height"})
+    void refusesAScaleForAPatchThatHasOne(String width, String extent, String maxHeight, String option)
+            throws IOException {
+        assertRefused(
+                PatchRequest.parse(descriptor(""), width, extent, maxHeight, null, null),
+                option + " contradicts",
+                "skin.json",
+                "leave " + option + " out");
+        assertRefused(
+                PatchRequest.parse("step", width, extent, maxHeight, null, null),
+                option + " contradicts the built-in patch step");
+    }
+
+    @Test
+    void refusesAChannelForABuiltInPatch() {
+        assertRefused(PatchRequest.parse("step", null, null, null, "red", null), "--channel contradicts");
+    }
+
+    @Test
+    void refusesOptionsThatContradictTheDescriptor() throws IOException {
+        String file = descriptor(", \"levelling\": \"plane\", \"channel\": \"grey\"");
+
+        assertRefused(
+                PatchRequest.parse(file, null, null, null, null, "mean"), "--level mean contradicts", "says plane");
+        assertRefused(
+                PatchRequest.parse(file, null, null, null, "red", null), "--channel red contradicts", "says grey");
+        assertThat(loader.load(PatchRequest.parse(file, null, null, null, "gray", "plane"))
+                        .source())
+                .contains("levelling plane");
+    }
+
+    @Test
+    void namesWhatThereIsWhenAPatchIsUnknown() {
+        assertRefused(PatchRequest.of("stepp"), "--patch \"stepp\"", "no such file", "step", "descriptor", "image");
+        assertRefused(PatchRequest.of(" "), "--patch is empty");
+        assertRefused(PatchRequest.of(folder.resolve("x.json").toString()), "no such file");
+        assertRefused(PatchRequest.of("a\0b"), "no file name");
+    }
+
+    @Test
+    void refusesAFolder() throws IOException {
+        assertRefused(PatchRequest.of(folder.toString()), folder.toString(), "is a folder");
+        Path json = Files.createDirectory(folder.resolve("x.json"));
+        assertRefused(PatchRequest.of(json.toString()), "is a folder");
+    }
+
+    @ParameterizedTest
+    @CsvSource({"--width, 65", "--height, 65 inch", "--max-height, high", "--channel, cyan", "--level, flat"})
+    void namesTheOptionOfAWordThatItCannotRead(String option, String word) {
+        assertThatThrownBy(() -> PatchRequest.parse(
+                        "scan.png",
+                        word(option, "--width", word),
+                        word(option, "--height", word),
+                        word(option, "--max-height", word),
+                        word(option, "--channel", word),
+                        word(option, "--level", word)))
+                .isInstanceOf(PatchException.class)
+                .hasMessageStartingWith(option + ": \"" + word + '"');
+    }
+
+    private static String word(String given, String option, String word) {
+        return given.equals(option) ? word : null;
+    }
+
+    @Test
+    void refusesAnImageOfNothingButNan() throws IOException {
+        Path file = TestImages.write(TestImages.grey32f(3, 3, (c, r, b) -> Double.NaN), folder.resolve("nan.tiff"));
+
+        assertRefused(
+                PatchRequest.parse(file.toString(), "1um", null, "1nm", null, null),
+                "nan.tiff",
+                "all 9 samples are missing");
+    }
+
+    @Test
+    void fillsMissingSamplesAndSaysHowMany() throws IOException {
+        TestImages.Samples tilted = (c, r, b) -> c >= 12 && r >= 12 ? Double.NaN : 100 + 5 * c - 3 * r;
+        Path file = TestImages.write(TestImages.grey32f(16, 16, tilted), folder.resolve("holes.tiff"));
+
+        Patch patch = loader.load(PatchRequest.parse(file.toString(), "1um", null, "1nm", null, "plane"));
+
+        assertThat(patch.warnings()).singleElement().asString().contains("16 of 256 samples are missing");
+        // The tilt is that of the samples that are there, and a hole in a plane is filled by the plane: what remains is
+        // the rounding of heights of 200 nm.
+        assertThat(patch.heights().relief()).isLessThan(1e-21);
+        assertThat(Arrays.stream(patch.heights().toArray()).average().orElseThrow())
+                .isBetween(-1e-21, 1e-21);
+    }
+
+    @Test
+    void warnsOfAFlatPatchAndOfCoarseSampling() throws IOException {
+        Path file = TestImages.write(TestImages.grey8(4, 4, (c, r, b) -> 7), folder.resolve("flat.png"));
+
+        Patch patch = loader.load(PatchRequest.parse(file.toString(), "4um", null, "1nm", null, null));
+
+        assertThat(patch.warnings()).hasSize(2);
+        assertThat(patch.warnings().get(0)).contains("flat mirror");
+        assertThat(patch.warnings().get(1)).contains("sampling too coarse", "1 um");
+    }
+}

@@ -1,0 +1,57 @@
+package sunbeam.precompute.patch;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** The measured patches, where they lie beside the project. */
+class SharedPatchesTest {
+    /** Tests run in the module's folder: up to the project's root, and beside it. */
+    private static final Path PATCHES = Path.of("..", "..", "shared", "patches");
+
+    private static Patch load(String name) {
+        Path file = PATCHES.resolve(name + ".json");
+        assumeTrue(Files.exists(file), () -> "the measured patches are not there: " + file);
+        return new PatchLoader(BuiltInPatches.none()).load(PatchRequest.of(file.toString()));
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        // Full scale, of which the scan uses lowest to highest of 255 levels.
+        "elaphe, 1332, 65e-6, 375e-9, 0, 255",
+        "xenopeltis, 1332, 65e-6, 818.69e-9, 0, 252",
+        "blaze, 100, 2.5e-6, 250e-9, 0, 255"
+    })
+    void haveTheSizesAndHeightsOfTheThesis(
+            String name, int side, double width, double fullScale, int lowest, int highest) {
+        Patch patch = load(name);
+        HeightMap heights = patch.heights();
+
+        assertThat(patch.name()).isEqualTo(name);
+        assertThat(heights.columns()).isEqualTo(side);
+        assertThat(heights.rows()).isEqualTo(side);
+        // One division and one multiplication.
+        assertThat(heights.width() / width - 1).isBetween(-3e-16, 3e-16);
+        assertThat(heights.pitchY()).isEqualTo(heights.pitchX());
+        // A few roundings of heights below 1 um.
+        assertThat(heights.relief() - fullScale * (highest - lowest) / 255).isBetween(-1e-21, 1e-21);
+        assertThat(patch.warnings()).isEmpty();
+    }
+
+    @Test
+    void theBlazedPatchRisesTowardsPositiveXUntilItsLastColumnFallsBack() {
+        HeightMap blaze = load("blaze").heights();
+
+        for (int row = 0; row < blaze.rows(); row++) {
+            for (int column = 1; column < blaze.columns() - 1; column++) {
+                assertThat(blaze.at(column, row)).isGreaterThan(blaze.at(column - 1, row));
+            }
+            assertThat(blaze.at(99, row)).isEqualTo(blaze.minimum());
+        }
+    }
+}

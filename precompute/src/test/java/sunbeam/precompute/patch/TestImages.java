@@ -1,0 +1,87 @@
+package sunbeam.precompute.patch;
+
+import java.awt.Transparency;
+import java.awt.color.ColorSpace;
+import java.awt.image.BandedSampleModel;
+import java.awt.image.BufferedImage;
+import java.awt.image.ComponentColorModel;
+import java.awt.image.DataBuffer;
+import java.awt.image.IndexColorModel;
+import java.awt.image.Raster;
+import java.awt.image.WritableRaster;
+import java.io.IOException;
+import java.nio.file.Path;
+import javax.imageio.ImageIO;
+
+/** Images of heights, written by the JDK's own writers. */
+final class TestImages {
+    private TestImages() {}
+
+    /** The value of a sample, or of one band of it. */
+    interface Samples {
+        double at(int column, int row, int band);
+    }
+
+    static BufferedImage grey8(int columns, int rows, Samples samples) {
+        return filled(new BufferedImage(columns, rows, BufferedImage.TYPE_BYTE_GRAY), samples);
+    }
+
+    static BufferedImage grey16(int columns, int rows, Samples samples) {
+        return filled(new BufferedImage(columns, rows, BufferedImage.TYPE_USHORT_GRAY), samples);
+    }
+
+    static BufferedImage rgb(int columns, int rows, Samples samples) {
+        return filled(new BufferedImage(columns, rows, BufferedImage.TYPE_3BYTE_BGR), samples);
+    }
+
+    static BufferedImage rgba(int columns, int rows, Samples samples) {
+        return filled(new BufferedImage(columns, rows, BufferedImage.TYPE_4BYTE_ABGR), samples);
+    }
+
+    /** Bands of 16 bits: one is grey, three are RGB, four are RGBA. */
+    static BufferedImage wide16(int columns, int rows, int bands, Samples samples) {
+        return component(columns, rows, bands, DataBuffer.TYPE_USHORT, samples);
+    }
+
+    static BufferedImage grey32f(int columns, int rows, Samples samples) {
+        return component(columns, rows, 1, DataBuffer.TYPE_FLOAT, samples);
+    }
+
+    /** An 8-bit palette image whose index i has the grey {@code greys[i]}. */
+    static BufferedImage palette(int columns, int rows, byte[] greys, Samples indices) {
+        IndexColorModel colours = new IndexColorModel(8, greys.length, greys, greys, greys);
+        return filled(new BufferedImage(columns, rows, BufferedImage.TYPE_BYTE_INDEXED, colours), indices);
+    }
+
+    static Path write(BufferedImage image, Path file) throws IOException {
+        String name = file.toString();
+        String format = name.substring(name.lastIndexOf('.') + 1);
+        if (!ImageIO.write(image, format, file.toFile())) {
+            throw new IOException("no writer for " + format + " and " + image);
+        }
+        return file;
+    }
+
+    private static BufferedImage component(int columns, int rows, int bands, int type, Samples samples) {
+        boolean alpha = bands == 4;
+        ColorSpace space = ColorSpace.getInstance(bands == 1 ? ColorSpace.CS_GRAY : ColorSpace.CS_sRGB);
+        ComponentColorModel model = new ComponentColorModel(
+                space, alpha, false, alpha ? Transparency.TRANSLUCENT : Transparency.OPAQUE, type);
+        WritableRaster raster = type == DataBuffer.TYPE_FLOAT
+                ? Raster.createWritableRaster(new BandedSampleModel(type, columns, rows, bands), null)
+                : Raster.createInterleavedRaster(type, columns, rows, bands, null);
+        return filled(new BufferedImage(model, raster, false, null), samples);
+    }
+
+    private static BufferedImage filled(BufferedImage image, Samples samples) {
+        WritableRaster raster = image.getRaster();
+        for (int row = 0; row < image.getHeight(); row++) {
+            for (int column = 0; column < image.getWidth(); column++) {
+                for (int band = 0; band < raster.getNumBands(); band++) {
+                    raster.setSample(column, row, band, samples.at(column, row, band));
+                }
+            }
+        }
+        return image;
+    }
+}

@@ -1,0 +1,99 @@
+package sunbeam.precompute.units;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.util.Random;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class LengthsTest {
+    @ParameterizedTest
+    @CsvSource({
+        "65um, 65e-6",
+        "65 um, 65e-6",
+        "65 \u00b5m, 65e-6",
+        "65\u03bcm, 65e-6",
+        "375nm, 375e-9",
+        "818.69 nm, 818.69e-9",
+        "2.5e-6 m, 2.5e-6",
+        "1mm, 1e-3",
+        "0.3 m, 0.3",
+        ".5 cm, 0.005",
+        "12 pm, 12e-12",
+        "'  1E3  nm ', 1e-6",
+        "-5nm, -5e-9",
+        "0 um, 0"
+    })
+    void readsANumberWithItsUnitToTheNearestDouble(String text, double metres) {
+        assertThat(Lengths.parse(text)).isEqualTo(metres);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"65", "2.5e-6", " 375 "})
+    void asksForTheUnitOfABareNumber(String text) {
+        assertThatThrownBy(() -> Lengths.parse(text))
+                .isInstanceOf(LengthFormatException.class)
+                .hasMessageContaining('"' + text + '"')
+                .hasMessageContaining("no unit");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"65 inch", "65 Um", "1e5um2"})
+    void namesAnUnknownUnit(String text) {
+        assertThatThrownBy(() -> Lengths.parse(text))
+                .isInstanceOf(LengthFormatException.class)
+                .hasMessageContaining(text)
+                .hasMessageContaining("pm, nm, um, mm, cm or m");
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {"", "um", "NaN um", "Infinity m", "0,3 m", "1 2 um", "65 um wide", "0x10 m", "--1 m", "3e9999 m"
+            })
+    void refusesWhatIsNoLength(String text) {
+        assertThatThrownBy(() -> Lengths.parse(text))
+                .isInstanceOf(LengthFormatException.class)
+                .hasMessageContaining('"' + text + '"');
+    }
+
+    @Test
+    void complaintsStayOneShortLineForLongAndStrangeText() {
+        assertThatThrownBy(() -> Lengths.parse("9".repeat(1_000_000) + "\n\u001b[31m"))
+                .isInstanceOf(LengthFormatException.class)
+                .satisfies(e -> assertThat(e.getMessage()).hasSizeLessThan(200).doesNotContain("\n", "\u001b"));
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "65e-6, 65 um",
+        "375e-9, 375 nm",
+        "818.69e-9, 818.69 nm",
+        "2.5e-6, 2.5 um",
+        "1e-3, 1 mm",
+        "0.1, 100 mm",
+        "0.3, 300 mm",
+        "12, 12 m",
+        "999.9999e-9, 1 um",
+        "48.7987987987e-9, 48.7988 nm",
+        "-5e-9, -5 nm",
+        "0, 0 m",
+        "NaN, NaN m"
+    })
+    void writesALengthInTheUnitThatPeopleUse(double metres, String text) {
+        assertThat(Lengths.format(metres)).isEqualTo(text);
+    }
+
+    @Test
+    void readsBackWhatItWrites() {
+        Random random = new Random(1);
+        for (int i = 0; i < 1000; i++) {
+            double metres = Math.pow(10, -20 + 40 * random.nextDouble());
+            double back = Lengths.parse(Lengths.format(metres));
+            // Six digits are written: half a unit of the last is at most 5e-6 of the value.
+            assertThat(Math.abs(back / metres - 1)).as(Double.toString(metres)).isLessThanOrEqualTo(5.0001e-6);
+        }
+    }
+}
