@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import jrtr.Binding;
+import jrtr.Filter;
 import jrtr.FloatFormat;
 import jrtr.FloatTexture;
 import jrtr.FloatTextureSpec;
@@ -12,6 +13,7 @@ import jrtr.RenderContext;
 import jrtr.ShaderProgram;
 import org.joml.Vector2f;
 import sunbeam.precompute.color.WavelengthNodes;
+import sunbeam.precompute.expansion.CoefficientTable;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.Neighbourhood;
@@ -31,6 +33,9 @@ public final class FullMethod implements DiffractionMethod {
         this.table = table;
         uploadTerms(context);
         uploadWavelengths(context);
+        if (table.coefficients() != null) {
+            uploadCoefficients(context, table.coefficients());
+        }
     }
 
     private void uploadTerms(RenderContext context) {
@@ -55,6 +60,15 @@ public final class FullMethod implements DiffractionMethod {
         }
         add(context, "wavelengthNodes", FloatTextureSpec.line(nodes.count(), FloatFormat.RGBA32F))
                 .upload(texels);
+    }
+
+    private void uploadCoefficients(RenderContext context, CoefficientTable coefficients) {
+        float[] texels = new float[coefficients.samples() * coefficients.terms()];
+        for (int n = 0; n < coefficients.terms(); n++) {
+            System.arraycopy(coefficients.values()[n], 0, texels, n * coefficients.samples(), coefficients.samples());
+        }
+        FloatTextureSpec spec = FloatTextureSpec.flat(coefficients.samples(), coefficients.terms(), FloatFormat.R32F);
+        add(context, "expansionCoefficients", spec.with(Filter.LINEAR)).upload(texels);
     }
 
     private FloatTexture add(RenderContext context, String sampler, FloatTextureSpec spec) {
@@ -95,7 +109,19 @@ public final class FullMethod implements DiffractionMethod {
         program.set("windowSigmaBins", new Vector2f((float) (window.sigmaFrequency() * width), (float)
                 (window.sigmaFrequency() * height)));
         program.set("heightHalfRange", (float) table.scale().halfRange());
+        if (table.coefficients() != null) {
+            program.set("expansionPhaseMap", phaseMap(table.coefficients()));
+        }
         program.set("wavelengthCount", plan.wavelengths().count());
+    }
+
+    /** Texture coordinate of a phase: the first sample lies at the first texel's centre, the last at the last's. */
+    private static Vector2f phaseMap(CoefficientTable coefficients) {
+        double scale = (coefficients.samples() - 1.0)
+                / coefficients.samples()
+                / (coefficients.maximumPhase() - coefficients.minimumPhase());
+        return new Vector2f(
+                (float) (0.5 / coefficients.samples() - scale * coefficients.minimumPhase()), (float) scale);
     }
 
     @Override

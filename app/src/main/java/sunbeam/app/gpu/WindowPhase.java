@@ -1,10 +1,14 @@
 package sunbeam.app.gpu;
 
+import org.apache.commons.math3.complex.Complex;
 import sunbeam.precompute.fourier.Band;
 import sunbeam.precompute.optics.WindowOrigin;
 import sunbeam.precompute.table.FourierTable;
 
-/** Moves the origin of a table's phases from the top left sample to the one under the window's maximum. */
+/**
+ * Moves the origin of a table's phases from the top left sample to the one under the window's maximum, and turns each
+ * term by its constant factor.
+ */
 final class WindowPhase {
     private final FourierTable table;
     private final double[][] alongX;
@@ -34,14 +38,17 @@ final class WindowPhase {
     /** One term with the moved origin, real and imaginary parts interleaved. */
     float[] interleaved(int term) {
         int columns = table.bandX().count();
+        Complex turn = table.kind().turn(term);
         float[] result = new float[2 * columns * table.bandY().count()];
         for (int i = 0; i < result.length / 2; i++) {
             int column = i % columns;
             int row = i / columns;
             double cosine = alongX[0][column] * alongY[0][row] - alongX[1][column] * alongY[1][row];
             double sine = alongX[0][column] * alongY[1][row] + alongX[1][column] * alongY[0][row];
-            double real = table.real()[term][i];
-            double imaginary = table.imaginary()[term][i];
+            double a = table.real()[term][i];
+            double b = table.imaginary()[term][i];
+            double real = a * turn.getReal() - b * turn.getImaginary();
+            double imaginary = a * turn.getImaginary() + b * turn.getReal();
             result[2 * i] = (float) (real * cosine - imaginary * sine);
             result[2 * i + 1] = (float) (real * sine + imaginary * cosine);
         }
