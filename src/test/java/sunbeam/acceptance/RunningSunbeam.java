@@ -37,9 +37,9 @@ public final class RunningSunbeam implements AutoCloseable {
         return process.toHandle();
     }
 
-    /** Sends a signal, for instance {@code INT}. */
+    /** Sends a signal (by the shell's own kill: a bare machine has no program of that name), for instance {@code INT}. */
     public void signal(String name) throws IOException, InterruptedException {
-        int status = new ProcessBuilder("kill", "-" + name, Long.toString(process.pid()))
+        int status = new ProcessBuilder("sh", "-c", "kill -" + name + " " + process.pid())
                 .start()
                 .waitFor();
         if (status != 0) {
