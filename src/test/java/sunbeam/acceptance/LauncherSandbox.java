@@ -30,7 +30,8 @@ final class LauncherSandbox {
             "setpriv",
             "setsid",
             "sleep",
-            "touch");
+            "touch",
+            "true");
 
     private final Path root;
 
