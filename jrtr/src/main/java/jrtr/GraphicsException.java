@@ -1,12 +1,26 @@
 package jrtr;
 
-/** Graphics that cannot be had or used: no display, no OpenGL, a shader that does not compile; the message says which. */
-public final class GraphicsException extends RuntimeException {
+/**
+ * The machine, its driver or a shader cannot do what was asked. The message is one line that names the thing, the value
+ * and, where there is one, the remedy.
+ */
+public class GraphicsException extends RuntimeException {
+    private static final long serialVersionUID = 1L;
+
+    /** @param message what failed and how to mend it; line breaks are replaced by spaces */
     public GraphicsException(String message) {
-        super(message);
+        super(oneLine(message));
     }
 
+    /**
+     * @param message what failed and how to mend it; line breaks are replaced by spaces
+     * @param cause the driver's or library's own failure
+     */
     public GraphicsException(String message, Throwable cause) {
-        super(message, cause);
+        super(oneLine(message), cause);
+    }
+
+    private static String oneLine(String message) {
+        return message.strip().replaceAll("\\s*\\R\\s*", " ");
     }
 }

@@ -40,7 +40,7 @@ final class Machine {
         String value = size(mebibytes) + " at most";
         return mebibytes >= LEAST_HEAP_MEBIBYTES
                 ? Check.ok("Heap", value)
-                : Check.failed("Heap", value, "large patches need 1 GiB and more: give Java the option -Xmx2g");
+                : Check.failed("Heap", value, "large patches need 1 GiB and more: set SUNBEAM_JAVA_OPTIONS=-Xmx2g");
     }
 
     private static Check memory() {

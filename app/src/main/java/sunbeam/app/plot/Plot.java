@@ -2,12 +2,16 @@ package sunbeam.app.plot;
 
 import java.awt.image.BufferedImage;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.DoubleSummaryStatistics;
+import java.util.List;
 import java.util.Map;
+import java.util.function.Function;
 import org.knowm.xchart.BitmapEncoder;
 import org.knowm.xchart.XYChart;
 import org.knowm.xchart.XYSeries;
 import org.knowm.xchart.XYSeries.XYSeriesRenderStyle;
-import org.knowm.xchart.style.markers.Marker;
 import org.knowm.xchart.style.markers.SeriesMarkers;
 import sunbeam.app.output.Overwrite;
 import sunbeam.app.output.PngWriter;
@@ -18,15 +22,44 @@ import sunbeam.app.output.PngWriter;
  * added.
  */
 public final class Plot {
-    private final XYChart chart;
-    private final Scale xScale;
-    private final Scale yScale;
-    private int seriesCount;
+    /** An inner place of a range, in no simple ratio to it. */
+    private static final double OFF_GRID = 0.3819660113;
+
+    private final Frame frame;
+    private final List<Series> allSeries = new ArrayList<>();
 
     private enum Form {
         LINE,
         POINTS,
         LINE_WITH_POINTS
+    }
+
+    private record Series(String name, List<Double> x, List<Double> y, Form form) {
+        static Series of(String name, double[] x, double[] y, Form form) {
+            return new Series(
+                    name,
+                    Arrays.stream(x).boxed().toList(),
+                    Arrays.stream(y).boxed().toList(),
+                    form);
+        }
+    }
+
+    /** How values are laid out along an axis. */
+    public enum Scale {
+        LINEAR,
+        /** Decimal logarithm; values must be positive. */
+        LOGARITHMIC
+    }
+
+    /** An axis's label, with its unit, and scale. */
+    public record Axis(String label, Scale scale) {
+        public static Axis linear(String label) {
+            return new Axis(label, Scale.LINEAR);
+        }
+
+        public static Axis logarithmic(String label) {
+            return new Axis(label, Scale.LOGARITHMIC);
+        }
     }
 
     /**
@@ -45,47 +78,43 @@ public final class Plot {
         }
     }
 
-    /** An axis's label, with its unit, and scale. */
-    public record Axis(String label, Scale scale) {
-        public static Axis linear(String label) {
-            return new Axis(label, Scale.LINEAR);
-        }
-
-        public static Axis logarithmic(String label) {
-            return new Axis(label, Scale.LOGARITHMIC);
-        }
-    }
-
     public Plot(Frame frame) {
-        chart = new XYChart(frame.width(), frame.height());
-        chart.setTitle(frame.title());
-        chart.setXAxisTitle(frame.x().label());
-        chart.setYAxisTitle(frame.y().label());
-        xScale = frame.x().scale();
-        yScale = frame.y().scale();
-        PlotStyle.apply(chart.getStyler(), xScale, yScale);
+        this.frame = frame;
     }
 
     /** Adds points joined by a line, without marks: many points on a smooth curve. */
     public Plot line(String name, double[] x, double[] y) {
-        return add(name, x, y, Form.LINE);
+        return add(Series.of(name, x, y, Form.LINE));
     }
 
     /** Adds points joined by a line, with marks: few points, such as errors over a number of terms. */
     public Plot lineWithPoints(String name, double[] x, double[] y) {
-        return add(name, x, y, Form.LINE_WITH_POINTS);
+        return add(Series.of(name, x, y, Form.LINE_WITH_POINTS));
     }
 
     /** Adds points alone: scattered measurements. */
     public Plot points(String name, double[] x, double[] y) {
-        return add(name, x, y, Form.POINTS);
+        return add(Series.of(name, x, y, Form.POINTS));
     }
 
-    /** The picture. */
+    /**
+     * The picture.
+     *
+     * @throws IllegalStateException when there is no series
+     */
     public BufferedImage draw() {
-        if (seriesCount == 0) {
-            throw new IllegalStateException("the plot '" + chart.getTitle() + "' has no series");
+        if (allSeries.isEmpty()) {
+            throw new IllegalStateException("the plot '" + frame.title() + "' has no series");
         }
+        XYChart chart = new XYChart(frame.width(), frame.height());
+        chart.setTitle(frame.title());
+        chart.setXAxisTitle(frame.x().label());
+        chart.setYAxisTitle(frame.y().label());
+        PlotStyle.apply(chart.getStyler(), frame.x().scale(), frame.y().scale());
+        for (int index = 0; index < allSeries.size(); index++) {
+            addTo(chart, allSeries.get(index), index);
+        }
+        addTickBreaker(chart);
         return BitmapEncoder.getBufferedImage(chart);
     }
 
@@ -99,22 +128,18 @@ public final class Plot {
         PngWriter.write(target, overwrite, draw(), text);
     }
 
-    private Plot add(String name, double[] x, double[] y, Form form) {
-        check(name, "x", x, xScale);
-        check(name, "y", y, yScale);
-        if (x.length != y.length || x.length == 0) {
-            throw new IllegalArgumentException(
-                    "series '" + name + "' has " + x.length + " x values and " + y.length + " y values");
+    private Plot add(Series series) {
+        if (series.x.size() != series.y.size() || series.x.isEmpty()) {
+            throw new IllegalArgumentException("series '" + series.name + "' has " + series.x.size() + " x values and "
+                    + series.y.size() + " y values");
         }
-        XYSeries series = chart.addSeries(name, x, y);
-        series.setXYSeriesRenderStyle(form == Form.POINTS ? XYSeriesRenderStyle.Scatter : XYSeriesRenderStyle.Line);
-        Marker marker = form == Form.LINE ? SeriesMarkers.NONE : PlotStyle.marker(seriesCount);
-        series.setMarker(marker);
-        seriesCount++;
+        check(series.name, "x", series.x, frame.x().scale());
+        check(series.name, "y", series.y, frame.y().scale());
+        allSeries.add(series);
         return this;
     }
 
-    private static void check(String name, String axis, double[] values, Scale scale) {
+    private static void check(String name, String axis, List<Double> values, Scale scale) {
         for (double value : values) {
             boolean drawable = Double.isFinite(value) && (scale == Scale.LINEAR || value > 0);
             if (!drawable) {
@@ -122,5 +147,33 @@ public final class Plot {
                         + " has no place on a " + (scale == Scale.LINEAR ? "linear" : "logarithmic") + " axis");
             }
         }
+    }
+
+    private static void addTo(XYChart chart, Series series, int index) {
+        XYSeries drawn = chart.addSeries(series.name, series.x, series.y);
+        drawn.setXYSeriesRenderStyle(
+                series.form == Form.POINTS ? XYSeriesRenderStyle.Scatter : XYSeriesRenderStyle.Line);
+        drawn.setMarker(series.form == Form.LINE ? SeriesMarkers.NONE : PlotStyle.marker(index));
+    }
+
+    /**
+     * XChart 4.0.3 labels an axis whose values are evenly spaced at every so many of them (380, 397, 414), too closely.
+     * One more point, which is not seen, makes it take round numbers.
+     */
+    private void addTickBreaker(XYChart chart) {
+        double[] x = {innerValue(Series::x)};
+        double[] y = {innerValue(Series::y)};
+        XYSeries breaker = chart.addSeries(" ", x, y);
+        breaker.setXYSeriesRenderStyle(XYSeriesRenderStyle.Scatter);
+        breaker.setMarker(SeriesMarkers.NONE);
+        breaker.setShowInLegend(false);
+    }
+
+    private double innerValue(Function<Series, List<Double>> axis) {
+        DoubleSummaryStatistics range = allSeries.stream()
+                .flatMap(series -> axis.apply(series).stream())
+                .mapToDouble(Double::doubleValue)
+                .summaryStatistics();
+        return range.getMin() + OFF_GRID * (range.getMax() - range.getMin());
     }
 }

@@ -8,6 +8,7 @@ import org.knowm.xchart.style.Styler.LegendPosition;
 import org.knowm.xchart.style.XYStyler;
 import org.knowm.xchart.style.markers.Marker;
 import org.knowm.xchart.style.markers.SeriesMarkers;
+import sunbeam.app.plot.Plot.Scale;
 
 /** The one look of all plots: white, sans serif, thin grid, colours that colour-blind people can tell apart. */
 final class PlotStyle {
