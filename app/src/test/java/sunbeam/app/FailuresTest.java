@@ -48,7 +48,7 @@ final class FailuresTest {
 
     @Test
     void aMessageOfSeveralLinesBecomesOne() {
-        report(new PatchException("first\n  second\r\nthird"), false);
+        report(new UsageException("first\n  second\r\nthird"), false);
         assertThat(err.toString()).isEqualToNormalizingNewlines("sunbeam: first second third\n");
     }
 
