@@ -6,7 +6,8 @@ import sunbeam.precompute.patch.HeightMap;
 
 /**
  * The data side of a compact disc, without its lacquer: straight tracks along y with pits of 3 to 11 channel bits,
- * alternating with lands of 3 to 11 (IEC 60908; runs of n bits are about 0.7^n as frequent). The tracks hold different
+ * alternating with lands of 3 to 11, as on a real disc (IEC 60908). That a run of n bits is drawn 0.7^n as often is a
+ * stand-in for coded data. The tracks hold different
  * data, so there is order across them and none along them.
  *
  * @param tracks number of tracks; the square patch is {@code tracks * trackPitch} wide
