@@ -120,7 +120,7 @@ public final class BrdfMapCommand implements Callable<Integer> {
                 DisplayPass display = new DisplayPass(context)) {
             LinearPicture map = render(renderer, wi);
             double factor = fixedExposure > 0 ? fixedExposure : AutoExposure.of(map, specular(wi, plan));
-            Map<String, String> text = describe(setup, wi, factor, context);
+            Map<String, String> text = describe(setup, factor, context);
             PngWriter.write(picture, overwrite, SrgbImage.fromEncoded(size, size, display.srgb(map, factor)), text);
             if (linear != null) {
                 NpyWriter.write(linear, overwrite, map.xyz(), size, size, 3);
@@ -156,12 +156,13 @@ public final class BrdfMapCommand implements Callable<Integer> {
         double radius = 5 * plan.window().sigmaFrequency() * 780e-9;
         return pixel -> {
             double x = (2.0 * (pixel % size) + 1) / size - 1;
-            double y = 1 - (2.0 * (pixel / size) + 1) / size;
+            int row = pixel / size;
+            double y = 1 - (2.0 * row + 1) / size;
             return Math.hypot(x + wi.x(), y + wi.y()) < radius;
         };
     }
 
-    private Map<String, String> describe(DiffractionSetup setup, Direction wi, double factor, RenderContext context) {
+    private Map<String, String> describe(DiffractionSetup setup, double factor, RenderContext context) {
         Map<String, String> text = new LinkedHashMap<>();
         text.put("Title", "BRDF map of " + setup.patch().name());
         text.put("Patch", setup.patch().source());
