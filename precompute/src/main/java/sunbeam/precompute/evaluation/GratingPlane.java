@@ -64,6 +64,9 @@ public record GratingPlane(double thetaI, double phiI, double azimuth) {
 
     /** cos of the viewer's angle to the normal. */
     private double cosine(double thetaR) {
+        if (lightAcross() == 0) {
+            return Math.cos(thetaR);
+        }
         double sine = Math.sin(thetaR);
         return Math.sqrt(Math.max(0, 1 - sine * sine - lightAcross() * lightAcross()));
     }

@@ -11,7 +11,8 @@ public record ResponseGrid(GratingPlane plane, double[] wavelengths, double[] an
     public ResponseGrid {
         requireAscending("wavelengths", wavelengths);
         requireAscending("angles", angles);
-        double largest = plane.largestThetaR();
+        // 1e-9: the horizon itself, rounded, belongs to the hemisphere.
+        double largest = plane.largestThetaR() + 1e-9;
         if (angles[0] < -largest || angles[angles.length - 1] > largest) {
             throw new IllegalArgumentException(
                     "angles leave the hemisphere: " + angles[0] + " to " + angles[angles.length - 1] + " rad");
