@@ -18,6 +18,7 @@ import sunbeam.app.cli.Numbers;
 import sunbeam.app.cli.UsageException;
 import sunbeam.app.gpu.DiffractionMethod;
 import sunbeam.app.gpu.FullMethod;
+import sunbeam.app.gpu.MethodUse;
 import sunbeam.app.output.AtomicFile;
 import sunbeam.app.output.DefaultName;
 import sunbeam.app.output.ForceOption;
@@ -115,7 +116,8 @@ public final class BrdfMapCommand implements Callable<Integer> {
         }
         Plan plan = setup.plan(planOptions.request(), VisibleRange.of(wi));
         try (RenderContext context = RenderContexts.offscreen();
-                DiffractionMethod method = new FullMethod(context, plan, setup.table(plan));
+                DiffractionMethod method =
+                        FullMethod.create(context, plan, setup.table(plan), MethodUse.COLOUR, setup.cie());
                 BrdfMapRenderer renderer = new BrdfMapRenderer(context, method, size);
                 DisplayPass display = new DisplayPass(context)) {
             LinearPicture map = render(renderer, wi);

@@ -6,6 +6,7 @@ import jrtr.RenderContext;
 import jrtr.gl.RenderContexts;
 import sunbeam.app.gpu.DiffractionMethod;
 import sunbeam.app.gpu.FullMethod;
+import sunbeam.app.gpu.MethodUse;
 import sunbeam.app.progress.Progress;
 import sunbeam.app.setup.DiffractionSetup;
 import sunbeam.precompute.plan.Plan;
@@ -23,6 +24,7 @@ final class GpuDirections {
     }
 
     List<double[]> evaluate(DirectionList list) {
+        MethodUse use = list.spectral() ? MethodUse.SPECTRAL : MethodUse.COLOUR;
         Plan plan = setup.plan(request, VisibleRange.of(list.geometries()));
         List<DirectionsRenderer.Query> queries = new ArrayList<>(list.size());
         for (int row = 0; row < list.size(); row++) {
@@ -30,7 +32,7 @@ final class GpuDirections {
             queries.add(new DirectionsRenderer.Query(list.geometry(row), wavelength));
         }
         try (RenderContext context = RenderContexts.offscreen();
-                DiffractionMethod method = new FullMethod(context, plan, setup.table(plan));
+                DiffractionMethod method = FullMethod.create(context, plan, setup.table(plan), use, setup.cie());
                 DirectionsRenderer renderer = new DirectionsRenderer(context, method, list.spectral());
                 Progress progress = Progress.start("Directions", list.size())) {
             List<double[]> results = new ArrayList<>(list.size());
