@@ -56,8 +56,8 @@ public final class DirectionsRenderer implements AutoCloseable {
      */
     public List<float[]> evaluate(List<Query> queries, LongConsumer progress) {
         List<float[]> results = new ArrayList<>(queries.size());
-        try (FloatTexture texture = context.createFloatTexture(
-                        "directions", FloatTextureSpec.flat(BATCH, 3, FloatFormat.RGBA32F));
+        try (FloatTexture texture =
+                        context.createFloatTexture("directions", FloatTextureSpec.flat(BATCH, 3, FloatFormat.RGBA32F));
                 FloatTarget target = context.createFloatTarget("directions", FloatTargetSpec.color(BATCH, 1))) {
             List<Binding> bindings = new ArrayList<>(method.bindings());
             bindings.add(new Binding("directions", texture));
@@ -94,7 +94,6 @@ public final class DirectionsRenderer implements AutoCloseable {
         texels[at + 2] = (float) direction.z();
         texels[at + 3] = (float) fourth;
     }
-
 
     @Override
     public void close() {

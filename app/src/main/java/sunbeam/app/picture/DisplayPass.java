@@ -43,16 +43,13 @@ public final class DisplayPass implements AutoCloseable {
                 }
             }
         }
-        try (FloatTexture texture =
-                        context.createFloatTexture("picture", FloatTextureSpec.flat(width, height, FloatFormat.RGBA32F));
+        try (FloatTexture texture = context.createFloatTexture(
+                        "picture", FloatTextureSpec.flat(width, height, FloatFormat.RGBA32F));
                 FloatTarget target = context.createFloatTarget("display", FloatTargetSpec.color(width, height))) {
             texture.upload(texels);
             program.set("exposure", (float) exposure);
             context.drawFullScreen(
-                    program,
-                    List.of(new Binding("linearPicture", texture)),
-                    target,
-                    Tile.whole(width, height));
+                    program, List.of(new Binding("linearPicture", texture)), target, Tile.whole(width, height));
             return target.read(0);
         }
     }
