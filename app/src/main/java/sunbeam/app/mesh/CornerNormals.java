@@ -31,9 +31,9 @@ final class CornerNormals {
             return given;
         }
         Vector3d mean = RawMesh.vector(sums, mesh.position(corner));
-        double own = mesh.areaNormal(corner - corner % 3).length();
-        // Triangles back to back cancel; each corner then has its own triangle's normal.
-        return mean.length() > 1e-6 * own ? -1 : -2 - corner / 3;
+        Vector3d own = mesh.areaNormal(corner - corner % 3);
+        // Triangles back to back cancel or leave the mean to one side; the others keep their own normal.
+        return mean.dot(own) > 1e-6 * mean.length() * own.length() ? -1 : -2 - corner / 3;
     }
 
     /** The unit normal of a corner with this key. */

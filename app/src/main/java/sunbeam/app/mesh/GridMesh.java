@@ -31,13 +31,18 @@ final class GridMesh {
         }
         for (int row = 0; row < rows; row++) {
             for (int column = 0; column < columns; column++) {
-                if (!places[row][column].equals(places[row][column + 1])) {
+                if (differ(places[row][column], places[row][column + 1])) {
                     builder.triangle(vertices[row][column], vertices[row][column + 1], vertices[row + 1][column + 1]);
                 }
-                if (!places[row + 1][column].equals(places[row + 1][column + 1])) {
+                if (differ(places[row + 1][column], places[row + 1][column + 1])) {
                     builder.triangle(vertices[row][column], vertices[row + 1][column + 1], vertices[row + 1][column]);
                 }
             }
         }
+    }
+
+    /** Compares numbers, not bits: 0 and -0 are one place. */
+    private static boolean differ(Vector3dc one, Vector3dc other) {
+        return one.distanceSquared(other) > 0;
     }
 }

@@ -124,15 +124,15 @@ final class ObjLines extends BufferedReader {
     /** Corners of one face; all alike, since the library mixes up faces whose corners differ in kind. */
     private String corners(StringTokenizer words) {
         StringBuilder result = new StringBuilder();
-        String kind = null;
+        int kind = -1;
         while (words.hasMoreTokens()) {
             String word = words.nextToken();
             if (!CORNER.matcher(word).matches()) {
                 throw new MeshException(place() + ": " + Quoted.of(word)
                         + " is no corner of a face; write v, v/vt, v//vn or v/vt/vn with whole numbers");
             }
-            String its = word.replaceAll("[-\\d]+", "0");
-            if (kind != null && !kind.equals(its)) {
+            int its = kind(word);
+            if (kind >= 0 && kind != its) {
                 throw new MeshException(place() + ": the face's corners differ in kind (" + Quoted.of(word)
                         + "); give all of them texture coordinate and normal, or none");
             }
@@ -140,5 +140,12 @@ final class ObjLines extends BufferedReader {
             result.append(result.isEmpty() ? "" : " ").append(word);
         }
         return result.toString();
+    }
+
+    /** v, v/vt, v//vn or v/vt/vn. */
+    private static int kind(String corner) {
+        int first = corner.indexOf('/');
+        int last = corner.lastIndexOf('/');
+        return first < 0 ? 0 : first == last ? 1 : last - first == 1 ? 2 : 3;
     }
 }

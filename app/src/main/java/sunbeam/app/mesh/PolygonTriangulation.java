@@ -79,20 +79,18 @@ final class PolygonTriangulation {
         return rest.get(Math.floorMod(index, rest.size()));
     }
 
-    /** The first ear; in a polygon that crosses itself there may be none, and the first convex corner must do, or any. */
+    /**
+     * The first ear from the second corner on, so that a convex polygon becomes the usual fan about its first corner. A
+     * polygon that crosses itself may have none; its second corner is cut off then.
+     */
     private int ear() {
-        int convex = 0;
-        for (int i = rest.size() - 1; i >= 0; i--) {
-            if (turn(at(i - 1), at(i), at(i + 1)) > 0) {
-                convex = i;
-            }
-        }
-        for (int i = convex; i < rest.size(); i++) {
+        for (int step = 1; step <= rest.size(); step++) {
+            int i = step % rest.size();
             if (turn(at(i - 1), at(i), at(i + 1)) > 0 && isEmpty(i)) {
                 return i;
             }
         }
-        return convex;
+        return 1;
     }
 
     private boolean isEmpty(int i) {

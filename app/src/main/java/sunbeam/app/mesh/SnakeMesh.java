@@ -3,7 +3,7 @@ package sunbeam.app.mesh;
 import org.joml.Vector3d;
 
 /**
- * The default snake, made in code and always the same: a coiled body 0.9 m long with head, neck and tapering tail, lying
+ * The default snake, made in code and always the same: a coiled body 1.3 m long with head, neck and tapering tail, lying
  * on z = 0. Like the thesis's scan it has about 11,700 vertices and 23,000 triangles. Texture coordinate u runs from the
  * snout (0) to the tip of the tail (1), proportional to length; v runs once around the body, from the middle of the belly
  * (0) over the back (0.5) to the belly again (1), proportional to the angle about the centre line. Tangents follow the
@@ -30,8 +30,8 @@ public final class SnakeMesh {
         for (int ring = 0; ring + 1 < RINGS; ring++) {
             snake.join(ring, rings[ring], rings[ring + 1]);
         }
-        snake.cap(0, rings[0], false);
-        snake.cap(1, rings[RINGS - 1], true);
+        snake.closeSnout(rings[0]);
+        snake.closeTail(rings[RINGS - 1]);
         return snake.builder.build();
     }
 
@@ -43,7 +43,7 @@ public final class SnakeMesh {
             double place = (i - 0.5) / samples;
             double relative = surface.halfWidth(place) / SnakeProfile.RADIUS;
             double spacing = 0.3 + 0.7 * relative;
-            weight[i] = weight[i - 1] + 1 / spacing + (place < SnakeProfile.NECK ? 0.8 : 0);
+            weight[i] = weight[i - 1] + 1 / spacing + (place < SnakeProfile.NECK ? 1.6 : 0);
         }
         double[] result = new double[RINGS];
         int at = 0;
@@ -82,7 +82,7 @@ public final class SnakeMesh {
     /** The relief fades towards the belly, whose shields are smooth, on the head, and at the tip of the tail. */
     private static double strength(double place, double angle) {
         double back = smoothStep(Math.toRadians(35), Math.toRadians(75), Math.PI - Math.abs(angle - Math.PI));
-        double head = 0.25 + 0.75 * smoothStep(0.04, 0.09, place);
+        double head = 0.25 + 0.75 * smoothStep(0.025, 0.065, place);
         double tail = 1 - smoothStep(0.93, 0.99, place);
         return back * head * tail;
     }
@@ -113,21 +113,29 @@ public final class SnakeMesh {
         }
     }
 
-    /** Closes an end. Each triangle has its own vertex at the tip, with the direction that the body has on its side. */
-    private void cap(double place, int[] ring, boolean tail) {
-        Vector3d axis = surface.direction(place).mul(tail ? 1 : -1);
-        Vector3d tip = surface.point(place, 0);
+    /**
+     * Closes the snout, which is round: its tip faces forwards. Each triangle has its own vertex at the tip, with the
+     * direction that the body has on its side.
+     */
+    private void closeSnout(int[] ring) {
+        Vector3d forwards = surface.direction(0).negate();
+        Vector3d tip = surface.point(0, 0);
         for (int column = 0; column < COLUMNS; column++) {
             double angle = angle(column + 0.5);
-            Vector3d outward =
-                    surface.point(places[tail ? RINGS - 1 : 0], angle).sub(tip);
-            Vector3d tangent = orthogonal(outward.mul(tail ? -1 : 1), axis);
-            int vertex = builder.vertex(tip, axis, tangent, place, angle / (2 * Math.PI));
-            if (tail) {
-                builder.triangle(ring[column], vertex, ring[column + 1]);
-            } else {
-                builder.triangle(ring[column], ring[column + 1], vertex);
-            }
+            Vector3d outward = surface.point(places[0], angle).sub(tip);
+            int vertex = builder.vertex(tip, forwards, orthogonal(outward, forwards), 0, angle / (2 * Math.PI));
+            builder.triangle(ring[column], ring[column + 1], vertex);
+        }
+    }
+
+    /** Closes the tail, which is a cone: its tip faces to the sides, each triangle's vertex to its own. */
+    private void closeTail(int[] ring) {
+        Vector3d tip = surface.point(1, 0);
+        for (int column = 0; column < COLUMNS; column++) {
+            double angle = angle(column + 0.5);
+            SnakeSurface.Frame side = surface.frame(places[RINGS - 1], angle);
+            int vertex = builder.vertex(tip, side.normal(), side.tangent(), 1, angle / (2 * Math.PI));
+            builder.triangle(ring[column], vertex, ring[column + 1]);
         }
     }
 }

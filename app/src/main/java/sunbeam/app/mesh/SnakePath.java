@@ -19,6 +19,8 @@ final class SnakePath {
     // From here on the neck and the head are straight.
     private static final double STRAIGHT = 3.07;
     private static final double HEAD_LENGTH = 5 * R;
+    // In front of this the centre line keeps its height, so that the snout points forwards and not down.
+    private static final double CHIN = 0.017;
     // Coils are longer than wide.
     private static final double STRETCH = 1.14;
 
@@ -64,6 +66,6 @@ final class SnakePath {
             }
         }
         double t = (wanted - lengths[low]) / (lengths[high] - lengths[low]);
-        return points[low].lerp(points[high], t, new Vector3d()).add(0, 0, profile.bellyDepth(place));
+        return points[low].lerp(points[high], t, new Vector3d()).add(0, 0, profile.bellyDepth(Math.max(place, CHIN)));
     }
 }

@@ -46,7 +46,7 @@ final class SnakeSurface {
     /** How far the eyes stand out, relative to the head's half width. */
     private static double eye(double place, double angle) {
         double side = Math.abs(Math.abs(angle - Math.PI) - Math.toRadians(52));
-        double along = (place - 0.0165) / 0.0036;
+        double along = (place - 0.0115) / 0.0025;
         double across = side / Math.toRadians(14);
         return 0.22 * Math.exp(-along * along - across * across);
     }
