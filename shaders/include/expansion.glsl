@@ -1,4 +1,5 @@
-// Coefficients c_n(zeta) of exp(-i zeta s) = sum c_n T_n(s), one after the other, zeta = k |w| halfRange.
+// Real coefficients c_n(zeta) of exp(-i zeta s) = sum (-i)^turns(n) c_n T_n(s), one after the other; zeta = k |w|
+// halfRange. The constant quarter turns are in the tables of T_n already.
 
 // Half of the relief, metres, by which heights were scaled to [-1, 1].
 uniform float heightHalfRange;
@@ -10,13 +11,13 @@ float expansionPhase(float w, float wavelength) {
 
 #if EXPANSION == EXPANSION_TAYLOR
 
-// c_n = (-i zeta)^n / n! (thesis eq. 2.44): each is the one before times -i zeta / n.
-vec2 firstCoefficient(float zeta) {
-    return vec2(1.0, 0.0);
+// c_n = zeta^n / n! (thesis eq. 2.44): each is the one before times zeta / n.
+float firstCoefficient(float zeta) {
+    return 1.0;
 }
 
-vec2 nextCoefficient(vec2 previous, int n, float zeta) {
-    return vec2(previous.y, -previous.x) * (zeta / float(n));
+float nextCoefficient(float previous, int n, float zeta) {
+    return previous * (zeta / float(n));
 }
 
 #else
@@ -26,13 +27,13 @@ uniform sampler2D expansionCoefficients;
 // Maps zeta to the texture coordinate of its column: offset, scale.
 uniform vec2 expansionPhaseMap;
 
-vec2 nextCoefficient(vec2 previous, int n, float zeta) {
+float nextCoefficient(float previous, int n, float zeta) {
     vec2 at = vec2(expansionPhaseMap.x + expansionPhaseMap.y * zeta, (float(n) + 0.5) / float(TERMS));
-    return texture(expansionCoefficients, at).rg;
+    return texture(expansionCoefficients, at).r;
 }
 
-vec2 firstCoefficient(float zeta) {
-    return nextCoefficient(vec2(0.0), 0, zeta);
+float firstCoefficient(float zeta) {
+    return nextCoefficient(0.0, 0, zeta);
 }
 
 #endif

@@ -1,10 +1,19 @@
 package sunbeam.app;
 
+import java.io.PrintWriter;
+import java.nio.charset.Charset;
+import sunbeam.app.cli.Environment;
+
 /** Entry point of the {@code sunbeam} command. */
 public final class Main {
     private Main() {}
 
     public static void main(String[] arguments) {
-        System.exit(0);
+        // The HDF5 library logs through SLF4J, which would complain on standard error that nobody listens.
+        System.setProperty("slf4j.internal.verbosity", "ERROR");
+        PrintWriter out = new PrintWriter(System.out, true, Charset.defaultCharset());
+        PrintWriter err = new PrintWriter(System.err, true, Charset.defaultCharset());
+        int code = new Sunbeam(Environment.ofProcess(), out, err).run(arguments);
+        System.exit(code);
     }
 }

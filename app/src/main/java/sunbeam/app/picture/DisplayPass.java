@@ -26,7 +26,7 @@ public final class DisplayPass implements AutoCloseable {
     /**
      * Applies exposure, gamut and sRGB curve.
      *
-     * @return {@code height * width * 4} values in [0, 1], red, green, blue and coverage, row 0 on top
+     * @return {@code height * width * 3} values in [0, 1], row 0 on top; NaN where there is no surface
      */
     public float[] srgb(LinearPicture picture, double exposure) {
         int width = picture.width();
@@ -50,8 +50,19 @@ public final class DisplayPass implements AutoCloseable {
             program.set("exposure", (float) exposure);
             context.drawFullScreen(
                     program, List.of(new Binding("linearPicture", texture)), target, Tile.whole(width, height));
-            return target.read(0);
+            return colors(target.read(0));
         }
+    }
+
+    private static float[] colors(float[] rgba) {
+        float[] colors = new float[rgba.length / 4 * 3];
+        for (int i = 0; i < rgba.length / 4; i++) {
+            boolean covered = rgba[4 * i + 3] > 0;
+            for (int c = 0; c < 3; c++) {
+                colors[3 * i + c] = covered ? rgba[4 * i + c] : Float.NaN;
+            }
+        }
+        return colors;
     }
 
     @Override

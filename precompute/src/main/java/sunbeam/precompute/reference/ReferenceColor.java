@@ -32,12 +32,19 @@ public final class ReferenceColor {
         return WavelengthNodes.uniform(cie, Math.min(COARSEST_STEP, STEP_PER_DEVIATION * deviation));
     }
 
-    /** X, Y, Z of the coherent power, without any gain. */
-    public double[] xyz(Geometry geometry) {
+    /**
+     * X, Y, Z of the power, without any gain.
+     *
+     * @param ensemble whether the mean over all positions of the window is meant
+     */
+    public double[] xyz(Geometry geometry, boolean ensemble) {
         WavelengthNodes nodes = nodes(geometry);
         double[] sum = new double[3];
         for (int i = 0; i < nodes.count(); i++) {
-            double power = evaluator.coherent(geometry, nodes.wavelengths()[i]);
+            double wavelength = nodes.wavelengths()[i];
+            double power = ensemble
+                    ? evaluator.powers(geometry, wavelength).ensemble()
+                    : evaluator.coherent(geometry, wavelength);
             for (int c = 0; c < 3; c++) {
                 sum[c] += power * nodes.weights()[i][c];
             }

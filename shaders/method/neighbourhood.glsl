@@ -1,6 +1,4 @@
-#include "include/expansion.glsl"
-
-// Every wavelength node, expansion terms times a Gaussian neighbourhood of DFT bins: the thesis's FLSS (algorithm 3.3).
+// Expansion terms times a Gaussian neighbourhood of DFT bins, at one wavelength (thesis algorithm 3.3).
 
 // DFT bins of the terms T_n, one layer each, (real, imaginary); texel (0, 0) is bin tableFirst.
 uniform sampler2DArray tableTerms;
@@ -41,7 +39,7 @@ Neighbourhood neighbourhoodOf(vec2 uv, float wavelength) {
 float coherentPower(vec3 uvw, float wavelength) {
     Neighbourhood taps = neighbourhoodOf(uvw.xy, wavelength);
     float zeta = expansionPhase(uvw.z, wavelength);
-    vec2 coefficient = firstCoefficient(zeta);
+    float coefficient = firstCoefficient(zeta);
     vec2 amplitude = vec2(0.0);
     for (int n = 0; n < TERMS; ++n) {
         vec2 term = vec2(0.0);
@@ -52,7 +50,7 @@ float coherentPower(vec3 uvw, float wavelength) {
             }
             term += taps.weightsY[j] * row;
         }
-        amplitude += complexMultiply(coefficient, term);
+        amplitude += coefficient * term;
         coefficient = nextCoefficient(coefficient, n + 1, zeta);
     }
     return squaredMagnitude(amplitude);
@@ -65,10 +63,10 @@ float ensemblePower(vec3 uvw, float wavelength) {
     float power = 0.0;
     for (int j = 0; j < SIDE; ++j) {
         for (int i = 0; i < SIDE; ++i) {
-            vec2 coefficient = firstCoefficient(zeta);
+            float coefficient = firstCoefficient(zeta);
             vec2 bin = vec2(0.0);
             for (int n = 0; n < TERMS; ++n) {
-                bin += complexMultiply(coefficient, texelFetch(tableTerms, ivec3(taps.corner + ivec2(i, j), n), 0).rg);
+                bin += coefficient * texelFetch(tableTerms, ivec3(taps.corner + ivec2(i, j), n), 0).rg;
                 coefficient = nextCoefficient(coefficient, n + 1, zeta);
             }
             float weight = taps.weightsX[i] * taps.weightsY[j];
@@ -76,17 +74,4 @@ float ensemblePower(vec3 uvw, float wavelength) {
         }
     }
     return power;
-}
-
-vec3 diffractedXyz(vec3 uvw) {
-    vec3 xyz = vec3(0.0);
-    for (int i = 0; i < wavelengthCount; ++i) {
-        vec4 node = texelFetch(wavelengthNodes, ivec2(i, 0), 0);
-#if AVERAGE == AVERAGE_ENSEMBLE
-        xyz += node.yzw * ensemblePower(uvw, node.x);
-#else
-        xyz += node.yzw * coherentPower(uvw, node.x);
-#endif
-    }
-    return xyz;
 }

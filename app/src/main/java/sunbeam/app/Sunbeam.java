@@ -1,0 +1,73 @@
+package sunbeam.app;
+
+import java.io.PrintWriter;
+import picocli.CommandLine;
+import picocli.CommandLine.HelpCommand;
+import picocli.CommandLine.Model.CommandSpec;
+import sunbeam.app.brdf.BrdfMapCommand;
+import sunbeam.app.cli.Environment;
+import sunbeam.app.cli.ExitCode;
+import sunbeam.app.directions.ReflectanceCommand;
+import sunbeam.app.doctor.DoctorCommand;
+import sunbeam.app.doctor.RendererProbe;
+import sunbeam.app.setup.PrecomputeCommand;
+
+/** The program: its commands put together, run, and their failures turned into messages and exit codes. */
+public final class Sunbeam {
+    private final Environment environment;
+    private final PrintWriter out;
+    private final PrintWriter err;
+
+    public Sunbeam(Environment environment, PrintWriter out, PrintWriter err) {
+        this.environment = environment;
+        this.out = out;
+        this.err = err;
+    }
+
+    /** Runs one command line and returns the exit code; never throws. */
+    public int run(String... arguments) {
+        RootCommand root = new RootCommand();
+        Failures failures = new Failures(err, () -> environment.debug() || root.debug());
+        try {
+            CommandLine commandLine = commandLine(root);
+            commandLine.setParameterExceptionHandler((failure, all) -> failures.report(failure));
+            commandLine.setExecutionExceptionHandler((failure, command, result) -> failures.report(failure));
+            return commandLine.execute(arguments);
+        } catch (Throwable failure) {
+            return failures.report(failure);
+        } finally {
+            out.flush();
+            err.flush();
+        }
+    }
+
+    /**
+     * The root command with all commands under it. Keep it quick, {@code --help} waits for it: a command's constructor
+     * and option fields must not touch classes of OpenGL or of plots.
+     */
+    private CommandLine commandLine(RootCommand command) {
+        CommandLine root = new CommandLine(command);
+        root.addSubcommand(new BrdfMapCommand(environment));
+        root.addSubcommand(new ReflectanceCommand(environment));
+        root.addSubcommand(new PrecomputeCommand(environment));
+        root.addSubcommand(new DoctorCommand(environment, new RendererProbe()));
+        root.addSubcommand(new HelpCommand());
+        root.setOut(out);
+        root.setErr(err);
+        root.setCaseInsensitiveEnumValuesAllowed(true);
+        describe(root);
+        root.getCommandSpec()
+                .usageMessage()
+                .description(RootCommand.DESCRIPTION)
+                .footer(RootCommand.FOOTER);
+        return root;
+    }
+
+    /** What every command's help has in common. */
+    private static void describe(CommandLine commandLine) {
+        CommandSpec specification = commandLine.getCommandSpec();
+        specification.usageMessage().abbreviateSynopsis(true);
+        specification.usageMessage().exitCodeListHeading("%nExit codes:%n").exitCodeList(ExitCode.table());
+        commandLine.getSubcommands().values().forEach(Sunbeam::describe);
+    }
+}

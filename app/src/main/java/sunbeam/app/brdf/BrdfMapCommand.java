@@ -1,0 +1,178 @@
+package sunbeam.app.brdf;
+
+import java.io.PrintWriter;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.concurrent.Callable;
+import jrtr.RenderContext;
+import jrtr.gl.RenderContexts;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
+import sunbeam.app.cli.Environment;
+import sunbeam.app.cli.ExitCode;
+import sunbeam.app.cli.Numbers;
+import sunbeam.app.cli.UsageException;
+import sunbeam.app.gpu.DiffractionMethod;
+import sunbeam.app.gpu.FullMethod;
+import sunbeam.app.gpu.MethodUse;
+import sunbeam.app.output.AtomicFile;
+import sunbeam.app.output.DefaultName;
+import sunbeam.app.output.ForceOption;
+import sunbeam.app.output.NpyWriter;
+import sunbeam.app.output.Overwrite;
+import sunbeam.app.output.PngWriter;
+import sunbeam.app.output.SrgbImage;
+import sunbeam.app.picture.AutoExposure;
+import sunbeam.app.picture.DisplayPass;
+import sunbeam.app.picture.LinearPicture;
+import sunbeam.app.progress.Progress;
+import sunbeam.app.setup.DiffractionSetup;
+import sunbeam.app.setup.LightOptions;
+import sunbeam.app.setup.PatchOptions;
+import sunbeam.app.setup.PlanOptions;
+import sunbeam.precompute.optics.Direction;
+import sunbeam.precompute.plan.Plan;
+import sunbeam.precompute.plan.VisibleRange;
+
+/** {@code sunbeam brdf-map}: from a height map to the picture of its BRDF. */
+@Command(
+        name = "brdf-map",
+        description = "Draw the BRDF map of a surface: the colour that each direction of the hemisphere sees when light"
+                + " comes from one direction. The pixel at (x, y) of the unit disc shows the direction (x, y,"
+                + " sqrt(1 - x^2 - y^2)), +x right, +y up; the specular reflection of light from the normal lies in the"
+                + " centre.")
+public final class BrdfMapCommand implements Callable<Integer> {
+    private static final int LARGEST = 8192;
+
+    private final Environment environment;
+
+    @Mixin
+    private PatchOptions patchOptions;
+
+    @Mixin
+    private LightOptions light;
+
+    @Mixin
+    private PlanOptions planOptions;
+
+    @Mixin
+    private ForceOption force;
+
+    @Option(
+            names = "--size",
+            paramLabel = "PIXELS",
+            defaultValue = "256",
+            description = "Width and height of the map. Default: ${DEFAULT-VALUE}.")
+    private int size;
+
+    @Option(
+            names = "--exposure",
+            paramLabel = "FACTOR",
+            defaultValue = "auto",
+            description = "Factor for the linear colours, or auto (default): the diffracted light is well lit and the"
+                    + " specular peak burns out.")
+    private String exposure;
+
+    @Option(
+            names = "--output",
+            paramLabel = "FILE.png",
+            description = "The picture, sRGB; it carries its parameters as text. Default: a name made of the patch.")
+    private Path output;
+
+    @Option(
+            names = "--linear",
+            paramLabel = "FILE.npy",
+            description = "Also write the linear colours: float32, height x width x 3, row 0 on top, CIE XYZ of the"
+                    + " relative radiance rho before exposure, NaN outside the disc.")
+    private Path linear;
+
+    @Spec
+    private CommandSpec specification;
+
+    public BrdfMapCommand(Environment environment) {
+        this.environment = environment;
+    }
+
+    @Override
+    public Integer call() {
+        if (size < 1 || size > LARGEST) {
+            throw new UsageException("--size " + size + " is out of range; give 1 to " + LARGEST);
+        }
+        double fixedExposure = parseExposure();
+        Direction wi = light.direction();
+        PrintWriter err = specification.commandLine().getErr();
+        DiffractionSetup setup = new DiffractionSetup(patchOptions, environment, err);
+        Overwrite overwrite = force.overwrite();
+        Path picture = output != null
+                ? output
+                : DefaultName.choose(Path.of(""), "brdf-" + setup.patch().name(), "png", overwrite);
+        AtomicFile.checkWritable(picture, overwrite);
+        if (linear != null) {
+            AtomicFile.checkWritable(linear, overwrite);
+        }
+        Plan plan = setup.plan(planOptions.request(), VisibleRange.of(wi));
+        try (RenderContext context = RenderContexts.offscreen();
+                DiffractionMethod method =
+                        FullMethod.create(context, plan, setup.table(plan), MethodUse.COLOUR, setup.cie());
+                BrdfMapRenderer renderer = new BrdfMapRenderer(context, method, size);
+                DisplayPass display = new DisplayPass(context)) {
+            LinearPicture map = render(renderer, wi);
+            double factor = fixedExposure > 0 ? fixedExposure : AutoExposure.of(map, specular(wi, plan));
+            Map<String, String> text = describe(setup, factor, context);
+            PngWriter.write(picture, overwrite, SrgbImage.fromEncoded(size, size, display.srgb(map, factor)), text);
+            if (linear != null) {
+                NpyWriter.write(linear, overwrite, map.xyz(), size, size, 3);
+            }
+        }
+        PrintWriter out = specification.commandLine().getOut();
+        out.println(picture);
+        if (linear != null) {
+            out.println(linear);
+        }
+        return ExitCode.OK.code();
+    }
+
+    private double parseExposure() {
+        if (exposure.equals("auto")) {
+            return 0;
+        }
+        double value = Numbers.parse(exposure).orElse(Double.NaN);
+        if (!(value > 0)) {
+            throw new UsageException("--exposure '" + exposure + "' is neither auto nor a positive number");
+        }
+        return value;
+    }
+
+    private LinearPicture render(BrdfMapRenderer renderer, Direction wi) {
+        try (Progress progress = Progress.start("BRDF map", (long) size * size)) {
+            return renderer.render(wi, progress::step);
+        }
+    }
+
+    // The specular peak is as wide as the window's spectrum; five deviations of the longest wavelength hold all of it.
+    private AutoExposure.Specular specular(Direction wi, Plan plan) {
+        double radius = 5 * plan.window().sigmaFrequency() * 780e-9;
+        return pixel -> {
+            double x = (2.0 * (pixel % size) + 1) / size - 1;
+            int row = pixel / size;
+            double y = 1 - (2.0 * row + 1) / size;
+            return Math.hypot(x + wi.x(), y + wi.y()) < radius;
+        };
+    }
+
+    private Map<String, String> describe(DiffractionSetup setup, double factor, RenderContext context) {
+        Map<String, String> text = new LinkedHashMap<>();
+        text.put("Title", "BRDF map of " + setup.patch().name());
+        text.put("Patch", setup.patch().source());
+        text.put("Light", light.describe());
+        text.put("Method", "full");
+        text.put("Plan", planOptions.describe());
+        text.put("Exposure", Double.toString(factor));
+        text.put("Renderer", context.info().renderer());
+        return text;
+    }
+}

@@ -1,0 +1,60 @@
+package sunbeam.app.directions;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.stream.IntStream;
+import sunbeam.app.progress.Progress;
+import sunbeam.app.setup.DiffractionSetup;
+import sunbeam.precompute.optics.Gain;
+import sunbeam.precompute.optics.Geometry;
+import sunbeam.precompute.plan.Average;
+import sunbeam.precompute.plan.PlanRequest;
+import sunbeam.precompute.reference.ReferenceColor;
+import sunbeam.precompute.reference.ReferenceEvaluator;
+
+/** Directions by the exact reference, in parallel over rows. */
+final class ReferenceDirections {
+    private final DiffractionSetup setup;
+    private final PlanRequest request;
+    private final ReferenceEvaluator evaluator;
+
+    ReferenceDirections(DiffractionSetup setup, PlanRequest request) {
+        this.setup = setup;
+        this.request = request;
+        this.evaluator = new ReferenceEvaluator(setup.patch().heights(), request.window(), request.windowOrigin());
+    }
+
+    List<double[]> evaluate(DirectionList list) {
+        double[][] results = new double[list.size()][];
+        try (Progress progress = Progress.start("Reference", list.size())) {
+            IntStream.range(0, list.size()).parallel().forEach(row -> {
+                results[row] = list.spectral() ? spectral(list, row) : colour(list.geometry(row));
+                progress.step(1);
+            });
+        }
+        return Arrays.asList(results);
+    }
+
+    private double[] spectral(DirectionList list, int row) {
+        Geometry geometry = list.geometry(row);
+        double wavelength = list.wavelength(row);
+        ReferenceEvaluator.Power power = evaluator.powers(geometry, wavelength);
+        double chosen = ensemble() ? power.ensemble() : power.coherent();
+        return new double[] {
+            power.coherent(),
+            power.ensemble(),
+            Gain.relativeRadiance(geometry) * chosen,
+            Gain.brdf(geometry, request.window(), wavelength) * chosen
+        };
+    }
+
+    private double[] colour(Geometry geometry) {
+        ReferenceColor color = new ReferenceColor(evaluator, request.window(), setup.cie());
+        double[] xyz = color.xyz(geometry, ensemble());
+        return new double[] {xyz[0], xyz[1], xyz[2], Gain.relativeRadiance(geometry)};
+    }
+
+    private boolean ensemble() {
+        return request.average().orElse(Average.COHERENT) == Average.ENSEMBLE;
+    }
+}

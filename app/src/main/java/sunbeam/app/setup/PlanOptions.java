@@ -1,0 +1,156 @@
+package sunbeam.app.setup;
+
+import java.util.Locale;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.OptionalInt;
+import picocli.CommandLine.Option;
+import sunbeam.app.cli.LengthConverter;
+import sunbeam.app.cli.UsageException;
+import sunbeam.precompute.expansion.ExpansionKind;
+import sunbeam.precompute.optics.WindowOrigin;
+import sunbeam.precompute.plan.Average;
+import sunbeam.precompute.plan.Neighbourhood;
+import sunbeam.precompute.plan.PlanRequest;
+import sunbeam.precompute.plan.Tolerances;
+import sunbeam.precompute.units.Lengths;
+
+/** What a user may fix of the plan; to be used as a picocli mixin. */
+public final class PlanOptions {
+    private static final int MOST_TERMS = 500;
+
+    @Option(
+            names = "--preset",
+            paramLabel = "PRESET",
+            description =
+                    "thesis: 37 Taylor terms, 380..780 nm in steps of 5 nm, 3 x 3 bins anchored with floor, window"
+                            + " on the corner. Options below override it one by one.")
+    private Preset preset;
+
+    @Option(
+            names = "--tolerance",
+            paramLabel = "ERROR",
+            defaultValue = "1e-3",
+            description = "Relative error of power and colour that the plan is made for, 1e-5 to 1. Default:"
+                    + " ${DEFAULT-VALUE}. Options below override parts of the plan.")
+    private double tolerance;
+
+    @Option(
+            names = "--expansion",
+            paramLabel = "KIND",
+            description = "Expansion of exp(i k w h): taylor, chebyshev, lowrank.")
+    private ExpansionKind expansion;
+
+    @Option(names = "--terms", paramLabel = "N", description = "Number of its terms.")
+    private Integer terms;
+
+    @Option(
+            names = "--radius",
+            paramLabel = "R",
+            description = "Sum (2 R + 1) x (2 R + 1) DFT bins around each frequency.")
+    private Integer radius;
+
+    @Option(names = "--anchor", paramLabel = "BIN", description = "The bin in their middle: floor (thesis) or nearest.")
+    private Neighbourhood.Anchor anchor;
+
+    @Option(
+            names = "--wavelength-step",
+            paramLabel = "LENGTH",
+            converter = LengthConverter.class,
+            description = "Equal steps of the wavelength, for example 5nm.")
+    private Double wavelengthStep;
+
+    @Option(
+            names = "--window-origin",
+            paramLabel = "PLACE",
+            description =
+                    "Where the coherence window's maximum lies on the patch: centre (default) or corner (thesis).")
+    private WindowOrigin origin;
+
+    @Option(
+            names = "--coherence-length",
+            paramLabel = "LENGTH",
+            converter = LengthConverter.class,
+            description = "Four standard deviations of the coherence window. Default: 65um, sunlight.")
+    private Double coherenceLength;
+
+    @Option(
+            names = "--average",
+            paramLabel = "KIND",
+            description = "coherent (default): one coherence area, with its speckle. ensemble: the mean over all"
+                    + " positions of the window.")
+    private Average average;
+
+    /** Names of presets. */
+    private enum Preset {
+        THESIS
+    }
+
+    /**
+     * The request, checked.
+     *
+     * @throws UsageException for a value that cannot be used
+     */
+    public PlanRequest request() {
+        checkTolerance();
+        checkRange("--terms", terms, 1, MOST_TERMS);
+        checkRange("--radius", radius, 0, Neighbourhood.MAXIMUM_RADIUS);
+        checkLength("--wavelength-step", wavelengthStep, 1e-12, 200e-9);
+        checkLength("--coherence-length", coherenceLength, 100e-9, 10e-3);
+        return new PlanRequest(
+                preset == Preset.THESIS ? PlanRequest.Preset.THESIS : PlanRequest.Preset.NONE,
+                tolerance,
+                Optional.ofNullable(expansion),
+                terms == null ? OptionalInt.empty() : OptionalInt.of(terms),
+                radius == null ? OptionalInt.empty() : OptionalInt.of(radius),
+                Optional.ofNullable(anchor),
+                wavelengthStep == null ? OptionalDouble.empty() : OptionalDouble.of(wavelengthStep),
+                Optional.ofNullable(origin),
+                coherenceLength == null ? OptionalDouble.empty() : OptionalDouble.of(coherenceLength),
+                Optional.ofNullable(average));
+    }
+
+    /** The options that were given, for metadata. */
+    public String describe() {
+        StringBuilder text = new StringBuilder(preset == null ? "tolerance " + tolerance : "preset thesis");
+        append(text, "expansion", expansion);
+        append(text, "terms", terms);
+        append(text, "radius", radius);
+        append(text, "anchor", anchor);
+        append(text, "wavelength step (m)", wavelengthStep);
+        append(text, "window origin", origin);
+        append(text, "coherence length (m)", coherenceLength);
+        append(text, "average", average);
+        return text.toString();
+    }
+
+    private static void append(StringBuilder text, String name, Object value) {
+        if (value != null) {
+            text.append(", ").append(name).append(' ').append(value.toString().toLowerCase(Locale.ROOT));
+        }
+    }
+
+    private void checkTolerance() {
+        if (!(tolerance > 0 && tolerance <= Tolerances.COARSEST)) {
+            throw new UsageException("--tolerance " + tolerance + " is out of range; give " + Tolerances.FINEST + " to "
+                    + Tolerances.COARSEST);
+        }
+        if (tolerance < Tolerances.FINEST) {
+            throw new UsageException("--tolerance " + tolerance + " is finer than float32 can reach; give "
+                    + Tolerances.FINEST + " or more, or evaluate directions with 'reflectance --method reference'");
+        }
+    }
+
+    private static void checkRange(String option, Integer value, int low, int high) {
+        if (value != null && (value < low || value > high)) {
+            throw new UsageException("%s %d is out of range; give %d to %d".formatted(option, value, low, high));
+        }
+    }
+
+    private static void checkLength(String option, Double metres, double low, double high) {
+        if (metres != null && !(metres >= low && metres <= high)) {
+            throw new UsageException("%s %s is out of range; give %s to %s"
+                    .formatted(option, Lengths.format(metres), Lengths.format(low), Lengths.format(high)));
+        }
+    }
+}

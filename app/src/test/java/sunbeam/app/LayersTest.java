@@ -1,0 +1,100 @@
+package sunbeam.app;
+
+import static com.tngtech.archunit.base.DescribedPredicate.describe;
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
+
+import com.tngtech.archunit.base.DescribedPredicate;
+import com.tngtech.archunit.core.domain.JavaClass;
+import com.tngtech.archunit.core.importer.ImportOption;
+import com.tngtech.archunit.junit.AnalyzeClasses;
+import com.tngtech.archunit.junit.ArchTest;
+import com.tngtech.archunit.lang.ArchRule;
+import com.tngtech.archunit.library.dependencies.SliceAssignment;
+import com.tngtech.archunit.library.dependencies.SliceIdentifier;
+import com.tngtech.archunit.library.dependencies.SlicesRuleDefinition;
+import java.util.Set;
+
+/** The layers of docs/design: app on top of precompute and jrtr, which do not know each other. */
+@AnalyzeClasses(
+        packages = {"sunbeam", "jrtr"},
+        importOptions = ImportOption.DoNotIncludeTests.class)
+final class LayersTest {
+    /** What images need of java.awt without opening a window. */
+    private static final Set<String> IMAGE_CLASSES =
+            Set.of("java.awt.Point", "java.awt.Rectangle", "java.awt.Transparency");
+
+    @ArchTest
+    static final ArchRule precomputeKnowsNoGraphics = noClasses()
+            .that()
+            .resideInAPackage("sunbeam.precompute..")
+            .should()
+            .dependOnClassesThat()
+            .resideInAnyPackage("jrtr..", "com.jogamp..", "sunbeam.app..", "javax.swing..");
+
+    @ArchTest
+    static final ArchRule precomputeOpensNoWindows = noClasses()
+            .that()
+            .resideInAPackage("sunbeam.precompute..")
+            .should()
+            .dependOnClassesThat(describe("belong to AWT's windows", LayersTest::belongsToWindows));
+
+    @ArchTest
+    static final ArchRule engineKnowsNothingOfDiffraction = noClasses()
+            .that()
+            .resideInAPackage("jrtr..")
+            .should()
+            .dependOnClassesThat()
+            .resideInAPackage("sunbeam..");
+
+    @ArchTest
+    static final ArchRule onlyTheEngineTouchesOpenGl = noClasses()
+            .that()
+            .resideOutsideOfPackage("jrtr..")
+            .should()
+            .dependOnClassesThat()
+            .resideInAnyPackage("com.jogamp..", "jogamp..");
+
+    @ArchTest
+    static final ArchRule noCycles =
+            SlicesRuleDefinition.slices().assignedFrom(new ByPackage()).should().beFreeOfCycles();
+
+    /** jrtr.gl.JoglNoise keeps what JOGL itself prints off the stream; it prints nothing of its own. */
+    @ArchTest
+    static final ArchRule onlyTheEntryPointAndProgressKnowTheStandardStreams = noClasses()
+            .that(outsideOf(Set.of("sunbeam.app.Main", "sunbeam.app.progress.Terminal", "jrtr.gl.JoglNoise")))
+            .should()
+            .accessField(System.class, "out")
+            .orShould()
+            .accessField(System.class, "err");
+
+    @ArchTest
+    static final ArchRule onlyTheEntryPointEndsTheProcess = noClasses()
+            .that(outsideOf(Set.of("sunbeam.app.Main")))
+            .should()
+            .callMethod(System.class, "exit", int.class);
+
+    private static boolean belongsToWindows(JavaClass type) {
+        String packageName = type.getPackageName();
+        boolean ofImages = packageName.startsWith("java.awt.image")
+                || packageName.equals("java.awt.color")
+                || IMAGE_CLASSES.contains(type.getName());
+        return packageName.startsWith("java.awt") && !ofImages;
+    }
+
+    private static DescribedPredicate<JavaClass> outsideOf(Set<String> names) {
+        return describe("are not " + names, type -> !names.contains(type.getName()));
+    }
+
+    /** Each package by itself, so that a module's root package counts too. */
+    private static final class ByPackage implements SliceAssignment {
+        @Override
+        public SliceIdentifier getIdentifierOf(JavaClass type) {
+            return SliceIdentifier.of(type.getPackageName());
+        }
+
+        @Override
+        public String getDescription() {
+            return "each package";
+        }
+    }
+}

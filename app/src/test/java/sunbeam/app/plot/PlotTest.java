@@ -1,0 +1,93 @@
+package sunbeam.app.plot;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.awt.image.BufferedImage;
+import java.nio.file.Path;
+import java.util.HashSet;
+import java.util.Map;
+import java.util.Set;
+import java.util.stream.IntStream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import sunbeam.app.input.PngText;
+import sunbeam.app.output.Overwrite;
+import sunbeam.app.plot.Plot.Axis;
+import sunbeam.app.plot.Plot.Frame;
+
+final class PlotTest {
+    private static final int BLUE = 0xff0072b2;
+    private static final int VERMILION = 0xffd55e00;
+
+    @TempDir
+    private Path folder;
+
+    private static Plot errors() {
+        double[] terms = IntStream.rangeClosed(1, 40).asDoubleStream().toArray();
+        double[] taylor = IntStream.rangeClosed(1, 40)
+                .mapToDouble(n -> Math.exp(5 - 0.4 * n))
+                .toArray();
+        double[] chebyshev = IntStream.rangeClosed(1, 40)
+                .mapToDouble(n -> Math.exp(1 - 0.6 * n))
+                .toArray();
+        Frame frame = new Frame(
+                "Error over the number of terms", Axis.linear("terms"), Axis.logarithmic("relative error of power"));
+        return new Plot(frame).line("Taylor", terms, taylor).lineWithPoints("Chebyshev", terms, chebyshev);
+    }
+
+    private static Set<Integer> colours(BufferedImage image) {
+        Set<Integer> colours = new HashSet<>();
+        for (int y = 0; y < image.getHeight(); y++) {
+            for (int x = 0; x < image.getWidth(); x++) {
+                colours.add(image.getRGB(x, y));
+            }
+        }
+        return colours;
+    }
+
+    @Test
+    void seriesAreDrawnOnWhiteInColoursOfTheirOwn() {
+        BufferedImage image = errors().draw();
+        assertThat(image.getWidth()).isEqualTo(900);
+        assertThat(image.getHeight()).isEqualTo(600);
+        assertThat(image.getRGB(0, 0)).isEqualTo(0xffffffff);
+        assertThat(colours(image)).contains(BLUE, VERMILION);
+    }
+
+    @Test
+    void aLineOfEqualValuesAndASinglePointAreDrawn() {
+        Frame frame = new Frame("t", Axis.logarithmic("x"), Axis.logarithmic("y"));
+        BufferedImage image = new Plot(frame)
+                .points("one", new double[] {3}, new double[] {1e-4})
+                .draw();
+        assertThat(colours(image)).contains(BLUE);
+    }
+
+    @Test
+    void theFileSaysHowItWasMade() {
+        Path target = folder.resolve("plot.png");
+        errors().write(target, Overwrite.REFUSE, Map.of("patch", "blaze"));
+        assertThat(PngText.read(target)).containsEntry("patch", "blaze").containsKey("Software");
+    }
+
+    @Test
+    void whatHasNoPlaceOnAnAxisIsRefused() {
+        Plot plot = new Plot(new Frame("t", Axis.linear("x"), Axis.logarithmic("y")));
+        assertThatThrownBy(() -> plot.line("exact", new double[] {1, 2}, new double[] {1e-3, 0}))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining("'exact': y = 0.0");
+        assertThatThrownBy(() -> plot.line("gap", new double[] {1, Double.NaN}, new double[] {1, 1}))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining("'gap': x = NaN");
+        assertThatThrownBy(plot::draw).isInstanceOf(IllegalStateException.class);
+    }
+
+    @Test
+    void logarithmicTicksReadAsPowersOfTen() {
+        assertThat(PlotStyle.powerOfTen(1e-5)).isEqualTo("1e-5");
+        assertThat(PlotStyle.powerOfTen(1)).isEqualTo("1");
+        assertThat(PlotStyle.powerOfTen(100)).isEqualTo("100");
+        assertThat(PlotStyle.powerOfTen(1e6)).isEqualTo("1e6");
+    }
+}

@@ -1,0 +1,104 @@
+package sunbeam.precompute.patch.builtin;
+
+import java.util.List;
+
+/**
+ * One row of a {@link FingerSkin}, tabulated along x over one period of the patch. A place is an index into the
+ * tables; between two places is interpolated linearly.
+ */
+final class FingerRow {
+    /**
+     * One finger.
+     *
+     * @param centre the ridge's x in metres, within [0, side)
+     * @param tip how far the tip stands below the row's line, metres
+     * @param lift by how much the finger is higher than it should be, metres
+     */
+    record Finger(double centre, double tip, double lift) {}
+
+    private final double[] line;
+    private final double[] phi;
+    private final double[] lift;
+    private final double[] edge;
+    private final double[] edgeSlope;
+
+    /**
+     * Tabulates the row.
+     *
+     * @param fingers in the order of their centres, at least two
+     * @param line distance in metres from the patch's top to the row's line, one entry per table place
+     * @param side the period in metres
+     * @param shape of the fingers
+     */
+    FingerRow(List<Finger> fingers, double[] line, double side, FingerShape shape) {
+        int size = line.length;
+        this.line = new double[size];
+        phi = new double[size];
+        lift = new double[size];
+        edge = new double[size];
+        int next = 0;
+        for (int i = 0; i < size; i++) {
+            double x = i * side / size;
+            while (next < fingers.size() && fingers.get(next).centre() <= x) {
+                next++;
+            }
+            Finger left = fingers.get(Math.floorMod(next - 1, fingers.size()));
+            Finger right = fingers.get(next % fingers.size());
+            double part = distance(left.centre(), x, side) / distance(left.centre(), right.centre(), side);
+            this.line[i] = line[i] + (1 - part) * left.tip() + part * right.tip();
+            lift[i] = (1 - part) * left.lift() + part * right.lift();
+            phi[i] = part < 0.5 ? 2 * part : 2 - 2 * part;
+            edge[i] = shape.edge(phi[i]);
+        }
+        edgeSlope = slope(edge, side);
+    }
+
+    /** Distance in metres from the patch's top to the line that runs through the tips. */
+    double line(int place) {
+        return line[place];
+    }
+
+    /** 0 on the ridge of a finger, 1 midway to its neighbour. */
+    double phi(double place) {
+        return at(phi, place);
+    }
+
+    /** By how much the fingers are higher than they should be, metres. */
+    double lift(double place) {
+        return at(lift, place);
+    }
+
+    /** {@link FingerShape#edge} there. */
+    double edge(double place) {
+        return at(edge, place);
+    }
+
+    /** How much {@link #edge} changes per metre along x, without sign. */
+    double edgeSlope(double place) {
+        return at(edgeSlope, place);
+    }
+
+    private static double at(double[] table, double place) {
+        int left = (int) place;
+        double part = place - left;
+        int size = table.length;
+        return (1 - part) * table[left % size] + part * table[(left + 1) % size];
+    }
+
+    /** From one x to another one to its right, round the period. */
+    private static double distance(double from, double to, double side) {
+        return to < from ? to - from + side : to - from;
+    }
+
+    private static double[] slope(double[] values, double side) {
+        int size = values.length;
+        double[] slope = new double[size];
+        for (int i = 0; i < size; i++) {
+            double before = values[Math.floorMod(i - 1, size)];
+            double after = values[(i + 1) % size];
+            // The steeper side, so that neither ridge nor notch looks flat.
+            slope[i] = Math.max(Math.abs(after - values[i]), Math.abs(values[i] - before)) * size / side;
+        }
+        return slope;
+    }
+}

@@ -1,0 +1,96 @@
+package sunbeam.precompute.plan;
+
+import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.color.WavelengthNodes;
+import sunbeam.precompute.expansion.ChebyshevExpansion;
+import sunbeam.precompute.expansion.Expansion;
+import sunbeam.precompute.expansion.ExpansionKind;
+import sunbeam.precompute.expansion.HeightScale;
+import sunbeam.precompute.expansion.LowRankExpansion;
+import sunbeam.precompute.expansion.TaylorExpansion;
+import sunbeam.precompute.patch.HeightLevels;
+import sunbeam.precompute.patch.HeightMap;
+
+/** Makes a {@link Plan} for a patch, what the user fixes, and the directions that a scene can reach. */
+public final class Planner {
+    private static final int THESIS_TERMS = 37;
+    private static final double THESIS_WAVELENGTH_STEP = 5e-9;
+
+    private final HeightMap map;
+    private final HeightLevels heights;
+    private final CieTable cie;
+
+    public Planner(HeightMap map, HeightLevels heights, CieTable cie) {
+        this.map = map;
+        this.heights = heights;
+        this.cie = cie;
+    }
+
+    /** The plan. */
+    public Plan plan(PlanRequest request, VisibleRange range) {
+        Tolerances tolerances = new Tolerances(request.tolerance());
+        Sampling sampling = sampling(request, range, tolerances);
+        return new Plan(
+                request.isThesis() ? Double.NaN : tolerances.value(),
+                range,
+                expansion(request, range, tolerances),
+                range.bandX(map.width(), margin(sampling, request, map.width())),
+                range.bandY(map.height(), margin(sampling, request, map.height())),
+                request.window(),
+                request.windowOrigin(),
+                request.average().orElse(Average.COHERENT),
+                sampling);
+    }
+
+    private Sampling sampling(PlanRequest request, VisibleRange range, Tolerances tolerances) {
+        if (request.isThesis() || request.fixesBins()) {
+            return bins(request, tolerances);
+        }
+        SamplingPlanner planner = new SamplingPlanner(map, heights, request.window(), range, tolerances);
+        return planner.choose();
+    }
+
+    private Sampling bins(PlanRequest request, Tolerances tolerances) {
+        boolean thesis = request.isThesis();
+        double sigmaBins = request.window().sigmaFrequency() * Math.max(map.width(), map.height());
+        int radius = request.radius()
+                .orElseGet(() -> thesis ? 1 : SamplingPlanner.neighbourhoodRadius(sigmaBins, tolerances));
+        Neighbourhood.Anchor anchor =
+                request.anchor().orElse(thesis ? Neighbourhood.Anchor.FLOOR : Neighbourhood.Anchor.NEAREST);
+        double step = request.wavelengthStep().orElse(thesis ? THESIS_WAVELENGTH_STEP : 1e-9);
+        return new Sampling.Bins(new Neighbourhood(radius, anchor), WavelengthNodes.uniform(cie, step));
+    }
+
+    /** Bins beyond the visible ones that the window brings into view. */
+    private static int margin(Sampling sampling, PlanRequest request, double period) {
+        // One more bin, because float32 may round a frequency into the next one.
+        if (sampling instanceof Sampling.Bins bins) {
+            return bins.neighbourhood().radius() + 1;
+        }
+        return sampling instanceof Sampling.Grid
+                ? (int) Math.ceil(SamplingPlanner.GAUSS_REACH * request.window().sigmaFrequency() * period) + 1
+                : 1;
+    }
+
+    private Expansion expansion(PlanRequest request, VisibleRange range, Tolerances tolerances) {
+        boolean thesis = request.isThesis();
+        ExpansionKind kind = request.expansion().orElse(thesis ? ExpansionKind.TAYLOR : ExpansionKind.LOWRANK);
+        HeightScale scale = thesis ? HeightScale.mean(heights) : HeightScale.midRange(heights);
+        double minimum = scale.phase(CieTable.MAXIMUM_WAVELENGTH, range.minimumW());
+        double maximum = scale.phase(CieTable.MINIMUM_WAVELENGTH, range.maximumW());
+        if (request.terms().isPresent() || thesis) {
+            int terms = request.terms().orElse(THESIS_TERMS);
+            return switch (kind) {
+                case TAYLOR -> new TaylorExpansion(scale, terms, maximum);
+                case CHEBYSHEV -> new ChebyshevExpansion(scale, terms, maximum);
+                case LOWRANK -> LowRankExpansion.ofTerms(heights, scale, minimum, maximum, terms);
+            };
+        }
+        double tolerance = tolerances.expansion();
+        return switch (kind) {
+            case TAYLOR -> TaylorExpansion.within(scale, maximum, tolerance);
+            case CHEBYSHEV -> ChebyshevExpansion.within(scale, maximum, tolerance);
+            case LOWRANK -> LowRankExpansion.within(heights, scale, minimum, maximum, tolerance);
+        };
+    }
+}

@@ -1,0 +1,27 @@
+package sunbeam.precompute.resample;
+
+/**
+ * Equally spaced frequencies along one axis: sample i has the frequency (first + i) * step.
+ *
+ * @param first index of the first sample, in steps from frequency 0
+ * @param count number of samples
+ * @param step cycles per metre
+ */
+public record AxisGrid(int first, int count, double step) {
+
+    /** Covers an interval of frequencies with a margin of samples on both sides. */
+    public static AxisGrid covering(double low, double high, double step, int margin) {
+        int first = (int) Math.floor(low / step) - margin;
+        int last = (int) Math.ceil(high / step) + margin;
+        return new AxisGrid(first, last - first + 1, step);
+    }
+
+    /** The same grid with more samples at its end. */
+    public AxisGrid extended(int newCount) {
+        return new AxisGrid(first, Math.max(count, newCount), step);
+    }
+
+    public double frequency(int sample) {
+        return (first + sample) * step;
+    }
+}

@@ -1,0 +1,43 @@
+package sunbeam.precompute.resample;
+
+/**
+ * The Kaiser-Bessel interpolation kernel of {@code taps} grid points (Kaiser 1966; Jackson et al. 1991):
+ *
+ * <pre>phi(x) = I0(beta sqrt(1 - (2 x / taps)^2)) / I0(beta),  |x| &lt; taps / 2</pre>
+ */
+record KaiserBessel(int taps, double beta) {
+
+    double value(double x) {
+        double ratio = 2 * x / taps;
+        return ratio * ratio >= 1 ? 0 : besselI0(beta * Math.sqrt(1 - ratio * ratio)) / besselI0(beta);
+    }
+
+    /** Fourier transform at a frequency in cycles per grid step. */
+    double transform(double frequency) {
+        double square = beta * beta - Math.pow(Math.PI * taps * frequency, 2);
+        double root = Math.sqrt(Math.abs(square));
+        double shape;
+        if (root < 1e-6) {
+            shape = 1;
+        } else {
+            shape = square > 0 ? Math.sinh(root) / root : Math.sin(root) / root;
+        }
+        return shape * taps / besselI0(beta);
+    }
+
+    /** Frequency where the transform first vanishes. */
+    double firstZero() {
+        return Math.hypot(Math.PI, beta) / (Math.PI * taps);
+    }
+
+    /** Modified Bessel function of order 0 by its power series, whose terms are all positive. */
+    private static double besselI0(double x) {
+        double term = 1;
+        double sum = 1;
+        for (int k = 1; term > 1e-17 * sum; k++) {
+            term *= x * x / (4.0 * k * k);
+            sum += term;
+        }
+        return sum;
+    }
+}

@@ -1,0 +1,98 @@
+package sunbeam.precompute.patch.builtin;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.function.IntToDoubleFunction;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.patch.PatchException;
+
+class BuiltInPatchesTest {
+    /** A quarter of the shortest wavelength: at grazing light and view a phase of pi between two samples. */
+    private static final double COARSEST_PITCH = 380e-9 / 4;
+
+    /** The sinusoid's steps on either side of the seam are equal but for rounding. */
+    private static final double ROUNDING = 1 + 1e-9;
+
+    static Stream<String> names() {
+        return BuiltInPatches.names().stream();
+    }
+
+    @Test
+    void offersTheSixPatches() {
+        assertThat(BuiltInPatches.names())
+                .isEqualTo(List.of("blaze", "sinusoid", "lamellar", "disc", "elaphe-like", "xenopeltis-like"));
+        assertThat(BuiltInPatches.contains("disc")).isTrue();
+        assertThat(BuiltInPatches.contains("disk")).isFalse();
+    }
+
+    @Test
+    void unknownNameIsAnsweredWithTheKnownOnes() {
+        assertThatThrownBy(() -> BuiltInPatches.generate("elaphe"))
+                .isInstanceOf(PatchException.class)
+                .hasMessageContaining("'elaphe'")
+                .hasMessageContainingAll(BuiltInPatches.names().toArray(String[]::new));
+        assertThatThrownBy(() -> BuiltInPatches.description("x")).isInstanceOf(PatchException.class);
+    }
+
+    @ParameterizedTest
+    @MethodSource("names")
+    void isDescribedInOneLine(String name) {
+        assertThat(BuiltInPatches.description(name)).isNotBlank().doesNotContain("\n");
+    }
+
+    @ParameterizedTest
+    @MethodSource("names")
+    void isFineEnoughForVisibleLight(String name) {
+        HeightMap patch = BuiltInPatches.generate(name);
+        assertThat(patch.pitchX()).isLessThanOrEqualTo(COARSEST_PITCH);
+        assertThat(patch.pitchY()).isLessThanOrEqualTo(COARSEST_PITCH);
+        assertThat(Arrays.stream(patch.toArray()).allMatch(Double::isFinite)).isTrue();
+    }
+
+    @ParameterizedTest
+    @MethodSource("names")
+    void isTheSameEveryTime(String name) {
+        assertThat(BuiltInPatches.generate(name).toArray())
+                .isEqualTo(BuiltInPatches.generate(name).toArray());
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"sinusoid", "disc", "elaphe-like", "xenopeltis-like"})
+    void tilesWithoutASeam(String name) {
+        HeightMap patch = BuiltInPatches.generate(name);
+        int columns = patch.columns();
+        int rows = patch.rows();
+        double[] across = IntStream.range(0, columns)
+                .mapToDouble(c -> rmsStep(rows, i -> patch.at((c + 1) % columns, i) - patch.at(c, i)))
+                .toArray();
+        double[] down = IntStream.range(0, rows)
+                .mapToDouble(r -> rmsStep(columns, i -> patch.at(i, (r + 1) % rows) - patch.at(i, r)))
+                .toArray();
+        assertThat(across[columns - 1]).isLessThanOrEqualTo(greatestInside(across) * ROUNDING);
+        assertThat(down[rows - 1]).isLessThanOrEqualTo(greatestInside(down) * ROUNDING);
+    }
+
+    private static double rmsStep(int count, IntToDoubleFunction step) {
+        return Math.sqrt(IntStream.range(0, count)
+                .mapToDouble(step)
+                .map(value -> value * value)
+                .average()
+                .orElseThrow());
+    }
+
+    private static double greatestInside(double[] steps) {
+        return IntStream.range(0, steps.length - 1)
+                .mapToDouble(i -> steps[i])
+                .max()
+                .orElseThrow();
+    }
+}

@@ -1,0 +1,121 @@
+package sunbeam.precompute.patch.builtin;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import sunbeam.precompute.patch.HeightMap;
+
+class CompactDiscTest {
+    private static final double HALF_DEPTH = -55e-9;
+    private static final int TRACKS = 32;
+    private static HeightMap disc;
+
+    @BeforeAll
+    static void generate() {
+        disc = BuiltInPatches.generate("disc");
+    }
+
+    @Test
+    void tracksAre1600NanometresApart() {
+        assertThat(disc.width() / TRACKS).isCloseTo(1.6e-6, within(1e-18));
+        double[] orders = new Spectrum(disc).byP((p, q) -> q == 0);
+        for (int p = 1; p < 2 * TRACKS; p++) {
+            if (p != TRACKS) {
+                // Tracks hold different numbers of pits, which leaves a little of every frequency.
+                assertThat(orders[p]).isLessThan(orders[TRACKS] / 100);
+            }
+        }
+    }
+
+    @Test
+    void thereIsNoOrderAlongTheTracks() {
+        double[] frequencies = new Spectrum(disc).byQ((p, q) -> q != 0);
+        double all = Arrays.stream(frequencies).sum();
+        // The pits' mean length of 5 bits makes a broad hump of some 20 bins; no bin stands out of it.
+        assertThat(Arrays.stream(frequencies).max().orElseThrow()).isLessThan(all / 10);
+    }
+
+    @Test
+    void pitsAre110NanometresDeep() {
+        assertThat(disc.maximum()).isZero();
+        assertThat(disc.relief()).isCloseTo(110e-9, within(1e-20));
+    }
+
+    @Test
+    void pitsAndLandsLast3To11Bits() {
+        double bit = disc.height() / 184;
+        assertThat(bit).isBetween(277e-9, 324e-9); // 1.2 to 1.4 m/s at 4.3218 MHz
+        for (int track = 0; track < TRACKS; track++) {
+            for (int samples : runs(centre(track))) {
+                double bits = samples * disc.pitchY() / bit;
+                // Both ends of a run are seen to one sample of 50 nm, 0.18 bits.
+                assertThat(bits).isBetween(3 - 0.2, 11 + 0.2);
+                assertThat(Math.abs(bits - Math.round(bits))).isLessThan(0.2);
+            }
+        }
+    }
+
+    @Test
+    void pitsAre500NanometresWide() {
+        int column = centre(5);
+        int row = 0;
+        while (!isDeepAround(column, row)) {
+            row++;
+        }
+        int width = 0;
+        for (int c = column - 16; c < column + 16; c++) {
+            width += disc.at(c, row) < HALF_DEPTH ? 1 : 0;
+        }
+        // Counted in samples of 50 nm, one more or less.
+        assertThat(width * disc.pitchX()).isCloseTo(500e-9, within(51e-9));
+    }
+
+    @Test
+    void pitsWiderThanTheirTrackAreRefused() {
+        assertThatThrownBy(() -> new CompactDisc(4, 128, 1e-6, 184, 1e-6, 1e-7, 1e-7, 0))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining("tracks");
+    }
+
+    /** 400 nm of full depth before and after: away from the round ends. */
+    private static boolean isDeepAround(int column, int row) {
+        for (int r = row - 8; r <= row + 8; r++) {
+            if (disc.at(column, Math.floorMod(r, disc.rows())) > -109e-9) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    private static int centre(int track) {
+        return track * (disc.columns() / TRACKS) + disc.columns() / TRACKS / 2;
+    }
+
+    /** Lengths in samples of the pits and lands round the whole column. */
+    private static List<Integer> runs(int column) {
+        int start = 0;
+        while (isPit(column, start) == isPit(column, start - 1)) {
+            start++;
+        }
+        List<Integer> runs = new ArrayList<>();
+        int length = 0;
+        for (int i = 0; i < disc.rows(); i++) {
+            length++;
+            if (isPit(column, start + i) != isPit(column, start + i + 1)) {
+                runs.add(length);
+                length = 0;
+            }
+        }
+        return runs;
+    }
+
+    private static boolean isPit(int column, int row) {
+        return disc.at(column, Math.floorMod(row, disc.rows())) < HALF_DEPTH;
+    }
+}

@@ -1,0 +1,140 @@
+package sunbeam.precompute.patch.builtin;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import sunbeam.precompute.patch.HeightMap;
+
+class SnakeSkinsTest {
+    private static HeightMap elaphe;
+    private static HeightMap xenopeltis;
+    private static Spectrum elapheSpectrum;
+    private static Spectrum xenopeltisSpectrum;
+
+    @BeforeAll
+    static void generate() {
+        elaphe = BuiltInPatches.generate("elaphe-like");
+        xenopeltis = BuiltInPatches.generate("xenopeltis-like");
+        elapheSpectrum = new Spectrum(elaphe);
+        xenopeltisSpectrum = new Spectrum(xenopeltis);
+    }
+
+    @Test
+    void elaphesFingersAreAMicrometreApartAlongX() {
+        double period = dominantPeriod(elapheSpectrum.byP((p, q) -> Math.abs(q) < 10), 40, 3);
+        // Gaps differ by 16 %, so the order is 10 bins wide; its peak is known to a few of 63.
+        assertThat(period).isCloseTo(1.03e-6, within(0.06e-6));
+    }
+
+    @Test
+    void elaphesRowsAre3MicrometresApart() {
+        double period = dominantPeriod(elapheSpectrum.byQ((p, q) -> Math.abs(p) > 26), 14, 1);
+        // One bin of 21 is 5 %; rows stray by 9 %.
+        assertThat(period).isCloseTo(3.1e-6, within(0.3e-6));
+    }
+
+    @Test
+    void xenopeltisFingersAreHalfAMicrometreApartAlongX() {
+        double period = dominantPeriod(xenopeltisSpectrum.byP((p, q) -> true), 60, 3);
+        // Gaps differ by 15 %; the peak is known to a few bins of 118.
+        assertThat(period).isCloseTo(0.55e-6, within(0.03e-6));
+    }
+
+    @Test
+    void xenopeltisRowsAreOneAndAHalfMicrometresApart() {
+        double period = dominantPeriod(xenopeltisSpectrum.byQ((p, q) -> Math.abs(p) < 30), 25, 1);
+        // Two bins of 42.
+        assertThat(period).isCloseTo(1.55e-6, within(0.08e-6));
+    }
+
+    /** The period in metres of the strongest frequency from {@code first} on, seen through a window of bins. */
+    private static double dominantPeriod(double[] powers, int first, int reach) {
+        int best = first;
+        double most = 0;
+        for (int bin = first; bin + reach < powers.length; bin++) {
+            double power = 0;
+            for (int i = bin - reach; i <= bin + reach; i++) {
+                power += powers[i];
+            }
+            if (power > most) {
+                most = power;
+                best = bin;
+            }
+        }
+        return 65e-6 / best;
+    }
+
+    @Test
+    void elapheDiffractsAlongXOnly() {
+        // Periods from 0.8 to 4.3 um, within 15 degrees of either axis; the scan has 30 times as much along x.
+        double along = elapheSpectrum.meanSquare((p, q) -> isOrder(p, q) && Math.abs(q) < 0.27 * Math.abs(p));
+        double across = elapheSpectrum.meanSquare((p, q) -> isOrder(p, q) && Math.abs(p) < 0.27 * Math.abs(q));
+        assertThat(along).isGreaterThan(15 * across);
+    }
+
+    @Test
+    void xenopeltisDiffractsMostlyAboutY() {
+        double along = xenopeltisSpectrum.meanSquare((p, q) -> isOrder(p, q) && Math.abs(q) < Math.abs(p));
+        double across = xenopeltisSpectrum.meanSquare((p, q) -> isOrder(p, q) && Math.abs(p) < Math.abs(q));
+        // The scan: 2.9 times as much on the steep side of the diagonals.
+        assertThat(across).isGreaterThan(2.5 * along);
+        // The rows meander: their order is an arc, with most of its power off the axis (scan: 0.37 near it).
+        double arc = xenopeltisSpectrum.meanSquare((p, q) -> Math.abs(Math.abs(q) - 42) < 5 && Math.abs(p) < 40);
+        double axis = xenopeltisSpectrum.meanSquare((p, q) -> Math.abs(Math.abs(q) - 42) < 5 && Math.abs(p) < 5);
+        assertThat(axis).isBetween(0.25 * arc, 0.5 * arc);
+    }
+
+    private static boolean isOrder(int p, int q) {
+        double radius = Math.hypot(p, q);
+        return radius >= 15 && radius < 80;
+    }
+
+    @Test
+    void reliefAndRoughnessAreThoseOfSkinWithoutDust() {
+        // The scans: 99.8 % of the heights within 274 nm, rms 46 nm, and 340 nm, rms 51 nm, with some dust.
+        assertThat(elaphe.relief()).isBetween(250e-9, 375e-9);
+        assertThat(elapheSpectrum.rms((p, q) -> true)).isBetween(40e-9, 48e-9);
+        assertThat(xenopeltis.relief()).isBetween(300e-9, 500e-9);
+        assertThat(xenopeltisSpectrum.rms((p, q) -> true)).isBetween(44e-9, 54e-9);
+    }
+
+    @Test
+    void anotherSeedGivesAnotherSkinOfTheSameKind() {
+        FingerSkin skin = SnakeSkins.xenopeltisLike();
+        HeightMap other =
+                new FingerSkin(skin.side(), skin.samples(), skin.layout(), skin.shape(), skin.ground(), 99).generate();
+        assertThat(other.toArray()).isNotEqualTo(xenopeltis.toArray());
+        double fingers = xenopeltisSpectrum.rms((p, q) -> Math.abs(p) >= 100 && Math.abs(p) < 140);
+        // Thousands of fingers: their share hardly depends on the draw.
+        assertThat(new Spectrum(other).rms((p, q) -> Math.abs(p) >= 100 && Math.abs(p) < 140))
+                .isCloseTo(fingers, within(0.05 * fingers));
+    }
+
+    @Test
+    void rowsStayInOrderHoweverWildTheDisorder() {
+        FingerSkin skin = SnakeSkins.elapheLike();
+        RowLayout wild = new RowLayout(21, 63, 0.5, 0.5, 0, 20, 5e-6, 9, 6, 3e-6, 0, 1);
+        FingerShape shape = skin.shape();
+        HeightMap patch =
+                new FingerSkin(skin.side(), 128, wild, shape, new Ground(1e-12, 2, 4, 0, 60e-9), 5).generate();
+        // Nothing but plates: between the crest and the bottom of the deepest notch.
+        double highest = shape.crest() + shape.bulge() + 1e-9;
+        double lowest = shape.floor() - shape.floorFall() - shape.notchDepth() - 1e-9;
+        assertThat(patch.maximum()).isLessThanOrEqualTo(highest);
+        assertThat(patch.minimum()).isGreaterThanOrEqualTo(lowest);
+    }
+
+    @Test
+    void senselessParametersAreNamed() {
+        FingerSkin skin = SnakeSkins.elapheLike();
+        assertThatThrownBy(() -> new FingerSkin(-1, skin.samples(), skin.layout(), skin.shape(), skin.ground(), 1))
+                .hasMessageContaining("side");
+        assertThatThrownBy(() -> new FingerSkin(65e-6, 20, skin.layout(), skin.shape(), skin.ground(), 1))
+                .hasMessageContaining("samples");
+        assertThatThrownBy(() -> new RowLayout(2, 2, 0, 0, 0, 0, 0, 1, 1, 0, 0, 0))
+                .hasMessageContaining("2 x 2");
+    }
+}

@@ -1,0 +1,147 @@
+package sunbeam.acceptance;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** When the launcher builds, and what it says if that fails. */
+class LauncherBuildTest {
+    private static final int SET_UP_FAILED = 7;
+
+    @TempDir
+    Path folder;
+
+    private LauncherSandbox sandbox;
+
+    @BeforeEach
+    void layOut() throws IOException {
+        sandbox = LauncherSandbox.in(folder);
+    }
+
+    @Test
+    void buildsAtTheFirstStartOnlyAndSaysSo() throws Exception {
+        SunbeamResult first = sandbox.command("inspect").run();
+        SunbeamResult second = sandbox.command("inspect").run();
+
+        assertThat(first.stderr()).startsWith("sunbeam: building").hasLineCount(1);
+        assertThat(second.stderr()).isEmpty();
+        assertThat(sandbox.builds()).isEqualTo(1);
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "pom.xml",
+                "app/pom.xml",
+                "precompute/src/main/java/Precompute.java",
+                "jrtr/src/main/java/New.java",
+                "shaders/full.frag",
+                "data/colour.csv"
+            })
+    void buildsAgainAfterAChangeOfWhatTheBuildReads(String source) throws Exception {
+        sandbox.command("inspect").run();
+
+        Files.writeString(sandbox.repository().resolve(source), "changed");
+        sandbox.command("inspect").run();
+        sandbox.command("inspect").run();
+
+        assertThat(sandbox.builds()).isEqualTo(2);
+    }
+
+    @Test
+    void buildsAgainAfterASourceWasDeleted() throws Exception {
+        sandbox.command("inspect").run();
+
+        Files.delete(sandbox.repository().resolve("app/src/main/java/App.java"));
+        sandbox.command("inspect").run();
+
+        assertThat(sandbox.builds()).isEqualTo(2);
+    }
+
+    @Test
+    void removesJarsOfAnotherVersionFromTheClassPath() throws Exception {
+        Path target = sandbox.repository().resolve("app/target");
+        Path library = Files.createDirectories(target.resolve("lib")).resolve("precompute-0.0.9.jar");
+        Path jar = target.resolve("app-0.0.9.jar");
+        Files.createFile(library);
+        Files.createFile(jar);
+
+        sandbox.command("inspect").run();
+
+        assertThat(library).doesNotExist();
+        assertThat(jar).doesNotExist();
+        assertThat(target.resolve("app-0.1.0.jar")).exists();
+    }
+
+    @Test
+    void twoStartsAtOnceBuildOnce() throws Exception {
+        sandbox.installMaven("sleep 1");
+
+        try (RunningSunbeam one = sandbox.command("inspect").start();
+                RunningSunbeam other = sandbox.command("inspect").start()) {
+            assertThat(one.end(Duration.ofMinutes(1)).exitCode()).isZero();
+            assertThat(other.end(Duration.ofMinutes(1)).exitCode()).isZero();
+        }
+
+        assertThat(sandbox.builds()).isEqualTo(1);
+    }
+
+    @Test
+    void aFailedBuildIsOneLineWithItsReasonAndTheLog() throws Exception {
+        sandbox.installProgram("mvn", "echo '[INFO] so far'", "echo '[ERROR] App.java:[3,1] no such colour'", "exit 1");
+
+        SunbeamResult result = sandbox.command("inspect").run();
+
+        Path log = sandbox.repository().toRealPath().resolve("app/target/launcher-build.log");
+        assertThat(result.exitCode()).isEqualTo(SET_UP_FAILED);
+        assertThat(result.stdout()).isEmpty();
+        assertThat(result.stderr().lines().skip(1))
+                .containsExactly("sunbeam: the build failed: App.java:[3,1] no such colour; Maven's own words: " + log);
+        assertThat(log).content().contains("[INFO] so far");
+    }
+
+    @Test
+    void afterAFailedBuildTheNextStartTriesAgain() throws Exception {
+        sandbox.installProgram("mvn", "exit 1");
+        sandbox.command("inspect").run();
+        sandbox.installMaven();
+
+        assertThat(sandbox.command("inspect").run().exitCode()).isZero();
+        assertThat(sandbox.builds()).isEqualTo(1);
+    }
+
+    @Test
+    void whatIsBuiltRunsWithoutMavenAndCompiler() throws Exception {
+        sandbox.command("inspect").run();
+        Files.delete(folder.resolve("programs/mvn"));
+        Files.delete(folder.resolve("jdk/bin/javac"));
+
+        SunbeamResult result = sandbox.command("inspect")
+                .with("PATH", sandbox.pathOfABareMachine())
+                .run();
+
+        assertThat(result.exitCode()).as("%s", result).isZero();
+        assertThat(result.stderr()).isEmpty();
+    }
+
+    @Test
+    void toldNotToBuildItSaysThatNothingIsBuilt() throws Exception {
+        SunbeamResult result =
+                sandbox.command("inspect").with("SUNBEAM_NO_BUILD", "1").run();
+
+        assertThat(result.exitCode()).isEqualTo(SET_UP_FAILED);
+        assertThat(result.stderr())
+                .startsWith("sunbeam: nothing is built yet")
+                .contains("SUNBEAM_NO_BUILD")
+                .hasLineCount(1);
+        assertThat(sandbox.builds()).isZero();
+    }
+}

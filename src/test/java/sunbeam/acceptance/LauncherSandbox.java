@@ -1,0 +1,160 @@
+package sunbeam.acceptance;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Stream;
+
+/**
+ * A machine in a folder, for tests of the launcher alone: a copy of the launcher in a repository of empty sources, a
+ * Java that reports how it was started instead of running, a Maven that makes empty jars and notes each call. Folder
+ * names have blanks.
+ */
+final class LauncherSandbox {
+    private static final List<String> ESSENTIAL_PROGRAMS = List.of(
+            "bash",
+            "cat",
+            "cp",
+            "cut",
+            "dirname",
+            "env",
+            "find",
+            "flock",
+            "grep",
+            "mkdir",
+            "mv",
+            "readlink",
+            "rm",
+            "sed",
+            "setpriv",
+            "setsid",
+            "sleep",
+            "touch",
+            "true");
+
+    private final Path root;
+
+    private LauncherSandbox(Path root) {
+        this.root = root;
+    }
+
+    /** Lays out the sandbox in an empty folder. */
+    static LauncherSandbox in(Path root) throws IOException {
+        LauncherSandbox sandbox = new LauncherSandbox(root);
+        for (String source : List.of(
+                "pom.xml",
+                "precompute/pom.xml",
+                "precompute/src/main/java/Precompute.java",
+                "jrtr/pom.xml",
+                "jrtr/src/main/java/Jrtr.java",
+                "app/pom.xml",
+                "app/src/main/java/App.java",
+                "shaders/full.frag",
+                "data/colour.csv")) {
+            sandbox.write(sandbox.repository().resolve(source), "");
+        }
+        Files.copy(Sunbeam.repository().resolve("sunbeam"), sandbox.launcher());
+        sandbox.installJava("jdk", "17.0.1");
+        sandbox.installMaven();
+        return sandbox;
+    }
+
+    Path repository() {
+        return root.resolve("a repository");
+    }
+
+    Path launcher() {
+        return repository().resolve("sunbeam");
+    }
+
+    /** A start of the sandbox's launcher, free to build, with the sandbox's Java and Maven and without a screen. */
+    Sunbeam command(String... arguments) {
+        return equip(Sunbeam.launcher(launcher(), arguments));
+    }
+
+    /** Gives any start the sandbox's Java and Maven and takes its screen away. */
+    Sunbeam equip(Sunbeam start) {
+        return start.with("JAVA_HOME", root.resolve("jdk").toString())
+                .with("PATH", programs() + ":" + System.getenv("PATH"))
+                .without("SUNBEAM_NO_BUILD")
+                .without("SUNBEAM_JAVA_OPTIONS")
+                .without("DISPLAY");
+    }
+
+    /**
+     * A Java whose {@code java} prints a line with the screen, then the working folder, then its arguments, one a
+     * line, and then runs the given shell commands.
+     */
+    void installJava(String name, String version, String... thenRun) throws IOException {
+        Path home = root.resolve(name);
+        write(home.resolve("release"), "IMPLEMENTOR=\"Nobody\"\nJAVA_VERSION=\"" + version + "\"\n");
+        write(home.resolve("lib/libawt_xawt.so"), "");
+        script(home.resolve("bin/javac"));
+        script(
+                home.resolve("bin/java"),
+                Stream.concat(
+                                Stream.of("echo \"screen ${DISPLAY:-none}\"", "printf '%s\\n' \"$PWD\" \"$@\""),
+                                Stream.of(thenRun))
+                        .toArray(String[]::new));
+    }
+
+    /** A Maven that notes its call, runs the given shell commands and makes the program's jar. */
+    void installMaven(String... thenRun) throws IOException {
+        installProgram(
+                "mvn",
+                "echo \"$@\" >>'" + mavenCalls() + "'",
+                String.join("\n", thenRun),
+                "mkdir -p app/target/lib && touch app/target/app-0.1.0.jar");
+    }
+
+    /** A program of the sandbox's own, found before any of the machine's. */
+    void installProgram(String name, String... shellLines) throws IOException {
+        script(programs().resolve(name), shellLines);
+    }
+
+    /**
+     * A search path of the sandbox's own programs and of those that every Debian has, the only ones that the launcher
+     * may take for granted: no Xvfb, no Maven, no package manager.
+     */
+    String pathOfABareMachine() throws IOException {
+        Path bare = root.resolve("bare machine");
+        for (String name : ESSENTIAL_PROGRAMS) {
+            script(bare.resolve(name), "exec '" + findOnPath(name) + "' \"$@\"");
+        }
+        return programs() + ":" + bare;
+    }
+
+    private static Path findOnPath(String name) {
+        return Stream.of(System.getenv("PATH").split(":", -1))
+                .map(folder -> Path.of(folder, name))
+                .filter(Files::isExecutable)
+                .findFirst()
+                .orElseThrow(() -> new IllegalStateException("the tests need the program " + name + " on PATH"));
+    }
+
+    /** How often the sandbox's Maven has run. */
+    int builds() throws IOException {
+        return Files.exists(mavenCalls()) ? Files.readAllLines(mavenCalls()).size() : 0;
+    }
+
+    private Path mavenCalls() {
+        return root.resolve("maven calls");
+    }
+
+    private Path programs() {
+        return root.resolve("programs");
+    }
+
+    private void script(Path file, String... lines) throws IOException {
+        write(file, "#!/bin/sh\n" + String.join("\n", lines) + "\n");
+        if (!file.toFile().setExecutable(true)) {
+            throw new IOException("cannot make executable: " + file);
+        }
+    }
+
+    private void write(Path file, String text) throws IOException {
+        Files.createDirectories(file.getParent());
+        Files.writeString(file, text);
+    }
+}

@@ -1,0 +1,194 @@
+package sunbeam.acceptance;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** The screen that the launcher gives the program, and that nothing of it stays behind. */
+class LauncherScreenTest {
+    private static final int NO_SCREEN = 5;
+    private static final Duration PATIENCE = Duration.ofSeconds(60);
+
+    @TempDir
+    Path folder;
+
+    private LauncherSandbox sandbox;
+
+    @BeforeEach
+    void layOut() throws IOException {
+        sandbox = LauncherSandbox.in(folder);
+    }
+
+    @Test
+    void aPrivateScreenEndsWithTheProgram() throws Exception {
+        Path signal = folder.resolve("end now");
+        sandbox.installJava("jdk", "17.0.1", "until [ -e '" + signal + "' ]; do sleep 0.05; done; exit 3");
+
+        try (RunningSunbeam running = sandbox.command("brdf-map").start()) {
+            Screen screen = Screen.of(running);
+            assertThat(screen.isUp()).isTrue();
+            Files.createFile(signal);
+
+            assertThat(running.end(PATIENCE).exitCode()).isEqualTo(3);
+            screen.assertGone();
+        }
+    }
+
+    @ParameterizedTest
+    @CsvSource({"INT, 130", "TERM, 143", "KILL, 137"})
+    void aPrivateScreenEndsWhenTheProgramIsKilled(String signal, int exitCode) throws Exception {
+        sandbox.installJava("jdk", "17.0.1", "exec sleep 60");
+
+        try (RunningSunbeam running = sandbox.command("brdf-map").start()) {
+            Screen screen = Screen.of(running);
+            assertThat(screen.isUp()).isTrue();
+            running.signal(signal);
+
+            assertThat(running.end(PATIENCE).exitCode()).isEqualTo(exitCode);
+            screen.assertGone();
+        }
+    }
+
+    @Test
+    void aPrivateScreenEndsWhenItsKeeperIsKilled() throws Exception {
+        sandbox.installJava("jdk", "17.0.1", "exec sleep 60");
+
+        try (RunningSunbeam running = sandbox.command("brdf-map").start()) {
+            Screen screen = Screen.of(running);
+            ProcessHandle keeper = screen.server().parent().orElseThrow();
+            assertThat(keeper).isNotEqualTo(running.process());
+            assertThat(keeper.destroyForcibly()).isTrue();
+
+            screen.assertGone();
+        }
+    }
+
+    @Test
+    void twoProgramsHaveAScreenEach() throws Exception {
+        sandbox.installJava("jdk", "17.0.1", "exec sleep 60");
+
+        try (RunningSunbeam one = sandbox.command("brdf-map").start();
+                RunningSunbeam other = sandbox.command("brdf-map").start()) {
+            assertThat(Screen.of(one)).isNotEqualTo(Screen.of(other));
+        }
+    }
+
+    @Test
+    void aScreenThatIsThereIsUsed() throws Exception {
+        SunbeamResult result =
+                sandbox.command("brdf-map").with("DISPLAY", ":9876").run();
+
+        assertThat(result.stdout()).as("%s", result).startsWith("screen :9876\n");
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "",
+                "help",
+                "--help",
+                "-h",
+                "--version",
+                "precompute",
+                "mesh",
+                "inspect",
+                "brdf-map --help",
+                "view -h"
+            })
+    void whatDrawsNothingGetsNoScreen(String commandLine) throws Exception {
+        String[] arguments = commandLine.isEmpty() ? new String[0] : commandLine.split(" ", -1);
+
+        SunbeamResult result = sandbox.command(arguments).run();
+
+        assertThat(result.exitCode()).as("%s", result).isZero();
+        assertThat(result.stdout()).as("%s", result).startsWith("screen none");
+    }
+
+    @Test
+    void theViewerWithoutAScreenSaysThatItNeedsOne() throws Exception {
+        SunbeamResult result = sandbox.command("view", "--patch", "blaze").run();
+
+        assertThat(result.exitCode()).isEqualTo(NO_SCREEN);
+        assertThat(result.stdout()).isEmpty();
+        assertThat(result.stderr())
+                .startsWith("sunbeam: the viewer needs a screen")
+                .contains("DISPLAY")
+                .hasLineCount(1);
+    }
+
+    @Test
+    void withoutScreenAndXvfbItSaysWhatToInstall() throws Exception {
+        sandbox.command("inspect").run();
+
+        SunbeamResult result = sandbox.command("brdf-map")
+                .with("PATH", sandbox.pathOfABareMachine())
+                .run();
+
+        assertThat(result.exitCode()).as("%s", result).isEqualTo(NO_SCREEN);
+        assertThat(result.stdout()).isEmpty();
+        assertThat(result.stderr())
+                .startsWith("sunbeam: missing: xvfb (Xvfb, a screen in memory")
+                .contains("apt-get install --no-install-recommends xvfb")
+                .hasLineCount(1);
+    }
+
+    @Test
+    void anXvfbThatDoesNotStartIsNamedWithItsOwnWords() throws Exception {
+        sandbox.command("inspect").run();
+        sandbox.installProgram("Xvfb", "echo 'Fatal server error: no memory' >&2", "exit 1");
+
+        SunbeamResult result = sandbox.command("brdf-map").run();
+
+        assertThat(result.exitCode()).as("%s", result).isEqualTo(NO_SCREEN);
+        assertThat(result.stdout()).isEmpty();
+        assertThat(result.stderr())
+                .startsWith("sunbeam: Xvfb did not start (Fatal server error: no memory)")
+                .hasLineCount(1);
+    }
+
+    /** A private X display and its server's process. */
+    private record Screen(int display, ProcessHandle server) {
+        /** The screen that the sandbox's Java, once it runs, says it has, and the X server among its descendants. */
+        static Screen of(RunningSunbeam running) throws IOException, InterruptedException {
+            String line = running.firstLine(PATIENCE);
+            assertThat(line).startsWith("screen :");
+            return new Screen(
+                    Integer.parseInt(line.substring("screen :".length())),
+                    running.process()
+                            .descendants()
+                            .filter(Screen::isServer)
+                            .findFirst()
+                            .orElseThrow());
+        }
+
+        private static boolean isServer(ProcessHandle process) {
+            return process.info().command().orElse("").endsWith("/Xvfb");
+        }
+
+        boolean isUp() {
+            return server.isAlive() && Files.exists(socket());
+        }
+
+        /** Fails unless the server's process and its socket both disappear soon. */
+        void assertGone() throws InterruptedException {
+            long deadline = System.nanoTime() + PATIENCE.toNanos();
+            while (server.isAlive() || Files.exists(socket())) {
+                assertThat(System.nanoTime()).as("the end of %s", this).isLessThan(deadline);
+                Thread.sleep(20);
+            }
+        }
+
+        private Path socket() {
+            return Path.of("/tmp/.X11-unix/X" + display);
+        }
+    }
+}

@@ -1,0 +1,106 @@
+package sunbeam.acceptance;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** How the launcher hands the command line to the program. */
+class LauncherStartTest {
+    @TempDir
+    Path folder;
+
+    private LauncherSandbox sandbox;
+
+    @BeforeEach
+    void layOut() throws IOException {
+        sandbox = LauncherSandbox.in(folder);
+    }
+
+    @Test
+    void theRealProgramAnswersHelpWithoutBuilding() throws Exception {
+        SunbeamResult result =
+                Sunbeam.command("--help").without("DISPLAY").in(folder).run();
+
+        assertThat(result.exitCode()).as("%s", result).isZero();
+        assertThat(result.stderr()).as("%s", result).isEmpty();
+    }
+
+    @Test
+    void argumentsAndWorkingFolderReachTheProgramUnchanged() throws Exception {
+        Path elsewhere = Files.createDirectories(folder.resolve("some where"));
+
+        SunbeamResult result = sandbox.command("inspect", "a b", "", "*.png", "../up")
+                .in(elsewhere)
+                .run();
+
+        assertThat(result.exitCode()).as("%s", result).isZero();
+        assertThat(result.stdout().lines().skip(1))
+                .startsWith(elsewhere.toRealPath().toString())
+                .endsWith("sunbeam.app.Main", "inspect", "a b", "", "*.png", "../up");
+    }
+
+    @Test
+    void findsItsRepositoryThroughASymbolicLinkAndBlanks() throws Exception {
+        Path link = folder.resolve("sunbeam link");
+        Files.createSymbolicLink(link, sandbox.launcher());
+
+        SunbeamResult result = sandbox.equip(Sunbeam.launcher(link, "inspect")).run();
+
+        Path repository = sandbox.repository().toRealPath();
+        assertThat(result.exitCode()).as("%s", result).isZero();
+        assertThat(result.stdout().lines())
+                .contains("-Dsunbeam.home=" + repository)
+                .contains(repository + "/app/target/*:" + repository + "/app/target/lib/*");
+    }
+
+    @Test
+    void endsWithTheProgramsOwnExitCode() throws Exception {
+        sandbox.installJava("jdk", "17.0.1", "exit 3");
+
+        assertThat(sandbox.command("inspect").run().exitCode()).isEqualTo(3);
+    }
+
+    @Test
+    void theUsersJavaOptionsComeAfterTheDefaultsAndSoWin() throws Exception {
+        SunbeamResult result = sandbox.command("inspect")
+                .with("SUNBEAM_JAVA_OPTIONS", "-Xmx3g -Dcolour=red")
+                .run();
+
+        assertThat(result.stdout().lines()).containsSubsequence("-XX:MaxRAMPercentage=50", "-Xmx3g", "-Dcolour=red");
+    }
+
+    @Test
+    void aLocaleWithoutUnicodeIsReplacedSinceJavaTakesFileNamesInIt() throws Exception {
+        sandbox.installJava("jdk", "17.0.1", "echo \"locale $LC_ALL\"");
+
+        SunbeamResult plain = sandbox.command("inspect")
+                .without("LC_ALL")
+                .without("LC_CTYPE")
+                .with("LANG", "C")
+                .run();
+        SunbeamResult unicode =
+                sandbox.command("inspect").with("LC_ALL", "en_GB.UTF-8").run();
+
+        assertThat(plain.stdout().lines()).endsWith("locale C.UTF-8");
+        assertThat(unicode.stdout().lines()).endsWith("locale en_GB.UTF-8");
+    }
+
+    @Test
+    void passesOverAJavaThatIsTooOld() throws Exception {
+        sandbox.installJava("old jdk", "11.0.2", "exit 11");
+        sandbox.installJava("jdk", "17.0.1", "exit 17");
+        String path = folder.resolve("jdk/bin") + ":" + folder.resolve("programs") + ":" + System.getenv("PATH");
+
+        SunbeamResult result = sandbox.command("inspect")
+                .with("JAVA_HOME", folder.resolve("old jdk").toString())
+                .with("PATH", path)
+                .run();
+
+        assertThat(result.exitCode()).as("%s", result).isEqualTo(17);
+    }
+}

@@ -1,0 +1,100 @@
+package sunbeam.acceptance;
+
+import static java.nio.charset.StandardCharsets.UTF_8;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.concurrent.TimeUnit;
+
+/** A started launcher with its output caught in files. Closing it kills what still runs and removes the files. */
+public final class RunningSunbeam implements AutoCloseable {
+    private final String commandLine;
+    private final Process process;
+    private final Path stdout;
+    private final Path stderr;
+
+    private RunningSunbeam(String commandLine, Process process, Path stdout, Path stderr) {
+        this.commandLine = commandLine;
+        this.process = process;
+        this.stdout = stdout;
+        this.stderr = stderr;
+    }
+
+    /** Starts the process with empty standard input. */
+    static RunningSunbeam start(ProcessBuilder builder) throws IOException {
+        Path stdout = Files.createTempFile("sunbeam", ".stdout");
+        Path stderr = Files.createTempFile("sunbeam", ".stderr");
+        builder.redirectInput(Path.of("/dev/null").toFile());
+        builder.redirectOutput(stdout.toFile());
+        builder.redirectError(stderr.toFile());
+        return new RunningSunbeam(String.join(" ", builder.command()), builder.start(), stdout, stderr);
+    }
+
+    /** The launcher's process; it becomes the program's, since the launcher hands itself over. */
+    public ProcessHandle process() {
+        return process.toHandle();
+    }
+
+    /** Sends a signal (by the shell's own kill: a bare machine has no program of that name), for instance {@code INT}. */
+    public void signal(String name) throws IOException, InterruptedException {
+        int status = new ProcessBuilder("sh", "-c", "kill -" + name + " " + process.pid())
+                .start()
+                .waitFor();
+        if (status != 0) {
+            throw new AssertionError("kill -" + name + " failed with " + status);
+        }
+    }
+
+    /**
+     * Waits until standard output has its first whole line, and returns it.
+     *
+     * @throws AssertionError if the program ends first or the time runs out
+     */
+    public String firstLine(Duration limit) throws IOException, InterruptedException {
+        long deadline = System.nanoTime() + limit.toNanos();
+        while (System.nanoTime() < deadline) {
+            boolean running = process.isAlive();
+            String text = text(stdout);
+            int end = text.indexOf('\n');
+            if (end >= 0) {
+                return text.substring(0, end);
+            }
+            if (!running) {
+                throw new AssertionError("it ended before it wrote a line\n" + end(Duration.ZERO));
+            }
+            Thread.sleep(20);
+        }
+        throw new AssertionError("no line within " + limit + " from " + commandLine);
+    }
+
+    /**
+     * Waits for the end.
+     *
+     * @throws AssertionError if the time runs out; the program is killed then
+     */
+    public SunbeamResult end(Duration limit) throws IOException, InterruptedException {
+        boolean ended = process.waitFor(limit.toMillis(), TimeUnit.MILLISECONDS);
+        if (!ended) {
+            process.destroyForcibly().waitFor();
+        }
+        SunbeamResult result = new SunbeamResult(commandLine, process.exitValue(), text(stdout), text(stderr));
+        if (!ended) {
+            throw new AssertionError("still running after " + limit + ", killed: " + result);
+        }
+        return result;
+    }
+
+    // Unlike Files.readString, content with the odd byte wrong: a test's failure must show it all.
+    private static String text(Path file) throws IOException {
+        return new String(Files.readAllBytes(file), UTF_8);
+    }
+
+    @Override
+    public void close() throws IOException {
+        process.destroyForcibly();
+        Files.deleteIfExists(stdout);
+        Files.deleteIfExists(stderr);
+    }
+}

@@ -1,0 +1,111 @@
+package sunbeam.acceptance;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+
+/**
+ * One start of the launcher, described step by step and then run:
+ *
+ * <pre>{@code
+ * SunbeamResult result = Sunbeam.command("brdf-map", "--size", "64").in(folder).run();
+ * }</pre>
+ *
+ * <p>The program sees this process's environment, save for what {@link #with} and {@link #without} change; standard
+ * input is empty. The launcher neither installs nor builds: Maven has just packaged what is tested.
+ */
+public final class Sunbeam {
+    private static final Duration PATIENCE = Duration.ofMinutes(2);
+
+    private final List<String> commandLine;
+    private final Map<String, String> environment = new HashMap<>();
+    private final List<String> removed = new ArrayList<>();
+    private Path folder = repository();
+    private Duration patience = PATIENCE;
+
+    private Sunbeam(Path launcher, String... arguments) {
+        commandLine = new ArrayList<>(List.of(launcher.toString()));
+        commandLine.addAll(List.of(arguments));
+        with("SUNBEAM_NO_INSTALL", "1").with("SUNBEAM_NO_BUILD", "1");
+    }
+
+    /** This repository's launcher with the given arguments. */
+    public static Sunbeam command(String... arguments) {
+        return launcher(repository().resolve("sunbeam"), arguments);
+    }
+
+    /** Another copy of the launcher with the given arguments. */
+    public static Sunbeam launcher(Path launcher, String... arguments) {
+        return new Sunbeam(launcher, arguments);
+    }
+
+    /**
+     * The repository's top folder, the one that holds the launcher.
+     *
+     * @throws IllegalStateException if the tests run outside the repository
+     */
+    public static Path repository() {
+        Path start = Path.of("").toAbsolutePath();
+        for (Path folder = start; folder != null; folder = folder.getParent()) {
+            if (Files.isExecutable(folder.resolve("sunbeam")) && Files.exists(folder.resolve("pom.xml"))) {
+                return folder;
+            }
+        }
+        throw new IllegalStateException("no launcher in " + start + " nor above: run the tests inside the repository");
+    }
+
+    /** Starts it in this folder, which relative paths refer to; without it, in the repository's top folder. */
+    public Sunbeam in(Path workingFolder) {
+        folder = workingFolder;
+        return this;
+    }
+
+    /** Sets an environment variable. */
+    public Sunbeam with(String variable, String value) {
+        environment.put(variable, value);
+        removed.remove(variable);
+        return this;
+    }
+
+    /** Removes an environment variable. */
+    public Sunbeam without(String variable) {
+        environment.remove(variable);
+        removed.add(variable);
+        return this;
+    }
+
+    /** Fails the test if the program takes longer; two minutes unless set. */
+    public Sunbeam within(Duration limit) {
+        patience = limit;
+        return this;
+    }
+
+    /**
+     * Runs it to its end.
+     *
+     * @throws AssertionError if it does not end in time; it is killed then
+     * @throws IOException if it cannot be started
+     */
+    public SunbeamResult run() throws IOException, InterruptedException {
+        try (RunningSunbeam running = start()) {
+            return running.end(patience);
+        }
+    }
+
+    /**
+     * Starts it and returns at once. The caller closes what it gets.
+     *
+     * @throws IOException if it cannot be started
+     */
+    public RunningSunbeam start() throws IOException {
+        ProcessBuilder builder = new ProcessBuilder(commandLine).directory(folder.toFile());
+        builder.environment().putAll(environment);
+        builder.environment().keySet().removeAll(removed);
+        return RunningSunbeam.start(builder);
+    }
+}
