@@ -13,6 +13,7 @@ import sunbeam.app.cli.Messages;
 import sunbeam.app.cli.ShutdownHook;
 import sunbeam.app.cli.UsageException;
 import sunbeam.app.input.InputException;
+import sunbeam.app.mesh.MeshException;
 import sunbeam.app.output.OutputException;
 import sunbeam.precompute.patch.PatchException;
 import sunbeam.precompute.table.TableException;
@@ -26,6 +27,7 @@ final class Failures {
             PatchException.class, ExitCode.UNUSABLE_INPUT,
             TableException.class, ExitCode.UNUSABLE_INPUT,
             InputException.class, ExitCode.UNUSABLE_INPUT,
+            MeshException.class, ExitCode.UNUSABLE_INPUT,
             GraphicsException.class, ExitCode.NO_GRAPHICS,
             OutputException.class, ExitCode.CANNOT_WRITE,
             CancelledException.class, ExitCode.INTERRUPTED,

@@ -1,11 +1,12 @@
 package sunbeam.app.mesh;
 
-import java.io.BufferedWriter;
 import java.io.IOException;
+import java.io.OutputStreamWriter;
 import java.io.Writer;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
+import sunbeam.app.output.AtomicFile;
+import sunbeam.app.output.Overwrite;
 
 /**
  * Writes meshes as Wavefront OBJ: positions, texture coordinates and normals, each as the shortest decimal that reads
@@ -16,17 +17,16 @@ public final class MeshWriter {
     private MeshWriter() {}
 
     /**
-     * Writes a file; one that is there is replaced.
+     * Writes a file, whole or not at all.
      *
-     * @throws MeshException if it cannot be written
+     * @throws sunbeam.app.output.OutputException when the file cannot be written
      */
-    public static void write(Mesh mesh, Path file) {
-        try (BufferedWriter writer = Files.newBufferedWriter(file, StandardCharsets.US_ASCII)) {
+    public static void write(Path target, Overwrite overwrite, Mesh mesh) {
+        AtomicFile.write(target, overwrite, stream -> {
+            Writer writer = new OutputStreamWriter(stream, StandardCharsets.US_ASCII);
             write(mesh, writer);
-        } catch (IOException failure) {
-            throw new MeshException(
-                    file + " cannot be written: " + failure.getMessage() + "; check the folder and its space", failure);
-        }
+            writer.flush();
+        });
     }
 
     /** Writes the text; the writer stays open. */
