@@ -1,6 +1,7 @@
 package sunbeam.app.mesh;
 
-/** A smooth function through given points: monotone between them (Fritsch and Carlson 1980), constant beyond. */
+/** A smooth function through given points: monotone between them (Fritsch and Butland 1984), level at both
+ * ends and constant beyond. */
 final class Curve {
     private final double[] x;
     private final double[] y;

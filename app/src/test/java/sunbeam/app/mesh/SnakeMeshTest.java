@@ -14,7 +14,7 @@ class SnakeMeshTest {
 
     @Test
     void itIsAsLargeAsTheThesissScan() {
-        // Thesis section 5.3: 11,696 vertices, 23,376 faces; "about".
+        // About 11,700 vertices and 23,000 triangles: within 1 % and 2 %.
         assertThat(SNAKE.vertices()).isBetween(11_600, 11_800);
         assertThat(SNAKE.triangles()).isBetween(22_500, 23_500);
     }
