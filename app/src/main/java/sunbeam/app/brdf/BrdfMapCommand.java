@@ -18,6 +18,7 @@ import sunbeam.app.cli.Numbers;
 import sunbeam.app.cli.UsageException;
 import sunbeam.app.gpu.DiffractionMethod;
 import sunbeam.app.gpu.FullMethod;
+import sunbeam.app.gpu.MethodUse;
 import sunbeam.app.output.AtomicFile;
 import sunbeam.app.output.DefaultName;
 import sunbeam.app.output.ForceOption;
@@ -35,6 +36,7 @@ import sunbeam.app.setup.PatchOptions;
 import sunbeam.app.setup.PlanOptions;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.plan.Plan;
+import sunbeam.precompute.plan.PlanReport;
 import sunbeam.precompute.plan.VisibleRange;
 
 /** {@code sunbeam brdf-map}: from a height map to the picture of its BRDF. */
@@ -114,19 +116,21 @@ public final class BrdfMapCommand implements Callable<Integer> {
             AtomicFile.checkWritable(linear, overwrite);
         }
         Plan plan = setup.plan(planOptions.request(), VisibleRange.of(wi));
+        PrintWriter out = specification.commandLine().getOut();
+        planOptions.print(plan, out);
         try (RenderContext context = RenderContexts.offscreen();
-                DiffractionMethod method = new FullMethod(context, plan, setup.table(plan));
+                DiffractionMethod method =
+                        FullMethod.create(context, plan, setup.table(plan), MethodUse.COLOUR, setup.cie());
                 BrdfMapRenderer renderer = new BrdfMapRenderer(context, method, size);
                 DisplayPass display = new DisplayPass(context)) {
             LinearPicture map = render(renderer, wi);
             double factor = fixedExposure > 0 ? fixedExposure : AutoExposure.of(map, specular(wi, plan));
-            Map<String, String> text = describe(setup, factor, context);
+            Map<String, String> text = describe(setup, plan, factor, context);
             PngWriter.write(picture, overwrite, SrgbImage.fromEncoded(size, size, display.srgb(map, factor)), text);
             if (linear != null) {
                 NpyWriter.write(linear, overwrite, map.xyz(), size, size, 3);
             }
         }
-        PrintWriter out = specification.commandLine().getOut();
         out.println(picture);
         if (linear != null) {
             out.println(linear);
@@ -162,13 +166,14 @@ public final class BrdfMapCommand implements Callable<Integer> {
         };
     }
 
-    private Map<String, String> describe(DiffractionSetup setup, double factor, RenderContext context) {
+    private Map<String, String> describe(DiffractionSetup setup, Plan plan, double factor, RenderContext context) {
         Map<String, String> text = new LinkedHashMap<>();
         text.put("Title", "BRDF map of " + setup.patch().name());
         text.put("Patch", setup.patch().source());
         text.put("Light", light.describe());
         text.put("Method", "full");
-        text.put("Plan", planOptions.describe());
+        text.put("Options", planOptions.describe());
+        text.put("Plan", new PlanReport(plan).summary());
         text.put("Exposure", Double.toString(factor));
         text.put("Renderer", context.info().renderer());
         return text;

@@ -1,5 +1,6 @@
 package sunbeam.app.directions;
 
+import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -76,11 +77,12 @@ public final class ReflectanceCommand implements Callable<Integer> {
         AtomicFile.checkWritable(output, force.overwrite());
         DiffractionSetup setup = new DiffractionSetup(
                 patchOptions, environment, specification.commandLine().getErr());
+        PrintWriter out = specification.commandLine().getOut();
         List<double[]> results = method == Method.REFERENCE
                 ? new ReferenceDirections(setup, request).evaluate(list)
-                : new GpuDirections(setup, request).evaluate(list);
+                : new GpuDirections(setup, request, plan -> planOptions.print(plan, out)).evaluate(list);
         write(list, results);
-        specification.commandLine().getOut().println(output);
+        out.println(output);
         return ExitCode.OK.code();
     }
 
@@ -88,14 +90,15 @@ public final class ReflectanceCommand implements Callable<Integer> {
         List<String> header = new ArrayList<>(list.columns());
         header.addAll(list.spectral() ? SPECTRAL_RESULTS : COLOUR_RESULTS);
         AtomicFile.write(output, force.overwrite(), stream -> {
-            CsvWriter writer = new CsvWriter(stream, header);
-            for (int row = 0; row < list.size(); row++) {
-                double[] given = list.row(row);
-                double[] computed = results.get(row);
-                double[] cells = new double[given.length + computed.length];
-                System.arraycopy(given, 0, cells, 0, given.length);
-                System.arraycopy(computed, 0, cells, given.length, computed.length);
-                writer.row(cells);
+            try (CsvWriter writer = new CsvWriter(stream, header)) {
+                for (int row = 0; row < list.size(); row++) {
+                    double[] given = list.row(row);
+                    double[] computed = results.get(row);
+                    double[] cells = new double[given.length + computed.length];
+                    System.arraycopy(given, 0, cells, 0, given.length);
+                    System.arraycopy(computed, 0, cells, given.length, computed.length);
+                    writer.row(cells);
+                }
             }
         });
     }

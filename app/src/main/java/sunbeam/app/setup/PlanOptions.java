@@ -1,5 +1,6 @@
 package sunbeam.app.setup;
 
+import java.io.PrintWriter;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -11,7 +12,10 @@ import sunbeam.precompute.expansion.ExpansionKind;
 import sunbeam.precompute.optics.WindowOrigin;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.Neighbourhood;
+import sunbeam.precompute.plan.Plan;
+import sunbeam.precompute.plan.PlanReport;
 import sunbeam.precompute.plan.PlanRequest;
+import sunbeam.precompute.plan.Tolerances;
 import sunbeam.precompute.units.Lengths;
 
 /** What a user may fix of the plan; to be used as a picocli mixin. */
@@ -25,6 +29,14 @@ public final class PlanOptions {
                     "thesis: 37 Taylor terms, 380..780 nm in steps of 5 nm, 3 x 3 bins anchored with floor, window"
                             + " on the corner. Options below override it one by one.")
     private Preset preset;
+
+    @Option(
+            names = "--tolerance",
+            paramLabel = "ERROR",
+            defaultValue = "1e-3",
+            description = "Relative error of power and colour that the plan is made for, 1e-5 to 1. Default:"
+                    + " ${DEFAULT-VALUE}. Options below override parts of the plan.")
+    private double tolerance;
 
     @Option(
             names = "--expansion",
@@ -72,6 +84,9 @@ public final class PlanOptions {
                     + " positions of the window.")
     private Average average;
 
+    @Option(names = "--explain", description = "Say why each part of the plan is as it is.")
+    private boolean explain;
+
     /** Names of presets. */
     private enum Preset {
         THESIS
@@ -83,12 +98,14 @@ public final class PlanOptions {
      * @throws UsageException for a value that cannot be used
      */
     public PlanRequest request() {
+        checkTolerance();
         checkRange("--terms", terms, 1, MOST_TERMS);
         checkRange("--radius", radius, 0, Neighbourhood.MAXIMUM_RADIUS);
         checkLength("--wavelength-step", wavelengthStep, 1e-12, 200e-9);
         checkLength("--coherence-length", coherenceLength, 100e-9, 10e-3);
         return new PlanRequest(
                 preset == Preset.THESIS ? PlanRequest.Preset.THESIS : PlanRequest.Preset.NONE,
+                tolerance,
                 Optional.ofNullable(expansion),
                 terms == null ? OptionalInt.empty() : OptionalInt.of(terms),
                 radius == null ? OptionalInt.empty() : OptionalInt.of(radius),
@@ -99,9 +116,19 @@ public final class PlanOptions {
                 Optional.ofNullable(average));
     }
 
+    /** Prints the plan, with reasons where they are asked for. */
+    public void print(Plan plan, PrintWriter out) {
+        PlanReport report = new PlanReport(plan);
+        out.println("plan: " + report.summary());
+        if (explain) {
+            report.reasons().forEach(line -> out.println("  " + line));
+        }
+        out.flush();
+    }
+
     /** The options that were given, for metadata. */
     public String describe() {
-        StringBuilder text = new StringBuilder(preset == null ? "planned" : "preset thesis");
+        StringBuilder text = new StringBuilder(preset == null ? "tolerance " + tolerance : "preset thesis");
         append(text, "expansion", expansion);
         append(text, "terms", terms);
         append(text, "radius", radius);
@@ -116,6 +143,17 @@ public final class PlanOptions {
     private static void append(StringBuilder text, String name, Object value) {
         if (value != null) {
             text.append(", ").append(name).append(' ').append(value.toString().toLowerCase(Locale.ROOT));
+        }
+    }
+
+    private void checkTolerance() {
+        if (!(tolerance > 0 && tolerance <= Tolerances.COARSEST)) {
+            throw new UsageException("--tolerance " + tolerance + " is out of range; give " + Tolerances.FINEST + " to "
+                    + Tolerances.COARSEST);
+        }
+        if (tolerance < Tolerances.FINEST) {
+            throw new UsageException("--tolerance " + tolerance + " is finer than float32 can reach; give "
+                    + Tolerances.FINEST + " or more, or evaluate directions with 'reflectance --method reference'");
         }
     }
 

@@ -1,5 +1,6 @@
 package sunbeam.precompute.expansion;
 
+import java.util.function.DoubleFunction;
 import java.util.stream.IntStream;
 
 /**
@@ -19,13 +20,17 @@ public record CoefficientTable(double minimumPhase, double maximumPhase, float[]
 
     /** Samples all coefficients of an expansion over its phases. */
     public static CoefficientTable sampled(Expansion expansion) {
-        double low = expansion.minimumPhase();
-        double high = expansion.maximumPhase();
+        return sampled(expansion.minimumPhase(), expansion.maximumPhase(), expansion.terms(), expansion::coefficients);
+    }
+
+    /** Samples functions of the phase. */
+    public static CoefficientTable sampled(
+            double low, double high, int terms, DoubleFunction<double[]> coefficientsAt) {
         int samples = (int) Math.min(MOST, Math.max(FEWEST, Math.ceil((high - low) / STEP)));
-        float[][] values = new float[expansion.terms()][samples];
+        float[][] values = new float[terms][samples];
         IntStream.range(0, samples).parallel().forEach(i -> {
-            double[] coefficients = expansion.coefficients(low + (high - low) * i / (samples - 1));
-            for (int n = 0; n < coefficients.length; n++) {
+            double[] coefficients = coefficientsAt.apply(low + (high - low) * i / (samples - 1));
+            for (int n = 0; n < terms; n++) {
                 values[n][i] = (float) coefficients[n];
             }
         });

@@ -1,6 +1,5 @@
 package sunbeam.precompute.plan;
 
-import sunbeam.precompute.color.WavelengthNodes;
 import sunbeam.precompute.expansion.Expansion;
 import sunbeam.precompute.fourier.Band;
 import sunbeam.precompute.optics.CoherenceWindow;
@@ -9,21 +8,23 @@ import sunbeam.precompute.optics.WindowOrigin;
 /**
  * Everything that method {@code full} needs to know beside the patch.
  *
+ * @param tolerance relative error that each part was chosen for; NaN where a preset chose
+ * @param range directions that can occur
  * @param expansion of exp(i k w h), with its number of terms
  * @param bandX bins along x that are computed and stored
  * @param bandY bins along y that are computed and stored
  * @param window the coherence window
  * @param origin the sample under its maximum
- * @param neighbourhood the bins that are summed
  * @param average which power
- * @param wavelengths nodes and weights
+ * @param sampling how the windowed spectrum is read off the bins, and at which wavelengths
  */
 public record Plan(
+        double tolerance,
+        VisibleRange range,
         Expansion expansion,
         Band bandX,
         Band bandY,
         CoherenceWindow window,
         WindowOrigin origin,
-        Neighbourhood neighbourhood,
         Average average,
-        WavelengthNodes wavelengths) {}
+        Sampling sampling) {}

@@ -11,6 +11,7 @@ import sunbeam.precompute.optics.WindowOrigin;
  * What a user fixes of a {@link Plan}; the planner chooses the rest.
  *
  * @param preset whether the thesis's choices stand in for what is not fixed
+ * @param tolerance relative error that what is not fixed is chosen for
  * @param expansion kind of expansion
  * @param terms number of its terms
  * @param radius of the neighbourhood of bins
@@ -22,6 +23,7 @@ import sunbeam.precompute.optics.WindowOrigin;
  */
 public record PlanRequest(
         Preset preset,
+        double tolerance,
         Optional<ExpansionKind> expansion,
         OptionalInt terms,
         OptionalInt radius,
@@ -43,6 +45,7 @@ public record PlanRequest(
     public static PlanRequest of(Preset preset) {
         return new PlanRequest(
                 preset,
+                Tolerances.STANDARD,
                 Optional.empty(),
                 OptionalInt.empty(),
                 OptionalInt.empty(),
@@ -53,6 +56,16 @@ public record PlanRequest(
                 Optional.empty());
     }
 
+    /** Whether the thesis's choices stand in for what is not fixed. */
+    public boolean isThesis() {
+        return preset == Preset.THESIS;
+    }
+
+    /** Whether a choice is made that only a sum over DFT bins at fixed wavelengths has. */
+    public boolean fixesBins() {
+        return radius.isPresent() || anchor.isPresent() || wavelengthStep.isPresent();
+    }
+
     /** The window, sunlight's unless asked otherwise. */
     public CoherenceWindow window() {
         return CoherenceWindow.ofCoherenceLength(coherenceLength.orElse(CoherenceWindow.SUNLIGHT_COHERENCE_LENGTH));
@@ -60,6 +73,6 @@ public record PlanRequest(
 
     /** The window's place: the patch's centre unless the thesis is asked for. */
     public WindowOrigin windowOrigin() {
-        return origin.orElse(preset == Preset.THESIS ? WindowOrigin.CORNER : WindowOrigin.CENTRE);
+        return origin.orElse(isThesis() ? WindowOrigin.CORNER : WindowOrigin.CENTRE);
     }
 }

@@ -15,8 +15,6 @@ import sunbeam.precompute.patch.HeightMap;
 public final class Planner {
     private static final int THESIS_TERMS = 37;
     private static final double THESIS_WAVELENGTH_STEP = 5e-9;
-    // Error of the expansion where its terms are not fixed.
-    private static final double EXPANSION_TOLERANCE = 1e-5;
 
     private final HeightMap map;
     private final HeightLevels heights;
@@ -30,26 +28,53 @@ public final class Planner {
 
     /** The plan. */
     public Plan plan(PlanRequest request, VisibleRange range) {
-        boolean thesis = request.preset() == PlanRequest.Preset.THESIS;
-        Neighbourhood neighbourhood = new Neighbourhood(
-                request.radius().orElse(thesis ? 1 : 3),
-                request.anchor().orElse(thesis ? Neighbourhood.Anchor.FLOOR : Neighbourhood.Anchor.NEAREST));
-        // One more bin, because float32 may round a frequency into the next one.
-        int margin = neighbourhood.radius() + 1;
+        Tolerances tolerances = new Tolerances(request.tolerance());
+        Sampling sampling = sampling(request, range, tolerances);
         return new Plan(
-                expansion(request, range),
-                range.bandX(map.width(), margin),
-                range.bandY(map.height(), margin),
+                request.isThesis() ? Double.NaN : tolerances.value(),
+                range,
+                expansion(request, range, tolerances),
+                range.bandX(map.width(), margin(sampling, request, map.width())),
+                range.bandY(map.height(), margin(sampling, request, map.height())),
                 request.window(),
                 request.windowOrigin(),
-                neighbourhood,
                 request.average().orElse(Average.COHERENT),
-                WavelengthNodes.uniform(cie, request.wavelengthStep().orElse(THESIS_WAVELENGTH_STEP)));
+                sampling);
     }
 
-    private Expansion expansion(PlanRequest request, VisibleRange range) {
-        boolean thesis = request.preset() == PlanRequest.Preset.THESIS;
-        ExpansionKind kind = request.expansion().orElse(thesis ? ExpansionKind.TAYLOR : ExpansionKind.CHEBYSHEV);
+    private Sampling sampling(PlanRequest request, VisibleRange range, Tolerances tolerances) {
+        if (request.isThesis() || request.fixesBins()) {
+            return bins(request, tolerances);
+        }
+        SamplingPlanner planner = new SamplingPlanner(map, heights, request.window(), range, tolerances);
+        return planner.choose();
+    }
+
+    private Sampling bins(PlanRequest request, Tolerances tolerances) {
+        boolean thesis = request.isThesis();
+        double sigmaBins = request.window().sigmaFrequency() * Math.max(map.width(), map.height());
+        int radius = request.radius()
+                .orElseGet(() -> thesis ? 1 : SamplingPlanner.neighbourhoodRadius(sigmaBins, tolerances));
+        Neighbourhood.Anchor anchor =
+                request.anchor().orElse(thesis ? Neighbourhood.Anchor.FLOOR : Neighbourhood.Anchor.NEAREST);
+        double step = request.wavelengthStep().orElse(thesis ? THESIS_WAVELENGTH_STEP : 1e-9);
+        return new Sampling.Bins(new Neighbourhood(radius, anchor), WavelengthNodes.uniform(cie, step));
+    }
+
+    /** Bins beyond the visible ones that the window brings into view. */
+    private static int margin(Sampling sampling, PlanRequest request, double period) {
+        // One more bin, because float32 may round a frequency into the next one.
+        if (sampling instanceof Sampling.Bins bins) {
+            return bins.neighbourhood().radius() + 1;
+        }
+        return sampling instanceof Sampling.Grid
+                ? (int) Math.ceil(SamplingPlanner.GAUSS_REACH * request.window().sigmaFrequency() * period) + 1
+                : 1;
+    }
+
+    private Expansion expansion(PlanRequest request, VisibleRange range, Tolerances tolerances) {
+        boolean thesis = request.isThesis();
+        ExpansionKind kind = request.expansion().orElse(thesis ? ExpansionKind.TAYLOR : ExpansionKind.LOWRANK);
         HeightScale scale = thesis ? HeightScale.mean(heights) : HeightScale.midRange(heights);
         double minimum = scale.phase(CieTable.MAXIMUM_WAVELENGTH, range.minimumW());
         double maximum = scale.phase(CieTable.MINIMUM_WAVELENGTH, range.maximumW());
@@ -61,10 +86,11 @@ public final class Planner {
                 case LOWRANK -> LowRankExpansion.ofTerms(heights, scale, minimum, maximum, terms);
             };
         }
+        double tolerance = tolerances.expansion();
         return switch (kind) {
-            case TAYLOR -> TaylorExpansion.within(scale, maximum, EXPANSION_TOLERANCE);
-            case CHEBYSHEV -> ChebyshevExpansion.within(scale, maximum, EXPANSION_TOLERANCE);
-            case LOWRANK -> LowRankExpansion.within(heights, scale, minimum, maximum, EXPANSION_TOLERANCE);
+            case TAYLOR -> TaylorExpansion.within(scale, maximum, tolerance);
+            case CHEBYSHEV -> ChebyshevExpansion.within(scale, maximum, tolerance);
+            case LOWRANK -> LowRankExpansion.within(heights, scale, minimum, maximum, tolerance);
         };
     }
 }

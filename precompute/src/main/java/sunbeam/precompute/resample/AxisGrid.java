@@ -16,6 +16,11 @@ public record AxisGrid(int first, int count, double step) {
         return new AxisGrid(first, last - first + 1, step);
     }
 
+    /** The same grid with more samples at its end. */
+    public AxisGrid extended(int newCount) {
+        return new AxisGrid(first, Math.max(count, newCount), step);
+    }
+
     public double frequency(int sample) {
         return (first + sample) * step;
     }

@@ -12,16 +12,30 @@ import sunbeam.precompute.fourier.Band;
  * @param firstBin for each sample, index into the band of the first bin within reach
  * @param weights for each sample, weights of the bins from there on
  */
-record AxisResampler(AxisGrid grid, Band band, int[] firstBin, double[][] weights) {
+public record AxisResampler(AxisGrid grid, Band band, int[] firstBin, double[][] weights) {
+
+    /** Samples for interpolation: the Gaussian with the interpolating kernel divided out. */
+    public static AxisResampler forInterpolation(AxisGrid grid, Band band, double period, InterpolationDesign design) {
+        Spread spread = design.spread();
+        return of(grid, band, period, spread::value, spread.reach());
+    }
 
     /**
-     * Tabulates the weights.
+     * Samples that are met exactly: the plain Gaussian.
      *
-     * @param period of the patch in metres; bin j has the frequency j / period
-     * @param weight as a function of the distance in grid steps
-     * @param reach distance in grid steps from which on it is zero
+     * @param sigma standard deviation of the Gaussian, cycles per metre
      */
-    static AxisResampler of(AxisGrid grid, Band band, double period, DoubleUnaryOperator weight, double reach) {
+    public static AxisResampler exact(AxisGrid grid, Band band, double period, double sigma) {
+        double deviation = sigma / grid.step();
+        return of(
+                grid,
+                band,
+                period,
+                distance -> Math.exp(-0.5 * Math.pow(distance / deviation, 2)),
+                Spread.GAUSS_REACH * deviation);
+    }
+
+    private static AxisResampler of(AxisGrid grid, Band band, double period, DoubleUnaryOperator weight, double reach) {
         int[] firstBin = new int[grid.count()];
         double[][] weights = new double[grid.count()][];
         double stepsPerBin = 1 / (period * grid.step());

@@ -3,33 +3,59 @@ package sunbeam.precompute.resample;
 /**
  * How a Gaussian of the frequency is replaced by a few taps on a grid:
  *
- * <pre>exp(-(f - f_j)^2 / (2 sigma^2)) = sum_m phi(f - m) K(m - f_j),  f in grid steps</pre>
+ * <pre>exp(-(f - f_j)^2 / (2 deviation^2)) = sum_m phi(f - m) K(m - f_j),  all in grid steps</pre>
  *
  * phi is a Kaiser-Bessel kernel that the GPU evaluates at a few grid points m around f; K, which spreads the DFT bins onto
- * the grid beforehand, is the Gaussian with phi divided out of its transform. Only aliasing is left as error, and it is
- * small because the Gaussian's transform, the coherence window, has faded where the kernel's has.
+ * the grid beforehand, is the Gaussian with phi divided out of its transform (the deconvolution of gridding: Jackson et al.
+ * 1991; Greengard and Lee 2004). Only aliasing is left as error, and it is small because the Gaussian's transform, the
+ * coherence window, has faded where the kernel's has.
  *
- * @param deviation standard deviation of the Gaussian's amplitude in grid steps
+ * @param deviation standard deviation of the Gaussian in grid steps
  * @param taps grid points that phi reaches along one axis
  * @param beta shape of phi
- * @param error relative root-mean-square error of an amplitude, from the aliases of the kernel
+ * @param error root mean square of the difference of both sides over that of the Gaussian, measured
  */
 public record InterpolationDesign(double deviation, int taps, double beta, double error) {
+    /** The most taps that a design is made for. */
+    public static final int MOST_TAPS = 8;
+
+    private static final double[] DEVIATIONS = {1.28, 1.45, 1.6, 1.75, 1.92, 2.2, 2.5};
     private static final int SPECTRUM_SAMPLES = 512;
     private static final int ALIASES = 6;
     private static final int BETA_CANDIDATES = 96;
 
+    /**
+     * The fewest taps, and then the coarsest grid, that keep an error.
+     *
+     * @throws IllegalArgumentException when no design keeps it
+     */
+    public static InterpolationDesign within(double tolerance) {
+        InterpolationDesign best = null;
+        for (int taps = 2; taps <= MOST_TAPS; taps++) {
+            for (double deviation : DEVIATIONS) {
+                InterpolationDesign design = best(deviation, taps);
+                if (design.error <= tolerance) {
+                    return design;
+                }
+                best = best == null || design.error < best.error ? design : best;
+            }
+        }
+        throw new IllegalArgumentException("interpolation reaches " + best.error + " at best, not " + tolerance);
+    }
+
     /** The best kernel of a number of taps for a Gaussian of so many grid steps. */
     public static InterpolationDesign best(double deviation, int taps) {
-        InterpolationDesign best = null;
+        double chosen = 0;
+        double least = Double.MAX_VALUE;
         for (int i = 0; i < BETA_CANDIDATES; i++) {
             double beta = taps * (1 + 2.5 * i / BETA_CANDIDATES);
             double error = aliasing(new KaiserBessel(taps, beta), deviation);
-            if (best == null || error < best.error) {
-                best = new InterpolationDesign(deviation, taps, beta, error);
+            if (error < least) {
+                least = error;
+                chosen = beta;
             }
         }
-        return best;
+        return new InterpolationDesign(deviation, taps, chosen, new Spread(deviation, taps, chosen).measuredError());
     }
 
     // Parseval over one period of the grid's spectrum: what the aliases carry, against what the Gaussian carries.
@@ -38,7 +64,7 @@ public record InterpolationDesign(double deviation, int taps, double beta, doubl
         double signal = 0;
         for (int i = 0; i <= SPECTRUM_SAMPLES; i++) {
             double frequency = 0.5 * i / SPECTRUM_SAMPLES;
-            double gauss = gaussTransform(deviation, frequency);
+            double gauss = Spread.gaussTransform(deviation, frequency);
             double own = kernel.transform(frequency);
             if (own <= 0) {
                 return Double.MAX_VALUE;
@@ -54,34 +80,13 @@ public record InterpolationDesign(double deviation, int taps, double beta, doubl
         return Math.sqrt(aliases / signal);
     }
 
-    // Up to a constant factor.
-    private static double gaussTransform(double deviation, double frequency) {
-        return Math.exp(-0.5 * Math.pow(2 * Math.PI * deviation * frequency, 2));
-    }
-
     /** phi at a distance in grid steps; 0 from taps / 2 on. */
     public double kernel(double distance) {
         return new KaiserBessel(taps, beta).value(distance);
     }
 
-    /** K at a distance in grid steps. */
-    double spread(double distance) {
-        KaiserBessel phi = new KaiserBessel(taps, beta);
-        // The Gaussian's transform is divided by the kernel's up to half a period of the grid, where it has faded.
-        int samples = 4 * SPECTRUM_SAMPLES;
-        double sum = 0;
-        for (int i = 0; i <= samples; i++) {
-            double frequency = 0.5 * i / samples;
-            double end = i == 0 || i == samples ? 0.5 : 1;
-            double value = gaussTransform(deviation, frequency) / phi.transform(frequency);
-            sum += end * value * Math.cos(2 * Math.PI * frequency * distance);
-        }
-        // Both halves of the spectrum, and the height of a Gaussian's transform.
-        return 2 * sum * 0.5 / samples * deviation * Math.sqrt(2 * Math.PI);
-    }
-
-    /** Distance in grid steps from which on K is taken as zero; what is cut is below the aliases. */
-    double spreadReach() {
-        return 6.5 * deviation + 0.5 * taps;
+    /** K, tabulated. */
+    Spread spread() {
+        return new Spread(deviation, taps, beta);
     }
 }

@@ -1,20 +1,20 @@
-package sunbeam.app.gpu;
+package sunbeam.precompute.table;
 
 import org.apache.commons.math3.complex.Complex;
 import sunbeam.precompute.fourier.Band;
+import sunbeam.precompute.fourier.ComplexVector;
 import sunbeam.precompute.optics.WindowOrigin;
-import sunbeam.precompute.table.FourierTable;
 
 /**
  * Moves the origin of a table's phases from the top left sample to the one under the window's maximum, and turns each
  * term by its constant factor.
  */
-final class WindowPhase {
+public final class WindowPhase {
     private final FourierTable table;
     private final double[][] alongX;
     private final double[][] alongY;
 
-    WindowPhase(FourierTable table, WindowOrigin origin) {
+    public WindowPhase(FourierTable table, WindowOrigin origin) {
         this.table = table;
         int columns = table.patch().columns();
         int rows = table.patch().rows();
@@ -35,22 +35,23 @@ final class WindowPhase {
         return result;
     }
 
-    /** One term with the moved origin, real and imaginary parts interleaved. */
-    float[] interleaved(int term) {
+    /** One term with the moved origin, in the table's order of bins. */
+    public ComplexVector term(int n) {
         int columns = table.bandX().count();
-        Complex turn = table.kind().turn(term);
-        float[] result = new float[2 * columns * table.bandY().count()];
-        for (int i = 0; i < result.length / 2; i++) {
+        int bins = columns * table.bandY().count();
+        Complex turn = table.kind().turn(n);
+        ComplexVector result = ComplexVector.zeros(bins);
+        for (int i = 0; i < bins; i++) {
             int column = i % columns;
             int row = i / columns;
             double cosine = alongX[0][column] * alongY[0][row] - alongX[1][column] * alongY[1][row];
             double sine = alongX[0][column] * alongY[1][row] + alongX[1][column] * alongY[0][row];
-            double a = table.real()[term][i];
-            double b = table.imaginary()[term][i];
+            double a = table.real()[n][i];
+            double b = table.imaginary()[n][i];
             double real = a * turn.getReal() - b * turn.getImaginary();
             double imaginary = a * turn.getImaginary() + b * turn.getReal();
-            result[2 * i] = (float) (real * cosine - imaginary * sine);
-            result[2 * i + 1] = (float) (real * sine + imaginary * cosine);
+            result.real()[i] = real * cosine - imaginary * sine;
+            result.imaginary()[i] = real * sine + imaginary * cosine;
         }
         return result;
     }

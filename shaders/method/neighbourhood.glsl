@@ -1,4 +1,4 @@
-// Every wavelength node, expansion terms times a Gaussian neighbourhood of DFT bins: the thesis's FLSS (algorithm 3.3).
+// Expansion terms times a Gaussian neighbourhood of DFT bins, at one wavelength (thesis algorithm 3.3).
 
 // DFT bins of the terms T_n, one layer each, (real, imaginary); texel (0, 0) is bin tableFirst.
 uniform sampler2DArray tableTerms;
@@ -74,17 +74,4 @@ float ensemblePower(vec3 uvw, float wavelength) {
         }
     }
     return power;
-}
-
-vec3 diffractedXyz(vec3 uvw) {
-    vec3 xyz = vec3(0.0);
-    for (int i = 0; i < wavelengthCount; ++i) {
-        vec4 node = texelFetch(wavelengthNodes, ivec2(i, 0), 0);
-#if AVERAGE == AVERAGE_ENSEMBLE
-        xyz += node.yzw * ensemblePower(uvw, node.x);
-#else
-        xyz += node.yzw * coherentPower(uvw, node.x);
-#endif
-    }
-    return xyz;
 }

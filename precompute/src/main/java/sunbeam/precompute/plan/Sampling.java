@@ -1,0 +1,40 @@
+package sunbeam.precompute.plan;
+
+import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.color.WavelengthNodes;
+import sunbeam.precompute.resample.InterpolationDesign;
+
+/** How the windowed spectrum is read off the DFT bins, and at which wavelengths. */
+public sealed interface Sampling {
+
+    /** Sums a neighbourhood of bins at fixed wavelengths: the thesis's way. */
+    record Bins(Neighbourhood neighbourhood, WavelengthNodes wavelengths) implements Sampling {}
+
+    /**
+     * Looks at the nearest bin only, at wavelengths placed around the middle of each order that a direction sees: for
+     * patches so small that the window resolves every order.
+     *
+     * @param halfNodes wavelengths on each side of an order's middle
+     * @param nodeSpacing their distance in standard deviations of the order's power
+     * @param specularNodes wavelengths within the specular order, which has no middle
+     */
+    record Orders(int halfNodes, double nodeSpacing, int specularNodes) implements Sampling {}
+
+    /**
+     * Interpolates spectra that were windowed and resampled beforehand. Wavelengths lie where the ray f = (u, v) / lambda
+     * crosses the columns of a grid, so that only one axis is left to interpolate.
+     *
+     * @param interpolation along that axis
+     * @param nodeStep distance of the columns, cycles per metre
+     * @param fewestNodes directions whose ray crosses fewer columns than this within the visible band, those near the
+     *     specular one, take this many equal steps of 1 / lambda and interpolate both axes
+     */
+    record Grid(InterpolationDesign interpolation, double nodeStep, int fewestNodes) implements Sampling {
+
+        /** Largest of |u|, |v| up to which both axes are interpolated. */
+        public double centreReach() {
+            double waveNumbers = 1 / CieTable.MINIMUM_WAVELENGTH - 1 / CieTable.MAXIMUM_WAVELENGTH;
+            return fewestNodes * nodeStep / waveNumbers;
+        }
+    }
+}

@@ -1,0 +1,72 @@
+package sunbeam.precompute.plan;
+
+import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.optics.CoherenceWindow;
+import sunbeam.precompute.patch.HeightLevels;
+import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.resample.InterpolationDesign;
+
+/** Chooses how the windowed spectrum is sampled: single orders where the window resolves them, a grid elsewhere. */
+final class SamplingPlanner {
+    /** Where the window's spectrum ends, in standard deviations of its amplitude: exp(-6.5^2 / 2) = 7e-10. */
+    static final double GAUSS_REACH = 6.5;
+
+    // Fewer equal steps would not resolve the colour matching functions and D65: 40 steps of 1 / lambda are 5 nm in the
+    // blue, 8 nm in the green.
+    private static final int FEWEST_NODES = 40;
+    // Steps of the wavelength per period of the interference between top and bottom of the relief.
+    private static final double NODES_PER_FRINGE = 6;
+
+    private final HeightMap map;
+    private final HeightLevels heights;
+    private final CoherenceWindow window;
+    private final VisibleRange range;
+    private final Tolerances tolerances;
+
+    SamplingPlanner(
+            HeightMap map, HeightLevels heights, CoherenceWindow window, VisibleRange range, Tolerances tolerances) {
+        this.map = map;
+        this.heights = heights;
+        this.window = window;
+        this.range = range;
+        this.tolerances = tolerances;
+    }
+
+    /** Bins on each side of the nearest that matter: at its edge, half a bin further, the Gaussian is the tolerance. */
+    static int neighbourhoodRadius(double sigmaBins, Tolerances tolerances) {
+        double reach = sigmaBins * Math.sqrt(2 * Math.log(1 / (0.1 * tolerances.value())));
+        return (int) Math.min(Neighbourhood.MAXIMUM_RADIUS, Math.max(0, Math.ceil(reach - 0.5)));
+    }
+
+    Sampling choose() {
+        // The next order is at least half a bin away. Its amplitude there must be lost in the nearest one's, and in the
+        // valley between orders nothing is left to see.
+        double sigmaBins = window.sigmaFrequency() * Math.max(map.width(), map.height());
+        double neighbour = Math.exp(-0.5 * Math.pow(0.5 / sigmaBins, 2));
+        return neighbour < 1e-3 * tolerances.value() ? orders() : grid();
+    }
+
+    private Sampling orders() {
+        // Trapezoid rule for a Gaussian of deviation 1: error 2 exp(-2 (pi / step)^2); the rest is for the slope of the
+        // colour matching functions. Beyond four and a half deviations lies 7e-6 of the order.
+        double spacing = Math.min(1, Math.PI * Math.sqrt(2 / Math.log(2 / (0.01 * tolerances.value()))));
+        double reach = Math.max(3, Math.sqrt(2 * Math.log(1 / (0.1 * tolerances.value()))));
+        return new Sampling.Orders((int) Math.ceil(reach / spacing), spacing, 4 * fewestNodes());
+    }
+
+    private Sampling grid() {
+        InterpolationDesign design = InterpolationDesign.within(tolerances.interpolation());
+        // Columns are crossed at up to sqrt(2) of their distance. The power of a lone order along the ray is a Gaussian
+        // of
+        // deviation sigma / sqrt(2), for which the trapezoid rule errs by 2 exp(-2 (pi deviation / step)^2).
+        double perStep = Math.sqrt(2 / (Math.PI * Math.PI) * Math.log(2 / tolerances.wavelengths()));
+        return new Sampling.Grid(design, window.sigmaFrequency() / perStep, fewestNodes());
+    }
+
+    private int fewestNodes() {
+        double relief = heights.maximum() - heights.minimum();
+        double waveNumbers = 1 / CieTable.MINIMUM_WAVELENGTH - 1 / CieTable.MAXIMUM_WAVELENGTH;
+        double fringes = relief * range.maximumW() * waveNumbers;
+        return Math.max(FEWEST_NODES, (int) Math.ceil(NODES_PER_FRINGE * fringes));
+    }
+}

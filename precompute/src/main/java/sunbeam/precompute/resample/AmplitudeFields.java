@@ -1,0 +1,42 @@
+package sunbeam.precompute.resample;
+
+import sunbeam.precompute.expansion.CoefficientTable;
+import sunbeam.precompute.expansion.Expansion;
+import sunbeam.precompute.fourier.ComplexVector;
+import sunbeam.precompute.optics.WindowOrigin;
+import sunbeam.precompute.table.FourierTable;
+import sunbeam.precompute.table.WindowPhase;
+
+/** Complex amplitudes of the bins: real part of term 0, its imaginary part, real part of term 1, and so on. */
+public final class AmplitudeFields implements Fields {
+    private final FourierTable table;
+    private final ComplexVector[] terms;
+    private final CoefficientTable coefficients;
+
+    /** Fields of a table, as seen from the window's place. */
+    public AmplitudeFields(FourierTable table, Expansion expansion, WindowOrigin origin) {
+        this.table = table;
+        this.terms = new ComplexVector[table.terms()];
+        WindowPhase phase = new WindowPhase(table, origin);
+        for (int n = 0; n < terms.length; n++) {
+            terms[n] = phase.term(n);
+        }
+        this.coefficients = CoefficientTable.sampled(expansion);
+    }
+
+    @Override
+    public int count() {
+        return 2 * table.terms();
+    }
+
+    @Override
+    public double[] field(int index) {
+        ComplexVector term = terms[index / 2];
+        return index % 2 == 0 ? term.real() : term.imaginary();
+    }
+
+    @Override
+    public CoefficientTable coefficients() {
+        return coefficients;
+    }
+}

@@ -1,0 +1,57 @@
+package sunbeam.precompute.resample;
+
+import java.util.stream.IntStream;
+
+/**
+ * Resamples bins of two axes onto a grid of both.
+ *
+ * @param alongX weights along x
+ * @param alongY weights along y
+ */
+public record GridResampler(AxisResampler alongX, AxisResampler alongY) {
+
+    /** Number of samples of one field. */
+    public int size() {
+        return Math.multiplyExact(alongX.grid().count(), alongY.grid().count());
+    }
+
+    /**
+     * One real field of bins (rows of ascending y bins) to samples.
+     *
+     * @param target samples are stored here
+     * @param offset index of the first
+     * @param stride distance of neighbouring samples along x, or along y when transposed
+     * @param transposed whether y runs fastest
+     */
+    public void resample(double[] bins, float[] target, int offset, int stride, boolean transposed) {
+        int binColumns = alongX.band().count();
+        int columns = alongX.grid().count();
+        int rows = alongY.grid().count();
+        double[] half = new double[alongY.band().count() * columns];
+        IntStream.range(0, alongY.band().count()).parallel().forEach(binRow -> {
+            for (int column = 0; column < columns; column++) {
+                double[] weights = alongX.weights()[column];
+                int first = binRow * binColumns + alongX.firstBin()[column];
+                double sum = 0;
+                for (int j = 0; j < weights.length; j++) {
+                    sum += weights[j] * bins[first + j];
+                }
+                half[binRow * columns + column] = sum;
+            }
+        });
+        IntStream.range(0, rows).parallel().forEach(row -> {
+            double[] weights = alongY.weights()[row];
+            double[] sums = new double[columns];
+            for (int j = 0; j < weights.length; j++) {
+                int first = (alongY.firstBin()[row] + j) * columns;
+                for (int column = 0; column < columns; column++) {
+                    sums[column] += weights[j] * half[first + column];
+                }
+            }
+            for (int column = 0; column < columns; column++) {
+                int sample = transposed ? column * rows + row : row * columns + column;
+                target[offset + sample * stride] = (float) sums[column];
+            }
+        });
+    }
+}

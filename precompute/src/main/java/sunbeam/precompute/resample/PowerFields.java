@@ -1,0 +1,102 @@
+package sunbeam.precompute.resample;
+
+import java.util.Arrays;
+import java.util.SplittableRandom;
+import java.util.stream.IntStream;
+import org.apache.commons.math3.linear.Array2DRowRealMatrix;
+import org.apache.commons.math3.linear.SingularValueDecomposition;
+import sunbeam.precompute.expansion.CoefficientTable;
+import sunbeam.precompute.expansion.Expansion;
+import sunbeam.precompute.expansion.PhaseNodes;
+import sunbeam.precompute.optics.WindowOrigin;
+import sunbeam.precompute.table.FourierTable;
+import sunbeam.precompute.table.WindowPhase;
+
+/**
+ * Powers |F_j|^2 of the bins as a function of the phase, in the shortest real basis: the singular vectors of the powers of a
+ * sample of bins, each relative to its own mean, so that weak bins count as much as strong ones.
+ */
+public final class PowerFields implements Fields {
+    private static final int SAMPLED_BINS = 600;
+    // The sample of bins is the same at every run.
+    private static final long SEED = 20140507;
+
+    private final PhaseNodes nodes;
+    private final double[][] functions;
+    private final double[][] fields;
+
+    /**
+     * Projects all bins on the basis.
+     *
+     * @param tolerance relative root-mean-square error of the powers over the phases
+     */
+    public PowerFields(FourierTable table, Expansion expansion, double tolerance) {
+        // Two heights differ by at most 2 in s.
+        nodes = new PhaseNodes(expansion.minimumPhase(), expansion.maximumPhase(), 2);
+        BinPowers powers = new BinPowers(new WindowPhase(table, WindowOrigin.CORNER), table, expansion, nodes);
+        functions = basis(powers, tolerance);
+        fields = new double[functions.length][powers.bins()];
+        IntStream.range(0, powers.bins()).parallel().forEach(bin -> {
+            double[] power = powers.at(bin);
+            for (int n = 0; n < functions.length; n++) {
+                double sum = 0;
+                for (int q = 0; q < power.length; q++) {
+                    sum += nodes.weight(q) * functions[n][q] * power[q];
+                }
+                fields[n][bin] = sum;
+            }
+        });
+    }
+
+    private double[][] basis(BinPowers powers, double tolerance) {
+        SplittableRandom random = new SplittableRandom(SEED);
+        double[][] rows = new double[Math.min(SAMPLED_BINS, powers.bins())][nodes.count()];
+        for (double[] row : rows) {
+            double[] power = powers.at(random.nextInt(powers.bins()));
+            double mean = 0;
+            for (int q = 0; q < power.length; q++) {
+                mean += nodes.weight(q) * power[q];
+            }
+            for (int q = 0; q < power.length; q++) {
+                row[q] = mean > 0 ? power[q] / mean * Math.sqrt(nodes.weight(q)) : 0;
+            }
+        }
+        // Columns of the right singular vectors; transposed so that the matrix has more rows than columns.
+        SingularValueDecomposition decomposition =
+                new SingularValueDecomposition(new Array2DRowRealMatrix(rows, false));
+        double[] values = decomposition.getSingularValues();
+        double total = Arrays.stream(values).map(value -> value * value).sum();
+        double tail = total;
+        int rank = 0;
+        while (rank < values.length && (rank == 0 || tail > tolerance * tolerance * total)) {
+            tail -= values[rank] * values[rank];
+            rank++;
+        }
+        double[][] result = new double[rank][nodes.count()];
+        for (int n = 0; n < rank; n++) {
+            for (int q = 0; q < nodes.count(); q++) {
+                result[n][q] = decomposition.getV().getEntry(q, n) / Math.sqrt(nodes.weight(q));
+            }
+        }
+        return result;
+    }
+
+    @Override
+    public int count() {
+        return fields.length;
+    }
+
+    @Override
+    public double[] field(int index) {
+        return fields[index];
+    }
+
+    @Override
+    public CoefficientTable coefficients() {
+        return CoefficientTable.sampled(
+                nodes.minimum(),
+                nodes.maximum(),
+                functions.length,
+                zeta -> nodes.interpolate(functions, functions.length, zeta));
+    }
+}

@@ -1,0 +1,74 @@
+package sunbeam.precompute.resample;
+
+/** K of an {@link InterpolationDesign}: the Gaussian with the kernel's transform divided out. */
+final class Spread {
+    private static final int SPECTRUM_SAMPLES = 1024;
+    // Where the Gaussian's own tail is cut, in standard deviations: exp(-6.5^2 / 2) = 7e-10.
+    static final double GAUSS_REACH = 6.5;
+
+    private final KaiserBessel kernel;
+    private final double deviation;
+    private final double[] spectrum;
+
+    Spread(double deviation, int taps, double beta) {
+        this.kernel = new KaiserBessel(taps, beta);
+        this.deviation = deviation;
+        this.spectrum = new double[SPECTRUM_SAMPLES + 1];
+        for (int i = 0; i <= SPECTRUM_SAMPLES; i++) {
+            double frequency = 0.5 * i / SPECTRUM_SAMPLES;
+            double end = i == 0 || i == SPECTRUM_SAMPLES ? 0.5 : 1;
+            spectrum[i] = end * gaussTransform(deviation, frequency) / kernel.transform(frequency);
+        }
+    }
+
+    /** Fourier transform of the Gaussian, up to its height. */
+    static double gaussTransform(double deviation, double frequency) {
+        return Math.exp(-0.5 * Math.pow(2 * Math.PI * deviation * frequency, 2));
+    }
+
+    /** Distance in grid steps from which on K is taken as zero. */
+    double reach() {
+        return GAUSS_REACH * deviation + 0.5 * kernel.taps();
+    }
+
+    /** K at a distance in grid steps. */
+    double value(double distance) {
+        if (Math.abs(distance) > reach()) {
+            return 0;
+        }
+        // cos(i angle) by rotation; a thousand steps lose three digits of sixteen.
+        double angle = Math.PI * distance / SPECTRUM_SAMPLES;
+        double stepCosine = Math.cos(angle);
+        double stepSine = Math.sin(angle);
+        double cosine = 1;
+        double sine = 0;
+        double sum = 0;
+        for (double value : spectrum) {
+            sum += value * cosine;
+            double next = cosine * stepCosine - sine * stepSine;
+            sine = sine * stepCosine + cosine * stepSine;
+            cosine = next;
+        }
+        return sum / SPECTRUM_SAMPLES * deviation * Math.sqrt(2 * Math.PI);
+    }
+
+    /** Relative root-mean-square difference of sum_m phi(f - m) K(m - f_j) and the Gaussian. */
+    double measuredError() {
+        double difference = 0;
+        double signal = 0;
+        double end = reach();
+        for (double bin = 0; bin < 1; bin += 0.125) {
+            for (double f = bin - end; f <= bin + end; f += 0.23) {
+                double sum = 0;
+                double half = 0.5 * kernel.taps();
+                for (int m = (int) Math.ceil(f - half); m <= f + half; m++) {
+                    sum += kernel.value(f - m) * value(m - bin);
+                }
+                double gauss = Math.exp(-0.5 * Math.pow((f - bin) / deviation, 2));
+                difference += (sum - gauss) * (sum - gauss);
+                signal += gauss * gauss;
+            }
+        }
+        return Math.sqrt(difference / signal);
+    }
+}

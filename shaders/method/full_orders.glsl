@@ -1,0 +1,79 @@
+// For patches so small that the window resolves every diffraction order: wavelengths are placed around the middle of each
+// order that the direction sees, and only the nearest bin is looked at.
+
+// Wavelengths on each side of an order's middle, and their distance in deviations of the order's power.
+uniform int orderHalfNodes;
+uniform float orderNodeSpacing;
+// Wavelengths within the specular order, which has no middle.
+uniform int specularNodes;
+// Standard deviation of the window's spectrum, cycles per metre.
+uniform float windowSigmaFrequency;
+
+float orderPower(vec3 uvw, float wavelength) {
+#if AVERAGE == AVERAGE_ENSEMBLE
+    return ensemblePower(uvw, wavelength);
+#else
+    return coherentPower(uvw, wavelength);
+#endif
+}
+
+// Trapezoid rule in 1 / lambda, which spaces an order evenly: d lambda = lambda^2 d(1 / lambda).
+vec3 contribution(vec3 uvw, float waveNumber) {
+    float wavelength = 1.0 / waveNumber;
+    return cieWeight(wavelength) * (wavelength * wavelength * orderPower(uvw, wavelength));
+}
+
+// Power of the order of bin (0, 0), which covers the whole band at once; constant power comes out exactly.
+vec3 specularOrder(vec3 uvw) {
+    float first = 1.0 / LONGEST_WAVELENGTH;
+    float stepSize = (1.0 / SHORTEST_WAVELENGTH - first) / float(specularNodes - 1);
+    vec3 sum = vec3(0.0);
+    vec3 weights = vec3(0.0);
+    for (int i = 0; i < specularNodes; ++i) {
+        float wavelength = 1.0 / (first + stepSize * float(i));
+        vec3 weight = cieWeight(wavelength) * (wavelength * wavelength);
+        sum += weight * orderPower(uvw, wavelength);
+        weights += weight;
+    }
+    return sum * cieWhite / weights;
+}
+
+vec3 oneOrder(vec3 uvw, vec2 bin) {
+    vec2 frequency = bin / tablePeriod;
+    float squaredLength = dot(uvw.xy, uvw.xy);
+    // Where the ray f = (u, v) / lambda passes closest to the bin.
+    float middle = dot(frequency, uvw.xy) / squaredLength;
+    float deviation = windowSigmaFrequency * inversesqrt(2.0 * squaredLength);
+    float spacing = orderNodeSpacing * deviation;
+    vec3 sum = vec3(0.0);
+    for (int i = -orderHalfNodes; i <= orderHalfNodes; ++i) {
+        float waveNumber = middle + float(i) * spacing;
+        if (waveNumber * SHORTEST_WAVELENGTH <= 1.0 && waveNumber * LONGEST_WAVELENGTH >= 1.0) {
+            sum += contribution(uvw, waveNumber);
+        }
+    }
+    return sum * spacing;
+}
+
+vec3 diffractedXyz(vec3 uvw) {
+    // Five deviations out of the specular order at the longest wavelength, its power is e^-25.
+    const float SPECULAR_REACH = 5.0;
+    if (length(uvw.xy) < SPECULAR_REACH * windowSigmaFrequency * LONGEST_WAVELENGTH) {
+        return specularOrder(uvw);
+    }
+    // Orders along the axis on which the ray crosses more of them; on the other, the one nearest to the ray.
+    vec2 binsPerWaveNumber = uvw.xy * tablePeriod;
+    bool alongX = abs(binsPerWaveNumber.x) >= abs(binsPerWaveNumber.y);
+    float major = alongX ? binsPerWaveNumber.x : binsPerWaveNumber.y;
+    float minor = alongX ? binsPerWaveNumber.y : binsPerWaveNumber.x;
+    float reach = float(orderHalfNodes) * orderNodeSpacing * windowSigmaFrequency * max(tablePeriod.x, tablePeriod.y);
+    int first = max(1, int(ceil(abs(major) / LONGEST_WAVELENGTH - reach)));
+    int last = int(floor(abs(major) / SHORTEST_WAVELENGTH + reach));
+    vec3 xyz = vec3(0.0);
+    for (int m = first; m <= last; ++m) {
+        float majorBin = float(m) * sign(major);
+        float minorBin = floor(majorBin * minor / major + 0.5);
+        xyz += oneOrder(uvw, alongX ? vec2(majorBin, minorBin) : vec2(minorBin, majorBin));
+    }
+    return xyz;
+}
