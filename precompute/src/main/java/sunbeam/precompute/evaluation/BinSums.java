@@ -40,24 +40,15 @@ public final class BinSums {
         this.alongY = alongY;
     }
 
-    /**
-     * Transforms the patch for the directions of a grid.
-     *
-     * @param progress told after every transform how many terms are done
-     */
-    public static BinSums of(
-            PatchIdentity patch,
-            HeightLevels heights,
-            CoherenceWindow window,
-            ResponseGrid grid,
-            IntConsumer progress) {
+    /** Transforms the patch for the directions of a grid. */
+    public static BinSums of(PatchIdentity patch, HeightLevels heights, CoherenceWindow window, ResponseGrid grid) {
         HeightScale scale = HeightScale.midRange(heights);
         double maximumPhase = scale.phase(grid.wavelengths()[0], grid.maximumW());
         Expansion expansion = ChebyshevExpansion.within(scale, maximumPhase, EXPANSION_TOLERANCE);
         BinAxis alongX = BinAxis.along(patch.width(), window, REACH);
         BinAxis alongY = BinAxis.along(patch.height(), window, REACH);
         double azimuth = grid.plane().azimuth();
-        FourierTable table = new TableBuilder(patch, heights, progress)
+        FourierTable table = new TableBuilder(patch, heights, terms -> {})
                 .build(expansion, alongX.band(grid, Math.cos(azimuth)), alongY.band(grid, Math.sin(azimuth)));
         return new BinSums(grid, expansion, table, alongX, alongY);
     }
