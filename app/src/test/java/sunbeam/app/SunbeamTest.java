@@ -77,8 +77,10 @@ final class SunbeamTest {
     void anUnknownCommandIsOneLineWithWhatMayHaveBeenMeant() {
         assertThat(run("doctr")).isEqualTo(2);
         assertThat(err.toString())
-                .isEqualToNormalizingNewlines(
-                        "sunbeam: unknown command 'doctr' (did you mean doctor?); see sunbeam --help\n");
+                // Other commands' names may be thought alike too, after the likeliest.
+                .startsWith("sunbeam: unknown command 'doctr' (did you mean doctor")
+                .endsWith("?); see sunbeam --help" + System.lineSeparator())
+                .hasLineCount(1);
     }
 
     @Test

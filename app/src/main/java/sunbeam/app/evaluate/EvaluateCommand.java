@@ -129,12 +129,11 @@ public final class EvaluateCommand implements Callable<Integer> {
         GratingMeasurement measurement = target.measure(response, sigmaFrequency);
         Map<String, Object> report = describe(setup, target, grid);
         report.putAll(EvaluationReport.tree(measurement));
-        String title = String.format(
-                Locale.ROOT,
-                "%s, light at %.4g degrees, azimuth %.4g degrees",
-                setup.patch().name(),
-                Math.toDegrees(grid.plane().thetaI()),
-                Math.toDegrees(grid.plane().azimuth()));
+        String title = "%s, light at %s degrees, azimuth %s degrees"
+                .formatted(
+                        setup.patch().name(),
+                        Degrees.text(grid.plane().thetaI()),
+                        Degrees.text(grid.plane().azimuth()));
         out.println(title);
         EvaluationReport.lines(measurement).forEach(out::println);
         out.flush();

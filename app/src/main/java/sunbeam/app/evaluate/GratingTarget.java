@@ -1,6 +1,5 @@
 package sunbeam.app.evaluate;
 
-import java.util.Locale;
 import java.util.OptionalDouble;
 import sunbeam.precompute.analysis.HeightSpectrum;
 import sunbeam.precompute.analysis.PeriodFinder;
@@ -38,9 +37,8 @@ record GratingTarget(String patch, GratingPlane plane, FirstOrder order, Periodi
         OptionalDouble given = options.givenAzimuth();
         Periodicity heights = given.isPresent() ? finder.along(given.getAsDouble(), sigmaFrequency) : finder.all();
         if (!heights.found() && (given.isEmpty() || options.givenPeriod().isEmpty())) {
-            String where = given.isEmpty()
-                    ? ""
-                    : String.format(Locale.ROOT, " along azimuth %.4g degrees", Math.toDegrees(given.getAsDouble()));
+            String where =
+                    given.isEmpty() ? "" : " along azimuth %s degrees".formatted(Degrees.text(given.getAsDouble()));
             String remedy = given.isEmpty() ? "--azimuth and --period" : "--period, or choose another --azimuth";
             throw new NoPeriodException("%s has no periodicity%s: %s; to look for a ridge all the same give %s"
                     .formatted(patch.name(), where, heights.describeFigure(), remedy));

@@ -1,5 +1,7 @@
 package sunbeam.app.inspect;
 
+import java.math.BigDecimal;
+import java.math.MathContext;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -60,13 +62,11 @@ record Inspection(
         lines.add(line(
                 "size",
                 "%s x %s, %d x %d samples"
-                        .formatted(
-                                Lengths.format(map.width()), Lengths.format(map.height()), map.columns(), map.rows())));
+                        .formatted(rounded(map.width()), rounded(map.height()), map.columns(), map.rows())));
         lines.add(line("pitch", pitch()));
         lines.add(line(
                 "heights",
-                "relief %s, roughness %s rms"
-                        .formatted(Lengths.format(statistics.relief()), Lengths.format(statistics.rms()))));
+                "relief %s, roughness %s rms".formatted(rounded(statistics.relief()), rounded(statistics.rms()))));
         lines.add(line("slopes", slopes()));
         lines.addAll(periods());
         lines.add(line("plan", plan));
@@ -78,7 +78,7 @@ record Inspection(
         String verdict = SamplingCheck.pitch(map)
                 .orElse("fine enough for light of " + Lengths.format(SamplingCheck.SHORTEST_WAVELENGTH)
                         + ", which needs " + Lengths.format(SamplingCheck.COARSEST_PITCH));
-        return "%s x %s: %s".formatted(Lengths.format(map.pitchX()), Lengths.format(map.pitchY()), verdict);
+        return "%s x %s: %s".formatted(rounded(map.pitchX()), rounded(map.pitchY()), verdict);
     }
 
     private String slopes() {
@@ -118,6 +118,11 @@ record Inspection(
                 Math.toDegrees(peak.direction()),
                 peak.rms() * 1e9,
                 figure);
+    }
+
+    /** Four digits: more would be noise. */
+    private static String rounded(double metres) {
+        return Lengths.format(new BigDecimal(metres).round(new MathContext(4)).doubleValue());
     }
 
     private static String line(String name, String value) {

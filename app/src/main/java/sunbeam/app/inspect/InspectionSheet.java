@@ -15,6 +15,7 @@ import sunbeam.precompute.analysis.HeightSpectrum;
 import sunbeam.precompute.analysis.Histogram;
 import sunbeam.precompute.analysis.SpectrumPeak;
 import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.units.Lengths;
 
 /** One picture with all that an inspection found: heights, power spectrum, histogram, a profile, and the text. */
 final class InspectionSheet {
@@ -24,6 +25,8 @@ final class InspectionSheet {
     private static final int TEXT_LINE = 24;
     private static final int MARGIN = 24;
     private static final int HISTOGRAM_BINS = 100;
+    private static final int FINE_BINS = 2000;
+    private static final double DUST = 0.001;
     private static final int PROFILE_PERIODS = 12;
     private static final double MICROMETRES = 1e6;
     private static final double NANOMETRES = 1e9;
@@ -31,7 +34,7 @@ final class InspectionSheet {
     private static final double SPAN = 1e-7;
     // What visible light sees at most, and the least that is shown: orders of red light at normal incidence.
     private static final double LEAST_SHOWN = 2 / 780e-9;
-    private static final double SHOWN_PER_PERIOD = 2.5;
+    private static final double SHOWN_PER_PERIOD = 1.5;
 
     private final Inspection inspection;
     private final HeightMap map;
@@ -81,8 +84,10 @@ final class InspectionSheet {
                 rows[map.rows() - 1 - row][column] = map.at(column, row) * NANOMETRES;
             }
         }
-        double low = map.minimum() * NANOMETRES;
-        double high = Math.max(map.maximum() * NANOMETRES, low + 1e-3);
+        // A grain of dust must not leave all else grey: it may burn out.
+        Histogram histogram = Histogram.of(map, FINE_BINS);
+        double low = histogram.quantile(DUST) * NANOMETRES;
+        double high = Math.max(histogram.quantile(1 - DUST) * NANOMETRES, low + 1e-3);
         HeatMap.Colors colors = new HeatMap.Colors("height / nm", low, high, Plot.Scale.LINEAR, ColorMap.GREY);
         double width = map.width() * MICROMETRES;
         double bar = round(0.25 * width);
@@ -94,7 +99,7 @@ final class InspectionSheet {
                                 new double[] {0, map.height() * MICROMETRES},
                                 colors,
                                 HeatMap.Reduction.MIDDLE))
-                .scaleBar(String.format(Locale.ROOT, "%.4g um", bar), bar)
+                .scaleBar(Lengths.format(bar / MICROMETRES), bar)
                 .draw();
     }
 
@@ -150,12 +155,12 @@ final class InspectionSheet {
 
     private BufferedImage histogram() {
         Histogram histogram = Histogram.of(map, HISTOGRAM_BINS);
-        double[] centres = new double[HISTOGRAM_BINS];
+        double[] centres = new double[histogram.bins()];
         Arrays.setAll(centres, bin -> histogram.centre(bin) * NANOMETRES);
         double[] shares =
                 Arrays.stream(histogram.shares()).map(share -> 100 * share).toArray();
         return panel("Histogram", "height / nm", "share of the surface / %")
-                .line("heights", centres, shares)
+                .line("share", centres, shares)
                 .draw();
     }
 

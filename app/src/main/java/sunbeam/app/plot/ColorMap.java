@@ -3,8 +3,8 @@ package sunbeam.app.plot;
 /** Values between 0 and 1 as colours whose lightness grows with the value. */
 public final class ColorMap {
     /** Viridis (S. van der Walt and N. Smith, matplotlib, CC0), at nine evenly spaced points. */
-    public static final ColorMap VIRIDIS = new ColorMap(
-            0x440154, 0x472D7B, 0x3B528B, 0x2C728E, 0x21918C, 0x28AE80, 0x5EC962, 0xADDC30, 0xFDE725);
+    public static final ColorMap VIRIDIS =
+            new ColorMap(0x440154, 0x472D7B, 0x3B528B, 0x2C728E, 0x21918C, 0x28AE80, 0x5EC962, 0xADDC30, 0xFDE725);
 
     /** Black to white: heights, as microscopes show them. */
     public static final ColorMap GREY = new ColorMap(0x000000, 0xFFFFFF);

@@ -6,7 +6,6 @@ import java.awt.FontMetrics;
 import java.awt.Graphics2D;
 import java.awt.RenderingHints;
 import java.awt.Shape;
-import java.awt.geom.AffineTransform;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
@@ -20,16 +19,14 @@ import java.util.Map;
  * and drawn without a display.
  */
 public final class HeatMap {
-    private static final int TICKS = 8;
     // A strip thinner than this is drawn broader than it is.
     private static final double THINNEST = 10;
-    private static final int TICK_LENGTH = 5;
-    private static final int TITLE_HEIGHT = 48;
+    private static final Color SHADE = new Color(0, 0, 0, 150);
+    private static final float CURVE_WIDTH = 1.7f;
+    static final int TITLE_HEIGHT = 48;
     private static final int LEFT = 92;
     private static final int BOTTOM = 66;
     private static final int RIGHT = 118;
-    private static final int BAR_GAP = 18;
-    private static final int BAR_WIDTH = 18;
     private static final int LEGEND_HEIGHT = 28;
 
     private final Frame frame;
@@ -128,13 +125,14 @@ public final class HeatMap {
                     RenderingHints.VALUE_TEXT_ANTIALIAS_ON));
             graphics.setColor(Color.WHITE);
             graphics.fillRect(0, 0, frame.width(), frame.height());
-            Rectangle2D area = area();
+            PlotArea area = area();
             drawCells(graphics, area);
             drawCurves(graphics, area);
             drawMarks(graphics, area);
             drawScaleBar(graphics, area);
-            drawAxes(graphics, area);
-            drawBar(graphics, area);
+            HeatMapAxes axes = new HeatMapAxes(graphics, area);
+            axes.drawAxes(frame);
+            axes.drawBar(values.colors());
             drawLegend(graphics, area);
         } finally {
             graphics.dispose();
@@ -142,46 +140,32 @@ public final class HeatMap {
         return image;
     }
 
-    private Rectangle2D area() {
+    private PlotArea area() {
         int bottom = BOTTOM + (curves.isEmpty() ? 0 : LEGEND_HEIGHT);
         double width = frame.width() - LEFT - RIGHT;
         double height = frame.height() - TITLE_HEIGHT - bottom;
         double left = LEFT;
         double top = TITLE_HEIGHT;
-        boolean drawable = extent(0) < THINNEST * extent(1) && extent(1) < THINNEST * extent(0);
+        double extentX = values.xRange()[1] - values.xRange()[0];
+        double extentY = values.yRange()[1] - values.yRange()[0];
+        boolean drawable = extentX < THINNEST * extentY && extentY < THINNEST * extentX;
         if (frame.equalScales() && drawable) {
-            double scale = Math.min(width / extent(0), height / extent(1));
-            left += 0.5 * (width - scale * extent(0));
-            top += 0.5 * (height - scale * extent(1));
-            width = scale * extent(0);
-            height = scale * extent(1);
+            double scale = Math.min(width / extentX, height / extentY);
+            left += 0.5 * (width - scale * extentX);
+            top += 0.5 * (height - scale * extentY);
+            width = scale * extentX;
+            height = scale * extentY;
         }
-        return new Rectangle2D.Double(left, top, width, height);
+        return new PlotArea(new Rectangle2D.Double(left, top, width, height), values.xRange(), values.yRange());
     }
 
     private int cells(int axis) {
         return axis == 0 ? values.rows()[0].length : values.rows().length;
     }
 
-    private double extent(int axis) {
-        return axis == 0 ? values.xRange()[1] - values.xRange()[0] : values.yRange()[1] - values.yRange()[0];
-    }
-
-    private double low(int axis) {
-        return axis == 0 ? values.xRange()[0] : values.yRange()[0];
-    }
-
-    private double pixelX(Rectangle2D area, double x) {
-        return area.getX() + (x - low(0)) / extent(0) * area.getWidth();
-    }
-
-    private double pixelY(Rectangle2D area, double y) {
-        return area.getMaxY() - (y - low(1)) / extent(1) * area.getHeight();
-    }
-
-    private void drawCells(Graphics2D graphics, Rectangle2D area) {
-        int width = Math.max(1, (int) Math.round(area.getWidth()));
-        int height = Math.max(1, (int) Math.round(area.getHeight()));
+    private void drawCells(Graphics2D graphics, PlotArea area) {
+        int width = Math.max(1, (int) Math.round(area.rectangle().getWidth()));
+        int height = Math.max(1, (int) Math.round(area.rectangle().getHeight()));
         BufferedImage cells = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
         int[] columns = edges(width, cells(0));
         int[] rows = edges(height, cells(1));
@@ -193,7 +177,11 @@ public final class HeatMap {
                 cells.setRGB(x, y, values.colors().map().at(values.colors().position(value)));
             }
         }
-        graphics.drawImage(cells, (int) Math.round(area.getX()), (int) Math.round(area.getY()), null);
+        graphics.drawImage(
+                cells,
+                (int) Math.round(area.rectangle().getX()),
+                (int) Math.round(area.rectangle().getY()),
+                null);
     }
 
     private static int middle(int[] edges, int pixel) {
@@ -218,18 +206,18 @@ public final class HeatMap {
         return largest;
     }
 
-    private void drawCurves(Graphics2D graphics, Rectangle2D area) {
+    private void drawCurves(Graphics2D graphics, PlotArea area) {
         Shape clip = graphics.getClip();
-        graphics.clip(area);
+        graphics.clip(area.rectangle());
         for (Curve curve : curves) {
             Path2D path = new Path2D.Double();
             boolean drawing = false;
             for (int i = 0; i < curve.x().length; i++) {
                 boolean there = Double.isFinite(curve.x()[i]) && Double.isFinite(curve.y()[i]);
                 if (there && drawing) {
-                    path.lineTo(pixelX(area, curve.x()[i]), pixelY(area, curve.y()[i]));
+                    path.lineTo(area.pixelX(curve.x()[i]), area.pixelY(curve.y()[i]));
                 } else if (there) {
-                    path.moveTo(pixelX(area, curve.x()[i]), pixelY(area, curve.y()[i]));
+                    path.moveTo(area.pixelX(curve.x()[i]), area.pixelY(curve.y()[i]));
                 }
                 drawing = there;
             }
@@ -243,124 +231,57 @@ public final class HeatMap {
     private static BasicStroke stroke(Curve curve) {
         float[] dashes = {10, 8};
         return curve.dashed()
-                ? new BasicStroke(2.5f, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 1, dashes, 0)
-                : new BasicStroke(2.5f, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND);
+                ? new BasicStroke(CURVE_WIDTH, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 1, dashes, 0)
+                : new BasicStroke(CURVE_WIDTH, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND);
     }
 
-    private void drawMarks(Graphics2D graphics, Rectangle2D area) {
+    private void drawMarks(Graphics2D graphics, PlotArea area) {
         Shape clip = graphics.getClip();
-        graphics.clip(area);
+        graphics.clip(area.rectangle());
         graphics.setFont(PlotStyle.TICK_FONT);
         FontMetrics metrics = graphics.getFontMetrics();
         for (Mark mark : marks) {
-            double x = pixelX(area, mark.x());
-            double y = pixelY(area, mark.y());
+            double x = area.pixelX(mark.x());
+            double y = area.pixelY(mark.y());
             graphics.setStroke(new BasicStroke(2));
             graphics.setColor(PlotStyle.MARK);
             graphics.draw(new Ellipse2D.Double(x - 8, y - 8, 16, 16));
-            double textX = Math.min(x + 12, area.getMaxX() - metrics.stringWidth(mark.label()) - 4);
+            double textX = Math.min(x + 12, area.rectangle().getMaxX() - metrics.stringWidth(mark.label()) - 4);
             float textY = (float) (y + (textX < x + 12 ? -14 : 5));
+            graphics.setColor(SHADE);
+            graphics.fill(new Rectangle2D.Double(
+                    textX - 3,
+                    textY - metrics.getAscent(),
+                    metrics.stringWidth(mark.label()) + 6,
+                    metrics.getHeight()));
             graphics.setColor(Color.WHITE);
             graphics.drawString(mark.label(), (float) textX, textY);
         }
         graphics.setClip(clip);
     }
 
-    private void drawScaleBar(Graphics2D graphics, Rectangle2D area) {
+    private void drawScaleBar(Graphics2D graphics, PlotArea area) {
         if (scaleBar == null) {
             return;
         }
         graphics.setFont(PlotStyle.LABEL_FONT);
         int textWidth = graphics.getFontMetrics().stringWidth(scaleBar.label());
-        int length = (int) Math.round(scaleBar.length() / extent(0) * area.getWidth());
-        int x = (int) Math.round(area.getX()) + 16;
-        int y = (int) Math.round(area.getMaxY()) - 20;
-        graphics.setColor(new Color(0, 0, 0, 170));
+        int length = (int) Math.round(area.pixelX(values.xRange()[0] + scaleBar.length())
+                - area.rectangle().getX());
+        int x = (int) Math.round(area.rectangle().getX()) + 16;
+        int y = (int) Math.round(area.rectangle().getMaxY()) - 20;
+        graphics.setColor(SHADE);
         graphics.fillRect(x - 8, y - 26, Math.max(length, textWidth) + 16, 40);
         graphics.setColor(Color.WHITE);
         graphics.fillRect(x, y, length, 5);
         graphics.drawString(scaleBar.label(), x + Math.max(0, (length - textWidth) / 2), y - 6);
     }
 
-    private void drawAxes(Graphics2D graphics, Rectangle2D area) {
-        graphics.setColor(PlotStyle.INK);
-        graphics.setStroke(new BasicStroke(1));
-        graphics.draw(area);
+    private void drawLegend(Graphics2D graphics, PlotArea area) {
         graphics.setFont(PlotStyle.TICK_FONT);
         FontMetrics metrics = graphics.getFontMetrics();
-        Ticks alongX = Ticks.between(low(0), low(0) + extent(0), TICKS);
-        for (int i = 0; i < alongX.values().length; i++) {
-            int x = (int) Math.round(pixelX(area, alongX.values()[i]));
-            int y = (int) Math.round(area.getMaxY());
-            graphics.drawLine(x, y, x, y + TICK_LENGTH);
-            String label = alongX.label(i);
-            graphics.drawString(label, x - metrics.stringWidth(label) / 2, y + TICK_LENGTH + metrics.getAscent() + 2);
-        }
-        Ticks alongY = Ticks.between(low(1), low(1) + extent(1), TICKS);
-        for (int i = 0; i < alongY.values().length; i++) {
-            int x = (int) Math.round(area.getX());
-            int y = (int) Math.round(pixelY(area, alongY.values()[i]));
-            graphics.drawLine(x - TICK_LENGTH, y, x, y);
-            String label = alongY.label(i);
-            graphics.drawString(
-                    label, x - TICK_LENGTH - 4 - metrics.stringWidth(label), y + metrics.getAscent() / 2 - 2);
-        }
-        drawTitles(graphics, area);
-    }
-
-    private void drawTitles(Graphics2D graphics, Rectangle2D area) {
-        graphics.setFont(PlotStyle.TITLE_FONT);
-        centred(graphics, frame.title(), area.getCenterX(), 0.68 * TITLE_HEIGHT + area.getY() - TITLE_HEIGHT);
-        graphics.setFont(PlotStyle.LABEL_FONT);
-        centred(graphics, frame.xLabel(), area.getCenterX(), area.getMaxY() + 48);
-        upright(graphics, frame.yLabel(), area.getX() - 62, area.getCenterY());
-    }
-
-    private static void centred(Graphics2D graphics, String text, double x, double y) {
-        graphics.drawString(text, (float) (x - 0.5 * graphics.getFontMetrics().stringWidth(text)), (float) y);
-    }
-
-    private static void upright(Graphics2D graphics, String text, double x, double y) {
-        AffineTransform before = graphics.getTransform();
-        graphics.translate(x, y);
-        graphics.rotate(-Math.PI / 2);
-        centred(graphics, text, 0, 0);
-        graphics.setTransform(before);
-    }
-
-    private void drawBar(Graphics2D graphics, Rectangle2D area) {
-        Colors colors = values.colors();
-        int x = (int) Math.round(area.getMaxX()) + BAR_GAP;
-        int top = (int) Math.round(area.getY());
-        int height = (int) Math.round(area.getHeight());
-        for (int y = 0; y < height; y++) {
-            graphics.setColor(new Color(colors.map().at(1 - (y + 0.5) / height)));
-            graphics.fillRect(x, top + y, BAR_WIDTH, 1);
-        }
-        graphics.setColor(PlotStyle.INK);
-        graphics.setStroke(new BasicStroke(1));
-        graphics.drawRect(x, top, BAR_WIDTH, height);
-        boolean linear = colors.scale() == Plot.Scale.LINEAR;
-        Ticks ticks = linear
-                ? Ticks.between(colors.low(), colors.high(), TICKS)
-                : Ticks.powersOfTen(colors.low(), colors.high());
-        graphics.setFont(PlotStyle.TICK_FONT);
-        for (int i = 0; i < ticks.values().length; i++) {
-            double value = ticks.values()[i];
-            int y = (int) Math.round(top + height * (1 - colors.position(value)));
-            graphics.drawLine(x + BAR_WIDTH, y, x + BAR_WIDTH + TICK_LENGTH, y);
-            String label = linear ? ticks.label(i) : PlotStyle.powerOfTen(value);
-            graphics.drawString(label, x + BAR_WIDTH + TICK_LENGTH + 3, y + 5);
-        }
-        graphics.setFont(PlotStyle.LABEL_FONT);
-        upright(graphics, colors.label(), x + BAR_WIDTH + 70, area.getCenterY());
-    }
-
-    private void drawLegend(Graphics2D graphics, Rectangle2D area) {
-        graphics.setFont(PlotStyle.TICK_FONT);
-        FontMetrics metrics = graphics.getFontMetrics();
-        double x = area.getX();
-        int y = (int) Math.round(area.getMaxY()) + 48 + LEGEND_HEIGHT;
+        double x = area.rectangle().getX();
+        int y = (int) Math.round(area.rectangle().getMaxY()) + 48 + LEGEND_HEIGHT;
         for (Curve curve : curves) {
             int swatch = 40;
             graphics.setColor(new Color(values.colors().map().at(0.2)));

@@ -114,6 +114,8 @@ public final class Plot {
         for (int index = 0; index < allSeries.size(); index++) {
             addTo(chart, allSeries.get(index), index);
         }
+        // The title already says what a single series is.
+        chart.getStyler().setLegendVisible(allSeries.size() > 1);
         addTickBreaker(chart);
         return BitmapEncoder.getBufferedImage(chart);
     }

@@ -10,7 +10,7 @@ import sunbeam.precompute.patch.SamplingCheck;
 
 /**
  * Power spectrum of a patch's heights up to what light can see (2 / 380 nm) or the samples hold (1 / (2 pitch)),
- * whichever is less. The sum of all bins is the variance of the heights that were transformed.
+ * whichever is less. The sum of the bins is the variance of the transformed heights, less what lies beyond.
  *
  * @param bandX bins along x, symmetric about 0
  * @param bandY bins along y (upwards), symmetric about 0
@@ -93,15 +93,6 @@ public record HeightSpectrum(Band bandX, Band bandY, double width, double height
     public boolean covers(double frequencyX, double frequencyY) {
         return Math.abs(frequencyX * width) <= bandX.last() + 1e-9
                 && Math.abs(frequencyY * height) <= bandY.last() + 1e-9;
-    }
-
-    /** The sum of all bins, square metres. */
-    public double total() {
-        double sum = 0;
-        for (double value : power) {
-            sum += value;
-        }
-        return sum;
     }
 
     /** Averaged with a Gaussian over bins: less noise, peaks a few bins wide. An axis without bins stays as it is. */

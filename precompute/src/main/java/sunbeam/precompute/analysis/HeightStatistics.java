@@ -40,7 +40,8 @@ public record HeightStatistics(double relief, double rms, double largestSlope, d
                 (double) steeper / slopes.length);
     }
 
-    private static double rms(double[] heights) {
+    /** Root mean square about the mean. */
+    static double rms(double[] heights) {
         double mean = 0;
         for (int i = 0; i < heights.length; i++) {
             mean += (heights[i] - mean) / (i + 1);

@@ -1,5 +1,6 @@
 package sunbeam.precompute.analysis;
 
+import sunbeam.precompute.patch.HeightLevels;
 import sunbeam.precompute.patch.HeightMap;
 
 /**
@@ -10,19 +11,61 @@ import sunbeam.precompute.patch.HeightMap;
  * @param shares of the samples in each bin; their sum is 1
  */
 public record Histogram(double minimum, double width, double[] shares) {
+    // Of a flat map, a picometre.
+    private static final double FLAT_BIN = 1e-12;
+    // More than these, and a bin holds so many that one more or less does not show.
+    private static final int MOST_LEVELS = 5000;
 
-    /** Counts a map's heights in equal bins from the lowest to the highest; a flat map has all in the middle one. */
-    public static Histogram of(HeightMap map, int bins) {
-        double[] heights = map.toArray();
-        // A flat map gets bins of a picometre around its height.
-        double span = Math.max(map.relief(), bins * 1e-12);
-        double minimum = 0.5 * (map.minimum() + map.maximum() - span);
-        double[] shares = new double[bins];
-        for (double height : heights) {
-            int bin = (int) ((height - minimum) / span * bins);
-            shares[Math.max(0, Math.min(bins - 1, bin))] += 1.0 / heights.length;
+    /**
+     * Counts a map's heights in at most so many equal bins from the lowest to the highest. A map with few distinct
+     * heights, as 8-bit scans have, gets bins that each hold equally many of these: others would draw a comb.
+     */
+    public static Histogram of(HeightMap map, int mostBins) {
+        HeightLevels heights = HeightLevels.of(map);
+        double relief = heights.maximum() - heights.minimum();
+        if (relief == 0) {
+            return new Histogram(heights.minimum() - 0.5 * FLAT_BIN, FLAT_BIN, new double[] {1});
         }
-        return new Histogram(minimum, span / bins, shares);
+        double step = step(heights.levels());
+        double intervals = relief / step;
+        boolean quantised = intervals < MOST_LEVELS;
+        double width = quantised ? step * Math.ceil((intervals + 1) / mostBins) : relief / mostBins;
+        double minimum = quantised ? heights.minimum() - 0.5 * step : heights.minimum();
+        int bins = quantised ? (int) Math.ceil((relief + step) / width - 1e-6) : mostBins;
+        double[] shares = new double[bins];
+        int[] counts = heights.histogram();
+        for (int i = 0; i < counts.length; i++) {
+            int bin = (int) ((heights.levels()[i] - minimum) / width);
+            shares[Math.max(0, Math.min(bins - 1, bin))] += (double) counts[i] / heights.index().length;
+        }
+        return new Histogram(minimum, width, shares);
+    }
+
+    /** The smallest distance of neighbouring levels, beyond rounding. */
+    private static double step(double[] levels) {
+        double rounding = 1e-6 * (levels[levels.length - 1] - levels[0]);
+        double step = Double.POSITIVE_INFINITY;
+        for (int i = 1; i < levels.length; i++) {
+            double distance = levels[i] - levels[i - 1];
+            step = distance > rounding ? Math.min(step, distance) : step;
+        }
+        return step;
+    }
+
+    public int bins() {
+        return shares.length;
+    }
+
+    /** The height below which a share, 0..1, of the surface lies, to within a bin, metres. */
+    public double quantile(double share) {
+        double sum = 0;
+        for (int bin = 0; bin < shares.length; bin++) {
+            sum += shares[bin];
+            if (sum >= share) {
+                return centre(bin);
+            }
+        }
+        return centre(shares.length - 1);
     }
 
     /** Height in the middle of a bin, metres. */

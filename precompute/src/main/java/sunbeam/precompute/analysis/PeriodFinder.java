@@ -17,9 +17,11 @@ public final class PeriodFinder {
     private final HeightSpectrum tapered;
     private final HeightSpectrum periodic;
     private final TaperedPeaks taperedPeaks;
+    private final double rms;
 
     /** @param map heights without missing samples */
     public PeriodFinder(HeightMap map) {
+        this.rms = HeightStatistics.rms(map.toArray());
         this.tapered = HeightSpectrum.of(map, HeightSpectrum.Edges.TAPERED);
         this.taperedPeaks = new TaperedPeaks(tapered);
         boolean small = Math.max(map.width(), map.height()) <= LARGEST_REPEATED;
@@ -50,6 +52,6 @@ public final class PeriodFinder {
     private Periodicity choose(
             Function<TaperedPeaks, Periodicity> asPiece, Function<PeriodicPeaks, Periodicity> asPeriod) {
         Periodicity piece = asPiece.apply(taperedPeaks);
-        return piece.found() || periodic == null ? piece : asPeriod.apply(new PeriodicPeaks(periodic));
+        return piece.found() || periodic == null ? piece : asPeriod.apply(new PeriodicPeaks(periodic, rms * rms));
     }
 }

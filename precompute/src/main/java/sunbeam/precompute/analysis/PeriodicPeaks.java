@@ -12,9 +12,10 @@ final class PeriodicPeaks {
     private final HeightSpectrum spectrum;
     private final double total;
 
-    PeriodicPeaks(HeightSpectrum spectrum) {
+    /** @param variance of the heights, square metres */
+    PeriodicPeaks(HeightSpectrum spectrum, double variance) {
         this.spectrum = spectrum;
-        this.total = spectrum.total();
+        this.total = variance;
     }
 
     Periodicity all() {

@@ -48,7 +48,8 @@ public final class RidgeSearch {
             for (int i = -1; i <= count + 1; i++) {
                 double after = strength(response, sign * (1 / longest + i * step));
                 if (i > 0 && here > before && here >= after) {
-                    found.add(new Candidate(sign * (1 / longest + (i - 1) * step), here));
+                    double top = 1 / longest + (i - 1 + parabolaTop(before, here, after)) * step;
+                    found.add(new Candidate(sign * top, here));
                 }
                 before = here;
                 here = after;
@@ -56,6 +57,13 @@ public final class RidgeSearch {
         }
         found.sort(Comparator.comparingDouble(Candidate::strength).reversed());
         return found;
+    }
+
+    /** Where the parabola through three logarithms has its top, in steps; 0 where there is none. */
+    private static double parabolaTop(double before, double here, double after) {
+        double left = Math.log(here / before);
+        double right = Math.log(here / after);
+        return before > 0 && after > 0 && left + right > 0 ? 0.5 * (left - right) / (left + right) : 0;
     }
 
     /** Mean over the wavelengths at which the frequency's angle is on the grid; 0 where these are too few. */

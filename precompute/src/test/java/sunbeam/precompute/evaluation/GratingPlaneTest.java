@@ -1,0 +1,56 @@
+package sunbeam.precompute.evaluation;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import sunbeam.precompute.optics.Direction;
+import sunbeam.precompute.optics.Geometry;
+
+final class GratingPlaneTest {
+    private static final double ROUNDING = 1e-14;
+
+    @ParameterizedTest
+    @CsvSource({"75, 0, 0", "75, 0, 100", "30, 180, 20", "40, 25, -60", "0, 0, 45", "60, 90, 10"})
+    void allDirectionsAreUnitVectorsWhoseUvLiesAlongTheGrating(double theta, double phi, double azimuth) {
+        GratingPlane plane = new GratingPlane(Math.toRadians(theta), Math.toRadians(phi), Math.toRadians(azimuth));
+        for (double share : new double[] {-0.99, -0.3, 0, 0.5, 0.9}) {
+            double angle = share * plane.largestThetaR();
+            Geometry geometry = plane.geometry(angle);
+            assertThat(geometry.wi().dot(geometry.wi())).isCloseTo(1, within(ROUNDING));
+            assertThat(geometry.wr().dot(geometry.wr())).isCloseTo(1, within(ROUNDING));
+            assertThat(geometry.u()).isCloseTo(plane.u(angle) * Math.cos(plane.azimuth()), within(ROUNDING));
+            assertThat(geometry.v()).isCloseTo(plane.u(angle) * Math.sin(plane.azimuth()), within(ROUNDING));
+            assertThat(geometry.w()).isCloseTo(plane.w(angle), within(ROUNDING));
+            assertThat(plane.thetaR(plane.u(angle))).isCloseTo(angle, within(1e-12));
+        }
+    }
+
+    @Test
+    void theLightIsWhereItsAnglesSay() {
+        GratingPlane plane = new GratingPlane(Math.toRadians(75), Math.toRadians(10), Math.toRadians(100));
+        Direction expected = Direction.ofDegrees(75, 110);
+        Direction light = plane.geometry(0.1).wi();
+        assertThat(light.x()).isCloseTo(expected.x(), within(ROUNDING));
+        assertThat(light.y()).isCloseTo(expected.y(), within(ROUNDING));
+    }
+
+    @Test
+    void theMirrorIsAtMinusThetaI() {
+        assertThat(new GratingPlane(Math.toRadians(75), 0, 0).u(Math.toRadians(-75)))
+                .isCloseTo(0, within(ROUNDING));
+    }
+
+    @Test
+    void beyondTheHorizonThereIsNoAngle() {
+        assertThat(new GratingPlane(Math.toRadians(75), 0, 0).thetaR(0.2)).isNaN();
+    }
+
+    @Test
+    void aLightBelowTheHorizonIsRefused() {
+        assertThatThrownBy(() -> new GratingPlane(Math.PI / 2, 0, 0)).isInstanceOf(IllegalArgumentException.class);
+    }
+}
