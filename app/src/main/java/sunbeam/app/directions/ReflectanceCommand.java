@@ -88,14 +88,15 @@ public final class ReflectanceCommand implements Callable<Integer> {
         List<String> header = new ArrayList<>(list.columns());
         header.addAll(list.spectral() ? SPECTRAL_RESULTS : COLOUR_RESULTS);
         AtomicFile.write(output, force.overwrite(), stream -> {
-            CsvWriter writer = new CsvWriter(stream, header);
-            for (int row = 0; row < list.size(); row++) {
-                double[] given = list.row(row);
-                double[] computed = results.get(row);
-                double[] cells = new double[given.length + computed.length];
-                System.arraycopy(given, 0, cells, 0, given.length);
-                System.arraycopy(computed, 0, cells, given.length, computed.length);
-                writer.row(cells);
+            try (CsvWriter writer = new CsvWriter(stream, header)) {
+                for (int row = 0; row < list.size(); row++) {
+                    double[] given = list.row(row);
+                    double[] computed = results.get(row);
+                    double[] cells = new double[given.length + computed.length];
+                    System.arraycopy(given, 0, cells, 0, given.length);
+                    System.arraycopy(computed, 0, cells, given.length, computed.length);
+                    writer.row(cells);
+                }
             }
         });
     }
