@@ -17,7 +17,7 @@ import sunbeam.app.cli.ExitCode;
 import sunbeam.app.cli.Numbers;
 import sunbeam.app.cli.UsageException;
 import sunbeam.app.gpu.DiffractionMethod;
-import sunbeam.app.gpu.FullMethod;
+import sunbeam.app.gpu.MethodKind;
 import sunbeam.app.gpu.MethodUse;
 import sunbeam.app.output.AtomicFile;
 import sunbeam.app.output.DefaultName;
@@ -32,10 +32,13 @@ import sunbeam.app.picture.LinearPicture;
 import sunbeam.app.progress.Progress;
 import sunbeam.app.setup.DiffractionSetup;
 import sunbeam.app.setup.LightOptions;
+import sunbeam.app.setup.MethodFactory;
+import sunbeam.app.setup.MethodOptions;
+import sunbeam.app.setup.MethodRequest;
 import sunbeam.app.setup.PatchOptions;
 import sunbeam.app.setup.PlanOptions;
 import sunbeam.precompute.optics.Direction;
-import sunbeam.precompute.plan.Plan;
+import sunbeam.precompute.plan.PlanRequest;
 import sunbeam.precompute.plan.VisibleRange;
 
 /** {@code sunbeam brdf-map}: from a height map to the picture of its BRDF. */
@@ -58,6 +61,9 @@ public final class BrdfMapCommand implements Callable<Integer> {
 
     @Mixin
     private PlanOptions planOptions;
+
+    @Mixin
+    private MethodOptions methodOptions;
 
     @Mixin
     private ForceOption force;
@@ -103,9 +109,15 @@ public final class BrdfMapCommand implements Callable<Integer> {
             throw new UsageException("--size " + size + " is out of range; give 1 to " + LARGEST);
         }
         double fixedExposure = parseExposure();
+        MethodRequest methodRequest = methodOptions.request();
+        PlanRequest request = planOptions.request();
+        if (methodRequest.kind() == MethodKind.REFERENCE) {
+            throw new UsageException("--method reference evaluates single directions; use it with 'reflectance'");
+        }
         Direction wi = light.direction();
         PrintWriter err = specification.commandLine().getErr();
         DiffractionSetup setup = new DiffractionSetup(patchOptions, environment, err);
+        MethodFactory factory = new MethodFactory(setup, methodRequest, request);
         Overwrite overwrite = force.overwrite();
         Path picture = output != null
                 ? output
@@ -114,15 +126,13 @@ public final class BrdfMapCommand implements Callable<Integer> {
         if (linear != null) {
             AtomicFile.checkWritable(linear, overwrite);
         }
-        Plan plan = setup.plan(planOptions.request(), VisibleRange.of(wi));
         try (RenderContext context = RenderContexts.offscreen();
-                DiffractionMethod method =
-                        FullMethod.create(context, plan, setup.table(plan), MethodUse.COLOUR, setup.cie());
+                DiffractionMethod method = factory.create(context, VisibleRange.of(wi), MethodUse.COLOUR);
                 BrdfMapRenderer renderer = new BrdfMapRenderer(context, method, size);
                 DisplayPass display = new DisplayPass(context)) {
             LinearPicture map = render(renderer, wi);
-            double factor = fixedExposure > 0 ? fixedExposure : AutoExposure.of(map, specular(wi, plan));
-            Map<String, String> text = describe(setup, factor, context);
+            double factor = fixedExposure > 0 ? fixedExposure : AutoExposure.of(map, specular(wi, request));
+            Map<String, String> text = describe(setup, methodRequest, factor, context);
             PngWriter.write(picture, overwrite, SrgbImage.fromEncoded(size, size, display.srgb(map, factor)), text);
             if (linear != null) {
                 NpyWriter.write(linear, overwrite, map.xyz(), size, size, 3);
@@ -154,8 +164,8 @@ public final class BrdfMapCommand implements Callable<Integer> {
     }
 
     // The specular peak is as wide as the window's spectrum; five deviations of the longest wavelength hold all of it.
-    private AutoExposure.Specular specular(Direction wi, Plan plan) {
-        double radius = 5 * plan.window().sigmaFrequency() * 780e-9;
+    private AutoExposure.Specular specular(Direction wi, PlanRequest request) {
+        double radius = 5 * request.window().sigmaFrequency() * 780e-9;
         return pixel -> {
             double x = (2.0 * (pixel % size) + 1) / size - 1;
             int row = pixel / size;
@@ -164,12 +174,13 @@ public final class BrdfMapCommand implements Callable<Integer> {
         };
     }
 
-    private Map<String, String> describe(DiffractionSetup setup, double factor, RenderContext context) {
+    private Map<String, String> describe(
+            DiffractionSetup setup, MethodRequest methodRequest, double factor, RenderContext context) {
         Map<String, String> text = new LinkedHashMap<>();
         text.put("Title", "BRDF map of " + setup.patch().name());
         text.put("Patch", setup.patch().source());
         text.put("Light", light.describe());
-        text.put("Method", "full");
+        text.put("Method", methodRequest.describe());
         text.put("Plan", planOptions.describe());
         text.put("Exposure", Double.toString(factor));
         text.put("Renderer", context.info().renderer());

@@ -11,10 +11,14 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 import sunbeam.app.cli.Environment;
 import sunbeam.app.cli.ExitCode;
+import sunbeam.app.gpu.MethodKind;
 import sunbeam.app.output.AtomicFile;
 import sunbeam.app.output.CsvWriter;
 import sunbeam.app.output.ForceOption;
 import sunbeam.app.setup.DiffractionSetup;
+import sunbeam.app.setup.MethodFactory;
+import sunbeam.app.setup.MethodOptions;
+import sunbeam.app.setup.MethodRequest;
 import sunbeam.app.setup.PatchOptions;
 import sunbeam.app.setup.PlanOptions;
 import sunbeam.precompute.plan.PlanRequest;
@@ -31,12 +35,6 @@ public final class ReflectanceCommand implements Callable<Integer> {
     private static final List<String> SPECTRAL_RESULTS = List.of("power", "power_ensemble", "rho", "brdf");
     private static final List<String> COLOUR_RESULTS = List.of("X", "Y", "Z", "gain");
 
-    /** Who evaluates. */
-    private enum Method {
-        REFERENCE,
-        FULL
-    }
-
     private final Environment environment;
 
     @Mixin
@@ -44,6 +42,9 @@ public final class ReflectanceCommand implements Callable<Integer> {
 
     @Mixin
     private PlanOptions planOptions;
+
+    @Mixin
+    private MethodOptions methodOptions;
 
     @Mixin
     private ForceOption force;
@@ -54,14 +55,6 @@ public final class ReflectanceCommand implements Callable<Integer> {
     @Option(names = "--output", paramLabel = "OUT.csv", required = true, description = "The results.")
     private Path output;
 
-    @Option(
-            names = "--method",
-            paramLabel = "METHOD",
-            defaultValue = "full",
-            description = "full (default): one fragment a row, through the shader code that draws the maps. reference:"
-                    + " direct sums in double precision on the processor; slow, the truth.")
-    private Method method;
-
     @Spec
     private CommandSpec specification;
 
@@ -71,17 +64,25 @@ public final class ReflectanceCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
+        MethodRequest method = methodOptions.request();
         PlanRequest request = planOptions.request();
         DirectionList list = DirectionList.read(directions);
         AtomicFile.checkWritable(output, force.overwrite());
         DiffractionSetup setup = new DiffractionSetup(
                 patchOptions, environment, specification.commandLine().getErr());
-        List<double[]> results = method == Method.REFERENCE
-                ? new ReferenceDirections(setup, request).evaluate(list)
-                : new GpuDirections(setup, request).evaluate(list);
-        write(list, results);
+        write(list, evaluate(setup, method, request, list));
         specification.commandLine().getOut().println(output);
         return ExitCode.OK.code();
+    }
+
+    private static List<double[]> evaluate(
+            DiffractionSetup setup, MethodRequest method, PlanRequest request, DirectionList list) {
+        if (method.kind() != MethodKind.REFERENCE) {
+            return new GpuDirections(new MethodFactory(setup, method, request)).evaluate(list);
+        }
+        return method.replicas().isPresent()
+                ? new ReplicaDirections(setup, method, request).evaluate(list)
+                : new ReferenceDirections(setup, request).evaluate(list);
     }
 
     private void write(DirectionList list, List<double[]> results) {
