@@ -131,7 +131,8 @@ public final class BrdfMapCommand implements Callable<Integer> {
                 BrdfMapRenderer renderer = new BrdfMapRenderer(context, method, size);
                 DisplayPass display = new DisplayPass(context)) {
             LinearPicture map = render(renderer, wi);
-            double factor = fixedExposure > 0 ? fixedExposure : AutoExposure.of(map, specular(wi, request));
+            double factor =
+                    fixedExposure > 0 ? fixedExposure : AutoExposure.of(map, specular(wi, method.specularReach()));
             Map<String, String> text = describe(setup, methodRequest, factor, context);
             PngWriter.write(picture, overwrite, SrgbImage.fromEncoded(size, size, display.srgb(map, factor)), text);
             if (linear != null) {
@@ -163,9 +164,7 @@ public final class BrdfMapCommand implements Callable<Integer> {
         }
     }
 
-    // The specular peak is as wide as the window's spectrum; five deviations of the longest wavelength hold all of it.
-    private AutoExposure.Specular specular(Direction wi, PlanRequest request) {
-        double radius = 5 * request.window().sigmaFrequency() * 780e-9;
+    private AutoExposure.Specular specular(Direction wi, double radius) {
         return pixel -> {
             double x = (2.0 * (pixel % size) + 1) / size - 1;
             int row = pixel / size;

@@ -125,6 +125,14 @@ public final class NmmMethod implements DiffractionMethod {
         return bins.windowSigma();
     }
 
+    /** The thesis's form has a white disc in its place, up to the first wavelength that meets a bin. */
+    @Override
+    public double specularReach() {
+        double disc = CieTable.MINIMUM_WAVELENGTH
+                / Math.min(table.patch().width(), table.patch().height());
+        return weighted ? bins.specularReach() : Math.max(bins.specularReach(), disc);
+    }
+
     @Override
     public void close() {
         textures.close();
