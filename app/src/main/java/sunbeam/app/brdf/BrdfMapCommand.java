@@ -17,7 +17,6 @@ import sunbeam.app.cli.ExitCode;
 import sunbeam.app.cli.Numbers;
 import sunbeam.app.cli.UsageException;
 import sunbeam.app.gpu.DiffractionMethod;
-import sunbeam.app.gpu.MethodKind;
 import sunbeam.app.gpu.MethodUse;
 import sunbeam.app.output.AtomicFile;
 import sunbeam.app.output.DefaultName;
@@ -111,13 +110,9 @@ public final class BrdfMapCommand implements Callable<Integer> {
         double fixedExposure = parseExposure();
         MethodRequest methodRequest = methodOptions.request();
         PlanRequest request = planOptions.request();
-        if (methodRequest.kind() == MethodKind.REFERENCE) {
-            throw new UsageException("--method reference evaluates single directions; use it with 'reflectance'");
-        }
         Direction wi = light.direction();
         PrintWriter err = specification.commandLine().getErr();
         DiffractionSetup setup = new DiffractionSetup(patchOptions, environment, err);
-        MethodFactory factory = new MethodFactory(setup, methodRequest, request);
         Overwrite overwrite = force.overwrite();
         Path picture = output != null
                 ? output
@@ -126,20 +121,22 @@ public final class BrdfMapCommand implements Callable<Integer> {
         if (linear != null) {
             AtomicFile.checkWritable(linear, overwrite);
         }
+        MethodFactory factory = new MethodFactory(setup, methodRequest, request, VisibleRange.of(wi));
+        PrintWriter out = specification.commandLine().getOut();
+        planOptions.print(factory, out);
         try (RenderContext context = RenderContexts.offscreen();
-                DiffractionMethod method = factory.create(context, VisibleRange.of(wi), MethodUse.COLOUR);
+                DiffractionMethod method = factory.create(context, MethodUse.COLOUR);
                 BrdfMapRenderer renderer = new BrdfMapRenderer(context, method, size);
                 DisplayPass display = new DisplayPass(context)) {
             LinearPicture map = render(renderer, wi);
             double factor =
                     fixedExposure > 0 ? fixedExposure : AutoExposure.of(map, specular(wi, method.specularReach()));
-            Map<String, String> text = describe(setup, methodRequest, factor, context);
+            Map<String, String> text = describe(setup, methodRequest, factory.summary(), factor, context);
             PngWriter.write(picture, overwrite, SrgbImage.fromEncoded(size, size, display.srgb(map, factor)), text);
             if (linear != null) {
                 NpyWriter.write(linear, overwrite, map.xyz(), size, size, 3);
             }
         }
-        PrintWriter out = specification.commandLine().getOut();
         out.println(picture);
         if (linear != null) {
             out.println(linear);
@@ -174,13 +171,14 @@ public final class BrdfMapCommand implements Callable<Integer> {
     }
 
     private Map<String, String> describe(
-            DiffractionSetup setup, MethodRequest methodRequest, double factor, RenderContext context) {
+            DiffractionSetup setup, MethodRequest methodRequest, String plan, double factor, RenderContext context) {
         Map<String, String> text = new LinkedHashMap<>();
         text.put("Title", "BRDF map of " + setup.patch().name());
         text.put("Patch", setup.patch().source());
         text.put("Light", light.describe());
         text.put("Method", methodRequest.describe());
-        text.put("Plan", planOptions.describe());
+        text.put("Options", planOptions.describe());
+        text.put("Plan", plan);
         text.put("Exposure", Double.toString(factor));
         text.put("Renderer", context.info().renderer());
         return text;

@@ -8,7 +8,6 @@ import sunbeam.app.gpu.DiffractionMethod;
 import sunbeam.app.gpu.MethodUse;
 import sunbeam.app.progress.Progress;
 import sunbeam.app.setup.MethodFactory;
-import sunbeam.precompute.plan.VisibleRange;
 
 /** Directions by the shaders. */
 final class GpuDirections {
@@ -20,14 +19,13 @@ final class GpuDirections {
 
     List<double[]> evaluate(DirectionList list) {
         MethodUse use = list.spectral() ? MethodUse.SPECTRAL : MethodUse.COLOUR;
-        VisibleRange range = VisibleRange.of(list.geometries());
         List<DirectionsRenderer.Query> queries = new ArrayList<>(list.size());
         for (int row = 0; row < list.size(); row++) {
             double wavelength = list.spectral() ? list.wavelength(row) : 0;
             queries.add(new DirectionsRenderer.Query(list.geometry(row), wavelength));
         }
         try (RenderContext context = RenderContexts.offscreen();
-                DiffractionMethod method = factory.create(context, range, use);
+                DiffractionMethod method = factory.create(context, use);
                 DirectionsRenderer renderer = new DirectionsRenderer(context, method, list.spectral());
                 Progress progress = Progress.start("Directions", list.size())) {
             List<double[]> results = new ArrayList<>(list.size());

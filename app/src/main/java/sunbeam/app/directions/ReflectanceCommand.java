@@ -1,5 +1,6 @@
 package sunbeam.app.directions;
 
+import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -22,6 +23,7 @@ import sunbeam.app.setup.MethodRequest;
 import sunbeam.app.setup.PatchOptions;
 import sunbeam.app.setup.PlanOptions;
 import sunbeam.precompute.plan.PlanRequest;
+import sunbeam.precompute.plan.VisibleRange;
 
 /** {@code sunbeam reflectance}: numbers for a list of directions, the interface by which anybody can check Sunbeam. */
 @Command(
@@ -70,15 +72,18 @@ public final class ReflectanceCommand implements Callable<Integer> {
         AtomicFile.checkWritable(output, force.overwrite());
         DiffractionSetup setup = new DiffractionSetup(
                 patchOptions, environment, specification.commandLine().getErr());
+        PrintWriter out = specification.commandLine().getOut();
         write(list, evaluate(setup, method, request, list));
-        specification.commandLine().getOut().println(output);
+        out.println(output);
         return ExitCode.OK.code();
     }
 
-    private static List<double[]> evaluate(
+    private List<double[]> evaluate(
             DiffractionSetup setup, MethodRequest method, PlanRequest request, DirectionList list) {
         if (method.kind() != MethodKind.REFERENCE) {
-            return new GpuDirections(new MethodFactory(setup, method, request)).evaluate(list);
+            MethodFactory factory = new MethodFactory(setup, method, request, VisibleRange.of(list.geometries()));
+            planOptions.print(factory, specification.commandLine().getOut());
+            return new GpuDirections(factory).evaluate(list);
         }
         return method.replicas().isPresent()
                 ? new ReplicaDirections(setup, method, request).evaluate(list)

@@ -1,5 +1,6 @@
 package sunbeam.app.setup;
 
+import java.io.PrintWriter;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -81,6 +82,9 @@ public final class PlanOptions {
                     + " positions of the window.")
     private Average average;
 
+    @Option(names = "--explain", description = "Say why each part of the plan is as it is.")
+    private boolean explain;
+
     /** Names of presets. */
     private enum Preset {
         THESIS
@@ -108,6 +112,15 @@ public final class PlanOptions {
                 Optional.ofNullable(origin),
                 coherenceLength == null ? OptionalDouble.empty() : OptionalDouble.of(coherenceLength),
                 Optional.ofNullable(average));
+    }
+
+    /** Prints the plan, with reasons where they are asked for. */
+    public void print(MethodFactory method, PrintWriter out) {
+        out.println("plan: " + method.summary());
+        if (explain) {
+            method.reasons().forEach(line -> out.println("  " + line));
+        }
+        out.flush();
     }
 
     /** The options that were given, for metadata. */
