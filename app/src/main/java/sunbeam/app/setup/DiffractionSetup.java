@@ -45,6 +45,11 @@ public final class DiffractionSetup {
         return patch;
     }
 
+    /** The patch's heights by level. */
+    public HeightLevels heights() {
+        return heights;
+    }
+
     public CieTable cie() {
         return cie;
     }

@@ -12,8 +12,6 @@ import sunbeam.precompute.expansion.ExpansionKind;
 import sunbeam.precompute.optics.WindowOrigin;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.Neighbourhood;
-import sunbeam.precompute.plan.Plan;
-import sunbeam.precompute.plan.PlanReport;
 import sunbeam.precompute.plan.PlanRequest;
 import sunbeam.precompute.plan.Tolerances;
 import sunbeam.precompute.units.Lengths;
@@ -117,11 +115,10 @@ public final class PlanOptions {
     }
 
     /** Prints the plan, with reasons where they are asked for. */
-    public void print(Plan plan, PrintWriter out) {
-        PlanReport report = new PlanReport(plan);
-        out.println("plan: " + report.summary());
+    public void print(MethodFactory method, PrintWriter out) {
+        out.println("plan: " + method.summary());
         if (explain) {
-            report.reasons().forEach(line -> out.println("  " + line));
+            method.reasons().forEach(line -> out.println("  " + line));
         }
         out.flush();
     }
