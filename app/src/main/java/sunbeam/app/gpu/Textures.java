@@ -34,13 +34,13 @@ final class Textures implements AutoCloseable {
 
     /** The CIE weights of shaders/include/spectrum.glsl, per metre of wavelength. */
     void addCieWeights(CieTable cie) {
-        int samples = 401;
+        int samples = SmoothCieWeights.SAMPLES;
         double norm = 1 / cie.integralOfY();
         float[] texels = new float[4 * samples];
-        for (int i = 0; i < samples; i++) {
-            double wavelength = CieTable.MINIMUM_WAVELENGTH + i * 1e-9;
-            for (int c = 0; c < 3; c++) {
-                texels[4 * i + c] = (float) (cie.at(wavelength, c) * norm);
+        for (int c = 0; c < 3; c++) {
+            double[] weights = SmoothCieWeights.of(cie, c);
+            for (int i = 0; i < samples; i++) {
+                texels[4 * i + c] = (float) (weights[i] * norm);
             }
         }
         add("cieWeights", FloatTextureSpec.line(samples, FloatFormat.RGBA32F).with(Filter.LINEAR))

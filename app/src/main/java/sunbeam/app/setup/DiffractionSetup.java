@@ -55,9 +55,14 @@ public final class DiffractionSetup {
         return patch;
     }
 
-    /** The patch's heights by level. */
+    /** The patch's distinct heights. */
     public HeightLevels heights() {
         return heights;
+    }
+
+    /** Which surface the patch's tables belong to. */
+    public PatchIdentity identity() {
+        return identity;
     }
 
     public CieTable cie() {

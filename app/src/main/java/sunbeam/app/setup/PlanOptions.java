@@ -1,6 +1,7 @@
 package sunbeam.app.setup;
 
 import java.io.PrintWriter;
+import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -12,6 +13,8 @@ import sunbeam.precompute.expansion.ExpansionKind;
 import sunbeam.precompute.optics.WindowOrigin;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.Neighbourhood;
+import sunbeam.precompute.plan.Plan;
+import sunbeam.precompute.plan.PlanReport;
 import sunbeam.precompute.plan.PlanRequest;
 import sunbeam.precompute.plan.Tolerances;
 import sunbeam.precompute.units.Lengths;
@@ -115,10 +118,20 @@ public final class PlanOptions {
     }
 
     /** Prints the plan, with reasons where they are asked for. */
+    public void print(Plan plan, PrintWriter out) {
+        PlanReport report = new PlanReport(plan);
+        print(report.summary(), report.reasons(), out);
+    }
+
+    /** Prints a method's plan, with reasons where they are asked for. */
     public void print(MethodFactory method, PrintWriter out) {
-        out.println("plan: " + method.summary());
+        print(method.summary(), method.reasons(), out);
+    }
+
+    private void print(String summary, List<String> reasons, PrintWriter out) {
+        out.println("plan: " + summary);
         if (explain) {
-            method.reasons().forEach(line -> out.println("  " + line));
+            reasons.forEach(line -> out.println("  " + line));
         }
         out.flush();
     }
