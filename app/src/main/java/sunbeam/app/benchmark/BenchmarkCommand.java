@@ -33,6 +33,7 @@ import sunbeam.app.setup.PlanOptions;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.plan.PlanRequest;
 import sunbeam.precompute.plan.VisibleRange;
+import sunbeam.precompute.reference.ReferenceEvaluator;
 import sunbeam.precompute.table.FourierTable;
 
 /** {@code sunbeam benchmark}: time per frame of a BRDF map, as a ratio to the thesis's shader in the same run. */
@@ -107,6 +108,13 @@ public final class BenchmarkCommand implements Callable<Integer> {
             }
             report(specification.commandLine().getOut(), context, setup, times);
         }
+        PlanRequest request = planOptions.request();
+        double rate = ReferenceRate.measure(
+                new ReferenceEvaluator(setup.patch().heights(), request.window(), request.windowOrigin()));
+        specification
+                .commandLine()
+                .getOut()
+                .printf(Locale.ROOT, "%n  reference: %.0f directions x wavelengths per second%n", rate);
         return ExitCode.OK.code();
     }
 

@@ -1,5 +1,6 @@
 package sunbeam.app.brdf;
 
+import java.awt.image.BufferedImage;
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
@@ -119,6 +120,7 @@ public final class BrdfMapCommand implements Callable<Integer> {
                 : DefaultName.choose(Path.of(""), "brdf-" + setup.patch().name(), "png", overwrite);
         AtomicFile.checkWritable(picture, overwrite);
         if (linear != null) {
+            checkDifferent(picture);
             AtomicFile.checkWritable(linear, overwrite);
         }
         MethodFactory factory = new MethodFactory(setup, methodRequest, request, VisibleRange.of(wi));
@@ -132,16 +134,34 @@ public final class BrdfMapCommand implements Callable<Integer> {
             double factor =
                     fixedExposure > 0 ? fixedExposure : AutoExposure.of(map, specular(wi, method.specularReach()));
             Map<String, String> text = describe(setup, methodRequest, factory.summary(), factor, context);
-            PngWriter.write(picture, overwrite, SrgbImage.fromEncoded(size, size, display.srgb(map, factor)), text);
-            if (linear != null) {
-                NpyWriter.write(linear, overwrite, map.xyz(), size, size, 3);
-            }
+            BufferedImage image = SrgbImage.fromEncoded(size, size, display.srgb(map, factor));
+            write(picture, stream -> PngWriter.write(stream, image, text), map);
         }
         out.println(picture);
         if (linear != null) {
             out.println(linear);
         }
         return ExitCode.OK.code();
+    }
+
+    private void checkDifferent(Path picture) {
+        if (picture.toAbsolutePath().normalize().equals(linear.toAbsolutePath().normalize())) {
+            throw new UsageException("--linear " + linear + " is the picture's own name; give it another");
+        }
+    }
+
+    /** Both files or none: neither appears before both are written. */
+    private void write(Path picture, AtomicFile.StreamContent png, LinearPicture map) {
+        Overwrite overwrite = force.overwrite();
+        try (AtomicFile image = AtomicFile.create(picture, overwrite);
+                AtomicFile numbers = linear == null ? null : AtomicFile.create(linear, overwrite)) {
+            image.fill(png);
+            if (numbers != null) {
+                numbers.fill(stream -> NpyWriter.write(stream, map.xyz(), size, size, 3));
+                numbers.commit();
+            }
+            image.commit();
+        }
     }
 
     private double parseExposure() {

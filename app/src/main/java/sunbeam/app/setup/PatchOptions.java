@@ -50,7 +50,12 @@ public final class PatchOptions {
 
     /** Loads the patch; nothing else is read before it is known to be usable. */
     public Patch load() {
-        return loader().load(PatchRequest.parse(patch, width, height, maxHeight, channel, level));
+        return load(PatchRequest.parse(patch, width, height, maxHeight, channel, level));
+    }
+
+    /** Loads a patch that is asked for elsewhere; built-in names are known. */
+    public static Patch load(PatchRequest request) {
+        return loader().load(request);
     }
 
     private static PatchLoader loader() {
