@@ -12,11 +12,11 @@ public enum PeriodInterpolation {
      * The DFT's own interpolation, sum_j P_1(f_j) sin(pi (f - f_j) L) / (N sin(pi (f - f_j) pitch)). Its kernel decays so
      * slowly that every bin counts: truncated to a few taps it loses the specular order's tails, which outshine the
      * rest of a rough patch. So the period is padded with zeros to twice its length, which puts samples of that very
-     * sum between the bins, and these are interpolated by six taps of a Kaiser-Bessel kernel whose transform is divided
-     * out of the period beforehand (Jackson et al. 1991). Error below 1e-5 of the largest amplitude, measured in
+     * sum between the bins, and these are interpolated by seven taps of a Kaiser-Bessel kernel whose transform is divided
+     * out of the period beforehand (Jackson et al. 1991). Error below 1e-7 of the largest amplitude, measured in
      * PeriodSpectrumTest.
      */
-    SINC(2, 6),
+    SINC(2, 7),
     /** A straight line between neighbouring bins. Exact on the bins, and only there. */
     LINEAR(1, 2);
 
