@@ -1,16 +1,26 @@
 package sunbeam.precompute.reference;
 
 import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.color.IntegratedNodes;
 import sunbeam.precompute.color.WavelengthNodes;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.Geometry;
+import sunbeam.precompute.patch.HeightLevels;
 
-/** X, Y, Z of the reference's power: a trapezoid over 380..780 nm fine enough for the sharpest order. */
+/**
+ * X, Y, Z of the reference's power. The power is evaluated at equal steps of 1 / lambda, close enough for a polynomial
+ * between them, and integrated exactly against the colour matching functions ({@link IntegratedNodes}).
+ */
 public final class ReferenceColor {
-    private static final double COARSEST_STEP = 0.5e-9;
-    // The trapezoid rule's relative error for a Gaussian of deviation s is 2 exp(-2 (pi s / step)^2): 5e-9 at this
-    // ratio.
-    private static final double STEP_PER_DEVIATION = 1.0;
+    // The power of an order is a Gaussian of 1 / lambda. Sampled every 0.7 deviations, all that a polynomial through
+    // the
+    // samples misses oscillates from one step to the next and is lost in the integral (2 exp(-2 (pi / 0.7)^2)), save in
+    // an order that the end of the band cuts: 1e-4 of that order.
+    private static final double STEP_PER_DEVIATION = 0.7;
+    // Steps per period of the interference between top and bottom of the relief.
+    private static final double STEPS_PER_FRINGE = 8;
+    // Near the specular direction nothing else limits the step: 5 nm in the blue.
+    private static final double FEWEST_STEPS = 40;
 
     private final ReferenceEvaluator evaluator;
     private final CoherenceWindow window;
@@ -22,14 +32,14 @@ public final class ReferenceColor {
         this.cie = cie;
     }
 
-    /** The wavelengths that a direction needs: an order is lambda^2 sigma_f / (sqrt 2 |(u, v)|) wide. */
+    /** The wavelengths that a direction needs: an order is sigma_f / (sqrt 2 |(u, v)|) wide in 1 / lambda. */
     public WavelengthNodes nodes(Geometry geometry) {
-        double shortest = CieTable.MINIMUM_WAVELENGTH;
-        double deviation = shortest
-                * shortest
-                * window.sigmaFrequency()
-                / (Math.sqrt(2) * Math.max(1e-9, Math.hypot(geometry.u(), geometry.v())));
-        return WavelengthNodes.uniform(cie, Math.min(COARSEST_STEP, STEP_PER_DEVIATION * deviation));
+        double perMetre = FEWEST_STEPS / (1 / CieTable.MINIMUM_WAVELENGTH - 1 / CieTable.MAXIMUM_WAVELENGTH);
+        double orders = Math.sqrt(2) * Math.hypot(geometry.u(), geometry.v()) / window.sigmaFrequency();
+        HeightLevels heights = evaluator.heights();
+        double fringes = Math.abs(geometry.w()) * (heights.maximum() - heights.minimum());
+        double stepsPerUnit = Math.max(perMetre, orders / STEP_PER_DEVIATION + STEPS_PER_FRINGE * fringes);
+        return IntegratedNodes.of(cie, 1 / stepsPerUnit);
     }
 
     /**
