@@ -24,7 +24,12 @@ public final class DiffractionSetup {
 
     /** Loads the patch and says what the user should know of it. */
     public DiffractionSetup(PatchOptions options, Environment environment, PrintWriter err) {
-        this.patch = options.load();
+        this(options.load(), environment, err);
+    }
+
+    /** Takes a loaded patch and says what the user should know of it. */
+    public DiffractionSetup(Patch patch, Environment environment, PrintWriter err) {
+        this.patch = patch;
         patch.warnings().forEach(warning -> err.println(Messages.warning(patch.name() + ": " + warning)));
         err.flush();
         this.heights = HeightLevels.of(patch.heights());
@@ -43,6 +48,10 @@ public final class DiffractionSetup {
 
     public Patch patch() {
         return patch;
+    }
+
+    public HeightLevels heights() {
+        return heights;
     }
 
     public CieTable cie() {

@@ -53,6 +53,11 @@ public final class PatchOptions {
         return loader().load(PatchRequest.parse(patch, width, height, maxHeight, channel, level));
     }
 
+    /** Loads a patch that needs nothing but its name: built in, or a descriptor. */
+    public static Patch load(String name) {
+        return loader().load(PatchRequest.of(name));
+    }
+
     private static PatchLoader loader() {
         Map<String, Supplier<HeightMap>> builtIn = new LinkedHashMap<>();
         for (String name : BuiltInPatches.names()) {
