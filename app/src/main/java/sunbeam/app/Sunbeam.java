@@ -4,6 +4,7 @@ import java.io.PrintWriter;
 import picocli.CommandLine;
 import picocli.CommandLine.HelpCommand;
 import picocli.CommandLine.Model.CommandSpec;
+import sunbeam.app.accuracy.AccuracyCommand;
 import sunbeam.app.benchmark.BenchmarkCommand;
 import sunbeam.app.brdf.BrdfMapCommand;
 import sunbeam.app.cli.Environment;
@@ -60,6 +61,7 @@ public final class Sunbeam {
         root.addSubcommand(new BenchmarkCommand(environment));
         root.addSubcommand(new RenderCommand(environment));
         root.addSubcommand(new MeshCommand());
+        root.addSubcommand(new AccuracyCommand(environment));
         root.addSubcommand(new DoctorCommand(environment, new RendererProbe()));
         root.addSubcommand(new HelpCommand());
         root.setOut(out);
