@@ -15,6 +15,13 @@ public interface FloatTarget extends Resource {
     void clear(float red, float green, float blue, float alpha);
 
     /**
+     * As {@link #clear(float, float, float, float)}, the tile's pixels only.
+     *
+     * @throws IllegalArgumentException if the tile is not inside
+     */
+    void clear(Tile tile, float red, float green, float blue, float alpha);
+
+    /**
      * Reads a whole image: {@code 4 * width * height} floats, RGBA interleaved, row 0 on top.
      *
      * @param color which image, from 0

@@ -31,6 +31,22 @@ public interface RenderContext extends AutoCloseable {
     ShaderProgram createFullScreenProgram(ShaderSource fragment);
 
     /**
+     * Compiles a fragment shader for {@link #draw}; the vertex shader comes with the engine (jrtr/mesh.vert.glsl says
+     * what it hands over), as do the includes of {@link jrtr.glsl.EngineShaders}.
+     *
+     * @throws ShaderException if that fails, with file and line
+     */
+    ShaderProgram createMeshProgram(ShaderSource fragment);
+
+    /**
+     * Uploads triangles.
+     *
+     * @param label its name in messages
+     * @throws GraphicsException if the driver has no memory for them
+     */
+    VertexBuffer createVertexBuffer(String label, VertexData data);
+
+    /**
      * Takes memory for a float texture.
      *
      * @param label its name in messages
@@ -68,6 +84,26 @@ public interface RenderContext extends AutoCloseable {
      * @param tile must lie inside the target
      */
     void drawFullScreen(ShaderProgram program, List<Binding> bindings, FloatTarget target, Tile tile);
+
+    /**
+     * Draws triangles, both sides, to the tile and to no pixel else, without blending. The tile only cuts: tiles that
+     * cover a target draw the same picture as one draw, bit for bit.
+     *
+     * @param program made by {@link #createMeshProgram}, or with a vertex shader that takes the same attributes; every
+     *     sampler it uses must be bound
+     * @param bindings textures by sampler name
+     * @param mesh the triangles
+     * @param depth how depth is used
+     * @param target where to; must have depth
+     * @param tile must lie inside the target
+     */
+    void draw(
+            ShaderProgram program,
+            List<Binding> bindings,
+            VertexBuffer mesh,
+            DepthUse depth,
+            FloatTarget target,
+            Tile tile);
 
     /** Waits until the device has done all that was asked. */
     void finish();

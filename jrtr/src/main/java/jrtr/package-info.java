@@ -11,8 +11,8 @@
  *       of compilers' logs. Plain string code.
  *   <li>{@code jrtr.gl}: the implementation on JOGL. Its one public class is {@link jrtr.gl.RenderContexts}, the
  *       factory.
- *   <li>{@code jrtr.scene}: reserved for the scene graph (groups, shapes, lights, camera, render queue), which stands on
- *       this package alone.
+ *   <li>{@link jrtr.scene}: the scene graph (groups, shapes, lights, camera, render queue) and its renderer; stands on
+ *       this package and {@code jrtr.glsl}. Start at {@link jrtr.scene.SceneRenderer}.
  * </ul>
  *
  * <p>Conventions: images and rectangles are counted from the top left, row 0 is the top one; the implementation turns

@@ -13,6 +13,7 @@ import sunbeam.app.cli.Messages;
 import sunbeam.app.cli.ShutdownHook;
 import sunbeam.app.cli.UsageException;
 import sunbeam.app.input.InputException;
+import sunbeam.app.mesh.MeshException;
 import sunbeam.app.output.OutputException;
 import sunbeam.precompute.patch.PatchException;
 import sunbeam.precompute.table.TableException;
@@ -20,16 +21,17 @@ import sunbeam.precompute.table.TableException;
 /** What a failure says to the user and to scripts: one line on standard error and an exit code, chosen by its type. */
 final class Failures {
     /** A new kind of failure needs one line here, and a message that names the value and the remedy. */
-    private static final Map<Class<? extends Throwable>, ExitCode> CODES = Map.of(
-            ParameterException.class, ExitCode.USAGE,
-            UsageException.class, ExitCode.USAGE,
-            PatchException.class, ExitCode.UNUSABLE_INPUT,
-            TableException.class, ExitCode.UNUSABLE_INPUT,
-            InputException.class, ExitCode.UNUSABLE_INPUT,
-            GraphicsException.class, ExitCode.NO_GRAPHICS,
-            OutputException.class, ExitCode.CANNOT_WRITE,
-            CancelledException.class, ExitCode.INTERRUPTED,
-            InterruptedException.class, ExitCode.INTERRUPTED);
+    private static final Map<Class<? extends Throwable>, ExitCode> CODES = Map.ofEntries(
+            Map.entry(ParameterException.class, ExitCode.USAGE),
+            Map.entry(UsageException.class, ExitCode.USAGE),
+            Map.entry(PatchException.class, ExitCode.UNUSABLE_INPUT),
+            Map.entry(TableException.class, ExitCode.UNUSABLE_INPUT),
+            Map.entry(InputException.class, ExitCode.UNUSABLE_INPUT),
+            Map.entry(MeshException.class, ExitCode.UNUSABLE_INPUT),
+            Map.entry(GraphicsException.class, ExitCode.NO_GRAPHICS),
+            Map.entry(OutputException.class, ExitCode.CANNOT_WRITE),
+            Map.entry(CancelledException.class, ExitCode.INTERRUPTED),
+            Map.entry(InterruptedException.class, ExitCode.INTERRUPTED));
 
     private final PrintWriter err;
     private final BooleanSupplier debug;

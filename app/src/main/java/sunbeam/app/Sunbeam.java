@@ -4,12 +4,14 @@ import java.io.PrintWriter;
 import picocli.CommandLine;
 import picocli.CommandLine.HelpCommand;
 import picocli.CommandLine.Model.CommandSpec;
+import sunbeam.app.benchmark.BenchmarkCommand;
 import sunbeam.app.brdf.BrdfMapCommand;
 import sunbeam.app.cli.Environment;
 import sunbeam.app.cli.ExitCode;
 import sunbeam.app.directions.ReflectanceCommand;
 import sunbeam.app.doctor.DoctorCommand;
 import sunbeam.app.doctor.RendererProbe;
+import sunbeam.app.mesh.MeshCommand;
 import sunbeam.app.setup.PrecomputeCommand;
 
 /** The program: its commands put together, run, and their failures turned into messages and exit codes. */
@@ -50,6 +52,8 @@ public final class Sunbeam {
         root.addSubcommand(new BrdfMapCommand(environment));
         root.addSubcommand(new ReflectanceCommand(environment));
         root.addSubcommand(new PrecomputeCommand(environment));
+        root.addSubcommand(new BenchmarkCommand(environment));
+        root.addSubcommand(new MeshCommand());
         root.addSubcommand(new DoctorCommand(environment, new RendererProbe()));
         root.addSubcommand(new HelpCommand());
         root.setOut(out);

@@ -126,8 +126,14 @@ final class GlFloatTarget extends GlResource implements FloatTarget {
 
     @Override
     public void clear(float red, float green, float blue, float alpha) {
+        clear(Tile.whole(spec.width(), spec.height()), red, green, blue, alpha);
+    }
+
+    @Override
+    public void clear(Tile tile, float red, float green, float blue, float alpha) {
+        requireInside(tile);
         GL3 gl = gl();
-        bindForDrawing(gl, Tile.whole(spec.width(), spec.height()));
+        bindForDrawing(gl, tile);
         gl.glColorMask(true, true, true, true);
         float[] value = {red, green, blue, alpha};
         for (int color = 0; color < spec.colors(); color++) {

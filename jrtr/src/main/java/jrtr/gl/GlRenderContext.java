@@ -5,6 +5,7 @@ import java.util.List;
 import jrtr.Binding;
 import jrtr.ContextInfo;
 import jrtr.ContextOptions;
+import jrtr.DepthUse;
 import jrtr.FloatTarget;
 import jrtr.FloatTargetSpec;
 import jrtr.FloatTexture;
@@ -16,15 +17,20 @@ import jrtr.RenderContext;
 import jrtr.ShaderProgram;
 import jrtr.ShaderSource;
 import jrtr.Tile;
+import jrtr.VertexBuffer;
+import jrtr.VertexData;
+import jrtr.glsl.EngineShaders;
 
 /** A render context on any surface. */
 final class GlRenderContext implements RenderContext {
     private final GlDevice device;
     private final FullScreenDraw fullScreen;
+    private final MeshDraw meshDraw;
 
     private GlRenderContext(GlDevice device) {
         this.device = device;
         this.fullScreen = new FullScreenDraw(device);
+        this.meshDraw = new MeshDraw(device);
     }
 
     /** Takes over the surface, which ends with the context, or here if there can be none. */
@@ -53,6 +59,16 @@ final class GlRenderContext implements RenderContext {
     }
 
     @Override
+    public ShaderProgram createMeshProgram(ShaderSource fragment) {
+        return GlProgram.create(device, EngineShaders.library().load("jrtr/mesh.vert.glsl"), fragment);
+    }
+
+    @Override
+    public VertexBuffer createVertexBuffer(String label, VertexData data) {
+        return GlVertexBuffer.create(device, label, data);
+    }
+
+    @Override
     public FloatTexture createFloatTexture(String label, FloatTextureSpec spec) {
         return GlFloatTexture.create(device, label, spec);
     }
@@ -75,6 +91,17 @@ final class GlRenderContext implements RenderContext {
     @Override
     public void drawFullScreen(ShaderProgram program, List<Binding> bindings, FloatTarget target, Tile tile) {
         fullScreen.draw((GlProgram) program, bindings, (GlFloatTarget) target, tile);
+    }
+
+    @Override
+    public void draw(
+            ShaderProgram program,
+            List<Binding> bindings,
+            VertexBuffer mesh,
+            DepthUse depth,
+            FloatTarget target,
+            Tile tile) {
+        meshDraw.draw((GlProgram) program, bindings, (GlVertexBuffer) mesh, depth, (GlFloatTarget) target, tile);
     }
 
     @Override

@@ -24,6 +24,18 @@ final class JoglNoise implements AutoCloseable {
         return noise;
     }
 
+    /**
+     * To be called when JOGL's native libraries could not be loaded: as the program ends, JOGL calls them all the same,
+     * in a thread of its own, and the failure, which has been reported already, would be printed once more.
+     */
+    static void muteShutdown() {
+        Thread.setDefaultUncaughtExceptionHandler((thread, failure) -> {
+            boolean known =
+                    thread.getName().equals("NativeWindowFactory_ShutdownHook") && failure instanceof LinkageError;
+            LOGGER.log(known ? Level.DEBUG : Level.ERROR, "in thread " + thread.getName(), failure);
+        });
+    }
+
     /** Forgets what was caught. */
     void discard() {
         caught.reset();

@@ -36,8 +36,8 @@ final class OffscreenSurface implements GlSurface {
             return surface;
         } catch (RuntimeException | LinkageError failure) {
             throw new GraphicsException(
-                    "no OpenGL 3.3 core context: " + reason(failure)
-                            + ". Install a driver, or Mesa's software renderer (libgl1-mesa-dri, libgl1)",
+                    "no OpenGL 3.3 core context on display " + System.getenv("DISPLAY") + " (" + reason(failure)
+                            + "). Install a driver, or Mesa's software renderer (libgl1-mesa-dri, libgl1)",
                     failure);
         }
     }
@@ -54,6 +54,7 @@ final class OffscreenSurface implements GlSurface {
                             + ". Set DISPLAY to a running X server, or start one without a screen: Xvfb :1 & export DISPLAY=:1",
                     failure);
         } catch (LinkageError failure) {
+            JoglNoise.muteShutdown();
             throw new GraphicsException(
                     "JOGL's native libraries cannot be loaded: " + reason(failure)
                             + ". The folder for temporary files (java.io.tmpdir) must be writable and executable, and the X11 libraries installed",
@@ -119,6 +120,10 @@ final class OffscreenSurface implements GlSurface {
     }
 
     private static String reason(Throwable failure) {
-        return failure.getMessage() == null ? failure.getClass().getSimpleName() : failure.getMessage();
+        if (failure.getMessage() == null) {
+            return failure.getClass().getSimpleName();
+        }
+        // JOGL names objects with all that they hold, in nested brackets.
+        return failure.getMessage().replaceAll("(Device|Screen|Configuration|Drawable)\\[.*]", "$1");
     }
 }

@@ -1,5 +1,6 @@
 package sunbeam.app.brdf;
 
+import java.awt.image.BufferedImage;
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
@@ -36,6 +37,7 @@ import sunbeam.app.setup.PatchOptions;
 import sunbeam.app.setup.PlanOptions;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.plan.Plan;
+import sunbeam.precompute.plan.PlanReport;
 import sunbeam.precompute.plan.VisibleRange;
 
 /** {@code sunbeam brdf-map}: from a height map to the picture of its BRDF. */
@@ -112,9 +114,12 @@ public final class BrdfMapCommand implements Callable<Integer> {
                 : DefaultName.choose(Path.of(""), "brdf-" + setup.patch().name(), "png", overwrite);
         AtomicFile.checkWritable(picture, overwrite);
         if (linear != null) {
+            checkDifferent(picture);
             AtomicFile.checkWritable(linear, overwrite);
         }
         Plan plan = setup.plan(planOptions.request(), VisibleRange.of(wi));
+        PrintWriter out = specification.commandLine().getOut();
+        planOptions.print(plan, out);
         try (RenderContext context = RenderContexts.offscreen();
                 DiffractionMethod method =
                         FullMethod.create(context, plan, setup.table(plan), MethodUse.COLOUR, setup.cie());
@@ -122,18 +127,35 @@ public final class BrdfMapCommand implements Callable<Integer> {
                 DisplayPass display = new DisplayPass(context)) {
             LinearPicture map = render(renderer, wi);
             double factor = fixedExposure > 0 ? fixedExposure : AutoExposure.of(map, specular(wi, plan));
-            Map<String, String> text = describe(setup, factor, context);
-            PngWriter.write(picture, overwrite, SrgbImage.fromEncoded(size, size, display.srgb(map, factor)), text);
-            if (linear != null) {
-                NpyWriter.write(linear, overwrite, map.xyz(), size, size, 3);
-            }
+            Map<String, String> text = describe(setup, plan, factor, context);
+            BufferedImage image = SrgbImage.fromEncoded(size, size, display.srgb(map, factor));
+            write(picture, stream -> PngWriter.write(stream, image, text), map);
         }
-        PrintWriter out = specification.commandLine().getOut();
         out.println(picture);
         if (linear != null) {
             out.println(linear);
         }
         return ExitCode.OK.code();
+    }
+
+    private void checkDifferent(Path picture) {
+        if (picture.toAbsolutePath().normalize().equals(linear.toAbsolutePath().normalize())) {
+            throw new UsageException("--linear " + linear + " is the picture's own name; give it another");
+        }
+    }
+
+    /** Both files or none: neither appears before both are written. */
+    private void write(Path picture, AtomicFile.StreamContent png, LinearPicture map) {
+        Overwrite overwrite = force.overwrite();
+        try (AtomicFile image = AtomicFile.create(picture, overwrite);
+                AtomicFile numbers = linear == null ? null : AtomicFile.create(linear, overwrite)) {
+            image.fill(png);
+            if (numbers != null) {
+                numbers.fill(stream -> NpyWriter.write(stream, map.xyz(), size, size, 3));
+                numbers.commit();
+            }
+            image.commit();
+        }
     }
 
     private double parseExposure() {
@@ -164,13 +186,14 @@ public final class BrdfMapCommand implements Callable<Integer> {
         };
     }
 
-    private Map<String, String> describe(DiffractionSetup setup, double factor, RenderContext context) {
+    private Map<String, String> describe(DiffractionSetup setup, Plan plan, double factor, RenderContext context) {
         Map<String, String> text = new LinkedHashMap<>();
         text.put("Title", "BRDF map of " + setup.patch().name());
         text.put("Patch", setup.patch().source());
         text.put("Light", light.describe());
         text.put("Method", "full");
-        text.put("Plan", planOptions.describe());
+        text.put("Options", planOptions.describe());
+        text.put("Plan", new PlanReport(plan).summary());
         text.put("Exposure", Double.toString(factor));
         text.put("Renderer", context.info().renderer());
         return text;

@@ -2,6 +2,7 @@ package sunbeam.app.directions;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Consumer;
 import jrtr.RenderContext;
 import jrtr.gl.RenderContexts;
 import sunbeam.app.gpu.DiffractionMethod;
@@ -17,8 +18,11 @@ import sunbeam.precompute.plan.VisibleRange;
 final class GpuDirections {
     private final DiffractionSetup setup;
     private final PlanRequest request;
+    private final Consumer<Plan> planned;
 
-    GpuDirections(DiffractionSetup setup, PlanRequest request) {
+    /** @param planned told the plan before the work begins */
+    GpuDirections(DiffractionSetup setup, PlanRequest request, Consumer<Plan> planned) {
+        this.planned = planned;
         this.setup = setup;
         this.request = request;
     }
@@ -26,6 +30,7 @@ final class GpuDirections {
     List<double[]> evaluate(DirectionList list) {
         MethodUse use = list.spectral() ? MethodUse.SPECTRAL : MethodUse.COLOUR;
         Plan plan = setup.plan(request, VisibleRange.of(list.geometries()));
+        planned.accept(plan);
         List<DirectionsRenderer.Query> queries = new ArrayList<>(list.size());
         for (int row = 0; row < list.size(); row++) {
             double wavelength = list.spectral() ? list.wavelength(row) : 0;

@@ -1,5 +1,6 @@
 package sunbeam.app.directions;
 
+import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -76,11 +77,12 @@ public final class ReflectanceCommand implements Callable<Integer> {
         AtomicFile.checkWritable(output, force.overwrite());
         DiffractionSetup setup = new DiffractionSetup(
                 patchOptions, environment, specification.commandLine().getErr());
+        PrintWriter out = specification.commandLine().getOut();
         List<double[]> results = method == Method.REFERENCE
                 ? new ReferenceDirections(setup, request).evaluate(list)
-                : new GpuDirections(setup, request).evaluate(list);
+                : new GpuDirections(setup, request, plan -> planOptions.print(plan, out)).evaluate(list);
         write(list, results);
-        specification.commandLine().getOut().println(output);
+        out.println(output);
         return ExitCode.OK.code();
     }
 

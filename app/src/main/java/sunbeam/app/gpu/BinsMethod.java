@@ -115,8 +115,9 @@ final class BinsMethod implements DiffractionMethod {
         if (plan.sampling() instanceof Sampling.Bins bins) {
             program.set("wavelengthCount", bins.wavelengths().count());
         } else if (plan.sampling() instanceof Sampling.Orders orders) {
-            program.set("orderHalfNodes", orders.halfNodes());
+            program.set("orderReach", (float) orders.reach());
             program.set("orderNodeSpacing", (float) orders.nodeSpacing());
+            program.set("orderLargestStep", (float) orders.largestStep());
             program.set("specularNodes", orders.specularNodes());
             program.set("windowSigmaFrequency", (float) window.sigmaFrequency());
             program.set("cieWhite", Textures.cieWhite(cie));

@@ -116,6 +116,7 @@ final class GridMethod implements DiffractionMethod {
         if (use == MethodUse.COLOUR) {
             grids.get(0).setRayUniforms(program);
             program.set("gridNodeStep", (float) sampling.nodeStep());
+            program.set("gridLargestStride", sampling.largestStride());
             program.set("gridCentreReach", (float) sampling.centreReach());
             program.set("gridCentreNodes", sampling.fewestNodes());
             program.set("cieWhite", Textures.cieWhite(cie));

@@ -1,5 +1,6 @@
 package sunbeam.app.setup;
 
+import java.io.PrintWriter;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -11,6 +12,8 @@ import sunbeam.precompute.expansion.ExpansionKind;
 import sunbeam.precompute.optics.WindowOrigin;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.Neighbourhood;
+import sunbeam.precompute.plan.Plan;
+import sunbeam.precompute.plan.PlanReport;
 import sunbeam.precompute.plan.PlanRequest;
 import sunbeam.precompute.plan.Tolerances;
 import sunbeam.precompute.units.Lengths;
@@ -81,6 +84,9 @@ public final class PlanOptions {
                     + " positions of the window.")
     private Average average;
 
+    @Option(names = "--explain", description = "Say why each part of the plan is as it is.")
+    private boolean explain;
+
     /** Names of presets. */
     private enum Preset {
         THESIS
@@ -108,6 +114,16 @@ public final class PlanOptions {
                 Optional.ofNullable(origin),
                 coherenceLength == null ? OptionalDouble.empty() : OptionalDouble.of(coherenceLength),
                 Optional.ofNullable(average));
+    }
+
+    /** Prints the plan, with reasons where they are asked for. */
+    public void print(Plan plan, PrintWriter out) {
+        PlanReport report = new PlanReport(plan);
+        out.println("plan: " + report.summary());
+        if (explain) {
+            report.reasons().forEach(line -> out.println("  " + line));
+        }
+        out.flush();
     }
 
     /** The options that were given, for metadata. */

@@ -59,9 +59,9 @@ public record VisibleRange(
                 low / (low < 0 ? shortest : longest), high / (high < 0 ? longest : shortest), period, margin);
     }
 
-    /** Largest |(u, v)|. */
-    public double maximumUv() {
-        return Math.hypot(
+    /** Largest of |u| and |v|. */
+    public double maximumComponent() {
+        return Math.max(
                 Math.max(Math.abs(minimumU), Math.abs(maximumU)), Math.max(Math.abs(minimumV), Math.abs(maximumV)));
     }
 }

@@ -1,0 +1,156 @@
+package sunbeam.app.benchmark;
+
+import java.io.PrintWriter;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.concurrent.Callable;
+import jrtr.GpuTime;
+import jrtr.GpuTimer;
+import jrtr.RenderContext;
+import jrtr.gl.RenderContexts;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
+import sunbeam.app.brdf.BrdfMapRenderer;
+import sunbeam.app.cli.Environment;
+import sunbeam.app.cli.ExitCode;
+import sunbeam.app.cli.UsageException;
+import sunbeam.app.gpu.DiffractionMethod;
+import sunbeam.app.gpu.FullMethod;
+import sunbeam.app.gpu.MethodUse;
+import sunbeam.app.setup.DiffractionSetup;
+import sunbeam.app.setup.LightOptions;
+import sunbeam.app.setup.PatchOptions;
+import sunbeam.app.setup.PlanOptions;
+import sunbeam.precompute.optics.Direction;
+import sunbeam.precompute.plan.PlanRequest;
+import sunbeam.precompute.plan.VisibleRange;
+import sunbeam.precompute.table.FourierTable;
+
+/** {@code sunbeam benchmark}: time per frame of a BRDF map, as a ratio to the thesis's shader in the same run. */
+@Command(
+        name = "benchmark",
+        description =
+                "Time the drawing of a BRDF map and give it as a ratio to the thesis's shader (full --preset thesis),"
+                        + " timed in the same run: an absolute time on a shared machine means nothing. The median of some frames"
+                        + " after one for warming up.")
+public final class BenchmarkCommand implements Callable<Integer> {
+    private final Environment environment;
+
+    @Mixin
+    private PatchOptions patchOptions;
+
+    @Mixin
+    private LightOptions light;
+
+    @Mixin
+    private PlanOptions planOptions;
+
+    @Option(
+            names = "--size",
+            paramLabel = "PIXELS",
+            defaultValue = "256",
+            description = "Width and height of the map. Default: ${DEFAULT-VALUE}.")
+    private int size;
+
+    @Option(
+            names = "--frames",
+            paramLabel = "N",
+            defaultValue = "3",
+            description = "Frames that are timed, 1 to 100. Default: ${DEFAULT-VALUE}.")
+    private int frames;
+
+    @Spec
+    private CommandSpec specification;
+
+    public BenchmarkCommand(Environment environment) {
+        this.environment = environment;
+    }
+
+    @Override
+    public Integer call() {
+        if (size < 16 || size > 2048) {
+            throw new UsageException("--size " + size + " is out of range; give 16 to 2048");
+        }
+        if (frames < 1 || frames > 100) {
+            throw new UsageException("--frames " + frames + " is out of range; give 1 to 100");
+        }
+        Direction wi = light.direction();
+        DiffractionSetup setup = new DiffractionSetup(
+                patchOptions, environment, specification.commandLine().getErr());
+        VisibleRange range = VisibleRange.of(wi);
+        List<Contender> contenders = List.of(
+                new Contender("thesis", setup.plan(PlanRequest.of(PlanRequest.Preset.THESIS), range)),
+                new Contender("asked for", setup.plan(planOptions.request(), range)));
+        try (RenderContext context = RenderContexts.offscreen()) {
+            List<FrameTime> times = new ArrayList<>();
+            for (Contender contender : contenders) {
+                times.add(time(context, setup, contender, wi));
+            }
+            report(specification.commandLine().getOut(), context, setup, times);
+        }
+        return ExitCode.OK.code();
+    }
+
+    private FrameTime time(RenderContext context, DiffractionSetup setup, Contender contender, Direction wi) {
+        long start = System.nanoTime();
+        FourierTable table = setup.freshTable(contender.plan());
+        long tableReady = System.nanoTime();
+        try (DiffractionMethod method =
+                        FullMethod.create(context, contender.plan(), table, MethodUse.COLOUR, setup.cie());
+                BrdfMapRenderer renderer = new BrdfMapRenderer(context, method, size);
+                GpuTimer timer = context.createTimer()) {
+            context.finish();
+            double uploadSeconds = (System.nanoTime() - tableReady) * 1e-9;
+            timer.measure(() -> renderer.draw(wi, pixels -> {}));
+            double[] seconds = new double[frames];
+            GpuTime.Source clock = GpuTime.Source.WALL_CLOCK;
+            for (int i = 0; i < frames; i++) {
+                GpuTime time = timer.measure(() -> renderer.draw(wi, pixels -> {}));
+                seconds[i] = time.seconds();
+                clock = time.source();
+            }
+            Arrays.sort(seconds);
+            return new FrameTime(
+                    contender,
+                    (tableReady - start) * 1e-9,
+                    uploadSeconds,
+                    seconds[frames / 2],
+                    renderer.coveredPixels(),
+                    clock == GpuTime.Source.TIMER_QUERY ? "timer query" : "wall clock");
+        }
+    }
+
+    private void report(PrintWriter out, RenderContext context, DiffractionSetup setup, List<FrameTime> times) {
+        FrameTime thesis = times.get(0);
+        out.printf(
+                Locale.ROOT,
+                "BRDF map of %s, %d x %d, %d covered pixels, light at %s%n%s, %d processors, %s, median of %d frames%n%n",
+                setup.patch().name(),
+                size,
+                size,
+                thesis.coveredPixels(),
+                light.describe(),
+                context.info().renderer(),
+                Runtime.getRuntime().availableProcessors(),
+                thesis.clock(),
+                frames);
+        out.println("  plan        tables  upload     frame  per pixel  times faster");
+        for (FrameTime time : times) {
+            out.printf(
+                    Locale.ROOT,
+                    "  %-10s %6.2f s %5.2f s %7.3f s %7.2f us %9.1f     %s%n",
+                    time.contender().label(),
+                    time.tableSeconds(),
+                    time.uploadSeconds(),
+                    time.frameSeconds(),
+                    time.microsecondsPerPixel(),
+                    thesis.frameSeconds() / time.frameSeconds(),
+                    time.contender().description());
+        }
+    }
+}

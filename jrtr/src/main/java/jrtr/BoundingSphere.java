@@ -1,0 +1,45 @@
+package jrtr;
+
+import org.joml.Matrix4fc;
+import org.joml.Vector3f;
+import org.joml.Vector3fc;
+
+/**
+ * A sphere that holds a shape.
+ *
+ * @param center in the shape's units; copied
+ * @param radius at least 0
+ */
+public record BoundingSphere(Vector3fc center, float radius) {
+
+    /** Copies the centre and rejects a radius that is negative or not finite. */
+    public BoundingSphere {
+        center = new Vector3f(center);
+        if (!(radius >= 0) || Float.isInfinite(radius)) {
+            throw new IllegalArgumentException("bounding sphere's radius " + radius + " is not a length");
+        }
+    }
+
+    /** A sphere that holds this one after an affine transformation. */
+    public BoundingSphere transformed(Matrix4fc transformation) {
+        Vector3f moved = transformation.transformPosition(center, new Vector3f());
+        return new BoundingSphere(moved, radius * stretch(transformation));
+    }
+
+    /**
+     * At least the largest factor by which the matrix lengthens a vector: exact where its columns are orthogonal
+     * (rotation and scaling), else the Frobenius norm, which no vector exceeds.
+     */
+    private static float stretch(Matrix4fc m) {
+        Vector3f x = new Vector3f(m.m00(), m.m01(), m.m02());
+        Vector3f y = new Vector3f(m.m10(), m.m11(), m.m12());
+        Vector3f z = new Vector3f(m.m20(), m.m21(), m.m22());
+        float sum = x.lengthSquared() + y.lengthSquared() + z.lengthSquared();
+        float skew = Math.max(Math.abs(x.dot(y)), Math.max(Math.abs(y.dot(z)), Math.abs(z.dot(x))));
+        // Rounding makes rotations' columns orthogonal to about 1e-6 only; the factor 1.0001 covers what that hides.
+        if (skew <= 1e-5f * sum) {
+            return 1.0001f * Math.max(x.length(), Math.max(y.length(), z.length()));
+        }
+        return (float) Math.sqrt(sum);
+    }
+}

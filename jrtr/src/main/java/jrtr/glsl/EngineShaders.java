@@ -1,0 +1,19 @@
+package jrtr.glsl;
+
+import java.util.Optional;
+
+/** The shader files that come with the engine; their names begin with {@code jrtr/}. */
+public final class EngineShaders {
+    private static final String PREFIX = "jrtr/";
+
+    private EngineShaders() {}
+
+    /**
+     * The engine's files; an application puts them behind its own with {@link ShaderLibrary#orElse}. For fragment
+     * shaders of meshes: {@code jrtr/surface.glsl} and {@code jrtr/tangent_frame.glsl}.
+     */
+    public static ShaderLibrary library() {
+        ShaderLibrary files = ShaderLibrary.ofClassPath(EngineShaders.class.getClassLoader(), "jrtr/shaders");
+        return name -> name.startsWith(PREFIX) ? files.text(name.substring(PREFIX.length())) : Optional.empty();
+    }
+}

@@ -1,0 +1,39 @@
+package jrtr.scene;
+
+import org.joml.Matrix4f;
+import org.joml.Vector3f;
+import org.joml.Vector3fc;
+
+/**
+ * Where a scene is seen from. World space, metres; vectors are copied.
+ *
+ * @param centerOfProjection the eye
+ * @param lookAtPoint what is in the middle of the picture
+ * @param up points upwards in the picture; any length above 0, not along the line of sight
+ */
+public record Camera(Vector3fc centerOfProjection, Vector3fc lookAtPoint, Vector3fc up) {
+
+    /** Rejects cameras that have no line of sight or no upright. */
+    public Camera {
+        centerOfProjection = new Vector3f(centerOfProjection);
+        lookAtPoint = new Vector3f(lookAtPoint);
+        up = new Vector3f(up);
+        Vector3f sight = lookAtPoint.sub(centerOfProjection, new Vector3f());
+        float across = sight.cross(up, new Vector3f()).length();
+        // In float32 a line of sight within 1e-5 of the upright leaves two digits of the picture's right-hand side.
+        if (!(across > 1e-5f * sight.length() * up.length()) || Float.isInfinite(across)) {
+            throw new IllegalArgumentException("camera at " + numbers(centerOfProjection) + " looking at "
+                    + numbers(lookAtPoint) + " with up " + numbers(up)
+                    + " has no picture: eye and point must differ and up must not lie along the line of sight");
+        }
+    }
+
+    private static String numbers(Vector3fc vector) {
+        return "(" + vector.x() + ", " + vector.y() + ", " + vector.z() + ")";
+    }
+
+    /** World to camera space: the eye at the origin, looking along -z, y upwards, x to the right. */
+    public Matrix4f worldToCamera() {
+        return new Matrix4f().lookAt(centerOfProjection, lookAtPoint, up);
+    }
+}

@@ -1,0 +1,70 @@
+package jrtr.scene;
+
+import java.util.Iterator;
+import java.util.Objects;
+import java.util.Spliterators;
+import java.util.stream.Stream;
+import java.util.stream.StreamSupport;
+
+/** A scene from a graph. */
+public final class GraphSceneManager implements SceneManagerInterface {
+    private final Node root;
+    private Camera camera;
+    private Frustum frustum;
+
+    /** A scene whose graph, camera and frustum may change between draws. */
+    public GraphSceneManager(Node root, Camera camera, Frustum frustum) {
+        this.root = Objects.requireNonNull(root, "root");
+        setCamera(camera);
+        setFrustum(frustum);
+    }
+
+    /** The graph's top. */
+    public Node root() {
+        return root;
+    }
+
+    @Override
+    public Iterator<RenderItem> shapes() {
+        return leaves().<RenderItem>mapMulti((leaf, out) -> {
+                    if (leaf.node() instanceof ShapeNode node) {
+                        out.accept(new RenderItem(node.shape(), leaf.toWorld()));
+                    }
+                })
+                .iterator();
+    }
+
+    @Override
+    public Iterator<Light> lights() {
+        return leaves().<Light>mapMulti((leaf, out) -> {
+                    if (leaf.node() instanceof LightNode node) {
+                        out.accept(node.light().transformed(leaf.toWorld()));
+                    }
+                })
+                .iterator();
+    }
+
+    private Stream<PlacedNode> leaves() {
+        return StreamSupport.stream(Spliterators.spliteratorUnknownSize(new LeafIterator(root), 0), false);
+    }
+
+    @Override
+    public Camera camera() {
+        return camera;
+    }
+
+    /** Moves the eye. */
+    public void setCamera(Camera value) {
+        camera = Objects.requireNonNull(value, "camera");
+    }
+
+    @Override
+    public Frustum frustum() {
+        return frustum;
+    }
+
+    /** Changes what the eye sees. */
+    public void setFrustum(Frustum value) {
+        frustum = Objects.requireNonNull(value, "frustum");
+    }
+}

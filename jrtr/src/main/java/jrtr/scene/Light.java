@@ -1,0 +1,35 @@
+package jrtr.scene;
+
+import org.joml.Matrix4fc;
+import org.joml.Vector3f;
+import org.joml.Vector3fc;
+
+/**
+ * A directional light: parallel rays, as from the sun.
+ *
+ * @param towards unit vector from the scene to the light; given in any length above 0, kept in length 1
+ * @param radiance linear colour, in the unit that the application's shaders agree on; copied
+ */
+public record Light(Vector3fc towards, Vector3fc radiance) {
+
+    /** Normalises the direction; rejects one without length. */
+    public Light {
+        float length = towards.length();
+        if (!(length > 0) || Float.isInfinite(length)) {
+            throw new IllegalArgumentException("light's direction (" + towards.x() + ", " + towards.y() + ", "
+                    + towards.z() + ") has no direction");
+        }
+        towards = towards.div(length, new Vector3f());
+        radiance = new Vector3f(radiance);
+    }
+
+    /** A light of radiance 1 in each channel. */
+    public static Light white(Vector3fc towards) {
+        return new Light(towards, new Vector3f(1));
+    }
+
+    /** This light with its direction turned by a matrix's linear part. */
+    public Light transformed(Matrix4fc transformation) {
+        return new Light(transformation.transformDirection(towards, new Vector3f()), radiance);
+    }
+}

@@ -1,0 +1,54 @@
+package jrtr.scene;
+
+import java.util.ArrayList;
+import java.util.Iterator;
+import java.util.List;
+import jrtr.ShaderProgram;
+import org.joml.Vector3fc;
+
+/** The uniforms of jrtr/surface.glsl that tell the lights. */
+public final class LightUniforms {
+    /** Most lights in a scene: MAX_LIGHTS of jrtr/surface.glsl. */
+    public static final int MOST = 4;
+
+    private final int count;
+    private final float[] directions = new float[3 * MOST];
+    private final float[] radiances = new float[3 * MOST];
+
+    private LightUniforms(List<Light> lights) {
+        this.count = lights.size();
+        for (int i = 0; i < count; i++) {
+            put(directions, i, lights.get(i).towards());
+            put(radiances, i, lights.get(i).radiance());
+        }
+    }
+
+    private static void put(float[] values, int index, Vector3fc vector) {
+        values[3 * index] = vector.x();
+        values[3 * index + 1] = vector.y();
+        values[3 * index + 2] = vector.z();
+    }
+
+    static LightUniforms of(Iterator<Light> lights) {
+        List<Light> all = new ArrayList<>();
+        lights.forEachRemaining(all::add);
+        if (all.size() > MOST) {
+            throw new IllegalArgumentException(
+                    "the scene has " + all.size() + " lights, but shaders take at most " + MOST);
+        }
+        return new LightUniforms(all);
+    }
+
+    /** Sets those that the program uses. */
+    void applyTo(ShaderProgram program) {
+        if (program.isActive("lightCount")) {
+            program.set("lightCount", count);
+        }
+        if (program.isActive("lightDirections")) {
+            program.set("lightDirections", directions);
+        }
+        if (program.isActive("lightRadiances")) {
+            program.set("lightRadiances", radiances);
+        }
+    }
+}

@@ -1,0 +1,48 @@
+package jrtr.scene;
+
+import jrtr.Tile;
+import org.joml.Matrix4f;
+
+/**
+ * The part of a picture that a target shows. Pictures larger than any target are drawn in parts.
+ *
+ * @param pictureWidth pixels per row of the whole picture
+ * @param pictureHeight rows of the whole picture
+ * @param part what of it is shown; as large as the target
+ */
+public record PictureArea(int pictureWidth, int pictureHeight, Tile part) {
+
+    /** Rejects parts that are not inside. */
+    public PictureArea {
+        if (!part.fitsIn(pictureWidth, pictureHeight)) {
+            throw new IllegalArgumentException(
+                    part + " is not inside a picture of " + pictureWidth + " x " + pictureHeight);
+        }
+    }
+
+    /** All of a picture. */
+    public static PictureArea whole(int width, int height) {
+        return new PictureArea(width, height, Tile.whole(width, height));
+    }
+
+    /** Whether the part is all. */
+    boolean isWhole() {
+        return part.width() == pictureWidth && part.height() == pictureHeight;
+    }
+
+    /** The part inside this one that a tile of the target shows. */
+    PictureArea within(Tile tile) {
+        Tile inner = new Tile(part.x() + tile.x(), part.y() + tile.y(), tile.width(), tile.height());
+        return new PictureArea(pictureWidth, pictureHeight, inner);
+    }
+
+    /** From the whole picture's clip space to the part's. */
+    Matrix4f wholeToPart() {
+        double bottom = (double) pictureHeight - part.y() - part.height();
+        double scaleX = (double) pictureWidth / part.width();
+        double scaleY = (double) pictureHeight / part.height();
+        double moveX = (pictureWidth - 2.0 * part.x() - part.width()) / part.width();
+        double moveY = (pictureHeight - 2 * bottom - part.height()) / part.height();
+        return new Matrix4f().translation((float) moveX, (float) moveY, 0).scale((float) scaleX, (float) scaleY, 1);
+    }
+}

@@ -1,0 +1,19 @@
+package jrtr.scene;
+
+import java.util.Objects;
+import jrtr.VertexBuffer;
+
+/**
+ * Triangles and how they look. Owns neither.
+ *
+ * @param vertices uploaded once, drawn often
+ * @param material how they look
+ */
+public record Shape(VertexBuffer vertices, Material material) {
+
+    /** Rejects null. */
+    public Shape {
+        Objects.requireNonNull(vertices, "vertices");
+        Objects.requireNonNull(material, "material");
+    }
+}

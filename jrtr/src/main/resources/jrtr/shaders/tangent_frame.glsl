@@ -1,0 +1,32 @@
+#include "jrtr/surface.glsl"
+
+// The tangent frame at a fragment: x tangent, y bitangent, z normal (thesis algorithm 3.2, there per vertex).
+
+// Turn of the frame about the normal in radians, counter-clockwise seen from outside.
+uniform float tangentRotation;
+
+// Rodrigues' rotation of a vector about an axis of unit length that is orthogonal to it.
+vec3 turnedAbout(vec3 axis, vec3 vector, float angle) {
+    return cos(angle) * vector + sin(angle) * cross(axis, vector);
+}
+
+// Columns T, B, N in world space: orthonormal, left-handed where the texture is mirrored.
+mat3 tangentFrame() {
+    vec3 normal = normalize(worldNormal);
+    vec3 across = worldTangent.xyz - dot(worldTangent.xyz, normal) * normal;
+    // Tangents that cancel between two vertices have no direction; a zero vector is better than NaN.
+    vec3 tangent = across * inversesqrt(max(dot(across, across), 1e-30));
+    tangent = turnedAbout(normal, tangent, tangentRotation);
+    float handedness = worldTangent.w < 0.0 ? -1.0 : 1.0;
+    return mat3(tangent, handedness * cross(normal, tangent), normal);
+}
+
+// Towards the viewer, in the frame: wr.
+vec3 viewDirection(mat3 frame) {
+    return normalize(eyePosition - worldPosition) * frame;
+}
+
+// Towards a light, in the frame: wi.
+vec3 lightDirection(mat3 frame, int light) {
+    return lightDirections[light] * frame;
+}

@@ -1,0 +1,66 @@
+package jrtr;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+
+import org.joml.Matrix4f;
+import org.joml.Vector3f;
+import org.joml.Vector3fc;
+import org.junit.jupiter.api.Test;
+
+class VertexDataTest {
+    private static VertexData triangle(float[] positions, int... indices) {
+        int vertices = positions.length / 3;
+        return new VertexData(
+                positions, new float[3 * vertices], new float[4 * vertices], new float[2 * vertices], indices);
+    }
+
+    @Test
+    void arraysThatDoNotFitTogetherAreRefused() {
+        float[] three = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+
+        assertThat(triangle(three, 0, 1, 2).triangles()).isEqualTo(1);
+        assertThatThrownBy(() -> triangle(three, 0, 1, 3)).hasMessageContaining("index 3 is none of 3 vertices");
+        assertThatThrownBy(() -> triangle(three, 0, -1, 2)).hasMessageContaining("index -1");
+        assertThatThrownBy(() -> triangle(three, 0, 1)).hasMessageContaining("indices");
+        assertThatThrownBy(() -> triangle(three)).hasMessageContaining("without a triangle");
+        assertThatThrownBy(() -> new VertexData(three, new float[9], new float[9], new float[6], new int[] {0, 1, 2}))
+                .hasMessageContaining("tangents have 9 numbers, not 12");
+        assertThatThrownBy(() -> triangle(new float[] {0, 0, 0, Float.NaN, 0, 0, 0, 1, 0}, 0, 1, 2))
+                .hasMessageContaining("NaN");
+    }
+
+    @Test
+    void theBoundingSphereJustHoldsTheVertices() {
+        BoundingSphere bounds =
+                triangle(new float[] {1, 0, 0, 5, 0, 0, 3, 2, 0}, 0, 1, 2).bounds();
+
+        assertThat(bounds.center()).isEqualTo(new Vector3f(3, 1, 0));
+        // Two vertices lie at (2, 1) from the box's middle.
+        assertThat(bounds.radius()).isCloseTo((float) Math.sqrt(5), within(1e-6f));
+    }
+
+    @Test
+    void aTransformedSphereHoldsTheTransformedPoints() {
+        BoundingSphere unit = new BoundingSphere(new Vector3f(), 1);
+        Matrix4f shear = new Matrix4f().m10(3);
+        Matrix4f turnedAndScaled =
+                new Matrix4f().translate(1, 2, 3).rotateX(0.7f).scale(1, 4, 2);
+
+        for (Matrix4f matrix : new Matrix4f[] {shear, turnedAndScaled}) {
+            BoundingSphere moved = unit.transformed(matrix);
+            for (int i = 0; i < 200; i++) {
+                double polar = Math.PI * i / 200;
+                double turn = 2.4 * i;
+                Vector3f point = new Vector3f(
+                        (float) (Math.sin(polar) * Math.cos(turn)), (float) (Math.sin(polar) * Math.sin(turn)), (float)
+                                Math.cos(polar));
+                Vector3fc image = matrix.transformPosition(point);
+                assertThat(image.distance(moved.center())).isLessThanOrEqualTo(moved.radius());
+            }
+        }
+        // A rotation with scaling is bounded by its largest factor, not by more.
+        assertThat(unit.transformed(turnedAndScaled).radius()).isCloseTo(4, within(1e-3f));
+    }
+}

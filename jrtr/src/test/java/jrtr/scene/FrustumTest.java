@@ -1,0 +1,82 @@
+package jrtr.scene;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+
+import jrtr.Tile;
+import org.joml.Matrix4f;
+import org.joml.Vector3f;
+import org.junit.jupiter.api.Test;
+
+class FrustumTest {
+    private static final float FIELD = 0.8f;
+    private static final Frustum FRUSTUM = new Frustum(FIELD, 0.5f, 20);
+
+    @Test
+    void theMatrixIsTheOneByHand() {
+        float focal = (float) (1 / Math.tan(FIELD / 2));
+        Matrix4f byHand = new Matrix4f(
+                focal * 3 / 4,
+                0,
+                0,
+                0,
+                0,
+                focal,
+                0,
+                0,
+                0,
+                0,
+                (20 + 0.5f) / (0.5f - 20),
+                -1,
+                0,
+                0,
+                2 * 20 * 0.5f / (0.5f - 20),
+                0);
+
+        Matrix4f matrix = FRUSTUM.cameraToClip(PictureArea.whole(400, 300));
+
+        // Float32 rounding of numbers of order 1.
+        assertThat(matrix.equals(byHand, 1e-6f)).isTrue();
+    }
+
+    @Test
+    void cornersOfTheFrustumAreCornersOfTheCube() {
+        Matrix4f matrix = FRUSTUM.cameraToClip(PictureArea.whole(400, 300));
+        float top = (float) Math.tan(FIELD / 2);
+
+        Vector3f nearTopRight = matrix.transformProject(new Vector3f(top * 0.5f * 4 / 3, top * 0.5f, -0.5f));
+        Vector3f farBottomLeft = matrix.transformProject(new Vector3f(-top * 20 * 4 / 3, -top * 20, -20));
+
+        assertThat(nearTopRight.equals(new Vector3f(1, 1, -1), 1e-5f)).isTrue();
+        assertThat(farBottomLeft.equals(new Vector3f(-1, -1, 1), 1e-5f)).isTrue();
+    }
+
+    @Test
+    void aPartShowsItsPixelsOfTheWhole() {
+        PictureArea whole = PictureArea.whole(400, 300);
+        Tile tile = new Tile(100, 30, 50, 60);
+        Vector3f point = new Vector3f(-0.6f, 0.3f, -3);
+        Vector3f inWhole = FRUSTUM.cameraToClip(whole).transformProject(new Vector3f(point));
+        Vector3f inPart = FRUSTUM.cameraToClip(new PictureArea(400, 300, tile)).transformProject(new Vector3f(point));
+
+        // Pixels from the left and from the top, in the whole and, shifted by the tile's corner, in the part.
+        float column = (inWhole.x + 1) / 2 * 400;
+        float row = (1 - inWhole.y) / 2 * 300;
+        // Pixel numbers of order 100 in float32, magnified 8 times.
+        assertThat((inPart.x + 1) / 2 * 50 + 100).isCloseTo(column, within(1e-3f));
+        assertThat((1 - inPart.y) / 2 * 60 + 30).isCloseTo(row, within(1e-3f));
+        assertThat(inPart.z).isEqualTo(inWhole.z);
+    }
+
+    @Test
+    void whatIsNoFrustumIsRefused() {
+        assertThatThrownBy(() -> new Frustum(0, 1, 2)).isInstanceOf(IllegalArgumentException.class);
+        assertThatThrownBy(() -> new Frustum(3.2f, 1, 2)).isInstanceOf(IllegalArgumentException.class);
+        assertThatThrownBy(() -> new Frustum(1, 0, 2)).isInstanceOf(IllegalArgumentException.class);
+        assertThatThrownBy(() -> new Frustum(1, 2, 2)).isInstanceOf(IllegalArgumentException.class);
+        assertThatThrownBy(() -> new Frustum(Float.NaN, 1, 2)).isInstanceOf(IllegalArgumentException.class);
+        assertThatThrownBy(() -> new PictureArea(10, 10, new Tile(5, 5, 6, 5)))
+                .isInstanceOf(IllegalArgumentException.class);
+    }
+}

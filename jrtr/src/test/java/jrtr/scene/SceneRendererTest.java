@@ -1,0 +1,302 @@
+package jrtr.scene;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import jrtr.ContextOptions;
+import jrtr.DepthUse;
+import jrtr.FloatTarget;
+import jrtr.FloatTargetSpec;
+import jrtr.RenderContext;
+import jrtr.ShaderException;
+import jrtr.ShaderProgram;
+import jrtr.Tile;
+import jrtr.VertexBuffer;
+import jrtr.VertexData;
+import jrtr.gl.NeedsDisplay;
+import jrtr.gl.RenderContexts;
+import jrtr.glsl.EngineShaders;
+import jrtr.glsl.ShaderLibrary;
+import org.joml.Matrix4f;
+import org.joml.Vector3f;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.TestInstance;
+
+@NeedsDisplay
+@TestInstance(TestInstance.Lifecycle.PER_CLASS)
+class SceneRendererTest {
+    private static final int WIDTH = 90;
+    private static final int HEIGHT = 60;
+    private static final Frustum FRUSTUM = new Frustum(0.7f, 1, 20);
+    private static final Camera CAMERA =
+            new Camera(new Vector3f(0.5f, -4, 1.5f), new Vector3f(0, 0, 0.1f), new Vector3f(0, 0, 1));
+
+    private RenderContext context;
+    private SceneRenderer renderer;
+    private FloatTarget target;
+
+    @BeforeAll
+    void open() {
+        context = RenderContexts.offscreen(ContextOptions.withDebugOutput());
+        renderer = new SceneRenderer(context);
+        target = context.createFloatTarget("picture", FloatTargetSpec.colorAndDepth(WIDTH, HEIGHT));
+    }
+
+    @AfterAll
+    void close() {
+        context.close();
+    }
+
+    private ShaderProgram program(String declarations, String color) {
+        String text = "#version 330 core\n#include \"jrtr/tangent_frame.glsl\"\n" + declarations
+                + "\nlayout(location = 0) out vec4 color;\nvoid main() { color = " + color + "; }\n";
+        return context.createMeshProgram(ShaderLibrary.ofMap(Map.of("test.frag", text))
+                .orElse(EngineShaders.library())
+                .load("test.frag"));
+    }
+
+    private Shape shape(VertexData data, ShaderProgram program) {
+        VertexBuffer buffer = context.createVertexBuffer("mesh", data);
+        return new Shape(buffer, new Material(program, List.of()));
+    }
+
+    private static GraphSceneManager scene(Node root) {
+        return new GraphSceneManager(root, CAMERA, FRUSTUM);
+    }
+
+    private static Node at(Matrix4f place, Shape shape) {
+        TransformGroup group = new TransformGroup(place);
+        group.add(new ShapeNode(shape));
+        return group;
+    }
+
+    private float[] drawn(SceneManagerInterface scene) {
+        renderer.draw(scene, target, Tile.whole(WIDTH, HEIGHT));
+        return target.read(0);
+    }
+
+    /** From the eye through the middle of a pixel; by the camera's own vectors, without matrices. */
+    private static Vector3f ray(int column, int row) {
+        Vector3f forward = new Vector3f(CAMERA.lookAtPoint())
+                .sub(CAMERA.centerOfProjection())
+                .normalize();
+        Vector3f right = new Vector3f(forward).cross(CAMERA.up()).normalize();
+        Vector3f up = new Vector3f(right).cross(forward);
+        float pixel = (float) (2 * Math.tan(FRUSTUM.verticalFieldOfView() / 2) / HEIGHT);
+        return forward.add(right.mul((column + 0.5f - WIDTH / 2f) * pixel))
+                .add(up.mul((HEIGHT / 2f - row - 0.5f) * pixel));
+    }
+
+    @Test
+    void aSpheresNormalsAreTheAnalyticOnes() {
+        Shape sphere = shape(TestMeshes.sphere(256, 128), program("", "vec4(normalize(worldNormal), 1)"));
+        float[] pixels = drawn(scene(new ShapeNode(sphere)));
+
+        int compared = 0;
+        for (int row = 0; row < HEIGHT; row++) {
+            for (int column = 0; column < WIDTH; column++) {
+                Vector3f direction = ray(column, row).normalize();
+                Vector3f eye = new Vector3f(CAMERA.centerOfProjection());
+                float along = -eye.dot(direction);
+                float missed = eye.lengthSquared() - along * along;
+                int pixel = 4 * (row * WIDTH + column);
+                if (missed > 1.01f) {
+                    assertThat(pixels[pixel + 3]).isZero();
+                } else if (missed < 0.9f) {
+                    Vector3f normal =
+                            direction.mul(along - (float) Math.sqrt(1 - missed)).add(eye);
+                    Vector3f rendered = new Vector3f(pixels[pixel], pixels[pixel + 1], pixels[pixel + 2]);
+                    // Facets of 0.025 rad lie up to 8e-5 below the sphere, seen at 18 degrees or steeper.
+                    assertThat(rendered.distance(normal)).isLessThan(1e-3f);
+                    assertThat(pixels[pixel + 3]).isEqualTo(1);
+                    compared++;
+                }
+            }
+        }
+        assertThat(compared).isGreaterThan(500);
+    }
+
+    @Test
+    void aPlanesDepthIsTheAnalyticOne() {
+        Shape plane = shape(TestMeshes.square(), program("", "vec4(1)"));
+        renderer.draw(scene(at(new Matrix4f().scale(1.2f), plane)), target, Tile.whole(WIDTH, HEIGHT));
+        float[] depth = target.readDepth(Tile.whole(WIDTH, HEIGHT));
+        Vector3f forward = new Vector3f(CAMERA.lookAtPoint())
+                .sub(CAMERA.centerOfProjection())
+                .normalize();
+
+        int compared = 0;
+        for (int row = 0; row < HEIGHT; row++) {
+            for (int column = 0; column < WIDTH; column++) {
+                Vector3f direction = ray(column, row);
+                float distance = -CAMERA.centerOfProjection().z() / direction.z;
+                Vector3f hit = new Vector3f(direction).mul(distance).add(CAMERA.centerOfProjection());
+                float reach = Math.max(Math.abs(hit.x), Math.abs(hit.y));
+                float found = depth[row * WIDTH + column];
+                if (distance > 0 && reach < 1.17f) {
+                    float z = distance * direction.dot(forward);
+                    float expected = (20f / 19f) * (1 - 1 / z);
+                    // Float32 through two matrices and a division.
+                    assertThat(found).isCloseTo(expected, within(3e-6f));
+                    compared++;
+                } else if (distance < 0 || reach > 1.23f) {
+                    assertThat(found).isEqualTo(1);
+                }
+            }
+        }
+        assertThat(compared).isGreaterThan(500);
+    }
+
+    private Group crowd() {
+        ShaderProgram program = program(
+                "", "vec4(viewDirection(tangentFrame()), 1) + vec4(surfaceCoordinate, 0, 0) * sin(worldPosition.x)");
+        Shape sphere = shape(TestMeshes.sphere(40, 20), program);
+        Shape square = shape(TestMeshes.square(), program);
+        Group root = new Group();
+        root.add(at(new Matrix4f().scale(3), square));
+        root.add(at(new Matrix4f().translate(0.2f, 0, 0.4f).scale(0.6f), sphere));
+        root.add(at(new Matrix4f().translate(-0.5f, -0.6f, 0.3f).rotateX(1).scale(0.3f, 0.4f, 0.5f), sphere));
+        root.add(at(new Matrix4f().translate(-40, 0, 0), sphere));
+        return root;
+    }
+
+    @Test
+    void tilesGiveTheSamePictureAsOneDrawBitForBit() {
+        GraphSceneManager scene = scene(crowd());
+        float[] atOnce = drawn(scene);
+        target.clear(5, 5, 5, 5);
+
+        for (Tile tile : Tile.cover(WIDTH, HEIGHT, 17)) {
+            renderer.draw(scene, target, tile);
+        }
+
+        assertThat(target.read(0)).isEqualTo(atOnce);
+        assertThat(renderer.draw(scene, target, Tile.whole(WIDTH, HEIGHT)).culled())
+                .isEqualTo(1);
+    }
+
+    @Test
+    void theDepthPassHidesNothingThatOnePassWouldShow() {
+        Group root = crowd();
+        GraphSceneManager scene = scene(root);
+        float[] twoPasses = drawn(scene);
+
+        target.clear(0, 0, 0, 0);
+        Matrix4f worldToClip =
+                FRUSTUM.cameraToClip(PictureArea.whole(WIDTH, HEIGHT)).mul(CAMERA.worldToCamera());
+        scene.shapes().forEachRemaining(item -> {
+            ShaderProgram program = item.shape().material().program();
+            PlaceUniforms.set(program, item.modelToWorld(), worldToClip);
+            context.draw(
+                    program, List.of(), item.shape().vertices(), DepthUse.NEARER, target, Tile.whole(WIDTH, HEIGHT));
+        });
+
+        assertThat(twoPasses).isEqualTo(target.read(0));
+    }
+
+    @Test
+    void hiddenFragmentsAreNotShadedInTheSecondPass() {
+        ShaderProgram program = program("uniform float value;", "vec4(value)");
+        Shape square = shape(TestMeshes.square(), program);
+        Matrix4f worldToClip =
+                FRUSTUM.cameraToClip(PictureArea.whole(WIDTH, HEIGHT)).mul(CAMERA.worldToCamera());
+        Matrix4f near = new Matrix4f().translate(0, 0, 0.2f);
+        target.clear(0, 0, 0, 0);
+
+        draw(square, near, worldToClip, DepthUse.DEPTH_ONLY, 1);
+        assertThat(target.read(0)).containsOnly(0);
+        draw(square, new Matrix4f(), worldToClip, DepthUse.EQUAL, 2);
+        int middle = 4 * (HEIGHT / 2 * WIDTH + WIDTH / 2);
+        assertThat(target.read(0)).doesNotContain(2);
+        draw(square, near, worldToClip, DepthUse.EQUAL, 3);
+        assertThat(target.read(0)[middle]).isEqualTo(3);
+    }
+
+    private void draw(Shape shape, Matrix4f place, Matrix4f worldToClip, DepthUse depth, float value) {
+        ShaderProgram program = shape.material().program();
+        PlaceUniforms.set(program, place, worldToClip);
+        program.set("value", value);
+        context.draw(program, List.of(), shape.vertices(), depth, target, Tile.whole(WIDTH, HEIGHT));
+    }
+
+    @Test
+    void partsOfAPictureShowWhatTheWholeShows() {
+        GraphSceneManager scene = scene(crowd());
+        float[] whole = drawn(scene);
+        Tile part = new Tile(33, 11, 40, 30);
+        try (FloatTarget small = context.createFloatTarget("part", FloatTargetSpec.colorAndDepth(40, 30))) {
+            renderer.draw(scene, new PictureArea(WIDTH, HEIGHT, part), small, Tile.whole(40, 30));
+            float[] pixels = small.read(0);
+
+            int different = 0;
+            for (int row = 0; row < 30; row++) {
+                for (int i = 0; i < 4 * 40; i++) {
+                    float expected = whole[4 * ((row + 11) * WIDTH + 33) + i];
+                    // Both matrices round differently, by some 1e-6.
+                    different += Math.abs(pixels[4 * 40 * row + i] - expected) > 1e-4f ? 1 : 0;
+                }
+            }
+            // Only pixels that an edge just touches may belong to another shape.
+            assertThat(different).isLessThan(4 * 20);
+            assertThatThrownBy(() -> renderer.draw(scene, small, new Tile(30, 0, 20, 5)))
+                    .isInstanceOf(IllegalArgumentException.class);
+            assertThatThrownBy(() -> renderer.draw(scene, PictureArea.whole(41, 30), small, Tile.whole(40, 30)))
+                    .isInstanceOf(IllegalArgumentException.class);
+        }
+    }
+
+    @Test
+    void changesOfTheSceneShowInTheNextDraw() {
+        ShaderProgram program = program(
+                "uniform float strength;",
+                "vec4(strength * max(0.0, lightDirection(tangentFrame(), 0).z) * lightRadiances[0], 1)");
+        Shape square = shape(TestMeshes.square(), program);
+        TransformGroup light = new TransformGroup();
+        light.add(new LightNode(new Light(new Vector3f(0, 0, 2), new Vector3f(1, 0.5f, 0))));
+        Group root = new Group();
+        root.add(light);
+        root.add(new ShapeNode(square));
+        square.material().uniforms().set("strength", 2f);
+        int middle = 4 * (HEIGHT / 2 * WIDTH + WIDTH / 2);
+
+        float[] first = drawn(scene(root));
+        light.setTransformation(new Matrix4f().rotateX((float) Math.PI / 3));
+        square.material().uniforms().set("strength", 8f);
+        float[] second = drawn(scene(root));
+
+        // Lambert: cos 0 = 1, then cos 60 = 1/2; float32 rounding.
+        assertThat(first[middle]).isCloseTo(2, within(1e-5f));
+        assertThat(first[middle + 1]).isCloseTo(1, within(1e-5f));
+        assertThat(second[middle]).isCloseTo(4, within(1e-5f));
+    }
+
+    @Test
+    void misuseIsRefused() {
+        Shape square = shape(TestMeshes.square(), program("", "vec4(1)"));
+        List<Node> lights = new ArrayList<>();
+        Group root = new Group();
+        for (int i = 0; i < 5; i++) {
+            lights.add(new LightNode(Light.white(new Vector3f(0, 0, 1))));
+            root.add(lights.get(i));
+        }
+
+        assertThatThrownBy(() -> drawn(scene(root))).hasMessageContaining("5 lights");
+        square.material().uniforms().set("noSuchThing", 1f);
+        assertThatThrownBy(() -> drawn(scene(new ShapeNode(square))))
+                .isInstanceOf(ShaderException.class)
+                .hasMessageContaining("noSuchThing");
+        try (FloatTarget flat = context.createFloatTarget("flat", FloatTargetSpec.color(WIDTH, HEIGHT))) {
+            assertThatThrownBy(() -> renderer.draw(scene(new ShapeNode(square)), flat, Tile.whole(WIDTH, HEIGHT)))
+                    .isInstanceOf(IllegalStateException.class)
+                    .hasMessageContaining("no depth");
+        }
+        square.vertices().close();
+        assertThatThrownBy(() -> drawn(scene(new ShapeNode(square)))).hasMessageContaining("closed");
+    }
+}

@@ -1,0 +1,195 @@
+package jrtr.scene;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.List;
+import java.util.Map;
+import jrtr.ContextOptions;
+import jrtr.FloatTarget;
+import jrtr.FloatTargetSpec;
+import jrtr.RenderContext;
+import jrtr.Tile;
+import jrtr.VertexData;
+import jrtr.gl.NeedsDisplay;
+import jrtr.gl.RenderContexts;
+import jrtr.glsl.EngineShaders;
+import jrtr.glsl.ShaderLibrary;
+import org.joml.Matrix4f;
+import org.joml.Vector3f;
+import org.joml.Vector3fc;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.TestInstance;
+
+/** The frame that fragments see: its columns, wi and wr, all drawn at once into five images. */
+@NeedsDisplay
+@TestInstance(TestInstance.Lifecycle.PER_CLASS)
+class TangentFrameTest {
+    private static final int SIDE = 48;
+    // A few operations in float32 on unit vectors.
+    private static final float ROUNDING = 2e-6f;
+    private static final String SHADER = """
+            #version 330 core
+            #include "jrtr/tangent_frame.glsl"
+            layout(location = 0) out vec4 tangent;
+            layout(location = 1) out vec4 bitangent;
+            layout(location = 2) out vec4 normal;
+            layout(location = 3) out vec4 light;
+            layout(location = 4) out vec4 view;
+            void main() {
+                mat3 frame = tangentFrame();
+                tangent = vec4(frame[0], 1.0);
+                bitangent = vec4(frame[1], 1.0);
+                normal = vec4(frame[2], 1.0);
+                light = vec4(lightDirection(frame, 0), 1.0);
+                view = vec4(viewDirection(frame), 1.0);
+            }
+            """;
+    private final Camera camera = new Camera(new Vector3f(1, -3, 2), new Vector3f(0.2f, 0, 0), new Vector3f(0, 0, 1));
+    private final Vector3f towardsLight = new Vector3f(0.6f, -0.48f, 0.64f);
+
+    private RenderContext context;
+
+    @BeforeAll
+    void open() {
+        context = RenderContexts.offscreen(ContextOptions.withDebugOutput());
+    }
+
+    @AfterAll
+    void close() {
+        context.close();
+    }
+
+    /** The five images at the pixels that the mesh covers. */
+    private record Images(List<float[]> images) {
+        Vector3f at(int image, int pixel) {
+            float[] values = images.get(image);
+            return new Vector3f(values[4 * pixel], values[4 * pixel + 1], values[4 * pixel + 2]);
+        }
+
+        boolean covered(int pixel) {
+            return images.get(0)[4 * pixel + 3] == 1;
+        }
+
+        int middle() {
+            return SIDE / 2 * SIDE + SIDE / 2;
+        }
+    }
+
+    private Images drawn(VertexData data, Matrix4f place, float rotation) {
+        Material material = new Material(
+                context.createMeshProgram(ShaderLibrary.ofMap(Map.of("frame.frag", SHADER))
+                        .orElse(EngineShaders.library())
+                        .load("frame.frag")),
+                List.of());
+        material.uniforms().set("tangentRotation", rotation);
+        TransformGroup root = new TransformGroup(place);
+        root.add(new ShapeNode(new Shape(context.createVertexBuffer("mesh", data), material)));
+        Group all = new Group();
+        all.add(root);
+        all.add(new LightNode(Light.white(towardsLight)));
+        Frustum frustum = new Frustum(0.5f, 0.5f, 20);
+        try (SceneRenderer renderer = new SceneRenderer(context);
+                FloatTarget target = context.createFloatTarget("frames", new FloatTargetSpec(SIDE, SIDE, 5, true))) {
+            renderer.draw(new GraphSceneManager(all, camera, frustum), target, Tile.whole(SIDE, SIDE));
+            return new Images(List.of(target.read(0), target.read(1), target.read(2), target.read(3), target.read(4)));
+        }
+    }
+
+    private static VertexData mirrored(VertexData data) {
+        float[] tangents = data.tangents().clone();
+        for (int i = 3; i < tangents.length; i += 4) {
+            tangents[i] = -1;
+        }
+        return new VertexData(data.positions(), data.normals(), tangents, data.textureCoordinates(), data.indices());
+    }
+
+    private static void assertClose(Vector3fc found, Vector3fc expected, float tolerance) {
+        assertThat(found.distance(expected)).as("%s for %s", found, expected).isLessThan(tolerance);
+    }
+
+    @Test
+    void theFrameIsOrthonormalAndRightHandedAtEveryFragment() {
+        Images images =
+                drawn(TestMeshes.sphere(24, 12), new Matrix4f().rotateY(0.4f).scale(1, 0.7f, 0.8f), 0.3f);
+
+        int covered = 0;
+        for (int pixel = 0; pixel < SIDE * SIDE; pixel++) {
+            if (images.covered(pixel)) {
+                Vector3f tangent = images.at(0, pixel);
+                Vector3f normal = images.at(2, pixel);
+                assertThat(tangent.length()).isCloseTo(1, within(ROUNDING));
+                assertThat(normal.length()).isCloseTo(1, within(ROUNDING));
+                assertThat(tangent.dot(normal)).isCloseTo(0, within(ROUNDING));
+                assertClose(images.at(1, pixel), normal.cross(tangent, new Vector3f()), ROUNDING);
+                assertThat(images.at(3, pixel).length()).isCloseTo(1, within(ROUNDING));
+                assertThat(images.at(4, pixel).length()).isCloseTo(1, within(ROUNDING));
+                covered++;
+            }
+        }
+        assertThat(covered).isGreaterThan(300);
+    }
+
+    @Test
+    void lightAndViewAreInTheFrameOfAPlane() {
+        Images images = drawn(TestMeshes.square(), new Matrix4f(), 0);
+        int pixel = images.middle();
+
+        assertClose(images.at(0, pixel), new Vector3f(1, 0, 0), ROUNDING);
+        assertClose(images.at(1, pixel), new Vector3f(0, 1, 0), ROUNDING);
+        assertClose(images.at(3, pixel), towardsLight, ROUNDING);
+        Vector3f towardsEye = new Vector3f(camera.centerOfProjection())
+                .sub(camera.lookAtPoint())
+                .normalize();
+        // The pixel's middle lies half a pixel, 0.5 / 48 / 2 rad, beside the line of sight.
+        assertClose(images.at(4, pixel), towardsEye, 0.01f);
+    }
+
+    @Test
+    void lightAndViewTurnAgainstTheSurface() {
+        float angle = (float) Math.PI / 6;
+        Images images = drawn(TestMeshes.square(), new Matrix4f().rotateX(angle), 0);
+
+        Vector3f expected = new Vector3f(towardsLight).rotateX(-angle);
+        assertClose(images.at(3, images.middle()), expected, ROUNDING);
+    }
+
+    @Test
+    void thePatchTurnsCounterClockwiseSeenFromOutside() {
+        float angle = (float) Math.toRadians(30);
+        Vector3f turned = new Vector3f((float) Math.cos(angle), (float) Math.sin(angle), 0);
+
+        Images right = drawn(TestMeshes.square(), new Matrix4f(), angle);
+        Images left = drawn(mirrored(TestMeshes.square()), new Matrix4f(), angle);
+
+        assertClose(right.at(0, right.middle()), turned, ROUNDING);
+        assertClose(left.at(0, left.middle()), turned, ROUNDING);
+        assertClose(right.at(1, right.middle()), new Vector3f(-turned.y, turned.x, 0), ROUNDING);
+        assertClose(left.at(1, left.middle()), new Vector3f(turned.y, -turned.x, 0), ROUNDING);
+    }
+
+    @Test
+    void mirroredSurfacesHaveLeftHandedFrames() {
+        Images mirroredTexture = drawn(mirrored(TestMeshes.square()), new Matrix4f(), 0);
+        Images mirroredPlace = drawn(TestMeshes.square(), new Matrix4f().scale(1, -1, 1), 0);
+
+        for (Images images : List.of(mirroredTexture, mirroredPlace)) {
+            assertClose(images.at(0, images.middle()), new Vector3f(1, 0, 0), ROUNDING);
+            assertClose(images.at(1, images.middle()), new Vector3f(0, -1, 0), ROUNDING);
+            assertClose(images.at(2, images.middle()), new Vector3f(0, 0, 1), ROUNDING);
+            assertThat(images.at(3, images.middle()).y).isCloseTo(-towardsLight.y, within(ROUNDING));
+        }
+    }
+
+    @Test
+    void unevenScalingKeepsNormalsOrthogonalToTheSurface() {
+        // The plane z = x: normal (-1, 0, 1), flattened to z = x / 2, normal (-1, 0, 2).
+        Matrix4f place = new Matrix4f().scale(1, 1, 0.5f).rotateY(-(float) Math.PI / 4);
+        Images images = drawn(TestMeshes.square(), place, 0);
+
+        assertClose(images.at(2, images.middle()), new Vector3f(-1, 0, 2).normalize(), ROUNDING);
+        assertClose(images.at(0, images.middle()), new Vector3f(2, 0, 1).normalize(), ROUNDING);
+    }
+}
