@@ -1,5 +1,3 @@
-#include "method/grid_tables.glsl"
-
 // Windowed spectra on a grid, interpolated. A direction sees the ray f = (u, v) / lambda; its wavelengths are placed where
 // the ray crosses the grid's columns (rows, where |v| > |u|), so that only one axis is left to interpolate.
 

@@ -1,5 +1,6 @@
 package jrtr.gl;
 
+import com.jogamp.nativewindow.NativeWindowFactory;
 import java.io.ByteArrayOutputStream;
 import java.io.PrintStream;
 import java.lang.System.Logger.Level;
@@ -25,15 +26,11 @@ final class JoglNoise implements AutoCloseable {
     }
 
     /**
-     * To be called when JOGL's native libraries could not be loaded: as the program ends, JOGL calls them all the same,
-     * in a thread of its own, and the failure, which has been reported already, would be printed once more.
+     * Keeps JOGL silent in its own thread at the program's end, where it lists the displays that an interrupted program
+     * left open, and stumbles over native libraries that could not be loaded. To be called once, before JOGL starts.
      */
     static void muteShutdown() {
-        Thread.setDefaultUncaughtExceptionHandler((thread, failure) -> {
-            boolean known =
-                    thread.getName().equals("NativeWindowFactory_ShutdownHook") && failure instanceof LinkageError;
-            LOGGER.log(known ? Level.DEBUG : Level.ERROR, "in thread " + thread.getName(), failure);
-        });
+        NativeWindowFactory.addCustomShutdownHook(true, JoglNoise::divert);
     }
 
     /** Forgets what was caught. */

@@ -20,6 +20,10 @@ final class OffscreenSurface implements GlSurface {
 
     private static final VersionNumber OLDEST = new VersionNumber(3, 3, 0);
 
+    static {
+        JoglNoise.muteShutdown();
+    }
+
     private final GLDrawable drawable;
     private final GLContext context;
 
@@ -54,7 +58,6 @@ final class OffscreenSurface implements GlSurface {
                             + ". Set DISPLAY to a running X server, or start one without a screen: Xvfb :1 & export DISPLAY=:1",
                     failure);
         } catch (LinkageError failure) {
-            JoglNoise.muteShutdown();
             throw new GraphicsException(
                     "JOGL's native libraries cannot be loaded: " + reason(failure)
                             + ". The folder for temporary files (java.io.tmpdir) must be writable and executable, and the X11 libraries installed",

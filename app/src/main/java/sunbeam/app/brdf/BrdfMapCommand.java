@@ -18,7 +18,6 @@ import sunbeam.app.cli.ExitCode;
 import sunbeam.app.cli.Numbers;
 import sunbeam.app.cli.UsageException;
 import sunbeam.app.gpu.DiffractionMethod;
-import sunbeam.app.gpu.FullMethod;
 import sunbeam.app.gpu.MethodUse;
 import sunbeam.app.output.AtomicFile;
 import sunbeam.app.output.DefaultName;
@@ -33,11 +32,13 @@ import sunbeam.app.picture.LinearPicture;
 import sunbeam.app.progress.Progress;
 import sunbeam.app.setup.DiffractionSetup;
 import sunbeam.app.setup.LightOptions;
+import sunbeam.app.setup.MethodFactory;
+import sunbeam.app.setup.MethodOptions;
+import sunbeam.app.setup.MethodRequest;
 import sunbeam.app.setup.PatchOptions;
 import sunbeam.app.setup.PlanOptions;
 import sunbeam.precompute.optics.Direction;
-import sunbeam.precompute.plan.Plan;
-import sunbeam.precompute.plan.PlanReport;
+import sunbeam.precompute.plan.PlanRequest;
 import sunbeam.precompute.plan.VisibleRange;
 
 /** {@code sunbeam brdf-map}: from a height map to the picture of its BRDF. */
@@ -60,6 +61,9 @@ public final class BrdfMapCommand implements Callable<Integer> {
 
     @Mixin
     private PlanOptions planOptions;
+
+    @Mixin
+    private MethodOptions methodOptions;
 
     @Mixin
     private ForceOption force;
@@ -105,6 +109,8 @@ public final class BrdfMapCommand implements Callable<Integer> {
             throw new UsageException("--size " + size + " is out of range; give 1 to " + LARGEST);
         }
         double fixedExposure = parseExposure();
+        MethodRequest methodRequest = methodOptions.request();
+        PlanRequest request = planOptions.request();
         Direction wi = light.direction();
         PrintWriter err = specification.commandLine().getErr();
         DiffractionSetup setup = new DiffractionSetup(patchOptions, environment, err);
@@ -117,17 +123,17 @@ public final class BrdfMapCommand implements Callable<Integer> {
             checkDifferent(picture);
             AtomicFile.checkWritable(linear, overwrite);
         }
-        Plan plan = setup.plan(planOptions.request(), VisibleRange.of(wi));
+        MethodFactory factory = new MethodFactory(setup, methodRequest, request, VisibleRange.of(wi));
         PrintWriter out = specification.commandLine().getOut();
-        planOptions.print(plan, out);
+        planOptions.print(factory, out);
         try (RenderContext context = RenderContexts.offscreen();
-                DiffractionMethod method =
-                        FullMethod.create(context, plan, setup.table(plan), MethodUse.COLOUR, setup.cie());
+                DiffractionMethod method = factory.create(context, MethodUse.COLOUR);
                 BrdfMapRenderer renderer = new BrdfMapRenderer(context, method, size);
                 DisplayPass display = new DisplayPass(context)) {
             LinearPicture map = render(renderer, wi);
-            double factor = fixedExposure > 0 ? fixedExposure : AutoExposure.of(map, specular(wi, plan));
-            Map<String, String> text = describe(setup, plan, factor, context);
+            double factor =
+                    fixedExposure > 0 ? fixedExposure : AutoExposure.of(map, specular(wi, method.specularReach()));
+            Map<String, String> text = describe(setup, methodRequest, factory.summary(), factor, context);
             BufferedImage image = SrgbImage.fromEncoded(size, size, display.srgb(map, factor));
             write(picture, stream -> PngWriter.write(stream, image, text), map);
         }
@@ -175,9 +181,7 @@ public final class BrdfMapCommand implements Callable<Integer> {
         }
     }
 
-    // The specular peak is as wide as the window's spectrum; five deviations of the longest wavelength hold all of it.
-    private AutoExposure.Specular specular(Direction wi, Plan plan) {
-        double radius = 5 * plan.window().sigmaFrequency() * 780e-9;
+    private AutoExposure.Specular specular(Direction wi, double radius) {
         return pixel -> {
             double x = (2.0 * (pixel % size) + 1) / size - 1;
             int row = pixel / size;
@@ -186,14 +190,15 @@ public final class BrdfMapCommand implements Callable<Integer> {
         };
     }
 
-    private Map<String, String> describe(DiffractionSetup setup, Plan plan, double factor, RenderContext context) {
+    private Map<String, String> describe(
+            DiffractionSetup setup, MethodRequest methodRequest, String plan, double factor, RenderContext context) {
         Map<String, String> text = new LinkedHashMap<>();
         text.put("Title", "BRDF map of " + setup.patch().name());
         text.put("Patch", setup.patch().source());
         text.put("Light", light.describe());
-        text.put("Method", "full");
+        text.put("Method", methodRequest.describe());
         text.put("Options", planOptions.describe());
-        text.put("Plan", new PlanReport(plan).summary());
+        text.put("Plan", plan);
         text.put("Exposure", Double.toString(factor));
         text.put("Renderer", context.info().renderer());
         return text;

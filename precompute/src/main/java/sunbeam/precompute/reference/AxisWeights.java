@@ -49,6 +49,28 @@ record AxisWeights(double[] real, double[] imaginary) {
         return weights;
     }
 
+    /**
+     * exp(+2 pi i f x) / (N Q), summed over Q replicas of the patch side by side, one after the other.
+     *
+     * @param replicas Q, at least 1
+     */
+    static AxisWeights ofReplicas(double frequency, Axis axis, int replicas) {
+        AxisWeights weights = new AxisWeights(new double[axis.count()], new double[axis.count()]);
+        double amount = 1.0 / axis.count() / replicas;
+        for (int replica = 0; replica < replicas; replica++) {
+            for (int i = 0; i < axis.count(); i++) {
+                double position = ((double) replica * axis.count() + i) * axis.step();
+                weights.add(i, amount, frequency * position);
+            }
+        }
+        return weights;
+    }
+
+    private void add(int index, double amount, double turns) {
+        real[index] += amount * Math.cos(angle(turns));
+        imaginary[index] += amount * Math.sin(angle(turns));
+    }
+
     private void turn(int index, double angle, double factor) {
         double cosine = factor * Math.cos(angle);
         double sine = factor * Math.sin(angle);
