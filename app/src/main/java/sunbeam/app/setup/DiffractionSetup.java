@@ -1,6 +1,7 @@
 package sunbeam.app.setup;
 
 import java.io.PrintWriter;
+import java.util.function.Consumer;
 import sunbeam.app.cache.TableStore;
 import sunbeam.app.cli.Environment;
 import sunbeam.app.cli.Messages;
@@ -24,9 +25,26 @@ public final class DiffractionSetup {
 
     /** Loads the patch and says what the user should know of it. */
     public DiffractionSetup(PatchOptions options, Environment environment, PrintWriter err) {
-        this.patch = options.load();
+        this(options.load(), environment, err);
+    }
+
+    /** Takes a loaded patch and says what the user should know of it. */
+    public DiffractionSetup(Patch patch, Environment environment, PrintWriter err) {
+        this(patch, environment, warning -> {
+            err.println(Messages.warning(warning));
+            err.flush();
+        });
         patch.warnings().forEach(warning -> err.println(Messages.warning(patch.name() + ": " + warning)));
         err.flush();
+    }
+
+    /**
+     * Takes a patch that is loaded already, whose warnings have been told.
+     *
+     * @param warning told in one line each what goes wrong with the cache
+     */
+    public DiffractionSetup(Patch patch, Environment environment, Consumer<String> warning) {
+        this.patch = patch;
         this.heights = HeightLevels.of(patch.heights());
         this.identity = new PatchIdentity(
                 patch.name(),
@@ -35,10 +53,7 @@ public final class DiffractionSetup {
                 patch.heights().pitchX(),
                 patch.heights().pitchY(),
                 patch.digest());
-        this.store = new TableStore(environment, warning -> {
-            err.println(Messages.warning(warning));
-            err.flush();
-        });
+        this.store = new TableStore(environment, warning);
     }
 
     public Patch patch() {

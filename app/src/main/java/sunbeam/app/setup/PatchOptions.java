@@ -55,7 +55,12 @@ public final class PatchOptions {
 
     /** As {@link #load()}, with a patch named elsewhere than by the option. */
     public Patch load(String named) {
-        return loader().load(PatchRequest.parse(named, width, height, maxHeight, channel, level));
+        return load(PatchRequest.parse(named, width, height, maxHeight, channel, level));
+    }
+
+    /** Loads a patch that is asked for elsewhere; built-in names are known. */
+    public static Patch load(PatchRequest request) {
+        return loader().load(request);
     }
 
     private static PatchLoader loader() {

@@ -26,17 +26,28 @@ final class BinPowers {
         return terms[0].length();
     }
 
+    /** One bin at all nodes. */
     double[] at(int bin) {
         double[] powers = new double[coefficients.length];
         for (int q = 0; q < powers.length; q++) {
-            double real = 0;
-            double imaginary = 0;
-            for (int n = 0; n < terms.length; n++) {
-                real += coefficients[q][n] * terms[n].real()[bin];
-                imaginary += coefficients[q][n] * terms[n].imaginary()[bin];
-            }
-            powers[q] = real * real + imaginary * imaginary;
+            powers[q] = at(bin, q);
         }
         return powers;
+    }
+
+    /** How strong a bin is: its mean at three nodes, so that no zero of one of them hides it. */
+    double strength(int bin) {
+        int nodes = coefficients.length;
+        return (at(bin, nodes / 6) + at(bin, nodes / 2) + at(bin, 5 * nodes / 6)) / 3;
+    }
+
+    private double at(int bin, int node) {
+        double real = 0;
+        double imaginary = 0;
+        for (int n = 0; n < terms.length; n++) {
+            real += coefficients[node][n] * terms[n].real()[bin];
+            imaginary += coefficients[node][n] * terms[n].imaginary()[bin];
+        }
+        return real * real + imaginary * imaginary;
     }
 }

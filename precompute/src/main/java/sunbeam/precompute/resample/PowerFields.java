@@ -13,11 +13,12 @@ import sunbeam.precompute.table.FourierTable;
 import sunbeam.precompute.table.WindowPhase;
 
 /**
- * Powers |F_j|^2 of the bins as a function of the phase, in the shortest real basis: the singular vectors of the powers of a
- * sample of bins, each relative to its own mean, so that weak bins count as much as strong ones.
+ * Powers |F_j|^2 of the bins as a function of the phase, in the shortest real basis: the singular vectors of the powers of
+ * the strongest bins and of a sample of all, each relative to its own mean, so that weak bins count as much as strong ones.
  */
 public final class PowerFields implements Fields {
-    private static final int SAMPLED_BINS = 600;
+    private static final int STRONGEST_BINS = 300;
+    private static final int RANDOM_BINS = 300;
     // The sample of bins is the same at every run.
     private static final long SEED = 20140507;
 
@@ -49,10 +50,11 @@ public final class PowerFields implements Fields {
     }
 
     private double[][] basis(BinPowers powers, double tolerance) {
-        SplittableRandom random = new SplittableRandom(SEED);
-        double[][] rows = new double[Math.min(SAMPLED_BINS, powers.bins())][nodes.count()];
-        for (double[] row : rows) {
-            double[] power = powers.at(random.nextInt(powers.bins()));
+        int[] bins = sample(powers);
+        double[][] rows = new double[bins.length][nodes.count()];
+        for (int i = 0; i < bins.length; i++) {
+            double[] row = rows[i];
+            double[] power = powers.at(bins[i]);
             double mean = 0;
             for (int q = 0; q < power.length; q++) {
                 mean += nodes.weight(q) * power[q];
@@ -79,6 +81,21 @@ public final class PowerFields implements Fields {
             }
         }
         return result;
+    }
+
+    /** The strongest bins, which outshine their surroundings through the window's tails, and some of all. */
+    private static int[] sample(BinPowers powers) {
+        double[] strengths = new double[powers.bins()];
+        Arrays.parallelSetAll(strengths, powers::strength);
+        double[] sorted = strengths.clone();
+        Arrays.parallelSort(sorted);
+        double strong = sorted[Math.max(0, sorted.length - STRONGEST_BINS)];
+        IntStream strongest = IntStream.range(0, strengths.length)
+                .filter(bin -> strengths[bin] >= strong)
+                .limit(STRONGEST_BINS);
+        IntStream random =
+                new SplittableRandom(SEED).ints(Math.min(RANDOM_BINS, strengths.length), 0, strengths.length);
+        return IntStream.concat(strongest, random).toArray();
     }
 
     @Override

@@ -1,0 +1,57 @@
+package sunbeam.app.scene;
+
+import org.joml.Vector3f;
+import org.joml.Vector3fc;
+import sunbeam.precompute.optics.Direction;
+
+/**
+ * What a pixel shows: a point of the skin, its frame as the shader has it (with the patch's rotation), and the directions
+ * in that frame.
+ *
+ * @param position metres, world space
+ * @param tangent unit vector, world space
+ * @param bitangent unit vector, world space
+ * @param normal unit vector, world space
+ * @param wi towards the light, tangent frame; z is negative where the light is behind the skin
+ * @param wr towards the viewer, tangent frame; z may be negative where the relief of the normals turns away
+ * @param textureU texture coordinate
+ * @param textureV texture coordinate
+ */
+public record Pick(
+        Vector3fc position,
+        Vector3fc tangent,
+        Vector3fc bitangent,
+        Vector3fc normal,
+        Direction wi,
+        Direction wr,
+        double textureU,
+        double textureV) {
+
+    /** Copies the vectors. */
+    public Pick {
+        position = new Vector3f(position);
+        tangent = new Vector3f(tangent);
+        bitangent = new Vector3f(bitangent);
+        normal = new Vector3f(normal);
+    }
+
+    /** u of the diffraction integral, -(wi + wr) along the tangent. */
+    public double u() {
+        return -(wi.x() + wr.x());
+    }
+
+    /** v, along the bitangent. */
+    public double v() {
+        return -(wi.y() + wr.y());
+    }
+
+    /** w, along the normal; negative where the skin is lit and seen. */
+    public double w() {
+        return -(wi.z() + wr.z());
+    }
+
+    /** Whether the skin diffracts light to the viewer here: light and viewer are both above it. */
+    public boolean lit() {
+        return wi.z() > 0 && wr.z() > 0;
+    }
+}

@@ -1,0 +1,66 @@
+package sunbeam.app.scene;
+
+import java.util.List;
+import java.util.Optional;
+import jrtr.FloatTarget;
+import jrtr.FloatTargetSpec;
+import jrtr.RenderContext;
+import jrtr.ShaderProgram;
+import jrtr.Tile;
+import jrtr.VertexBuffer;
+import jrtr.scene.Material;
+import jrtr.scene.PictureArea;
+import jrtr.scene.SceneRenderer;
+import org.joml.Vector3f;
+import sunbeam.app.gpu.Shaders;
+import sunbeam.precompute.optics.Direction;
+
+/** Finds out what a pixel shows, with the shaders that draw it (shaders/pick.frag). */
+final class Picking implements AutoCloseable {
+    private static final int IMAGES = 6;
+
+    private final ShaderProgram program;
+    private final FloatTarget target;
+
+    Picking(RenderContext context) {
+        this.program = context.createMeshProgram(Shaders.library().load("pick.frag"));
+        this.target = context.createFloatTarget("pick", new FloatTargetSpec(1, 1, IMAGES, true));
+    }
+
+    /** Nothing where the pixel shows the background. */
+    Optional<Pick> pick(Scene scene, VertexBuffer mesh, SceneRenderer renderer, PictureArea pixel) {
+        Material material = new Material(program, List.of());
+        material.uniforms().set("tangentRotation", (float) scene.rotatePatch());
+        renderer.draw(SceneGraphs.of(scene, mesh, material), pixel, target, Tile.whole(1, 1));
+        float[][] values = new float[IMAGES][];
+        for (int i = 0; i < IMAGES; i++) {
+            values[i] = target.read(i);
+        }
+        if (values[0][3] == 0) {
+            return Optional.empty();
+        }
+        return Optional.of(new Pick(
+                vector(values[0]),
+                vector(values[1]),
+                vector(values[2]),
+                vector(values[3]),
+                direction(values[4]),
+                direction(values[5]),
+                values[4][3],
+                values[5][3]));
+    }
+
+    private static Vector3f vector(float[] rgba) {
+        return new Vector3f(rgba[0], rgba[1], rgba[2]);
+    }
+
+    private static Direction direction(float[] rgba) {
+        return new Direction(rgba[0], rgba[1], rgba[2]);
+    }
+
+    @Override
+    public void close() {
+        target.close();
+        program.close();
+    }
+}

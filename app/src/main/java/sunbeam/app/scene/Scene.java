@@ -1,0 +1,119 @@
+package sunbeam.app.scene;
+
+import java.util.OptionalDouble;
+import org.joml.Quaternionf;
+import org.joml.Quaternionfc;
+import sunbeam.precompute.patch.PatchRequest;
+import sunbeam.precompute.plan.PlanRequest;
+
+/**
+ * All that determines a picture but its size. Files are named absolutely, so that a scene means the same everywhere in
+ * the process; {@link SceneReader} and {@link SceneWriter} turn them into names relative to the scene's folder.
+ *
+ * @param title for people; may be empty
+ * @param mesh a built-in mesh or an absolute OBJ file
+ * @param patch the nanostructure: a built-in patch, an absolute descriptor or image
+ * @param view from where
+ * @param orientation turns the mesh about the centre of its bounding sphere; unit length
+ * @param light the light
+ * @param texture the body's colours: a built-in texture, {@code none} or an absolute image file
+ * @param plan what is fixed of the method's plan
+ * @param rotatePatch turns the nanostructure in the tangent plane, radians, counter-clockwise seen from outside
+ * @param exposure factor of the linear picture, above 0; empty to choose it from the picture
+ * @param blend weights of diffracted light and body
+ * @param background behind the mesh, not exposed
+ */
+public record Scene(
+        String title,
+        String mesh,
+        PatchRequest patch,
+        Viewpoint view,
+        Quaternionfc orientation,
+        SceneLight light,
+        String texture,
+        PlanRequest plan,
+        double rotatePatch,
+        OptionalDouble exposure,
+        Blend blend,
+        SceneColor background) {
+
+    /** Copies; rejects rotations and exposures that are none. */
+    public Scene {
+        if (!(Math.abs(orientation.lengthSquared() - 1) < 1e-3f)) {
+            throw new IllegalArgumentException("orientation " + orientation + " has not the length 1");
+        }
+        orientation = new Quaternionf(orientation);
+        if (!Double.isFinite(rotatePatch)) {
+            throw new IllegalArgumentException("rotation of the patch by " + rotatePatch + " is no angle");
+        }
+        if (exposure.isPresent() && !(exposure.getAsDouble() > 0 && Double.isFinite(exposure.getAsDouble()))) {
+            throw new IllegalArgumentException("exposure " + exposure.getAsDouble() + " is not above 0");
+        }
+    }
+
+    /** The same with another mesh. */
+    public Scene withMesh(String value) {
+        return new Scene(
+                title, value, patch, view, orientation, light, texture, plan, rotatePatch, exposure, blend, background);
+    }
+
+    /** The same with another patch. */
+    public Scene withPatch(PatchRequest value) {
+        return new Scene(
+                title, mesh, value, view, orientation, light, texture, plan, rotatePatch, exposure, blend, background);
+    }
+
+    /** The same from elsewhere. */
+    public Scene withView(Viewpoint value) {
+        return new Scene(
+                title, mesh, patch, value, orientation, light, texture, plan, rotatePatch, exposure, blend, background);
+    }
+
+    /** The same with the mesh turned differently. */
+    public Scene withOrientation(Quaternionfc value) {
+        return new Scene(
+                title, mesh, patch, view, value, light, texture, plan, rotatePatch, exposure, blend, background);
+    }
+
+    /** The same under another light. */
+    public Scene withLight(SceneLight value) {
+        return new Scene(
+                title, mesh, patch, view, orientation, value, texture, plan, rotatePatch, exposure, blend, background);
+    }
+
+    /** The same with another texture. */
+    public Scene withTexture(String value) {
+        return new Scene(
+                title, mesh, patch, view, orientation, light, value, plan, rotatePatch, exposure, blend, background);
+    }
+
+    /** The same with another plan. */
+    public Scene withPlan(PlanRequest value) {
+        return new Scene(
+                title, mesh, patch, view, orientation, light, texture, value, rotatePatch, exposure, blend, background);
+    }
+
+    /** The same with the nanostructure turned differently, radians. */
+    public Scene withRotatePatch(double value) {
+        return new Scene(
+                title, mesh, patch, view, orientation, light, texture, plan, value, exposure, blend, background);
+    }
+
+    /** The same with another exposure. */
+    public Scene withExposure(OptionalDouble value) {
+        return new Scene(
+                title, mesh, patch, view, orientation, light, texture, plan, rotatePatch, value, blend, background);
+    }
+
+    /** The same with other weights. */
+    public Scene withBlend(Blend value) {
+        return new Scene(
+                title, mesh, patch, view, orientation, light, texture, plan, rotatePatch, exposure, value, background);
+    }
+
+    /** The same before another background. */
+    public Scene withBackground(SceneColor value) {
+        return new Scene(
+                title, mesh, patch, view, orientation, light, texture, plan, rotatePatch, exposure, blend, value);
+    }
+}

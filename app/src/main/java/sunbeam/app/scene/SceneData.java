@@ -1,0 +1,62 @@
+package sunbeam.app.scene;
+
+import sunbeam.app.mesh.Mesh;
+import sunbeam.app.texture.BodyTexture;
+import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.patch.Patch;
+import sunbeam.precompute.plan.Plan;
+import sunbeam.precompute.table.FourierTable;
+
+/**
+ * A scene and what it names, loaded and computed: all that a session uploads. Parts that two of these share are the same
+ * objects.
+ *
+ * @param scene what was asked for
+ * @param mesh its triangles
+ * @param patch its nanostructure
+ * @param plan how that is evaluated
+ * @param table the Fourier table of the plan
+ * @param cie colour matching functions
+ * @param body its texture
+ */
+public record SceneData(
+        Scene scene, Mesh mesh, Patch patch, Plan plan, FourierTable table, CieTable cie, BodyTexture body) {
+
+    /** Whether another scene can be drawn with these parts: only light, camera, weights and the like differ. */
+    public boolean suits(Scene other) {
+        return scene.mesh().equals(other.mesh())
+                && scene.patch().equals(other.patch())
+                && scene.texture().equals(other.texture())
+                && scene.plan().equals(other.plan());
+    }
+
+    /**
+     * The same parts for another scene.
+     *
+     * @throws IllegalArgumentException unless they suit it
+     */
+    public SceneData with(Scene other) {
+        if (!suits(other)) {
+            throw new IllegalArgumentException(
+                    "a scene with another mesh, patch, texture or plan must be loaded by a SceneLoader");
+        }
+        return new SceneData(other, mesh, patch, plan, table, cie, body);
+    }
+
+    // The same object, not an equal one: comparing the values would take as long as loading them.
+
+    @SuppressWarnings("ReferenceEquality")
+    boolean sharesMesh(SceneData other) {
+        return mesh == other.mesh;
+    }
+
+    @SuppressWarnings("ReferenceEquality")
+    boolean sharesBody(SceneData other) {
+        return body == other.body;
+    }
+
+    @SuppressWarnings("ReferenceEquality")
+    boolean sharesTable(SceneData other) {
+        return plan == other.plan && table == other.table;
+    }
+}

@@ -1,0 +1,58 @@
+package sunbeam.app.scene;
+
+import jrtr.BoundingSphere;
+import jrtr.VertexBuffer;
+import jrtr.scene.Camera;
+import jrtr.scene.Frustum;
+import jrtr.scene.GraphSceneManager;
+import jrtr.scene.Group;
+import jrtr.scene.Light;
+import jrtr.scene.LightNode;
+import jrtr.scene.Material;
+import jrtr.scene.Shape;
+import jrtr.scene.ShapeNode;
+import jrtr.scene.TransformGroup;
+import org.joml.Matrix4f;
+import org.joml.Vector3f;
+import org.joml.Vector3fc;
+
+/** Scene graphs from scenes. */
+final class SceneGraphs {
+    // Of the mesh's reach, so that rounding cuts nothing off.
+    private static final float MARGIN = 1.02f;
+    // Near plane over far plane where the eye stands inside the mesh's sphere; a 32-bit depth buffer bears it.
+    private static final float NEAREST = 1e-3f;
+
+    private SceneGraphs() {}
+
+    /** One mesh under one light. */
+    static GraphSceneManager of(Scene scene, VertexBuffer mesh, Material material) {
+        Group root = new Group();
+        root.add(new LightNode(new Light(
+                scene.light().towards(), new Vector3f((float) scene.light().intensity()))));
+        TransformGroup turned = new TransformGroup(orientation(scene, mesh.bounds()));
+        turned.add(new ShapeNode(new Shape(mesh, material)));
+        root.add(turned);
+        return new GraphSceneManager(root, scene.view().camera(), frustum(scene.view(), mesh.bounds()));
+    }
+
+    private static Matrix4f orientation(Scene scene, BoundingSphere bounds) {
+        Vector3fc center = bounds.center();
+        return new Matrix4f()
+                .translation(center)
+                .rotate(scene.orientation())
+                .translate(-center.x(), -center.y(), -center.z());
+    }
+
+    /** The planes enclose the mesh, however it is turned. */
+    private static Frustum frustum(Viewpoint view, BoundingSphere bounds) {
+        Camera camera = view.camera();
+        Vector3f sight = camera.lookAtPoint().sub(camera.centerOfProjection(), new Vector3f());
+        float distance =
+                bounds.center().sub(camera.centerOfProjection(), new Vector3f()).dot(sight.normalize());
+        float reach = MARGIN * bounds.radius();
+        // Behind the eye nothing is seen whatever the planes.
+        float far = Math.max(distance, 0) + reach;
+        return new Frustum((float) view.verticalFieldOfView(), Math.max(distance - reach, NEAREST * far), far);
+    }
+}

@@ -1,0 +1,73 @@
+package sunbeam.app.scene;
+
+import java.nio.file.Path;
+import java.util.function.Consumer;
+import sunbeam.app.cli.Environment;
+import sunbeam.app.mesh.Mesh;
+import sunbeam.app.mesh.MeshSource;
+import sunbeam.app.mesh.ReadMesh;
+import sunbeam.app.setup.DiffractionSetup;
+import sunbeam.app.setup.PatchOptions;
+import sunbeam.app.texture.BodyTexture;
+import sunbeam.app.texture.BodyTextures;
+import sunbeam.precompute.patch.Patch;
+import sunbeam.precompute.plan.Plan;
+import sunbeam.precompute.plan.VisibleRange;
+
+/** Loads what a scene names. Needs no OpenGL and may run on any thread; may take seconds. */
+public final class SceneLoader {
+    private final Environment environment;
+    private final Consumer<String> warning;
+
+    /** @param warning told in one line each what the user should know of the files */
+    public SceneLoader(Environment environment, Consumer<String> warning) {
+        this.environment = environment;
+        this.warning = warning;
+    }
+
+    /**
+     * Loads everything.
+     *
+     * @throws sunbeam.app.mesh.MeshException if the mesh cannot be used
+     * @throws sunbeam.precompute.patch.PatchException if the patch cannot be used
+     * @throws sunbeam.app.input.InputException if the texture cannot be used
+     */
+    public SceneData load(Scene scene) {
+        Mesh mesh = mesh(scene);
+        BodyTexture body = BodyTextures.load(scene.texture());
+        return withTables(scene, mesh, body, patch(scene));
+    }
+
+    /** As {@link #load(Scene)}, keeping what has not changed; files are not looked at again. */
+    public SceneData load(Scene scene, SceneData previous) {
+        Scene before = previous.scene();
+        Mesh mesh = before.mesh().equals(scene.mesh()) ? previous.mesh() : mesh(scene);
+        BodyTexture body =
+                before.texture().equals(scene.texture()) ? previous.body() : BodyTextures.load(scene.texture());
+        boolean samePatch = before.patch().equals(scene.patch());
+        if (samePatch && before.plan().equals(scene.plan())) {
+            return new SceneData(
+                    scene, mesh, previous.patch(), previous.plan(), previous.table(), previous.cie(), body);
+        }
+        return withTables(scene, mesh, body, samePatch ? previous.patch() : patch(scene));
+    }
+
+    private Mesh mesh(Scene scene) {
+        ReadMesh read = MeshSource.load(scene.mesh(), Path.of(""));
+        read.warnings().forEach(warning);
+        return read.mesh();
+    }
+
+    private Patch patch(Scene scene) {
+        Patch patch = PatchOptions.load(scene.patch());
+        patch.warnings().forEach(line -> warning.accept(patch.name() + ": " + line));
+        return patch;
+    }
+
+    /** Light and camera may move at any time, so that the plan holds for every pair of directions. */
+    private SceneData withTables(Scene scene, Mesh mesh, BodyTexture body, Patch patch) {
+        DiffractionSetup setup = new DiffractionSetup(patch, environment, warning);
+        Plan plan = setup.plan(scene.plan(), VisibleRange.all());
+        return new SceneData(scene, mesh, patch, plan, setup.table(plan), setup.cie(), body);
+    }
+}

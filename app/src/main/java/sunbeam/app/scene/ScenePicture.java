@@ -1,0 +1,81 @@
+package sunbeam.app.scene;
+
+import jrtr.Tile;
+import sunbeam.app.picture.LinearPicture;
+
+/**
+ * A drawn scene, or a part of one, before exposure.
+ *
+ * @param width pixels per row
+ * @param height rows
+ * @param rgba {@code height * width * 4}, row 0 on top: CIE X, Y, Z, each times coverage, and the mesh's coverage from 0
+ *     to 1. Shared, not copied
+ */
+public record ScenePicture(int width, int height, float[] rgba) {
+    private static final int CHANNELS = 4;
+
+    /** Rejects arrays of another length. */
+    public ScenePicture {
+        if (width < 1 || height < 1 || rgba.length != (long) CHANNELS * width * height) {
+            throw new IllegalArgumentException(
+                    rgba.length + " values do not make a picture of " + width + " x " + height + " x 4");
+        }
+    }
+
+    /** Nothing but background. */
+    public static ScenePicture empty(int width, int height) {
+        return new ScenePicture(
+                width, height, new float[Math.multiplyExact(CHANNELS, Math.multiplyExact(width, height))]);
+    }
+
+    /** Copies a part in, its top left pixel to column x of row y. */
+    public void put(ScenePicture part, int x, int y) {
+        if (!new Tile(x, y, part.width, part.height).fitsIn(width, height)) {
+            throw new IllegalArgumentException("a part of " + part.width + " x " + part.height + " at (" + x + ", " + y
+                    + ") is not inside " + width + " x " + height);
+        }
+        for (int row = 0; row < part.height; row++) {
+            int from = CHANNELS * row * part.width;
+            int to = CHANNELS * ((y + row) * width + x);
+            System.arraycopy(part.rgba, from, rgba, to, CHANNELS * part.width);
+        }
+    }
+
+    /**
+     * The mean of {@code factor x factor} pixels each.
+     *
+     * @throws IllegalArgumentException unless the factor divides both sides
+     */
+    public ScenePicture reduced(int factor) {
+        if (factor < 1 || width % factor != 0 || height % factor != 0) {
+            throw new IllegalArgumentException(width + " x " + height + " pixels cannot be reduced by " + factor);
+        }
+        if (factor == 1) {
+            return this;
+        }
+        ScenePicture small = empty(width / factor, height / factor);
+        float share = 1f / (factor * factor);
+        for (int row = 0; row < height; row++) {
+            for (int column = 0; column < width; column++) {
+                int to = CHANNELS * (row / factor * small.width + column / factor);
+                int from = CHANNELS * (row * width + column);
+                for (int c = 0; c < CHANNELS; c++) {
+                    small.rgba[to + c] += share * rgba[from + c];
+                }
+            }
+        }
+        return small;
+    }
+
+    /** Linear XYZ of the mesh alone: the mean over what it covers of a pixel, NaN where that is nothing. */
+    public LinearPicture linear() {
+        float[] xyz = new float[3 * width * height];
+        for (int i = 0; i < width * height; i++) {
+            float coverage = rgba[CHANNELS * i + 3];
+            for (int c = 0; c < 3; c++) {
+                xyz[3 * i + c] = coverage > 0 ? rgba[CHANNELS * i + c] / coverage : Float.NaN;
+            }
+        }
+        return new LinearPicture(width, height, xyz);
+    }
+}

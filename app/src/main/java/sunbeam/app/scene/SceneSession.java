@@ -1,0 +1,188 @@
+package sunbeam.app.scene;
+
+import java.util.List;
+import java.util.Optional;
+import jrtr.ColorEncoding;
+import jrtr.FloatTarget;
+import jrtr.ImageTexture;
+import jrtr.ImageTextureSpec;
+import jrtr.RenderContext;
+import jrtr.Tile;
+import jrtr.VertexBuffer;
+import jrtr.Wrap;
+import jrtr.scene.GraphSceneManager;
+import jrtr.scene.PictureArea;
+import jrtr.scene.SceneRenderer;
+import sunbeam.app.texture.BodyTexture;
+
+/**
+ * A scene in graphics memory, drawn in parts of any size. A pixel depends on the scene, the picture's size and its place
+ * alone, never on the tile it was drawn in: whoever draws the same scene in the same size gets the same picture, bit for
+ * bit.
+ *
+ * <p>Belongs to its context's thread. The session owns all that it uploads, not the context.
+ */
+public final class SceneSession implements AutoCloseable {
+    /** Side of the tiles that {@link #tiles} gives; llvmpipe shares out blocks of 64 x 64 pixels among processors. */
+    public static final int TILE_SIDE = 128;
+
+    private final RenderContext context;
+    private final SceneRenderer renderer;
+    private final SceneTargets targets;
+    private final Picking picking;
+    private SceneData data;
+    private VertexBuffer mesh;
+    private ImageTexture body;
+    private SkinSurface skin;
+    private GraphSceneManager graph;
+
+    /**
+     * Uploads a scene.
+     *
+     * @throws jrtr.GraphicsException if the device has no room for it
+     */
+    public SceneSession(RenderContext context, SceneData data) {
+        this.context = context;
+        this.renderer = new SceneRenderer(context);
+        this.targets = new SceneTargets(context);
+        this.picking = new Picking(context);
+        try {
+            update(data);
+        } catch (RuntimeException failure) {
+            close();
+            throw failure;
+        }
+    }
+
+    /** What is being drawn. */
+    public SceneData data() {
+        return data;
+    }
+
+    /** The scene that is being drawn. */
+    public Scene scene() {
+        return data.scene();
+    }
+
+    /**
+     * Goes over to another scene, which is drawn from now on. Parts that are the same objects as before stay in graphics
+     * memory. If it fails, the old scene stays.
+     *
+     * @throws jrtr.GraphicsException if the device has no room for it
+     */
+    public void update(SceneData next) {
+        VertexBuffer nextMesh = data != null && next.sharesMesh(data) ? mesh : null;
+        ImageTexture nextBody = data != null && next.sharesBody(data) ? body : null;
+        SkinSurface nextSkin = data != null && next.sharesTable(data) ? skin : null;
+        try {
+            nextMesh = nextMesh != null
+                    ? nextMesh
+                    : context.createVertexBuffer("mesh", next.mesh().toVertexData());
+            nextBody = nextBody != null ? nextBody : upload(next.body());
+            nextSkin = nextSkin != null ? nextSkin : SkinSurface.create(context, next);
+            graph = SceneGraphs.of(next.scene(), nextMesh, nextSkin.material(next.scene(), nextBody));
+        } catch (RuntimeException failure) {
+            closeUnlessSame(nextMesh, mesh);
+            closeUnlessSame(nextBody, body);
+            closeUnlessSame(nextSkin, skin);
+            throw failure;
+        }
+        closeUnlessSame(mesh, nextMesh);
+        closeUnlessSame(body, nextBody);
+        closeUnlessSame(skin, nextSkin);
+        mesh = nextMesh;
+        body = nextBody;
+        skin = nextSkin;
+        data = next;
+    }
+
+    /**
+     * Goes over to a scene that differs in light, camera, orientation, weights, rotation, exposure or background only:
+     * nothing is uploaded.
+     *
+     * @throws IllegalArgumentException for a scene that {@link SceneData#suits} does not allow
+     */
+    public void update(Scene next) {
+        update(data.with(next));
+    }
+
+    /** The tiles of a picture from the top left; any other division draws the same picture. */
+    public static List<Tile> tiles(int width, int height) {
+        return Tile.cover(width, height, TILE_SIDE);
+    }
+
+    /**
+     * Draws a part of a picture.
+     *
+     * @param width pixels per row of the whole picture
+     * @param height rows of the whole picture
+     * @param tile which part; inside the picture
+     * @return as large as the tile
+     * @throws IllegalArgumentException if the tile is not inside
+     */
+    public ScenePicture draw(int width, int height, Tile tile) {
+        if (!tile.fitsIn(width, height)) {
+            throw new IllegalArgumentException(tile + " is not inside a picture of " + width + " x " + height);
+        }
+        ScenePicture part = ScenePicture.empty(tile.width(), tile.height());
+        for (SceneBlocks.Piece piece : SceneBlocks.split(width, height, tile)) {
+            FloatTarget target = targets.of(width, height, piece.block());
+            Tile drawn = piece.inBlock();
+            renderer.draw(graph, new PictureArea(width, height, piece.block()), target, drawn);
+            part.put(new ScenePicture(drawn.width(), drawn.height(), target.read(0, drawn)), piece.x(), piece.y());
+        }
+        return part;
+    }
+
+    /** Draws a whole picture, tile by tile, so that no single draw keeps a slow driver for long. */
+    public ScenePicture draw(int width, int height) {
+        ScenePicture picture = ScenePicture.empty(width, height);
+        for (Tile tile : tiles(width, height)) {
+            picture.put(draw(width, height, tile), tile.x(), tile.y());
+        }
+        return picture;
+    }
+
+    /**
+     * What a pixel of a picture shows.
+     *
+     * @param x columns to its left
+     * @param y rows above it
+     * @param width pixels per row of the whole picture
+     * @param height rows of the whole picture
+     * @return nothing where that is the background
+     * @throws IllegalArgumentException if the pixel is outside
+     */
+    public Optional<Pick> pick(int x, int y, int width, int height) {
+        return picking.pick(scene(), mesh, renderer, new PictureArea(width, height, new Tile(x, y, 1, 1)));
+    }
+
+    private ImageTexture upload(BodyTexture texture) {
+        ImageTexture uploaded = context.createImageTexture(
+                "body", new ImageTextureSpec(texture.width(), texture.height(), ColorEncoding.SRGB, Wrap.REPEAT));
+        uploaded.upload(texture.rgba());
+        return uploaded;
+    }
+
+    private static void closeUnlessSame(AutoCloseable part, AutoCloseable other) {
+        try {
+            if (part != null && part != other) {
+                part.close();
+            }
+        } catch (RuntimeException failure) {
+            throw failure;
+        } catch (Exception failure) {
+            throw new IllegalStateException("parts of a session close without checked exceptions", failure);
+        }
+    }
+
+    @Override
+    public void close() {
+        closeUnlessSame(skin, null);
+        closeUnlessSame(body, null);
+        closeUnlessSame(mesh, null);
+        picking.close();
+        targets.close();
+        renderer.close();
+    }
+}

@@ -1,0 +1,75 @@
+package sunbeam.app.texture;
+
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Iterator;
+import javax.imageio.ImageIO;
+import javax.imageio.ImageReader;
+import javax.imageio.stream.ImageInputStream;
+import sunbeam.app.input.InputException;
+
+/** Reads textures from image files. Their size is looked at before any memory is taken. */
+final class ImageTextureReader {
+    /** What every OpenGL 3.3 driver of note takes. */
+    private static final int LARGEST = 8192;
+
+    private ImageTextureReader() {}
+
+    static BodyTexture read(Path file) {
+        if (!Files.exists(file)) {
+            throw new InputException("there is no texture " + file + "; name an image file, or one of "
+                    + String.join(", ", BodyTextures.names()));
+        }
+        try (ImageInputStream stream = ImageIO.createImageInputStream(file.toFile())) {
+            Iterator<ImageReader> readers =
+                    stream == null ? java.util.Collections.emptyIterator() : ImageIO.getImageReaders(stream);
+            if (!readers.hasNext()) {
+                throw new InputException(
+                        "texture " + file + " is no image that Java can read; convert it to PNG or JPEG");
+            }
+            return read(file, readers.next(), stream);
+        } catch (IOException failure) {
+            throw new InputException(
+                    "texture " + file + " cannot be read (" + failure.getMessage() + "); check the file", failure);
+        }
+    }
+
+    private static BodyTexture read(Path file, ImageReader reader, ImageInputStream stream) throws IOException {
+        try {
+            reader.setInput(stream);
+            int width = reader.getWidth(0);
+            int height = reader.getHeight(0);
+            if (width > LARGEST || height > LARGEST) {
+                throw new InputException("texture " + file + " has " + width + " x " + height
+                        + " pixels; make it at most " + LARGEST + " x " + LARGEST);
+            }
+            return texels(reader.read(0));
+        } catch (IllegalArgumentException | IndexOutOfBoundsException broken) {
+            // What the JDK's decoders throw at damaged files.
+            throw new InputException(
+                    "texture " + file + " is damaged (" + broken.getMessage() + "); export it again", broken);
+        } finally {
+            reader.dispose();
+        }
+    }
+
+    /** Any kind of image to sRGB; transparent texels keep their colour and become opaque. */
+    private static BodyTexture texels(BufferedImage image) {
+        int width = image.getWidth();
+        int height = image.getHeight();
+        byte[] rgba = new byte[4 * width * height];
+        for (int row = 0; row < height; row++) {
+            int[] line = image.getRGB(0, row, width, 1, null, 0, width);
+            for (int column = 0; column < width; column++) {
+                int texel = 4 * (row * width + column);
+                rgba[texel] = (byte) (line[column] >> 16);
+                rgba[texel + 1] = (byte) (line[column] >> 8);
+                rgba[texel + 2] = (byte) line[column];
+                rgba[texel + 3] = -1;
+            }
+        }
+        return new BodyTexture(width, height, rgba);
+    }
+}

@@ -1,0 +1,113 @@
+package sunbeam.app.gpu;
+
+import java.util.List;
+import java.util.stream.IntStream;
+import jrtr.RenderContext;
+import sunbeam.app.directions.DirectionsRenderer;
+import sunbeam.app.directions.DirectionsRenderer.Query;
+import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.optics.Geometry;
+import sunbeam.precompute.patch.HeightDigest;
+import sunbeam.precompute.patch.HeightLevels;
+import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.plan.Average;
+import sunbeam.precompute.plan.Plan;
+import sunbeam.precompute.plan.PlanRequest;
+import sunbeam.precompute.plan.Planner;
+import sunbeam.precompute.plan.VisibleRange;
+import sunbeam.precompute.reference.ReferenceColor;
+import sunbeam.precompute.reference.ReferenceEvaluator;
+import sunbeam.precompute.table.FourierTable;
+import sunbeam.precompute.table.PatchIdentity;
+import sunbeam.precompute.table.TableBuilder;
+
+/** One surface under one request, by method {@code full} on the GPU and by the reference. */
+final class Comparison {
+    /** Below it the power counts as none: it is a tenth of what stray light in any instrument leaves. */
+    static final double FAINTEST = 1e-9;
+
+    private final RenderContext context;
+    private final HeightMap map;
+    private final PlanRequest request;
+    private final CieTable cie = CieTable.load();
+    private final ReferenceEvaluator reference;
+
+    Comparison(RenderContext context, HeightMap map, PlanRequest request) {
+        this.context = context;
+        this.map = map;
+        this.request = request;
+        this.reference = new ReferenceEvaluator(map, request.window(), request.windowOrigin());
+    }
+
+    Plan plan(List<Query> queries) {
+        List<Geometry> geometries = queries.stream().map(Query::geometry).toList();
+        return new Planner(map, HeightLevels.of(map), cie).plan(request, VisibleRange.of(geometries));
+    }
+
+    /** Coherent power, ensemble power, rho and brdf of each query, from the shaders. */
+    List<float[]> spectral(List<Query> queries) {
+        return evaluate(queries, true);
+    }
+
+    /** X, Y, Z of power and the gain of each direction, from the shaders. */
+    List<float[]> colours(List<Geometry> geometries) {
+        return evaluate(geometries.stream().map(g -> new Query(g, 0)).toList(), false);
+    }
+
+    private List<float[]> evaluate(List<Query> queries, boolean spectral) {
+        Plan plan = plan(queries);
+        HeightLevels heights = HeightLevels.of(map);
+        PatchIdentity identity = new PatchIdentity(
+                "test", map.columns(), map.rows(), map.pitchX(), map.pitchY(), HeightDigest.sha256(map));
+        FourierTable table =
+                new TableBuilder(identity, heights, done -> {}).build(plan.expansion(), plan.bandX(), plan.bandY());
+        MethodUse use = spectral ? MethodUse.SPECTRAL : MethodUse.COLOUR;
+        try (DiffractionMethod method = FullMethod.create(context, plan, table, use, cie);
+                DirectionsRenderer renderer = new DirectionsRenderer(context, method, spectral)) {
+            return renderer.evaluate(queries, done -> {});
+        }
+    }
+
+    /** Errors of the power, of the average that the request names, where there is any. */
+    Errors powerErrors(List<Query> queries) {
+        boolean ensemble = ensemble();
+        List<float[]> computed = spectral(queries);
+        double[] errors = IntStream.range(0, queries.size())
+                .parallel()
+                .mapToDouble(i -> {
+                    Query query = queries.get(i);
+                    ReferenceEvaluator.Power exact = reference.powers(query.geometry(), query.wavelength());
+                    double wanted = ensemble ? exact.ensemble() : exact.coherent();
+                    return wanted < FAINTEST ? -1 : Math.abs(computed.get(i)[ensemble ? 1 : 0] - wanted) / wanted;
+                })
+                .filter(error -> !(error < 0))
+                .toArray();
+        return Errors.of(errors);
+    }
+
+    /** Errors of the colours as vectors, where there is any power. */
+    Errors colourErrors(List<Geometry> geometries) {
+        List<float[]> computed = colours(geometries);
+        ReferenceColor color = new ReferenceColor(reference, request.window(), cie);
+        double[] errors = IntStream.range(0, geometries.size())
+                .parallel()
+                .mapToDouble(i -> relative(computed.get(i), color.xyz(geometries.get(i), ensemble())))
+                .filter(error -> !(error < 0))
+                .toArray();
+        return Errors.of(errors);
+    }
+
+    private boolean ensemble() {
+        return request.average().orElse(Average.COHERENT) == Average.ENSEMBLE;
+    }
+
+    private static double relative(float[] computed, double[] exact) {
+        double difference = 0;
+        double length = 0;
+        for (int c = 0; c < 3; c++) {
+            difference += (computed[c] - exact[c]) * (computed[c] - exact[c]);
+            length += exact[c] * exact[c];
+        }
+        return Math.sqrt(length) < FAINTEST ? -1 : Math.sqrt(difference / length);
+    }
+}

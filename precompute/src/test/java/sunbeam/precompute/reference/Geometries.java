@@ -1,0 +1,46 @@
+package sunbeam.precompute.reference;
+
+import java.util.SplittableRandom;
+import sunbeam.precompute.optics.Direction;
+import sunbeam.precompute.optics.Geometry;
+
+/** Directions for tests. */
+final class Geometries {
+    private Geometries() {}
+
+    /**
+     * Light in the xz plane, and the view that sees a frequency.
+     *
+     * @param thetaDegrees angle of the light to the normal, towards +x
+     * @param fx u / lambda, cycles per metre
+     * @param fy v / lambda, cycles per metre
+     * @throws IllegalArgumentException when no view sees it
+     */
+    static Geometry seeing(double thetaDegrees, double fx, double fy, double wavelength) {
+        Direction light = Direction.ofDegrees(thetaDegrees, 0);
+        double x = -fx * wavelength - light.x();
+        double y = -fy * wavelength - light.y();
+        if (x * x + y * y > 1) {
+            throw new IllegalArgumentException("evanescent: " + x + ", " + y);
+        }
+        return new Geometry(light, Direction.ofDisc(x, y));
+    }
+
+    /** Both directions anywhere above the surface. */
+    static Geometry random(SplittableRandom random) {
+        return new Geometry(direction(random), direction(random));
+    }
+
+    private static Direction direction(SplittableRandom random) {
+        return Direction.ofDegrees(85 * random.nextDouble(), 360 * random.nextDouble());
+    }
+
+    /** The same pair of directions seen from below: (u, v, w) changes its sign. */
+    static Geometry opposite(Geometry geometry) {
+        return new Geometry(opposite(geometry.wi()), opposite(geometry.wr()));
+    }
+
+    private static Direction opposite(Direction direction) {
+        return new Direction(-direction.x(), -direction.y(), -direction.z());
+    }
+}

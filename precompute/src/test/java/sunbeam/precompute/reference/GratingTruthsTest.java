@@ -1,0 +1,134 @@
+package sunbeam.precompute.reference;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import org.apache.commons.math3.complex.Complex;
+import org.apache.commons.math3.special.BesselJ;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import sunbeam.precompute.Surfaces;
+import sunbeam.precompute.optics.CoherenceWindow;
+import sunbeam.precompute.optics.Geometry;
+import sunbeam.precompute.optics.WindowOrigin;
+import sunbeam.precompute.patch.HeightMap;
+
+/** Gratings whose orders are known in closed form: one period, 1 x N samples, seen through the coherence window. */
+class GratingTruthsTest {
+    // The reference's rounding is about 2e-15 / sqrt(power); powers here are above 1e-11.
+    private static final double TRUTH = 1e-9;
+    private static final double WAVELENGTH = 450e-9;
+    private static final double PERIOD = 2.5e-6;
+    private static final CoherenceWindow WINDOW = new CoherenceWindow(2.5e-6);
+
+    /** Amplitude of an order as a function of the relief's phase k w h. */
+    private interface Order {
+        Complex amplitude(int order, double phase);
+    }
+
+    /** Both averages of the reference against sums of Gaussian orders, on and between the orders. */
+    private static void assertOrders(HeightMap map, double relief, Order order) {
+        ReferenceEvaluator reference = new ReferenceEvaluator(map, WINDOW, WindowOrigin.CORNER);
+        for (double position = -4; position <= 4; position += 0.125) {
+            Geometry geometry = Geometries.seeing(10, position / PERIOD, 0.3 * WINDOW.sigmaFrequency(), WAVELENGTH);
+            double phase = 2 * Math.PI / WAVELENGTH * geometry.w() * relief;
+            Complex amplitude = Complex.ZERO;
+            double ensemble = 0;
+            for (int m = -9; m <= 9; m++) {
+                double distance = (position - m) / (PERIOD * WINDOW.sigmaFrequency());
+                double gauss = Math.exp(-0.5 * (distance * distance + 0.3 * 0.3));
+                Complex part = order.amplitude(m, phase).multiply(gauss);
+                amplitude = amplitude.add(part);
+                ensemble += squaredMagnitude(part);
+            }
+            ReferenceEvaluator.Power power = reference.powers(geometry, WAVELENGTH);
+            double coherent = squaredMagnitude(amplitude);
+            assertThat(coherent).as("power worth testing at %f", position).isGreaterThan(1e-11);
+            assertThat(power.coherent()).as("coherent at %f", position).isCloseTo(coherent, relative(coherent));
+            assertThat(power.ensemble()).as("ensemble at %f", position).isCloseTo(ensemble, relative(ensemble));
+        }
+    }
+
+    private static org.assertj.core.data.Offset<Double> relative(double value) {
+        return within(TRUTH * value);
+    }
+
+    private static double squaredMagnitude(Complex value) {
+        return value.getReal() * value.getReal() + value.getImaginary() * value.getImaginary();
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {20e-9, 100e-9, 250e-9})
+    void sinusoidHasBesselOrders(double amplitude) {
+        // exp(i z sin t) = sum J_m(z) e^(i m t), seen at f = -m / period. 64 samples a period fold J_55 and beyond onto
+        // these orders: below 1e-25 at phases up to 7.
+        HeightMap map =
+                Surfaces.of(64, 1, PERIOD / 64, (x, y) -> amplitude * Math.sin(2 * Math.PI * x / PERIOD));
+        assertOrders(map, amplitude, (order, phase) -> new Complex(bessel(-order, phase)));
+    }
+
+    private static double bessel(int order, double argument) {
+        boolean odd = order % 2 != 0;
+        double sign = odd && (order < 0) != (argument < 0) ? -1 : 1;
+        return sign * BesselJ.value(Math.abs(order), Math.abs(argument));
+    }
+
+    @ParameterizedTest
+    // Not half of the period: even orders would vanish.
+    @ValueSource(ints = {20, 31, 51})
+    void lamellarGratingHasItsClosedForm(int raised) {
+        int samples = 64;
+        double depth = 120e-9;
+        double[] heights = new double[samples];
+        for (int i = 0; i < raised; i++) {
+            heights[i] = depth;
+        }
+        HeightMap map = new HeightMap(samples, 1, PERIOD / samples, PERIOD / samples, heights);
+        // Order m of a step of a samples in N is a Dirichlet kernel, with the phase of its middle (a - 1) / 2.
+        assertOrders(map, depth, (order, phase) -> {
+            Complex step = Complex.I.multiply(phase).exp().subtract(1);
+            double angle = Math.PI * order / samples;
+            Complex line = order == 0
+                    ? new Complex((double) raised / samples)
+                    : Complex.I
+                            .multiply(angle * (raised - 1))
+                            .exp()
+                            .multiply(Math.sin(raised * angle) / (samples * Math.sin(angle)));
+            return step.multiply(line).add(order == 0 ? 1 : 0);
+        });
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {100e-9, 250e-9, 411e-9})
+    void sampledRampHasDirichletOrders(double height) {
+        int samples = 64;
+        HeightMap map = Surfaces.of(samples, 1, PERIOD / samples, (x, y) -> height * x / PERIOD);
+        assertOrders(map, height, (order, phase) -> {
+            double turns = 0.5 * (phase + 2 * Math.PI * order) / samples;
+            return Complex.I
+                    .multiply(turns * (samples - 1))
+                    .exp()
+                    .multiply(Math.sin(samples * turns) / (samples * Math.sin(turns)));
+        });
+    }
+
+    @Test
+    void finelySampledRampHasSincSquaredOrders() {
+        int samples = 4096;
+        double height = 300e-9;
+        HeightMap map = Surfaces.of(samples, 1, PERIOD / samples, (x, y) -> height * x / PERIOD);
+        ReferenceEvaluator reference =
+                new ReferenceEvaluator(map, new CoherenceWindow(4 * PERIOD), WindowOrigin.CENTRE);
+        for (int m = -3; m <= 4; m++) {
+            Geometry geometry = Geometries.seeing(10, m / PERIOD, 0, WAVELENGTH);
+            // w is negative, so the bright order lies at positive u: the light leaves towards -x (design section 2).
+            double offset = Math.PI * (height * geometry.w() / WAVELENGTH + m);
+            double sincSquared = Math.pow(Math.sin(offset) / offset, 2);
+            // Samples instead of a slope: a Dirichlet kernel, larger by offset^2 / (3 samples^2).
+            assertThat(reference.coherent(geometry, WAVELENGTH))
+                    .as("order %d", m)
+                    .isCloseTo(sincSquared, within(sincSquared * offset * offset / ((double) samples * samples)));
+        }
+    }
+}

@@ -1,0 +1,68 @@
+package sunbeam.precompute.reference;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
+import sunbeam.precompute.Surfaces;
+import sunbeam.precompute.optics.CoherenceWindow;
+import sunbeam.precompute.optics.Gain;
+import sunbeam.precompute.optics.Geometry;
+import sunbeam.precompute.optics.WindowOrigin;
+import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.reference.ReferenceEvaluator.Power;
+
+/** What holds for every surface. */
+class SymmetryTruthsTest {
+    private static final CoherenceWindow WINDOW = new CoherenceWindow(1e-6);
+    private static final HeightMap ROUGH = Surfaces.random(14, 9, 90e-9, 500e-9, 11);
+
+    private final SplittableRandom random = new SplittableRandom(5);
+    private final ReferenceEvaluator reference = new ReferenceEvaluator(ROUGH, WINDOW, WindowOrigin.CENTRE);
+
+    private double wavelength() {
+        return 380e-9 + 400e-9 * random.nextDouble();
+    }
+
+    @Test
+    void lightAndViewMayChangePlaces() {
+        for (int i = 0; i < 50; i++) {
+            Geometry there = Geometries.random(random);
+            Geometry back = new Geometry(there.wr(), there.wi());
+            double wavelength = wavelength();
+            double brdf = Gain.brdf(there, WINDOW, wavelength);
+            assertThat(Gain.brdf(back, WINDOW, wavelength)).isCloseTo(brdf, within(1e-9 * brdf));
+            assertSame(reference.powers(there, wavelength), reference.powers(back, wavelength));
+        }
+    }
+
+    @Test
+    void powerStaysWhenUvwChangesItsSign() {
+        for (int i = 0; i < 50; i++) {
+            Geometry geometry = Geometries.random(random);
+            double wavelength = wavelength();
+            assertSame(
+                    reference.powers(geometry, wavelength),
+                    reference.powers(Geometries.opposite(geometry), wavelength));
+        }
+    }
+
+    @Test
+    void heightOffsetsChangeNothing() {
+        // A millimetre against a rounding of 1e-19 m at its own height: phases move by 2 pi 1e-19 / lambda, next to none.
+        ReferenceEvaluator raised =
+                new ReferenceEvaluator(ROUGH.map(height -> height + 1e-3), WINDOW, WindowOrigin.CENTRE);
+        for (int i = 0; i < 50; i++) {
+            Geometry geometry = Geometries.random(random);
+            double wavelength = wavelength();
+            assertSame(reference.powers(geometry, wavelength), raised.powers(geometry, wavelength));
+        }
+    }
+
+    private static void assertSame(Power a, Power b) {
+        // Powers of this surface are above 1e-5: its rounding is 1e-12 of them.
+        assertThat(b.coherent()).isCloseTo(a.coherent(), within(1e-9 * a.coherent() + 1e-15));
+        assertThat(b.ensemble()).isCloseTo(a.ensemble(), within(1e-9 * a.ensemble() + 1e-15));
+    }
+}
