@@ -8,10 +8,12 @@ import jrtr.RenderContext;
 import jrtr.gl.RenderContexts;
 import sunbeam.app.directions.DirectionsRenderer;
 import sunbeam.app.gpu.DiffractionMethod;
-import sunbeam.app.gpu.FullMethod;
+import sunbeam.app.gpu.MethodKind;
 import sunbeam.app.gpu.MethodUse;
 import sunbeam.app.progress.Progress;
 import sunbeam.app.setup.DiffractionSetup;
+import sunbeam.app.setup.MethodFactory;
+import sunbeam.app.setup.MethodRequest;
 import sunbeam.app.setup.PlanOptions;
 import sunbeam.precompute.evaluation.BinSums;
 import sunbeam.precompute.evaluation.ResponseGrid;
@@ -19,7 +21,6 @@ import sunbeam.precompute.evaluation.ResponseMatrix;
 import sunbeam.precompute.evaluation.WindowPlace;
 import sunbeam.precompute.optics.Geometry;
 import sunbeam.precompute.plan.Average;
-import sunbeam.precompute.plan.Plan;
 import sunbeam.precompute.plan.PlanRequest;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.reference.ReferenceEvaluator;
@@ -36,8 +37,12 @@ final class Responses {
 
     /** Who evaluates. */
     enum Method {
+        /** Direct sums over the surface. */
         REFERENCE,
         FULL,
+        NMM,
+        PQ,
+        /** {@link BinSums}. */
         BINS
     }
 
@@ -52,7 +57,9 @@ final class Responses {
     ResponseMatrix power(Method method, PrintWriter out) {
         return switch (method) {
             case REFERENCE -> reference();
-            case FULL -> full(out);
+            case FULL -> onGpu(MethodKind.FULL, out);
+            case NMM -> onGpu(MethodKind.NMM, out);
+            case PQ -> onGpu(MethodKind.PQ, out);
             case BINS -> bins();
         };
     }
@@ -99,17 +106,16 @@ final class Responses {
         return BinSums.of(setup.identity(), setup.heights(), request.window(), grid);
     }
 
-    private ResponseMatrix full(PrintWriter out) {
+    private ResponseMatrix onGpu(MethodKind kind, PrintWriter out) {
         List<Geometry> directions = new ArrayList<>(grid.angles().length);
         for (double angle : grid.angles()) {
             directions.add(grid.plane().geometry(angle));
         }
-        Plan plan = setup.plan(request, VisibleRange.of(directions));
-        options.print(plan, out);
+        MethodFactory factory = new MethodFactory(setup, MethodRequest.of(kind), request, VisibleRange.of(directions));
+        options.print(factory, out);
         long count = (long) grid.wavelengths().length * directions.size();
         try (RenderContext context = RenderContexts.offscreen();
-                DiffractionMethod method =
-                        FullMethod.create(context, plan, setup.table(plan), MethodUse.SPECTRAL, setup.cie());
+                DiffractionMethod method = factory.create(context, MethodUse.SPECTRAL);
                 DirectionsRenderer renderer = new DirectionsRenderer(context, method, true);
                 Progress progress = Progress.start("Response", count)) {
             return new ResponseMatrix(grid, render(renderer, directions, progress));
