@@ -13,6 +13,7 @@ import sunbeam.app.doctor.DoctorCommand;
 import sunbeam.app.doctor.RendererProbe;
 import sunbeam.app.mesh.MeshCommand;
 import sunbeam.app.setup.PrecomputeCommand;
+import sunbeam.app.viewer.ViewCommand;
 
 /** The program: its commands put together, run, and their failures turned into messages and exit codes. */
 public final class Sunbeam {
@@ -54,6 +55,7 @@ public final class Sunbeam {
         root.addSubcommand(new PrecomputeCommand(environment));
         root.addSubcommand(new BenchmarkCommand(environment));
         root.addSubcommand(new MeshCommand());
+        root.addSubcommand(new ViewCommand(environment));
         root.addSubcommand(new DoctorCommand(environment, new RendererProbe()));
         root.addSubcommand(new HelpCommand());
         root.setOut(out);
