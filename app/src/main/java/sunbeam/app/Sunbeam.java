@@ -12,6 +12,7 @@ import sunbeam.app.directions.ReflectanceCommand;
 import sunbeam.app.doctor.DoctorCommand;
 import sunbeam.app.doctor.RendererProbe;
 import sunbeam.app.mesh.MeshCommand;
+import sunbeam.app.render.RenderCommand;
 import sunbeam.app.setup.PrecomputeCommand;
 import sunbeam.app.viewer.ViewCommand;
 
@@ -54,6 +55,7 @@ public final class Sunbeam {
         root.addSubcommand(new ReflectanceCommand(environment));
         root.addSubcommand(new PrecomputeCommand(environment));
         root.addSubcommand(new BenchmarkCommand(environment));
+        root.addSubcommand(new RenderCommand(environment));
         root.addSubcommand(new MeshCommand());
         root.addSubcommand(new ViewCommand(environment));
         root.addSubcommand(new DoctorCommand(environment, new RendererProbe()));

@@ -1,0 +1,108 @@
+package sunbeam.app.json;
+
+import com.fasterxml.jackson.core.JsonFactory;
+import com.fasterxml.jackson.core.JsonParser;
+import com.fasterxml.jackson.core.JsonProcessingException;
+import com.fasterxml.jackson.core.JsonToken;
+import com.fasterxml.jackson.core.StreamReadConstraints;
+import com.fasterxml.jackson.core.StreamReadFeature;
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import sunbeam.app.input.InputException;
+import sunbeam.precompute.text.Quoted;
+
+/** Reads JSON files of at most 1 MiB that hold one object. Keys may not occur twice. */
+public final class JsonFile {
+    private static final int MOST_BYTES = 1 << 20;
+    private static final int DEEPEST = 20;
+    private static final JsonFactory JSON = JsonFactory.builder()
+            .enable(StreamReadFeature.STRICT_DUPLICATE_DETECTION)
+            .streamReadConstraints(
+                    StreamReadConstraints.builder().maxNestingDepth(DEEPEST).build())
+            .build();
+
+    private JsonFile() {}
+
+    /**
+     * Reads a file.
+     *
+     * @throws InputException when it is missing, too large or no JSON object; the message names file and line
+     */
+    public static JsonObject read(Path file) {
+        try (InputStream stream = Files.newInputStream(file)) {
+            return read(file.toString(), stream);
+        } catch (IOException failure) {
+            throw InputException.of(file, failure);
+        }
+    }
+
+    /**
+     * Reads a stream, which stays open.
+     *
+     * @param name what messages call it
+     */
+    public static JsonObject read(String name, InputStream stream) throws IOException {
+        byte[] content = stream.readNBytes(MOST_BYTES + 1);
+        if (content.length > MOST_BYTES) {
+            throw new InputException(name + " is larger than 1 MiB; name another file");
+        }
+        try (JsonParser parser = JSON.createParser(content)) {
+            if (parser.nextToken() != JsonToken.START_OBJECT) {
+                throw new InputException(name + ", line 1: it must be one JSON object, { ... }");
+            }
+            JsonValue.Members all = members(parser);
+            if (parser.nextToken() != null) {
+                throw new InputException(
+                        name + ", line " + line(parser) + ": something follows the closing brace; remove it");
+            }
+            return new JsonObject(name, "", all);
+        } catch (JsonProcessingException broken) {
+            int line = broken.getLocation() == null ? 1 : broken.getLocation().getLineNr();
+            String problem = broken.getOriginalMessage().lines().findFirst().orElse("broken");
+            throw new InputException(
+                    "%s, line %d: no valid JSON (%s); mend the line".formatted(name, line, Quoted.oneLine(problem)),
+                    broken);
+        }
+    }
+
+    private static int line(JsonParser parser) {
+        return parser.currentTokenLocation().getLineNr();
+    }
+
+    private static JsonValue.Members members(JsonParser parser) throws IOException {
+        int line = line(parser);
+        Map<String, JsonValue> values = new LinkedHashMap<>();
+        while (parser.nextToken() == JsonToken.FIELD_NAME) {
+            String key = parser.currentName();
+            parser.nextToken();
+            values.put(key, value(parser));
+        }
+        return new JsonValue.Members(values, line);
+    }
+
+    private static JsonValue value(JsonParser parser) throws IOException {
+        int line = line(parser);
+        return switch (parser.currentToken()) {
+            case START_OBJECT -> members(parser);
+            case START_ARRAY -> sequence(parser);
+            case VALUE_STRING -> new JsonValue.Text(parser.getText(), line);
+            case VALUE_NUMBER_INT, VALUE_NUMBER_FLOAT -> new JsonValue.Number(parser.getDoubleValue(), line);
+            default -> new JsonValue.Word(parser.getText(), line);
+        };
+    }
+
+    private static JsonValue sequence(JsonParser parser) throws IOException {
+        int line = line(parser);
+        List<JsonValue> values = new ArrayList<>();
+        while (parser.nextToken() != JsonToken.END_ARRAY) {
+            values.add(value(parser));
+        }
+        return new JsonValue.Sequence(values, line);
+    }
+}

@@ -1,0 +1,2 @@
+/** JSON files that remember on which line each value stands, for messages. */
+package sunbeam.app.json;

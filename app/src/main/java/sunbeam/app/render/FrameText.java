@@ -1,0 +1,34 @@
+package sunbeam.app.render;
+
+import java.util.LinkedHashMap;
+import java.util.Map;
+import sunbeam.app.scene.Scene;
+import sunbeam.app.scene.SceneData;
+import sunbeam.app.scene.SceneWriter;
+import sunbeam.precompute.plan.PlanReport;
+
+/** What a picture says of itself in its text chunks. */
+final class FrameText {
+    private FrameText() {}
+
+    static Map<String, String> of(
+            SceneData data,
+            Scene scene,
+            PictureSize size,
+            int supersample,
+            double exposure,
+            String renderer,
+            String identity) {
+        Map<String, String> text = new LinkedHashMap<>();
+        text.put("Title", scene.title().isEmpty() ? "Scene" : scene.title());
+        text.put("Scene", SceneWriter.describe(scene));
+        text.put("Patch", data.patch().source());
+        text.put("Method", "full");
+        text.put("Plan", new PlanReport(data.plan()).summary());
+        text.put("Size", size + ", " + supersample * supersample + " samples per pixel");
+        text.put("Exposure", Double.toString(exposure));
+        text.put("Renderer", renderer);
+        text.put(FrameIdentity.KEYWORD, identity);
+        return text;
+    }
+}

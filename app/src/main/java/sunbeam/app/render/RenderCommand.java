@@ -1,0 +1,183 @@
+package sunbeam.app.render;
+
+import java.io.PrintWriter;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.Callable;
+import jrtr.RenderContext;
+import jrtr.gl.RenderContexts;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+import sunbeam.app.cli.Environment;
+import sunbeam.app.cli.ExitCode;
+import sunbeam.app.cli.Messages;
+import sunbeam.app.cli.UsageException;
+import sunbeam.app.output.AtomicFile;
+import sunbeam.app.output.DefaultName;
+import sunbeam.app.output.ForceOption;
+import sunbeam.app.output.Overwrite;
+import sunbeam.app.scene.Scene;
+import sunbeam.app.scene.SceneData;
+import sunbeam.app.scene.SceneLoader;
+import sunbeam.app.scene.Scenes;
+import sunbeam.precompute.plan.PlanReport;
+
+/** {@code sunbeam render}: a scene as a picture, or moving, without a window. */
+@Command(
+        name = "render",
+        description = "Draw a scene: a mesh with a nanostructured skin, its camera and its light. One PNG, or with"
+                + " --light-sweep or --turntable a folder of numbered PNGs and an animation of them. Ctrl-C keeps"
+                + " the frames that are finished; --resume goes on.")
+public final class RenderCommand implements Callable<Integer> {
+    private static final int MOST_SUPERSAMPLES = 8;
+
+    private final Environment environment;
+
+    @Parameters(
+            paramLabel = "SCENE",
+            description = "A built-in scene (elaphe, elaphe-body, elaphe-scales, xenopeltis, xenopeltis-body,"
+                    + " xenopeltis-scales, light-left, light-above, light-right) or a scene file (.json; docs/scenes.md).")
+    private String sceneName;
+
+    @Option(
+            names = "--output",
+            paramLabel = "FILE.png",
+            description = "The picture, or of an animation the folder. Default: the scene's name.")
+    private Path output;
+
+    @Option(
+            names = "--linear",
+            paramLabel = "FILE.npy",
+            description = "Also write the linear colours: float32, height x width x 3, row 0 on top, CIE XYZ before"
+                    + " exposure, NaN where the mesh is not.")
+    private Path linear;
+
+    @Option(
+            names = "--size",
+            paramLabel = "WxH",
+            defaultValue = "800x600",
+            converter = PictureSize.Converter.class,
+            description = "Width and height in pixels. Default: ${DEFAULT-VALUE}.")
+    private PictureSize size;
+
+    @Option(
+            names = "--supersample",
+            paramLabel = "N",
+            defaultValue = "1",
+            description = "Each pixel is the mean of N x N, 1 to 8, in linear light. Default: ${DEFAULT-VALUE}.")
+    private int supersample;
+
+    @Mixin
+    private AnimationOptions animation;
+
+    @Mixin
+    private SceneOverrides overrides;
+
+    @Mixin
+    private ForceOption force;
+
+    @Spec
+    private CommandSpec specification;
+
+    public RenderCommand(Environment environment) {
+        this.environment = environment;
+    }
+
+    @Override
+    public Integer call() {
+        check();
+        Scene scene = overrides.apply(Scenes.load(sceneName));
+        List<Scene> scenes = animation.isAsked() ? animation.scenes(scene) : List.of(scene);
+        Path target = target();
+        List<Path> files =
+                animation.isAsked() ? FrameFiles.names(target, scenes.size()) : List.of(target);
+        PrintWriter err = specification.commandLine().getErr();
+        SceneData data = new SceneLoader(environment, warning -> {
+                    err.println(Messages.warning(warning));
+                    err.flush();
+                })
+                .load(scene);
+        PrintWriter out = specification.commandLine().getOut();
+        out.println("plan: " + new PlanReport(data.plan()).summary());
+        out.flush();
+        try (RenderContext context = RenderContexts.offscreen();
+                FrameSequence frames = new FrameSequence(context, data, size, supersample)) {
+            draw(frames, scenes, files, target);
+        }
+        outputs(target, files).forEach(out::println);
+        return ExitCode.OK.code();
+    }
+
+    private void check() {
+        if (supersample < 1 || supersample > MOST_SUPERSAMPLES) {
+            throw new UsageException(
+                    "--supersample " + supersample + " is out of range; give 1 to " + MOST_SUPERSAMPLES);
+        }
+        animation.check();
+        if (animation.isAsked() && linear != null) {
+            throw new UsageException("--linear is for single pictures; leave --light-sweep and --turntable out");
+        }
+        if (animation.isMp4()) {
+            Mp4Animation.requireProgram(environment, animation.file(Path.of("")));
+        }
+    }
+
+    private Path target() {
+        if (!animation.isAsked()) {
+            boolean mayUse = animation.resume() || force.overwrite() == Overwrite.REPLACE;
+            return output != null
+                    ? output
+                    : DefaultName.choose(Path.of(""), stem(), "png", mayUse ? Overwrite.REPLACE : Overwrite.REFUSE);
+        }
+        boolean mayUse = animation.resume() || force.overwrite() == Overwrite.REPLACE;
+        return FrameFiles.folder(output, stem() + "-" + animation.name(), mayUse);
+    }
+
+    /** The scene's name without folder and extension. */
+    private String stem() {
+        String name = String.valueOf(Path.of(sceneName).getFileName());
+        int dot = name.lastIndexOf('.');
+        return dot > 0 ? name.substring(0, dot) : name;
+    }
+
+    private void draw(FrameSequence frames, List<Scene> scenes, List<Path> files, Path target) {
+        Overwrite overwrite = force.overwrite();
+        if (animation.isAsked()) {
+            FrameFiles.create(target);
+        }
+        List<Boolean> missing = FrameFiles.missing(files, frames.identities(scenes), animation.resume(), overwrite);
+        AtomicFile.checkWritable(files.get(0), Overwrite.REPLACE);
+        if (linear != null) {
+            AtomicFile.checkWritable(linear, overwrite);
+        }
+        Overwrite ofAnimation = animation.resume() ? Overwrite.REPLACE : overwrite;
+        if (animation.isAsked()) {
+            AtomicFile.checkWritable(animation.file(target), ofAnimation);
+        }
+        frames.draw(scenes, files, missing, overwrite, linear);
+        if (animation.isMp4()) {
+            Mp4Animation.write(animation.file(target), ofAnimation, files, animation.frameRate());
+        } else if (animation.isAsked()) {
+            GifAnimation.write(animation.file(target), ofAnimation, files, animation.frameRate());
+        }
+    }
+
+    private List<Path> outputs(Path target, List<Path> files) {
+        List<Path> outputs = new ArrayList<>();
+        if (animation.isAsked()) {
+            outputs.add(target);
+            outputs.add(animation.file(target));
+        } else {
+            outputs.addAll(files);
+        }
+        if (linear != null) {
+            outputs.add(linear);
+        }
+        return outputs;
+    }
+}

@@ -1,0 +1,36 @@
+package sunbeam.app.scene;
+
+import java.nio.file.Path;
+import java.util.Optional;
+import sunbeam.app.output.OutputException;
+
+/** How a scene's files are written down: relative to the scene's folder, or absolutely. */
+final class SceneNames {
+    private final Optional<Path> folder;
+
+    private SceneNames(Optional<Path> folder) {
+        this.folder = folder;
+    }
+
+    static SceneNames relativeTo(Path sceneFile) {
+        return new SceneNames(
+                Optional.of(sceneFile.toAbsolutePath().normalize().getParent()));
+    }
+
+    static SceneNames absolute() {
+        return new SceneNames(Optional.empty());
+    }
+
+    /** Built-in names stay as they are; they are no absolute paths. */
+    String of(String name) {
+        Path path = Path.of(name);
+        if (folder.isEmpty() || !path.isAbsolute()) {
+            return name;
+        }
+        if (!path.normalize().startsWith(folder.get())) {
+            throw new OutputException("the scene uses " + path + ", which is not in the scene's folder " + folder.get()
+                    + "; copy it there and load it from there first");
+        }
+        return folder.get().relativize(path.normalize()).toString();
+    }
+}

@@ -1,0 +1,71 @@
+package sunbeam.app.scene;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.util.List;
+import sunbeam.app.input.InputException;
+import sunbeam.precompute.text.Quoted;
+
+/** Finds a scene by what a user calls it. */
+public final class Scenes {
+    private static final List<String> NAMES = List.of(
+            "elaphe",
+            "elaphe-body",
+            "elaphe-scales",
+            "xenopeltis",
+            "xenopeltis-body",
+            "xenopeltis-scales",
+            "light-left",
+            "light-above",
+            "light-right");
+
+    private Scenes() {}
+
+    /** The scenes that come with Sunbeam (data/scenes). */
+    public static List<String> builtIn() {
+        return NAMES;
+    }
+
+    /**
+     * A built-in scene by its name, or one from a file. A file of a built-in scene's name needs its folder: {@code
+     * ./elaphe}.
+     *
+     * @throws InputException if it is neither, or no scene
+     */
+    public static Scene load(String nameOrFile) {
+        if (NAMES.contains(nameOrFile)) {
+            return builtIn(nameOrFile);
+        }
+        Path file = path(nameOrFile);
+        if (!Files.exists(file)) {
+            throw new InputException("there is no scene " + Quoted.of(nameOrFile)
+                    + "; name a scene file (.json), or one of " + String.join(", ", NAMES));
+        }
+        return SceneReader.read(file);
+    }
+
+    private static Path path(String name) {
+        try {
+            return Path.of(name);
+        } catch (InvalidPathException broken) {
+            throw new InputException(
+                    "scene " + Quoted.of(name) + " is no file name (" + broken.getReason() + ")", broken);
+        }
+    }
+
+    private static Scene builtIn(String name) {
+        String resource = "sunbeam/scenes/" + name + ".json";
+        try (InputStream stream = Scenes.class.getClassLoader().getResourceAsStream(resource)) {
+            if (stream == null) {
+                throw new IllegalStateException("built without " + resource);
+            }
+            return SceneReader.readBuiltIn(name + ".json", stream);
+        } catch (IOException failure) {
+            throw new UncheckedIOException("cannot read " + resource, failure);
+        }
+    }
+}
