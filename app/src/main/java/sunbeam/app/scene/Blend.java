@@ -11,7 +11,7 @@ package sunbeam.app.scene;
  */
 public record Blend(double diffraction, double texture, double diffuse, double ambient) {
     /** Weights beyond this are slips. */
-    public static final double LARGEST = 1e6;
+    public static final double LARGEST = 1e9;
 
     /** Rejects negative weights and those that are no numbers. */
     public Blend {
@@ -23,7 +23,7 @@ public record Blend(double diffraction, double texture, double diffuse, double a
 
     private static void check(String name, double weight) {
         if (!(weight >= 0 && weight <= LARGEST)) {
-            throw new IllegalArgumentException("weight " + name + " " + weight + " is out of range; give 0 to 1e6");
+            throw new IllegalArgumentException("weight " + name + " " + weight + " is out of range; give 0 to 1e9");
         }
     }
 }

@@ -1,0 +1,127 @@
+package sunbeam.app.render;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.attribute.FileTime;
+import java.util.Map;
+import javax.imageio.ImageIO;
+import javax.imageio.ImageReader;
+import javax.imageio.stream.ImageInputStream;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.EnabledIfEnvironmentVariable;
+import org.junit.jupiter.api.io.TempDir;
+import sunbeam.app.Sunbeam;
+import sunbeam.app.cli.Environment;
+import sunbeam.app.cli.ExitCode;
+import sunbeam.app.input.NpyArray;
+import sunbeam.app.input.PngText;
+
+@EnabledIfEnvironmentVariable(
+        named = "DISPLAY",
+        matches = ".+",
+        disabledReason = "DISPLAY is not set: rendering is not tested. Run ./sunbeam test, or start Xvfb")
+class RenderCommandTest {
+    private static final String SCENE =
+            """
+            {
+              "mesh": "plane",
+              "patch": "blaze",
+              "camera": { "position": ["-5 cm", "-10 cm", "40 cm"], "lookAt": ["0 m", "0 m", "0 m"] },
+              "light": { "direction": [-0.2, 0.3, 0.9] },
+              "texture": "none",
+              "plan": { "tolerance": 0.05 },
+              "weights": { "diffraction": 30, "texture": 0.2, "ambient": 0.1 }
+            }
+            """;
+
+    @TempDir
+    private Path folder;
+
+    private Path scene;
+    private final StringWriter err = new StringWriter();
+
+    @BeforeEach
+    void writeScene() throws IOException {
+        scene = Files.writeString(folder.resolve("scene.json"), SCENE);
+    }
+
+    private int run(String... arguments) {
+        Environment environment = new Environment(Map.of(), folder);
+        return new Sunbeam(environment, new PrintWriter(new StringWriter()), new PrintWriter(err)).run(arguments);
+    }
+
+    private int render(Path output, String... more) {
+        String[] all = new String[more.length + 6];
+        String[] first = {"render", scene.toString(), "--size", "40x30", "--output", output.toString()};
+        System.arraycopy(first, 0, all, 0, 6);
+        System.arraycopy(more, 0, all, 6, more.length);
+        return run(all);
+    }
+
+    @Test
+    void aPictureSaysHowItWasMadeAndIsNotOverwritten() {
+        Path picture = folder.resolve("a.png");
+        Path linear = folder.resolve("a.npy");
+        assertThat(render(picture, "--linear", linear.toString(), "--supersample", "2")).as(err.toString()).isZero();
+        Map<String, String> text = PngText.read(picture);
+        assertThat(text).containsKeys("Scene", "Plan", "Exposure", "Parameters");
+        assertThat(text.get("Scene")).contains("\"blaze\"");
+        assertThat(NpyArray.read(linear).shape()).containsExactly(30, 40, 3);
+        assertThat(render(picture)).isEqualTo(ExitCode.CANNOT_WRITE.code());
+        assertThat(render(picture, "--force")).isZero();
+    }
+
+    @Test
+    void resumeDrawsWhatIsMissingOnly() throws IOException {
+        Path frames = folder.resolve("turn");
+        assertThat(render(frames, "--turntable", "3")).as(err.toString()).isZero();
+        Path first = frames.resolve("frame-0001.png");
+        Path second = frames.resolve("frame-0002.png");
+        byte[] drawn = Files.readAllBytes(second);
+        Files.delete(second);
+        FileTime old = FileTime.fromMillis(1_000_000);
+        Files.setLastModifiedTime(first, old);
+
+        assertThat(render(frames, "--turntable", "3")).as("without --resume").isEqualTo(ExitCode.CANNOT_WRITE.code());
+        assertThat(render(frames, "--turntable", "3", "--resume")).as(err.toString()).isZero();
+        assertThat(Files.getLastModifiedTime(first)).isEqualTo(old);
+        assertThat(Files.readAllBytes(second)).isEqualTo(drawn);
+
+        assertThat(render(frames, "--turntable", "3", "--resume", "--texture-weight", "0.3"))
+                .as("other parameters")
+                .isEqualTo(ExitCode.CANNOT_WRITE.code());
+        assertThat(err.toString()).contains("frame-0001.png", "other parameters", "--force");
+    }
+
+    @Test
+    void aSweepIsAlsoAnAnimation() throws IOException {
+        Path frames = folder.resolve("sweep");
+        assertThat(render(frames, "--light-sweep", "-30:30", "--frames", "3")).as(err.toString()).isZero();
+        try (ImageInputStream stream = ImageIO.createImageInputStream(frames.resolve("animation.gif").toFile())) {
+            ImageReader reader = ImageIO.getImageReaders(stream).next();
+            reader.setInput(stream);
+            assertThat(reader.getNumImages(true)).isEqualTo(3);
+            assertThat(reader.getWidth(0)).isEqualTo(40);
+        }
+        assertThat(Files.readAllBytes(frames.resolve("frame-0001.png")))
+                .isNotEqualTo(Files.readAllBytes(frames.resolve("frame-0003.png")));
+    }
+
+    @Test
+    void mistakesAreUsageErrors() {
+        Path output = folder.resolve("b.png");
+        assertThat(render(output, "--light-sweep", "0")).isEqualTo(ExitCode.USAGE.code());
+        assertThat(render(output, "--supersample", "0")).isEqualTo(ExitCode.USAGE.code());
+        assertThat(render(output, "--turntable", "2", "--light-sweep", "0:1")).isEqualTo(ExitCode.USAGE.code());
+        assertThat(render(output, "--exposure", "-1")).isEqualTo(ExitCode.USAGE.code());
+        assertThat(run("render", scene.toString(), "--size", "0x5")).isEqualTo(ExitCode.USAGE.code());
+        assertThat(run("render", "elafe")).isEqualTo(ExitCode.UNUSABLE_INPUT.code());
+        assertThat(output).doesNotExist();
+    }
+}

@@ -1,0 +1,40 @@
+package sunbeam.app.scene;
+
+import java.nio.file.Path;
+import java.util.Map;
+import java.util.OptionalDouble;
+import jrtr.scene.Camera;
+import org.joml.Quaternionf;
+import org.joml.Vector3f;
+import sunbeam.app.cli.Environment;
+import sunbeam.precompute.patch.PatchRequest;
+
+/** Scenes of the plane, which fills the picture's middle; its patch is small, so that tables are made in a moment. */
+final class PlaneScenes {
+    static final Blend DIFFRACTION_ONLY = new Blend(1, 0, 0, 0);
+
+    private PlaneScenes() {}
+
+    /** The blazed grating from a little beside the normal, in a light that sends its orders to the camera. */
+    static Scene blaze() {
+        return new Scene(
+                "plane",
+                "plane",
+                PatchRequest.of("blaze"),
+                new Viewpoint(
+                        new Camera(new Vector3f(-0.05f, -0.1f, 0.4f), new Vector3f(), new Vector3f(0, 1, 0)),
+                        Math.toRadians(40)),
+                new Quaternionf(),
+                new SceneLight(new Vector3f(-0.2f, 0.3f, 0.9f), 1),
+                "none",
+                ScenePlanReader.standard(),
+                0,
+                OptionalDouble.of(1),
+                DIFFRACTION_ONLY,
+                new SceneColor(0x204060));
+    }
+
+    static SceneData load(Scene scene, Path folder) {
+        return new SceneLoader(new Environment(Map.of(), folder), warning -> {}).load(scene);
+    }
+}

@@ -1,0 +1,153 @@
+package sunbeam.app.scene;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.MethodSource;
+import sunbeam.app.input.InputException;
+import sunbeam.app.output.OutputException;
+import sunbeam.app.output.Overwrite;
+import sunbeam.precompute.plan.Average;
+
+class SceneFileTest {
+    private static final String SCENE =
+            """
+            {
+              "mesh": "snake",
+              "patch": "elaphe-like",
+              "camera": { "position": ["10 cm", "-20 cm", "15 cm"], "lookAt": ["0 m", "0 m", "0 m"] },
+              "light": { "direction": [0, 0, 2] },
+              "texture": "elaphe",
+              "plan": { "tolerance": 0.01 },
+              "rotatePatch": "30 deg",
+              "exposure": 2,
+              "weights": { "diffraction": 20 }
+            }
+            """;
+
+    @TempDir
+    private Path folder;
+
+    static Iterable<String> names() {
+        return Scenes.builtIn();
+    }
+
+    private Path write(String text) throws IOException {
+        return Files.writeString(folder.resolve("scene.json"), text);
+    }
+
+    private void refused(String text, String... words) throws IOException {
+        Path file = write(text);
+        assertThatThrownBy(() -> SceneReader.read(file))
+                .isInstanceOf(InputException.class)
+                .hasMessageStartingWith(file.toString())
+                .hasMessageContainingAll(words)
+                .satisfies(failure -> assertThat(failure.getMessage()).doesNotContain("\n"));
+    }
+
+    @Test
+    void keysMeanWhatTheySay() throws IOException {
+        Scene scene = SceneReader.read(write(SCENE));
+        assertThat(scene.view().camera().centerOfProjection().y()).isEqualTo(-0.2f);
+        assertThat(scene.light().towards().z()).isEqualTo(1);
+        assertThat(scene.rotatePatch()).isEqualTo(Math.toRadians(30));
+        assertThat(scene.plan().tolerance()).isEqualTo(0.01);
+        assertThat(scene.plan().average()).as("a mesh's default").contains(Average.ENSEMBLE);
+        assertThat(scene.blend().texture()).isEqualTo(1);
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            textBlock =
+                    """
+                    "mesh"               | "mush"             | line 1  | mesh          | missing
+                    "rotatePatch"        | "rotatepatch"      | line 8  | rotatepatch   | unknown key
+                    "30 deg"             | 30                 | line 8  | rotatePatch   | unit
+                    "30 deg"             | "30"               | line 8  | rotatePatch   | unit
+                    "10 cm"              | "10 parsec"        | line 4  | camera.position | unknown unit
+                    "10 cm"              | 0.1                | line 4  | camera.position | unit
+                    "diffraction": 20    | "diffraction": -1  | line 10 | weights.diffraction | out of range
+                    "diffraction": 20    | "difraction": 20   | line 10 | weights.difraction | known are
+                    "elaphe",            | "no.png",          | line 6  | texture       | no file
+                    "elaphe",            | "../x.png",        | line 6  | texture       | folder
+                    "elaphe",            | "/etc/passwd",     | line 6  | texture       | folder
+                    "tolerance": 0.01    | "tolerance": 7     | line 7  | plan.tolerance | out of range
+                    "tolerance": 0.01    | "method": "magic"  | line 7  | plan.method   | magic
+                    "exposure": 2        | "exposure": "two"  | line 9  | exposure      | auto
+                    [0, 0, 2]            | [0, 0, 0]          | line 5  | light.direction | no direction
+                    [0, 0, 2]            | [0, 0]             | line 5  | light.direction | 3 values
+                    "0 m", "0 m", "0 m"  | "10 cm", "-20 cm", "15 cm" | line 4 | camera.position | differ
+                    "snake"              | null               | line 2  | mesh          | text
+                    """)
+    void mistakesNameLineAndKey(String found, String replacement, String line, String key, String words)
+            throws IOException {
+        assertThat(SCENE).contains(found);
+        refused(SCENE.replace(found, replacement), line + ":", key, words);
+    }
+
+    @Test
+    void brokenFilesAreNoScenes() throws IOException {
+        refused(SCENE.replace("\"snake\",", "\"snake\""), "line 3", "no valid JSON");
+        refused(SCENE + "{}", "line 12", "follows");
+        refused("[]", "object");
+        refused(SCENE.replace("\"exposure\"", "\"mesh\""), "line 9", "Duplicate");
+        assertThatThrownBy(() -> SceneReader.read(folder.resolve("none.json")))
+                .isInstanceOf(InputException.class)
+                .hasMessageContaining("no such file");
+    }
+
+    @Test
+    void linksMayNotLeadOut() throws IOException {
+        Path outside = Files.createTempFile("sunbeam", ".png");
+        try {
+            Files.createSymbolicLink(folder.resolve("link.png"), outside);
+            refused(SCENE.replace("\"elaphe\",", "\"link.png\","), "line 6", "texture", "leads out");
+        } finally {
+            Files.delete(outside);
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("names")
+    void builtInScenesAreReadAndWrittenAlike(String name) {
+        Scene scene = Scenes.load(name);
+        Path file = folder.resolve(name + ".json");
+        SceneWriter.write(file, Overwrite.REFUSE, scene);
+        assertThat(SceneReader.read(file)).isEqualTo(scene);
+        assertThat(scene.title()).isNotEmpty();
+    }
+
+    @Test
+    void filesAreWrittenRelativeToTheScene() throws IOException {
+        Files.createDirectory(folder.resolve("textures"));
+        Path texture = Files.write(folder.resolve("textures/skin.png"), new byte[1]);
+        Scene scene = SceneReader.read(write(SCENE.replace("\"elaphe\",", "\"textures/skin.png\",")));
+        assertThat(Path.of(scene.texture())).isEqualTo(texture.toAbsolutePath());
+
+        Path copy = folder.resolve("copy.json");
+        SceneWriter.write(copy, Overwrite.REFUSE, scene);
+        assertThat(copy).content().contains("\"textures/skin.png\"").doesNotContain(folder.toString());
+        assertThat(SceneReader.read(copy)).isEqualTo(scene);
+
+        Path elsewhere = folder.resolve("textures/elsewhere.json");
+        Scene moved = scene.withTexture(folder.resolve("scene.json").toString());
+        assertThatThrownBy(() -> SceneWriter.write(elsewhere, Overwrite.REFUSE, moved))
+                .isInstanceOf(OutputException.class)
+                .hasMessageContaining("copy it there");
+    }
+
+    @Test
+    void unknownScenesAreAnsweredWithTheNames() {
+        assertThatThrownBy(() -> Scenes.load("elafe"))
+                .isInstanceOf(InputException.class)
+                .hasMessageContainingAll("elafe", "elaphe-body");
+    }
+}

@@ -1,0 +1,236 @@
+package sunbeam.app.scene;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.Map;
+import javax.imageio.ImageIO;
+import jrtr.RenderContext;
+import jrtr.Tile;
+import jrtr.gl.RenderContexts;
+import jrtr.scene.Camera;
+import org.joml.Quaternionf;
+import org.joml.Vector3f;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import sunbeam.app.cli.Environment;
+import sunbeam.precompute.optics.Gain;
+import sunbeam.precompute.optics.Geometry;
+import sunbeam.precompute.patch.PatchRequest;
+import sunbeam.precompute.reference.ReferenceColor;
+import sunbeam.precompute.reference.ReferenceEvaluator;
+
+@NeedsDisplay
+class SceneSessionTest {
+    private static final int WIDTH = 72;
+    private static final int HEIGHT = 56;
+
+    @TempDir
+    private Path folder;
+
+    private RenderContext context;
+    private SceneSession session;
+
+    @BeforeEach
+    void open() {
+        context = RenderContexts.offscreen();
+        session = new SceneSession(context, PlaneScenes.load(PlaneScenes.blaze(), folder));
+    }
+
+    @AfterEach
+    void close() {
+        session.close();
+        context.close();
+    }
+
+    private ScenePicture draw(Scene scene) {
+        session.update(scene);
+        return session.draw(WIDTH, HEIGHT);
+    }
+
+    private static float[] pixel(ScenePicture picture, int x, int y) {
+        int at = 4 * (y * picture.width() + x);
+        return Arrays.copyOfRange(picture.rgba(), at, at + 4);
+    }
+
+    @Test
+    void aPixelHasTheExactColourOfItsDirection() {
+        ScenePicture picture = session.draw(WIDTH, HEIGHT);
+        SceneData data = session.data();
+        ReferenceColor reference = new ReferenceColor(
+                new ReferenceEvaluator(
+                        data.patch().heights(), data.plan().window(), data.plan().origin()),
+                data.plan().window(),
+                data.cie());
+        double brightest = 0;
+        for (int[] at : new int[][] {{36, 28}, {22, 20}, {48, 34}, {30, 40}}) {
+            Pick pick = session.pick(at[0], at[1], WIDTH, HEIGHT).orElseThrow();
+            Geometry geometry = new Geometry(pick.wi(), pick.wr());
+            double[] exact = reference.xyz(geometry, true);
+            float[] drawn = pixel(picture, at[0], at[1]);
+            double gain = Gain.relativeRadiance(geometry);
+            brightest = Math.max(brightest, gain * exact[1]);
+            for (int c = 0; c < 3; c++) {
+                // The plan's tolerance is 1e-3 for each of five sources; directions in float32 add 1e-4 where an order's
+                // flank is steep. Channels are compared in proportion to the brightest.
+                double scale = gain * Math.max(exact[0], Math.max(exact[1], exact[2]));
+                assertThat((double) drawn[c])
+                        .as("channel %d at (%d, %d)", c, at[0], at[1])
+                        .isCloseTo(gain * exact[c], within(5e-3 * scale + 1e-7));
+            }
+        }
+        assertThat(brightest).as("the test looks at lit orders").isGreaterThan(1e-4);
+    }
+
+    @Test
+    void tilesMakeUpTheVeryPictureOfOneDraw() {
+        int width = 1100; // crosses the blocks' border at 1024
+        ScenePicture whole = session.draw(width, 24, Tile.whole(width, 24));
+        ScenePicture tiled = ScenePicture.empty(width, 24);
+        for (Tile tile : Tile.cover(width, 24, 333)) {
+            tiled.put(session.draw(width, 24, tile), tile.x(), tile.y());
+        }
+        assertThat(tiled.rgba()).isEqualTo(whole.rgba());
+        assertThat(session.draw(width, 24).rgba()).isEqualTo(whole.rgba());
+    }
+
+    @Test
+    void blendAddsLightLinearly() {
+        Scene scene = PlaneScenes.blaze();
+        double[] albedo = {0.95047, 1, 1.08883}; // XYZ of sRGB white, which the texture "none" is
+        Blend blend = new Blend(30, 0.6, 0.7, 0.2);
+        ScenePicture diffracted = draw(scene);
+        ScenePicture blended = draw(scene.withBlend(blend));
+        double cosThetaI = scene.light().towards().z();
+        int seenThrough = 0;
+        for (int i = 0; i < WIDTH * HEIGHT; i++) {
+            if (diffracted.rgba()[4 * i + 3] == 0) {
+                continue;
+            }
+            double alpha = Math.min(1, 30.0 * diffracted.rgba()[4 * i + 1]);
+            seenThrough += alpha > 0.01 && alpha < 0.99 ? 1 : 0;
+            for (int c = 0; c < 3; c++) {
+                double body = 0.6 * (0.2 + 0.7 * cosThetaI) * albedo[c];
+                double light = 30.0 * diffracted.rgba()[4 * i + c];
+                // The texture's white is rounded to 8 bits nowhere; what is left is float32 and the matrix's 7 digits.
+                assertThat((double) blended.rgba()[4 * i + c])
+                        .isCloseTo(light + (1 - alpha) * body, within(1e-4 * (1 + light)));
+            }
+        }
+        assertThat(seenThrough).as("pixels that show both").isPositive();
+    }
+
+    @Test
+    void lightBelowTheSurfaceLeavesTheAmbientPart() {
+        Scene scene = PlaneScenes.blaze();
+        ScenePicture picture = draw(scene.withLight(new SceneLight(new Vector3f(0.3f, 0, -0.5f), 2))
+                .withBlend(new Blend(50, 1, 1, 0.25)));
+        // Intensity 2, ambient 0.25, white. Seven digits of the matrix.
+        assertThat(pixel(picture, 36, 28)[1]).isCloseTo(0.5f, within(1e-5f));
+        for (float value : picture.rgba()) {
+            assertThat(value).isFinite();
+        }
+    }
+
+    @Test
+    void grazingLightAndViewStayFinite() {
+        Scene scene = PlaneScenes.blaze()
+                .withLight(new SceneLight(new Vector3f(0, 1, 1e-6f), 1))
+                .withView(new Viewpoint(
+                        new Camera(new Vector3f(0, -0.4f, 0.004f), new Vector3f(), new Vector3f(0, 0, 1)), 0.6));
+        for (float value : draw(scene).rgba()) {
+            assertThat(value).isFinite().isNotNegative();
+        }
+    }
+
+    @Test
+    void anotherLightChangesColoursAndNotTheOutline() {
+        Scene scene = PlaneScenes.blaze();
+        ScenePicture before = draw(scene);
+        ScenePicture after = draw(scene.withLight(new SceneLight(new Vector3f(0.3f, 0.1f, 0.9f), 1)));
+        int changed = 0;
+        for (int i = 0; i < WIDTH * HEIGHT; i++) {
+            assertThat(after.rgba()[4 * i + 3]).isEqualTo(before.rgba()[4 * i + 3]);
+            changed += after.rgba()[4 * i + 1] != before.rgba()[4 * i + 1] ? 1 : 0;
+        }
+        assertThat(changed).isGreaterThan(WIDTH * HEIGHT / 4);
+        assertThat(draw(scene).rgba()).as("back again").isEqualTo(before.rgba());
+    }
+
+    @Test
+    void textureStandsUprightAndIsLinear() throws IOException {
+        BufferedImage image = new BufferedImage(64, 64, BufferedImage.TYPE_INT_RGB);
+        for (int i = 0; i < 64 * 64; i++) {
+            boolean left = i % 64 < 32;
+            boolean top = i / 64 < 32;
+            image.setRGB(i % 64, i / 64, top ? (left ? 0xff0000 : 0x00ff00) : (left ? 0x0000ff : 0x808080));
+        }
+        Path file = folder.resolve("quarters.png");
+        ImageIO.write(image, "png", file.toFile());
+        Scene scene = PlaneScenes.blaze()
+                .withTexture(file.toString())
+                .withBlend(new Blend(0, 1, 0, 1))
+                .withView(new Viewpoint(
+                        new Camera(new Vector3f(0, 0, 0.4f), new Vector3f(), new Vector3f(0, 1, 0)), 0.4));
+        session.update(PlaneScenes.load(scene, folder));
+        ScenePicture picture = session.draw(40, 40);
+        // Luminances of the sRGB primaries (IEC 61966-2-1); 0x80 is 0.2159 in linear light. Half of a byte's step.
+        assertThat(pixel(picture, 8, 8)[1]).isCloseTo(0.2127f, within(2e-3f));
+        assertThat(pixel(picture, 31, 8)[1]).isCloseTo(0.7152f, within(2e-3f));
+        assertThat(pixel(picture, 8, 31)[1]).isCloseTo(0.0722f, within(2e-3f));
+        assertThat(pixel(picture, 31, 31)[1]).isCloseTo(0.2159f, within(2e-3f));
+    }
+
+    @Test
+    void picksTellPlaceAndFrame() {
+        Scene scene = PlaneScenes.blaze().withRotatePatch(Math.PI / 2);
+        session.update(scene);
+        Pick pick = session.pick(WIDTH / 2, HEIGHT / 2, WIDTH, HEIGHT).orElseThrow();
+        // Half a pixel of 0.4 m * 2 tan(20 deg) / 56.
+        assertThat(pick.position().length()).isLessThan(4e-3f);
+        assertThat(pick.normal().z()).isCloseTo(1, within(1e-6f));
+        // A quarter turn counter-clockwise takes the tangent from x to y.
+        assertThat(pick.tangent().y()).isCloseTo(1, within(1e-6f));
+        assertThat(pick.wi().x()).isCloseTo(scene.light().towards().y(), within(1e-6));
+        assertThat(pick.u()).isEqualTo(-(pick.wi().x() + pick.wr().x()));
+        assertThat(pick.lit()).isTrue();
+        assertThat(session.pick(0, 0, WIDTH, HEIGHT)).isEmpty();
+    }
+
+    @Test
+    void turningMeshAndPatchOppositelyIsSeenByTheDirections() {
+        float angle = 0.3f;
+        session.update(PlaneScenes.blaze()
+                .withOrientation(new Quaternionf().rotationZ(angle))
+                .withRotatePatch(-angle));
+        Pick turned = session.pick(WIDTH / 2, HEIGHT / 2, WIDTH, HEIGHT).orElseThrow();
+        assertThat(turned.tangent().x()).isCloseTo(1, within(1e-6f));
+    }
+
+    @Test
+    void aSceneThatNeedsOtherTablesMustBeLoaded() {
+        Scene other = PlaneScenes.blaze().withPatch(PatchRequest.of("lamellar"));
+        assertThatThrownBy(() -> session.update(other)).isInstanceOf(IllegalArgumentException.class);
+        float[] before = session.draw(WIDTH, HEIGHT).rgba();
+        SceneData loaded = new SceneLoader(new Environment(Map.of(), folder), line -> {})
+                .load(other, session.data());
+        assertThat(loaded.sharesMesh(session.data())).isTrue();
+        session.update(loaded);
+        assertThat(session.draw(WIDTH, HEIGHT).rgba()).isNotEqualTo(before);
+    }
+
+    @Test
+    void backgroundIsNotExposed() {
+        try (SceneDisplay display = new SceneDisplay(context)) {
+            BufferedImage image = display.image(session.draw(WIDTH, HEIGHT), 37.5, new SceneColor(0x204060));
+            assertThat(image.getRGB(0, 0)).isEqualTo(0xff204060);
+        }
+    }
+}

@@ -1,0 +1,56 @@
+package sunbeam.app.texture;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import sunbeam.app.input.InputException;
+
+class BodyTexturesTest {
+    @TempDir
+    private Path folder;
+
+    private static int channel(BodyTexture texture, int x, int y, int c) {
+        return texture.rgba()[4 * (y * texture.width() + x) + c] & 0xff;
+    }
+
+    @Test
+    void elapheHasRedSaddlesOnTheBackAndAPaleBelly() {
+        BodyTexture texture = BodyTextures.load("elaphe");
+        int back = texture.height() / 2;
+        int red = 0;
+        int dark = 0;
+        for (int x = 0; x < texture.width(); x++) {
+            int r = channel(texture, x, back, 0);
+            int g = channel(texture, x, back, 1);
+            red += r > 2 * g && r > 100 ? 1 : 0;
+            dark += r < 60 ? 1 : 0;
+        }
+        // Saddles cover a third to two thirds of the back; their edges a few percent.
+        assertThat((double) red / texture.width()).isBetween(0.3, 0.7);
+        assertThat((double) dark / texture.width()).isBetween(0.02, 0.3);
+    }
+
+    @Test
+    void xenopeltisIsDarkAboveAndPaleBelow() {
+        BodyTexture texture = BodyTextures.load("xenopeltis");
+        assertThat(channel(texture, texture.width() / 2, texture.height() / 2, 0))
+                .isLessThan(90);
+        assertThat(channel(texture, texture.width() / 2, 0, 0)).isGreaterThan(150);
+    }
+
+    @Test
+    void whatIsNoPictureIsRefusedInOneLine() throws IOException {
+        Path text = Files.writeString(folder.resolve("x.png"), "no picture");
+        assertThatThrownBy(() -> BodyTextures.load(text.toString()))
+                .isInstanceOf(InputException.class)
+                .hasMessageContaining("x.png");
+        assertThatThrownBy(() -> BodyTextures.load("elafe"))
+                .isInstanceOf(InputException.class)
+                .hasMessageContaining("elaphe, xenopeltis, none");
+    }
+}
