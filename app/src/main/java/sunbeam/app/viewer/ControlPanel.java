@@ -60,8 +60,8 @@ final class ControlPanel extends JPanel {
                 value -> format("%.0f°", Math.toDegrees(value)),
                 value -> change(scene -> scene.withRotatePatch(value)));
         exposure = stops("exposure", value -> change(scene -> scene.withExposure(OptionalDouble.of(value))));
-        diffraction = stops("diffraction", value -> blend(old ->
-                new Blend(value, old.texture(), old.diffuse(), old.ambient())));
+        diffraction = stops(
+                "diffraction", value -> blend(old -> new Blend(value, old.texture(), old.diffuse(), old.ambient())));
         texture = new LabelledSlider(
                 "texture",
                 0,
@@ -90,7 +90,10 @@ final class ControlPanel extends JPanel {
         add("Mesh", mesh, "The body that carries the nanostructure; no unit");
         add("Patch", patch, "The nanostructure's height map; no unit. Load others with Ctrl+L or by dropping a file");
         add("Method", method, "full: planned from the tolerance. full, thesis: 37 Taylor terms, 5 nm. No unit");
-        add("Tolerance", tolerance, "Relative error of power and colour that the final picture is planned for, no unit");
+        add(
+                "Tolerance",
+                tolerance,
+                "Relative error of power and colour that the final picture is planned for, no unit");
         add("Coherence", coherence, "Coherence length of the light, a length such as 65um (metres, mm, um, nm)");
         add("Average", average, "One coherence area with its speckle, or the mean over all of them; no unit");
         add("Rotation", rotation, "Turns the nanostructure in the tangent plane, degrees");
@@ -128,14 +131,18 @@ final class ControlPanel extends JPanel {
                 change(scene -> scene.withPatch(PatchRequest.of(name)));
             }
         });
-        onChoice(method, name -> plan(old -> PlanChange.preset(
-                old, name.equals("full") ? PlanRequest.Preset.NONE : PlanRequest.Preset.THESIS)));
-        onChoice(average, name -> plan(old ->
-                PlanChange.average(old, name.equals("coherent") ? Average.COHERENT : Average.ENSEMBLE)));
+        onChoice(
+                method,
+                name -> plan(old -> PlanChange.preset(
+                        old, name.equals("full") ? PlanRequest.Preset.NONE : PlanRequest.Preset.THESIS)));
+        onChoice(
+                average,
+                name -> plan(
+                        old -> PlanChange.average(old, name.equals("coherent") ? Average.COHERENT : Average.ENSEMBLE)));
         onChoice(tolerance, this::enterTolerance);
         coherence.addActionListener(event -> enterCoherence());
-        automatic.addActionListener(event -> change(scene -> scene.withExposure(
-                automatic.isSelected() ? OptionalDouble.empty() : OptionalDouble.of(lastExposure))));
+        automatic.addActionListener(event -> change(scene ->
+                scene.withExposure(automatic.isSelected() ? OptionalDouble.empty() : OptionalDouble.of(lastExposure))));
     }
 
     private void onChoice(JComboBox<String> box, Consumer<String> chosen) {
@@ -211,7 +218,8 @@ final class ControlPanel extends JPanel {
         if (!coherence.isFocusOwner()) {
             coherence.setText(Lengths.format(scene.plan().window().coherenceLength()));
         }
-        average.setSelectedItem(scene.plan().average().orElse(Average.COHERENT).name().toLowerCase(Locale.ROOT));
+        average.setSelectedItem(
+                scene.plan().average().orElse(Average.COHERENT).name().toLowerCase(Locale.ROOT));
         rotation.follow(scene.rotatePatch());
         automatic.setSelected(scene.exposure().isEmpty());
         exposure.setEnabled(scene.exposure().isPresent());

@@ -86,10 +86,7 @@ final class MouseControls extends MouseAdapter {
     private Scene moveLight(Scene scene, Point from, Point to) {
         double perPixel = Math.PI / Math.min(view.getWidth(), view.getHeight());
         var towards = LightDrag.moved(
-                scene.view().camera(),
-                scene.light().towards(),
-                (to.x - from.x) * perPixel,
-                (from.y - to.y) * perPixel);
+                scene.view().camera(), scene.light().towards(), (to.x - from.x) * perPixel, (from.y - to.y) * perPixel);
         return scene.withLight(new SceneLight(towards, scene.light().intensity()));
     }
 

@@ -44,8 +44,8 @@ final class PickPanel extends JPanel {
         color.setBackground(shown);
         boolean bright = 0.3 * shown.getRed() + 0.59 * shown.getGreen() + 0.11 * shown.getBlue() > 128;
         color.setForeground(bright ? Color.BLACK : Color.WHITE);
-        color.setText(String.format(
-                Locale.ROOT, "  sRGB %d, %d, %d", shown.getRed(), shown.getGreen(), shown.getBlue()));
+        color.setText(
+                String.format(Locale.ROOT, "  sRGB %d, %d, %d", shown.getRed(), shown.getGreen(), shown.getBlue()));
     }
 
     void showSpectrum(double[] powers) {

@@ -25,7 +25,9 @@ record PickedPoint(Scene scene, Pick pick, int x, int y) {
     /** Towards a light, in the point's tangent frame. */
     Direction light(Vector3fc towards) {
         return new Direction(
-                pick.tangent().dot(towards), pick.bitangent().dot(towards), pick.normal().dot(towards));
+                pick.tangent().dot(towards),
+                pick.bitangent().dot(towards),
+                pick.normal().dot(towards));
     }
 
     /** The frame and the angles in words, one quantity a line. */

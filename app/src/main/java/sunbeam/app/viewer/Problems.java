@@ -21,8 +21,8 @@ final class Problems {
             return message(thrown.getCause());
         }
         if (thrown instanceof OutOfMemoryError) {
-            return "out of memory: Java's heap may take " + (Runtime.getRuntime().maxMemory() >> 20)
-                    + " MiB; allow more with SUNBEAM_JAVA_OPTIONS=-Xmx8g";
+            return "out of memory: Java's heap may take "
+                    + (Runtime.getRuntime().maxMemory() >> 20) + " MiB; allow more with SUNBEAM_JAVA_OPTIONS=-Xmx8g";
         }
         boolean known = thrown instanceof GraphicsException
                 || thrown instanceof UsageException
@@ -33,6 +33,8 @@ final class Problems {
                 || thrown instanceof TableException
                 || thrown instanceof LengthFormatException
                 || thrown instanceof IllegalArgumentException;
-        return known && thrown.getMessage() != null ? thrown.getMessage() : "internal error, a bug in Sunbeam: " + thrown;
+        return known && thrown.getMessage() != null
+                ? thrown.getMessage()
+                : "internal error, a bug in Sunbeam: " + thrown;
     }
 }

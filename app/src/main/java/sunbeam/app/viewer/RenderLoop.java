@@ -154,8 +154,7 @@ final class RenderLoop implements AutoCloseable {
             return true;
         }
         int size = isFinal ? MapStage.SIZE : MapStage.PREVIEW_SIZE;
-        BufferedImage image =
-                stage.map().draw(state.fine(), state.mapLight().get(), size, inbox::isInterrupted);
+        BufferedImage image = stage.map().draw(state.fine(), state.mapLight().get(), size, inbox::isInterrupted);
         if (image == null) {
             return false;
         }

@@ -255,7 +255,9 @@ final class Viewer {
             }
             window.controls().follow();
             followLight();
-            model.loaded().ifPresent(loaded -> window.status().plan(new PlanReport(loaded.fine().plan()).summary()));
+            model.loaded()
+                    .ifPresent(loaded ->
+                            window.status().plan(new PlanReport(loaded.fine().plan()).summary()));
             show();
         }
 
