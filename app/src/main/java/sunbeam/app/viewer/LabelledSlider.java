@@ -1,6 +1,7 @@
 package sunbeam.app.viewer;
 
 import java.awt.BorderLayout;
+import java.awt.Dimension;
 import java.util.function.DoubleConsumer;
 import java.util.function.DoubleFunction;
 import java.util.function.DoubleUnaryOperator;
@@ -34,9 +35,9 @@ final class LabelledSlider extends JPanel {
         this.text = text;
         slider = new JSlider(low, high);
         slider.setName(name);
-        value.setText(text.apply(fromSlider.applyAsDouble(high)));
+        value.setText("3.28e+04 ");
         value.setPreferredSize(value.getPreferredSize());
-        slider.setPreferredSize(new java.awt.Dimension(110, slider.getPreferredSize().height));
+        slider.setPreferredSize(new Dimension(110, slider.getPreferredSize().height));
         add(slider);
         add(value, BorderLayout.EAST);
         slider.addChangeListener(event -> {

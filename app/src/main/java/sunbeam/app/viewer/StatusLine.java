@@ -85,6 +85,11 @@ final class StatusLine extends JPanel {
         message.setToolTipText(text.isBlank() ? null : text);
     }
 
+    /** The last message. */
+    String text() {
+        return message.getText();
+    }
+
     /** Shows that something is being loaded or saved. */
     void busy(boolean active) {
         loads = Math.max(0, loads + (active ? 1 : -1));

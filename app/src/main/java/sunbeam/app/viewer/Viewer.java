@@ -39,6 +39,8 @@ final class Viewer {
     private boolean coneShown = true;
     private boolean mapShown = true;
     private boolean failed;
+    private ViewState asked;
+    private ViewState completed;
 
     /**
      * Puts everything together; nothing is shown yet.
@@ -103,6 +105,17 @@ final class Viewer {
         loop.awaitEnd(millisecondsForGraphics);
     }
 
+    /** Whether nothing is left on the graphics card. */
+    boolean hasEnded() throws InterruptedException {
+        return loop.awaitEnd(1);
+    }
+
+    /** Whether the newest state that was asked for is on screen in its final form. */
+    @SuppressWarnings("ReferenceEquality") // the same request, not an equal one
+    boolean isSettled() {
+        return asked == completed;
+    }
+
     void quit() {
         window.dispose();
     }
@@ -154,7 +167,8 @@ final class Viewer {
             return;
         }
         LoadedScene loaded = model.loaded().get();
-        loop.show(new ViewState(loaded.fine(), loaded.coarse(), width, height, mapLight()));
+        asked = new ViewState(loaded.fine(), loaded.coarse(), width, height, mapLight());
+        loop.show(asked);
     }
 
     /** At the picked point, or on a surface that faces the viewer. */
@@ -302,6 +316,7 @@ final class Viewer {
                 window.picture().showPicture(image, state.width(), state.height(), isFinal);
                 window.controls().exposureInUse(exposure);
                 if (isFinal) {
+                    completed = state;
                     window.status().complete(nanoseconds);
                     files.pictureIsFinal();
                     measure();
