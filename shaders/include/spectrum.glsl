@@ -1,7 +1,7 @@
 // CIE 1931 colour matching functions times D65 at any wavelength, normalised so that their integral over wavelength is the
 // white of D65 with Y = 1.
 
-// One texel per nanometre from 380 to 780 nm; linear between, as the reference has it.
+// Eight texels per nanometre from 380 to 780 nm (sunbeam.app.gpu.SmoothCieWeights).
 uniform sampler2D cieWeights;
 
 const float SHORTEST_WAVELENGTH = 380e-9;
@@ -9,8 +9,8 @@ const float LONGEST_WAVELENGTH = 780e-9;
 
 // Weights of X, Y, Z per metre of wavelength.
 vec3 cieWeight(float wavelength) {
-    float nanometres = (wavelength - SHORTEST_WAVELENGTH) * 1e9;
-    return texture(cieWeights, vec2((nanometres + 0.5) / 401.0, 0.5)).rgb;
+    float texel = (wavelength - SHORTEST_WAVELENGTH) * 8e9;
+    return texture(cieWeights, vec2((texel + 0.5) / 3201.0, 0.5)).rgb;
 }
 
 // XYZ of the power 1 at all wavelengths: the white of D65 over 380 to 780 nm.

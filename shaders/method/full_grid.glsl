@@ -1,5 +1,3 @@
-#include "method/grid_tables.glsl"
-
 // Windowed spectra on a grid, interpolated. A direction sees the ray f = (u, v) / lambda; its wavelengths are placed where
 // the ray crosses the grid's columns (rows, where |v| > |u|), so that only one axis is left to interpolate.
 
@@ -12,6 +10,8 @@ uniform vec4 gridRaysFirst;
 // Largest of |u|, |v| whose ray crosses too few columns, and the number of wavelengths it takes instead.
 uniform float gridCentreReach;
 uniform int gridCentreNodes;
+// A ray that crosses enough columns stops at every second one, or third, up to this.
+uniform int gridLargestStride;
 
 float pointPower(vec3 uvw, float wavelength) {
     float zeta = expansionPhase(uvw.z, wavelength);
@@ -63,23 +63,25 @@ vec3 diffractedXyz(vec3 uvw) {
     int firstLayer = alongX ? 0 : COHERENT_LAYERS;
 #endif
     // 1 / lambda = column step / |major|, and the phase grows in proportion.
-    float waveNumberStep = gridNodeStep / abs(major);
+    float crossed = abs(major) / gridNodeStep * (1.0 / SHORTEST_WAVELENGTH - 1.0 / LONGEST_WAVELENGTH);
+    int stride = clamp(int(crossed) / gridCentreNodes, 1, gridLargestStride);
+    float waveNumberStep = gridNodeStep * float(stride) / abs(major);
     float zetaStep = expansionPhase(uvw.z, 1.0) * waveNumberStep;
     int first = int(ceil(1.0 / (LONGEST_WAVELENGTH * waveNumberStep)));
     int last = int(floor(1.0 / (SHORTEST_WAVELENGTH * waveNumberStep)));
     vec3 sum = vec3(0.0);
     vec3 weights = vec3(0.0);
     for (int m = first; m <= last; ++m) {
-        float count = float(m);
-        float wavelength = 1.0 / (count * waveNumberStep);
+        float count = float(m * stride);
+        float wavelength = 1.0 / (float(m) * waveNumberStep);
         // d lambda = lambda^2 d(1 / lambda), with equal steps of 1 / lambda.
         vec3 weight = cieWeight(wavelength) * (wavelength * wavelength);
         int column = int(direction * count - origin.x);
         Taps taps = tapsAround(count * minorPerColumn - origin.y);
 #if AVERAGE == AVERAGE_ENSEMBLE
-        float power = ensembleRayPower(firstLayer, column, taps, count * zetaStep);
+        float power = ensembleRayPower(firstLayer, column, taps, float(m) * zetaStep);
 #else
-        float power = coherentRayPower(firstLayer, column, taps, count * zetaStep);
+        float power = coherentRayPower(firstLayer, column, taps, float(m) * zetaStep);
 #endif
         sum += weight * power;
         weights += weight;

@@ -1,9 +1,11 @@
 // For patches so small that the window resolves every diffraction order: wavelengths are placed around the middle of each
 // order that the direction sees, and only the nearest bin is looked at.
 
-// Wavelengths on each side of an order's middle, and their distance in deviations of the order's power.
-uniform int orderHalfNodes;
+// How far from an order's middle wavelengths lie, and their distance, in deviations of the order's power.
+uniform float orderReach;
 uniform float orderNodeSpacing;
+// Their largest distance in metres.
+uniform float orderLargestStep;
 // Wavelengths within the specular order, which has no middle.
 uniform int specularNodes;
 // Standard deviation of the window's spectrum, cycles per metre.
@@ -44,9 +46,10 @@ vec3 oneOrder(vec3 uvw, vec2 bin) {
     // Where the ray f = (u, v) / lambda passes closest to the bin.
     float middle = dot(frequency, uvw.xy) / squaredLength;
     float deviation = windowSigmaFrequency * inversesqrt(2.0 * squaredLength);
-    float spacing = orderNodeSpacing * deviation;
+    float spacing = min(orderNodeSpacing * deviation, orderLargestStep * middle * middle);
+    int halfNodes = int(ceil(orderReach * deviation / spacing));
     vec3 sum = vec3(0.0);
-    for (int i = -orderHalfNodes; i <= orderHalfNodes; ++i) {
+    for (int i = -halfNodes; i <= halfNodes; ++i) {
         float waveNumber = middle + float(i) * spacing;
         if (waveNumber * SHORTEST_WAVELENGTH <= 1.0 && waveNumber * LONGEST_WAVELENGTH >= 1.0) {
             sum += contribution(uvw, waveNumber);
@@ -66,7 +69,7 @@ vec3 diffractedXyz(vec3 uvw) {
     bool alongX = abs(binsPerWaveNumber.x) >= abs(binsPerWaveNumber.y);
     float major = alongX ? binsPerWaveNumber.x : binsPerWaveNumber.y;
     float minor = alongX ? binsPerWaveNumber.y : binsPerWaveNumber.x;
-    float reach = float(orderHalfNodes) * orderNodeSpacing * windowSigmaFrequency * max(tablePeriod.x, tablePeriod.y);
+    float reach = orderReach * windowSigmaFrequency * max(tablePeriod.x, tablePeriod.y);
     int first = max(1, int(ceil(abs(major) / LONGEST_WAVELENGTH - reach)));
     int last = int(floor(abs(major) / SHORTEST_WAVELENGTH + reach));
     vec3 xyz = vec3(0.0);

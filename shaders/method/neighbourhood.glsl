@@ -56,6 +56,20 @@ float coherentPower(vec3 uvw, float wavelength) {
     return squaredMagnitude(amplitude);
 }
 
+// |F_j|^2 of the bin at a texel; 0 beyond the table, which holds all that can be seen.
+float binPower(ivec2 texel, float zeta) {
+    if (any(lessThan(texel, ivec2(0))) || any(greaterThanEqual(texel, textureSize(tableTerms, 0).xy))) {
+        return 0.0;
+    }
+    float coefficient = firstCoefficient(zeta);
+    vec2 amplitude = vec2(0.0);
+    for (int n = 0; n < TERMS; ++n) {
+        amplitude += coefficient * texelFetch(tableTerms, ivec3(texel, n), 0).rg;
+        coefficient = nextCoefficient(coefficient, n + 1, zeta);
+    }
+    return squaredMagnitude(amplitude);
+}
+
 // Squares of the taps, then their sum: Stam's angle brackets (thesis eq. 2.29 in spirit).
 float ensemblePower(vec3 uvw, float wavelength) {
     Neighbourhood taps = neighbourhoodOf(uvw.xy, wavelength);
@@ -63,14 +77,8 @@ float ensemblePower(vec3 uvw, float wavelength) {
     float power = 0.0;
     for (int j = 0; j < SIDE; ++j) {
         for (int i = 0; i < SIDE; ++i) {
-            float coefficient = firstCoefficient(zeta);
-            vec2 bin = vec2(0.0);
-            for (int n = 0; n < TERMS; ++n) {
-                bin += coefficient * texelFetch(tableTerms, ivec3(taps.corner + ivec2(i, j), n), 0).rg;
-                coefficient = nextCoefficient(coefficient, n + 1, zeta);
-            }
             float weight = taps.weightsX[i] * taps.weightsY[j];
-            power += weight * weight * squaredMagnitude(bin);
+            power += weight * weight * binPower(taps.corner + ivec2(i, j), zeta);
         }
     }
     return power;

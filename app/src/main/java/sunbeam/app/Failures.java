@@ -12,6 +12,7 @@ import sunbeam.app.cli.ExitCode;
 import sunbeam.app.cli.Messages;
 import sunbeam.app.cli.ShutdownHook;
 import sunbeam.app.cli.UsageException;
+import sunbeam.app.evaluate.NoPeriodException;
 import sunbeam.app.input.InputException;
 import sunbeam.app.mesh.MeshException;
 import sunbeam.app.output.OutputException;
@@ -28,6 +29,7 @@ final class Failures {
             Map.entry(TableException.class, ExitCode.UNUSABLE_INPUT),
             Map.entry(InputException.class, ExitCode.UNUSABLE_INPUT),
             Map.entry(MeshException.class, ExitCode.UNUSABLE_INPUT),
+            Map.entry(NoPeriodException.class, ExitCode.UNUSABLE_INPUT),
             Map.entry(GraphicsException.class, ExitCode.NO_GRAPHICS),
             Map.entry(OutputException.class, ExitCode.CANNOT_WRITE),
             Map.entry(CancelledException.class, ExitCode.INTERRUPTED),

@@ -11,6 +11,8 @@ import sunbeam.app.cli.ExitCode;
 import sunbeam.app.directions.ReflectanceCommand;
 import sunbeam.app.doctor.DoctorCommand;
 import sunbeam.app.doctor.RendererProbe;
+import sunbeam.app.evaluate.EvaluateCommand;
+import sunbeam.app.inspect.InspectCommand;
 import sunbeam.app.mesh.MeshCommand;
 import sunbeam.app.render.RenderCommand;
 import sunbeam.app.setup.PrecomputeCommand;
@@ -53,6 +55,8 @@ public final class Sunbeam {
         CommandLine root = new CommandLine(command);
         root.addSubcommand(new BrdfMapCommand(environment));
         root.addSubcommand(new ReflectanceCommand(environment));
+        root.addSubcommand(new InspectCommand());
+        root.addSubcommand(new EvaluateCommand(environment));
         root.addSubcommand(new PrecomputeCommand(environment));
         root.addSubcommand(new BenchmarkCommand(environment));
         root.addSubcommand(new RenderCommand(environment));

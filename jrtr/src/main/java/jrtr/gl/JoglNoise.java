@@ -1,5 +1,6 @@
 package jrtr.gl;
 
+import com.jogamp.nativewindow.NativeWindowFactory;
 import java.io.ByteArrayOutputStream;
 import java.io.PrintStream;
 import java.lang.System.Logger.Level;
@@ -22,6 +23,14 @@ final class JoglNoise implements AutoCloseable {
         JoglNoise noise = new JoglNoise();
         System.setErr(new PrintStream(noise.new Sorter(), true, StandardCharsets.UTF_8));
         return noise;
+    }
+
+    /**
+     * Keeps JOGL silent in its own thread at the program's end, where it lists the displays that an interrupted program
+     * left open, and stumbles over native libraries that could not be loaded. To be called once, before JOGL starts.
+     */
+    static void muteShutdown() {
+        NativeWindowFactory.addCustomShutdownHook(true, JoglNoise::divert);
     }
 
     /** Forgets what was caught. */

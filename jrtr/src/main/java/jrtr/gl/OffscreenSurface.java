@@ -20,6 +20,10 @@ final class OffscreenSurface implements GlSurface {
 
     private static final VersionNumber OLDEST = new VersionNumber(3, 3, 0);
 
+    static {
+        JoglNoise.muteShutdown();
+    }
+
     private final GLDrawable drawable;
     private final GLContext context;
 
@@ -36,8 +40,8 @@ final class OffscreenSurface implements GlSurface {
             return surface;
         } catch (RuntimeException | LinkageError failure) {
             throw new GraphicsException(
-                    "no OpenGL 3.3 core context: " + reason(failure)
-                            + ". Install a driver, or Mesa's software renderer (libgl1-mesa-dri, libgl1)",
+                    "no OpenGL 3.3 core context on display " + System.getenv("DISPLAY") + " (" + reason(failure)
+                            + "). Install a driver, or Mesa's software renderer (libgl1-mesa-dri, libgl1)",
                     failure);
         }
     }
@@ -119,6 +123,10 @@ final class OffscreenSurface implements GlSurface {
     }
 
     private static String reason(Throwable failure) {
-        return failure.getMessage() == null ? failure.getClass().getSimpleName() : failure.getMessage();
+        if (failure.getMessage() == null) {
+            return failure.getClass().getSimpleName();
+        }
+        // JOGL names objects with all that they hold, in nested brackets.
+        return failure.getMessage().replaceAll("(Device|Screen|Configuration|Drawable)\\[.*]", "$1");
     }
 }

@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.concurrent.Callable;
 import jrtr.GpuTime;
 import jrtr.GpuTimer;
@@ -20,15 +21,19 @@ import sunbeam.app.cli.Environment;
 import sunbeam.app.cli.ExitCode;
 import sunbeam.app.cli.UsageException;
 import sunbeam.app.gpu.DiffractionMethod;
-import sunbeam.app.gpu.FullMethod;
+import sunbeam.app.gpu.MethodKind;
 import sunbeam.app.gpu.MethodUse;
 import sunbeam.app.setup.DiffractionSetup;
 import sunbeam.app.setup.LightOptions;
+import sunbeam.app.setup.MethodFactory;
+import sunbeam.app.setup.MethodOptions;
+import sunbeam.app.setup.MethodRequest;
 import sunbeam.app.setup.PatchOptions;
 import sunbeam.app.setup.PlanOptions;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.plan.PlanRequest;
 import sunbeam.precompute.plan.VisibleRange;
+import sunbeam.precompute.reference.ReferenceEvaluator;
 import sunbeam.precompute.table.FourierTable;
 
 /** {@code sunbeam benchmark}: time per frame of a BRDF map, as a ratio to the thesis's shader in the same run. */
@@ -49,6 +54,9 @@ public final class BenchmarkCommand implements Callable<Integer> {
 
     @Mixin
     private PlanOptions planOptions;
+
+    @Mixin
+    private MethodOptions methodOptions;
 
     @Option(
             names = "--size",
@@ -84,8 +92,15 @@ public final class BenchmarkCommand implements Callable<Integer> {
                 patchOptions, environment, specification.commandLine().getErr());
         VisibleRange range = VisibleRange.of(wi);
         List<Contender> contenders = List.of(
-                new Contender("thesis", setup.plan(PlanRequest.of(PlanRequest.Preset.THESIS), range)),
-                new Contender("asked for", setup.plan(planOptions.request(), range)));
+                new Contender(
+                        "thesis",
+                        new MethodFactory(
+                                setup,
+                                MethodRequest.of(MethodKind.FULL),
+                                PlanRequest.of(PlanRequest.Preset.THESIS),
+                                range)),
+                new Contender(
+                        "asked for", new MethodFactory(setup, methodOptions.request(), planOptions.request(), range)));
         try (RenderContext context = RenderContexts.offscreen()) {
             List<FrameTime> times = new ArrayList<>();
             for (Contender contender : contenders) {
@@ -93,15 +108,21 @@ public final class BenchmarkCommand implements Callable<Integer> {
             }
             report(specification.commandLine().getOut(), context, setup, times);
         }
+        PlanRequest request = planOptions.request();
+        double rate = ReferenceRate.measure(
+                new ReferenceEvaluator(setup.patch().heights(), request.window(), request.windowOrigin()));
+        specification
+                .commandLine()
+                .getOut()
+                .printf(Locale.ROOT, "%n  reference: %.0f directions x wavelengths per second%n", rate);
         return ExitCode.OK.code();
     }
 
     private FrameTime time(RenderContext context, DiffractionSetup setup, Contender contender, Direction wi) {
         long start = System.nanoTime();
-        FourierTable table = setup.freshTable(contender.plan());
+        Optional<FourierTable> table = contender.method().plan().map(setup::freshTable);
         long tableReady = System.nanoTime();
-        try (DiffractionMethod method =
-                        FullMethod.create(context, contender.plan(), table, MethodUse.COLOUR, setup.cie());
+        try (DiffractionMethod method = contender.method().create(context, MethodUse.COLOUR, table);
                 BrdfMapRenderer renderer = new BrdfMapRenderer(context, method, size);
                 GpuTimer timer = context.createTimer()) {
             context.finish();

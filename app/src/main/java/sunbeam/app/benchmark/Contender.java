@@ -1,17 +1,16 @@
 package sunbeam.app.benchmark;
 
-import sunbeam.precompute.plan.Plan;
-import sunbeam.precompute.plan.PlanReport;
+import sunbeam.app.setup.MethodFactory;
 
 /**
- * A plan to be timed.
+ * A planned method to be timed.
  *
  * @param label how it is called in the report
  */
-record Contender(String label, Plan plan) {
+record Contender(String label, MethodFactory method) {
 
     /** What the plan comes to, in a few words. */
     String description() {
-        return new PlanReport(plan).summary();
+        return method.summary();
     }
 }

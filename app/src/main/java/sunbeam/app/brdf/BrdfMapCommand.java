@@ -1,5 +1,6 @@
 package sunbeam.app.brdf;
 
+import java.awt.image.BufferedImage;
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
@@ -17,7 +18,6 @@ import sunbeam.app.cli.ExitCode;
 import sunbeam.app.cli.Numbers;
 import sunbeam.app.cli.UsageException;
 import sunbeam.app.gpu.DiffractionMethod;
-import sunbeam.app.gpu.FullMethod;
 import sunbeam.app.gpu.MethodUse;
 import sunbeam.app.output.AtomicFile;
 import sunbeam.app.output.DefaultName;
@@ -32,11 +32,13 @@ import sunbeam.app.picture.LinearPicture;
 import sunbeam.app.progress.Progress;
 import sunbeam.app.setup.DiffractionSetup;
 import sunbeam.app.setup.LightOptions;
+import sunbeam.app.setup.MethodFactory;
+import sunbeam.app.setup.MethodOptions;
+import sunbeam.app.setup.MethodRequest;
 import sunbeam.app.setup.PatchOptions;
 import sunbeam.app.setup.PlanOptions;
 import sunbeam.precompute.optics.Direction;
-import sunbeam.precompute.plan.Plan;
-import sunbeam.precompute.plan.PlanReport;
+import sunbeam.precompute.plan.PlanRequest;
 import sunbeam.precompute.plan.VisibleRange;
 
 /** {@code sunbeam brdf-map}: from a height map to the picture of its BRDF. */
@@ -59,6 +61,9 @@ public final class BrdfMapCommand implements Callable<Integer> {
 
     @Mixin
     private PlanOptions planOptions;
+
+    @Mixin
+    private MethodOptions methodOptions;
 
     @Mixin
     private ForceOption force;
@@ -104,6 +109,8 @@ public final class BrdfMapCommand implements Callable<Integer> {
             throw new UsageException("--size " + size + " is out of range; give 1 to " + LARGEST);
         }
         double fixedExposure = parseExposure();
+        MethodRequest methodRequest = methodOptions.request();
+        PlanRequest request = planOptions.request();
         Direction wi = light.direction();
         PrintWriter err = specification.commandLine().getErr();
         DiffractionSetup setup = new DiffractionSetup(patchOptions, environment, err);
@@ -113,29 +120,48 @@ public final class BrdfMapCommand implements Callable<Integer> {
                 : DefaultName.choose(Path.of(""), "brdf-" + setup.patch().name(), "png", overwrite);
         AtomicFile.checkWritable(picture, overwrite);
         if (linear != null) {
+            checkDifferent(picture);
             AtomicFile.checkWritable(linear, overwrite);
         }
-        Plan plan = setup.plan(planOptions.request(), VisibleRange.of(wi));
+        MethodFactory factory = new MethodFactory(setup, methodRequest, request, VisibleRange.of(wi));
         PrintWriter out = specification.commandLine().getOut();
-        planOptions.print(plan, out);
+        planOptions.print(factory, out);
         try (RenderContext context = RenderContexts.offscreen();
-                DiffractionMethod method =
-                        FullMethod.create(context, plan, setup.table(plan), MethodUse.COLOUR, setup.cie());
+                DiffractionMethod method = factory.create(context, MethodUse.COLOUR);
                 BrdfMapRenderer renderer = new BrdfMapRenderer(context, method, size);
                 DisplayPass display = new DisplayPass(context)) {
             LinearPicture map = render(renderer, wi);
-            double factor = fixedExposure > 0 ? fixedExposure : AutoExposure.of(map, specular(wi, plan));
-            Map<String, String> text = describe(setup, plan, factor, context);
-            PngWriter.write(picture, overwrite, SrgbImage.fromEncoded(size, size, display.srgb(map, factor)), text);
-            if (linear != null) {
-                NpyWriter.write(linear, overwrite, map.xyz(), size, size, 3);
-            }
+            double factor =
+                    fixedExposure > 0 ? fixedExposure : AutoExposure.of(map, specular(wi, method.specularReach()));
+            Map<String, String> text = describe(setup, methodRequest, factory.summary(), factor, context);
+            BufferedImage image = SrgbImage.fromEncoded(size, size, display.srgb(map, factor));
+            write(picture, stream -> PngWriter.write(stream, image, text), map);
         }
         out.println(picture);
         if (linear != null) {
             out.println(linear);
         }
         return ExitCode.OK.code();
+    }
+
+    private void checkDifferent(Path picture) {
+        if (picture.toAbsolutePath().normalize().equals(linear.toAbsolutePath().normalize())) {
+            throw new UsageException("--linear " + linear + " is the picture's own name; give it another");
+        }
+    }
+
+    /** Both files or none: neither appears before both are written. */
+    private void write(Path picture, AtomicFile.StreamContent png, LinearPicture map) {
+        Overwrite overwrite = force.overwrite();
+        try (AtomicFile image = AtomicFile.create(picture, overwrite);
+                AtomicFile numbers = linear == null ? null : AtomicFile.create(linear, overwrite)) {
+            image.fill(png);
+            if (numbers != null) {
+                numbers.fill(stream -> NpyWriter.write(stream, map.xyz(), size, size, 3));
+                numbers.commit();
+            }
+            image.commit();
+        }
     }
 
     private double parseExposure() {
@@ -155,9 +181,7 @@ public final class BrdfMapCommand implements Callable<Integer> {
         }
     }
 
-    // The specular peak is as wide as the window's spectrum; five deviations of the longest wavelength hold all of it.
-    private AutoExposure.Specular specular(Direction wi, Plan plan) {
-        double radius = 5 * plan.window().sigmaFrequency() * 780e-9;
+    private AutoExposure.Specular specular(Direction wi, double radius) {
         return pixel -> {
             double x = (2.0 * (pixel % size) + 1) / size - 1;
             int row = pixel / size;
@@ -166,14 +190,15 @@ public final class BrdfMapCommand implements Callable<Integer> {
         };
     }
 
-    private Map<String, String> describe(DiffractionSetup setup, Plan plan, double factor, RenderContext context) {
+    private Map<String, String> describe(
+            DiffractionSetup setup, MethodRequest methodRequest, String plan, double factor, RenderContext context) {
         Map<String, String> text = new LinkedHashMap<>();
         text.put("Title", "BRDF map of " + setup.patch().name());
         text.put("Patch", setup.patch().source());
         text.put("Light", light.describe());
-        text.put("Method", "full");
+        text.put("Method", methodRequest.describe());
         text.put("Options", planOptions.describe());
-        text.put("Plan", new PlanReport(plan).summary());
+        text.put("Plan", plan);
         text.put("Exposure", Double.toString(factor));
         text.put("Renderer", context.info().renderer());
         return text;

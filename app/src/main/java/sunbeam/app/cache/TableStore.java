@@ -40,7 +40,7 @@ public final class TableStore {
             try {
                 return TableFile.read(file.get());
             } catch (TableException failure) {
-                warning.accept("cached table is made again: " + failure.getMessage());
+                warning.accept("cached table is made again: " + failure.problem());
             }
         }
         FourierTable table = build(patch, heights, plan);

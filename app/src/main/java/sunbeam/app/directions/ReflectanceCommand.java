@@ -12,13 +12,18 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 import sunbeam.app.cli.Environment;
 import sunbeam.app.cli.ExitCode;
+import sunbeam.app.gpu.MethodKind;
 import sunbeam.app.output.AtomicFile;
 import sunbeam.app.output.CsvWriter;
 import sunbeam.app.output.ForceOption;
 import sunbeam.app.setup.DiffractionSetup;
+import sunbeam.app.setup.MethodFactory;
+import sunbeam.app.setup.MethodOptions;
+import sunbeam.app.setup.MethodRequest;
 import sunbeam.app.setup.PatchOptions;
 import sunbeam.app.setup.PlanOptions;
 import sunbeam.precompute.plan.PlanRequest;
+import sunbeam.precompute.plan.VisibleRange;
 
 /** {@code sunbeam reflectance}: numbers for a list of directions, the interface by which anybody can check Sunbeam. */
 @Command(
@@ -32,12 +37,6 @@ public final class ReflectanceCommand implements Callable<Integer> {
     private static final List<String> SPECTRAL_RESULTS = List.of("power", "power_ensemble", "rho", "brdf");
     private static final List<String> COLOUR_RESULTS = List.of("X", "Y", "Z", "gain");
 
-    /** Who evaluates. */
-    private enum Method {
-        REFERENCE,
-        FULL
-    }
-
     private final Environment environment;
 
     @Mixin
@@ -45,6 +44,9 @@ public final class ReflectanceCommand implements Callable<Integer> {
 
     @Mixin
     private PlanOptions planOptions;
+
+    @Mixin
+    private MethodOptions methodOptions;
 
     @Mixin
     private ForceOption force;
@@ -55,14 +57,6 @@ public final class ReflectanceCommand implements Callable<Integer> {
     @Option(names = "--output", paramLabel = "OUT.csv", required = true, description = "The results.")
     private Path output;
 
-    @Option(
-            names = "--method",
-            paramLabel = "METHOD",
-            defaultValue = "full",
-            description = "full (default): one fragment a row, through the shader code that draws the maps. reference:"
-                    + " direct sums in double precision on the processor; slow, the truth.")
-    private Method method;
-
     @Spec
     private CommandSpec specification;
 
@@ -72,18 +66,28 @@ public final class ReflectanceCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
+        MethodRequest method = methodOptions.request();
         PlanRequest request = planOptions.request();
         DirectionList list = DirectionList.read(directions);
         AtomicFile.checkWritable(output, force.overwrite());
         DiffractionSetup setup = new DiffractionSetup(
                 patchOptions, environment, specification.commandLine().getErr());
         PrintWriter out = specification.commandLine().getOut();
-        List<double[]> results = method == Method.REFERENCE
-                ? new ReferenceDirections(setup, request).evaluate(list)
-                : new GpuDirections(setup, request, plan -> planOptions.print(plan, out)).evaluate(list);
-        write(list, results);
+        write(list, evaluate(setup, method, request, list));
         out.println(output);
         return ExitCode.OK.code();
+    }
+
+    private List<double[]> evaluate(
+            DiffractionSetup setup, MethodRequest method, PlanRequest request, DirectionList list) {
+        if (method.kind() != MethodKind.REFERENCE) {
+            MethodFactory factory = new MethodFactory(setup, method, request, VisibleRange.of(list.geometries()));
+            planOptions.print(factory, specification.commandLine().getOut());
+            return new GpuDirections(factory).evaluate(list);
+        }
+        return method.replicas().isPresent()
+                ? new ReplicaDirections(setup, method, request).evaluate(list)
+                : new ReferenceDirections(setup, request).evaluate(list);
     }
 
     private void write(DirectionList list, List<double[]> results) {

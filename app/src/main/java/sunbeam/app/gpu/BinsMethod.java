@@ -10,7 +10,6 @@ import jrtr.RenderContext;
 import jrtr.ShaderProgram;
 import org.joml.Vector2f;
 import sunbeam.precompute.color.CieTable;
-import sunbeam.precompute.color.WavelengthNodes;
 import sunbeam.precompute.fourier.ComplexVector;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.plan.Neighbourhood;
@@ -40,7 +39,7 @@ final class BinsMethod implements DiffractionMethod {
             textures.addCoefficients("expansionCoefficients", table.coefficients(), FloatFormat.R32F);
         }
         if (plan.sampling() instanceof Sampling.Bins bins) {
-            uploadWavelengths(bins.wavelengths());
+            textures.addWavelengths(bins.wavelengths());
         } else {
             textures.addCieWeights(cie);
         }
@@ -63,18 +62,6 @@ final class BinsMethod implements DiffractionMethod {
             result[2 * i + 1] = (float) values.imaginary()[i];
         }
         return result;
-    }
-
-    private void uploadWavelengths(WavelengthNodes nodes) {
-        float[] texels = new float[4 * nodes.count()];
-        for (int i = 0; i < nodes.count(); i++) {
-            texels[4 * i] = (float) nodes.wavelengths()[i];
-            for (int c = 0; c < 3; c++) {
-                texels[4 * i + 1 + c] = (float) nodes.weights()[i][c];
-            }
-        }
-        textures.add("wavelengthNodes", FloatTextureSpec.line(nodes.count(), FloatFormat.RGBA32F))
-                .upload(texels);
     }
 
     private Neighbourhood neighbourhood() {
@@ -115,8 +102,9 @@ final class BinsMethod implements DiffractionMethod {
         if (plan.sampling() instanceof Sampling.Bins bins) {
             program.set("wavelengthCount", bins.wavelengths().count());
         } else if (plan.sampling() instanceof Sampling.Orders orders) {
-            program.set("orderHalfNodes", orders.halfNodes());
+            program.set("orderReach", (float) orders.reach());
             program.set("orderNodeSpacing", (float) orders.nodeSpacing());
+            program.set("orderLargestStep", (float) orders.largestStep());
             program.set("specularNodes", orders.specularNodes());
             program.set("windowSigmaFrequency", (float) window.sigmaFrequency());
             program.set("cieWhite", Textures.cieWhite(cie));

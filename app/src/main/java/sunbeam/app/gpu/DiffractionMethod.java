@@ -4,6 +4,8 @@ import java.util.List;
 import java.util.Map;
 import jrtr.Binding;
 import jrtr.ShaderProgram;
+import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.optics.CoherenceWindow;
 
 /** A diffraction method on the GPU: what its shader file needs. It owns its textures. */
 public interface DiffractionMethod extends AutoCloseable {
@@ -19,6 +21,12 @@ public interface DiffractionMethod extends AutoCloseable {
 
     /** Standard deviation of the coherence window, metres. */
     double windowSigma();
+
+    /** |(u, v)| up to which a direction sees the specular peak, which outshines what is diffracted. */
+    default double specularReach() {
+        // The peak is as wide as the window's spectrum; five deviations of the longest wavelength hold all of it.
+        return 5 * new CoherenceWindow(windowSigma()).sigmaFrequency() * CieTable.MAXIMUM_WAVELENGTH;
+    }
 
     @Override
     void close();

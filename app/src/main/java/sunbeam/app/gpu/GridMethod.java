@@ -5,9 +5,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import jrtr.Binding;
-import jrtr.Filter;
-import jrtr.FloatFormat;
-import jrtr.FloatTextureSpec;
 import jrtr.RenderContext;
 import jrtr.ShaderProgram;
 import sunbeam.precompute.color.CieTable;
@@ -57,7 +54,8 @@ final class GridMethod implements DiffractionMethod {
             double sigma = plan.window().sigmaFrequency() / Math.sqrt(2);
             add(new GridTextures("ensemble", plan, sampling, table, fields, sigma), "ENSEMBLE_LAYERS");
         }
-        addKernel(sampling.interpolation());
+        InterpolationDesign design = sampling.interpolation();
+        textures.addInterpolationKernel(KERNEL_SAMPLES, design.taps(), design::kernel);
         textures.addCieWeights(cie);
     }
 
@@ -84,23 +82,6 @@ final class GridMethod implements DiffractionMethod {
         return new VisibleRange(-reach, reach, -reach, reach, range.minimumW(), range.maximumW());
     }
 
-    private void addKernel(InterpolationDesign design) {
-        int rows = (design.taps() + 3) / 4;
-        float[] texels = new float[4 * rows * KERNEL_SAMPLES];
-        for (int i = 0; i < KERNEL_SAMPLES; i++) {
-            double fraction = (double) i / (KERNEL_SAMPLES - 1);
-            for (int tap = 0; tap < design.taps(); tap++) {
-                double distance = fraction + 0.5 * design.taps() - 1 - tap;
-                texels[4 * (tap / 4 * KERNEL_SAMPLES + i) + tap % 4] = (float) design.kernel(distance);
-            }
-        }
-        textures.add(
-                        "gridKernel",
-                        FloatTextureSpec.flat(KERNEL_SAMPLES, rows, FloatFormat.RGBA32F)
-                                .with(Filter.LINEAR))
-                .upload(texels);
-    }
-
     @Override
     public Map<String, String> defines() {
         Map<String, String> all = MethodDefines.of("METHOD_FULL_GRID", plan.average());
@@ -116,6 +97,7 @@ final class GridMethod implements DiffractionMethod {
         if (use == MethodUse.COLOUR) {
             grids.get(0).setRayUniforms(program);
             program.set("gridNodeStep", (float) sampling.nodeStep());
+            program.set("gridLargestStride", sampling.largestStride());
             program.set("gridCentreReach", (float) sampling.centreReach());
             program.set("gridCentreNodes", sampling.fewestNodes());
             program.set("cieWhite", Textures.cieWhite(cie));

@@ -14,6 +14,10 @@ final class MethodDefines {
         defines.put("METHOD_FULL_BINS", "0");
         defines.put("METHOD_FULL_ORDERS", "1");
         defines.put("METHOD_FULL_GRID", "2");
+        defines.put("METHOD_NMM", "3");
+        defines.put("METHOD_NMM_THESIS", "4");
+        defines.put("METHOD_PQ", "5");
+        defines.put("METHOD_GEM", "6");
         defines.put("METHOD", method);
         defines.put("AVERAGE_COHERENT", "0");
         defines.put("AVERAGE_ENSEMBLE", "1");

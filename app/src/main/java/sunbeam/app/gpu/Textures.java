@@ -2,6 +2,7 @@ package sunbeam.app.gpu;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.DoubleUnaryOperator;
 import jrtr.Binding;
 import jrtr.Filter;
 import jrtr.FloatFormat;
@@ -11,6 +12,7 @@ import jrtr.RenderContext;
 import org.joml.Vector2f;
 import org.joml.Vector3f;
 import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.color.WavelengthNodes;
 import sunbeam.precompute.expansion.CoefficientTable;
 
 /** The textures of one method, by sampler name; made, bound and freed together. */
@@ -32,13 +34,13 @@ final class Textures implements AutoCloseable {
 
     /** The CIE weights of shaders/include/spectrum.glsl, per metre of wavelength. */
     void addCieWeights(CieTable cie) {
-        int samples = 401;
+        int samples = SmoothCieWeights.SAMPLES;
         double norm = 1 / cie.integralOfY();
         float[] texels = new float[4 * samples];
-        for (int i = 0; i < samples; i++) {
-            double wavelength = CieTable.MINIMUM_WAVELENGTH + i * 1e-9;
-            for (int c = 0; c < 3; c++) {
-                texels[4 * i + c] = (float) (cie.at(wavelength, c) * norm);
+        for (int c = 0; c < 3; c++) {
+            double[] weights = SmoothCieWeights.of(cie, c);
+            for (int i = 0; i < samples; i++) {
+                texels[4 * i + c] = (float) (weights[i] * norm);
             }
         }
         add("cieWeights", FloatTextureSpec.line(samples, FloatFormat.RGBA32F).with(Filter.LINEAR))
@@ -55,6 +57,34 @@ final class Textures implements AutoCloseable {
             }
         }
         return new Vector3f((float) (sums[0] / sums[1]), 1, (float) (sums[2] / sums[1]));
+    }
+
+    /** The fixed wavelengths of shaders/include/wavelengths.glsl. */
+    void addWavelengths(WavelengthNodes nodes) {
+        float[] texels = new float[4 * nodes.count()];
+        for (int i = 0; i < nodes.count(); i++) {
+            texels[4 * i] = (float) nodes.wavelengths()[i];
+            for (int c = 0; c < 3; c++) {
+                texels[4 * i + 1 + c] = (float) nodes.weights()[i][c];
+            }
+        }
+        add("wavelengthNodes", FloatTextureSpec.line(nodes.count(), FloatFormat.RGBA32F))
+                .upload(texels);
+    }
+
+    /** Weights of taps by the fraction of a position, as shaders/method/grid_tables.glsl reads them. */
+    void addInterpolationKernel(int samples, int taps, DoubleUnaryOperator kernel) {
+        int rows = (taps + 3) / 4;
+        float[] texels = new float[4 * rows * samples];
+        for (int i = 0; i < samples; i++) {
+            double fraction = (double) i / (samples - 1);
+            for (int tap = 0; tap < taps; tap++) {
+                double distance = fraction + 0.5 * taps - 1 - tap;
+                texels[4 * (tap / 4 * samples + i) + tap % 4] = (float) kernel.applyAsDouble(distance);
+            }
+        }
+        FloatTextureSpec spec = FloatTextureSpec.flat(samples, rows, FloatFormat.RGBA32F);
+        add("gridKernel", spec.with(Filter.LINEAR)).upload(texels);
     }
 
     /** Coefficients as rows of texels with some terms each. */

@@ -92,7 +92,7 @@ public final class JsonFile {
             case START_OBJECT -> members(parser);
             case START_ARRAY -> sequence(parser);
             case VALUE_STRING -> new JsonValue.Text(parser.getText(), line);
-            case VALUE_NUMBER_INT, VALUE_NUMBER_FLOAT -> new JsonValue.Number(parser.getDoubleValue(), line);
+            case VALUE_NUMBER_INT, VALUE_NUMBER_FLOAT -> new JsonValue.Numeral(parser.getDoubleValue(), line);
             default -> new JsonValue.Word(parser.getText(), line);
         };
     }

@@ -87,7 +87,7 @@ public final class JsonObject {
     /** As {@link #parsed(String, Function)}, of a value. */
     public <T> T parsed(String key, JsonValue value, Function<String, T> parse) {
         if (!(value instanceof JsonValue.Text text)) {
-            String remedy = value instanceof JsonValue.Number
+            String remedy = value instanceof JsonValue.Numeral
                     ? "must be a text in quotes; a length or an angle needs its unit, such as \"65 um\" or \"30 deg\""
                     : "must be a text in quotes";
             throw complaint(key, value, remedy);
@@ -108,7 +108,7 @@ public final class JsonObject {
 
     /** A value as a number between bounds. */
     public double number(String key, JsonValue value, double least, double most) {
-        if (!(value instanceof JsonValue.Number number)) {
+        if (!(value instanceof JsonValue.Numeral number)) {
             throw complaint(key, value, "must be a number without quotes and unit");
         }
         if (!(number.value() >= least && number.value() <= most)) {

@@ -12,7 +12,7 @@ public sealed interface JsonValue {
     record Text(String text, int line) implements JsonValue {}
 
     /** A number. */
-    record Number(double value, int line) implements JsonValue {}
+    record Numeral(double value, int line) implements JsonValue {}
 
     /** true, false or null. */
     record Word(String word, int line) implements JsonValue {}

@@ -75,11 +75,10 @@ public final class AtomicFile implements AutoCloseable {
 
     /** Writes the whole target through a buffered stream; an {@link IOException} of the content is the target's. */
     public static void write(Path target, Overwrite overwrite, StreamContent content) {
-        writeFile(target, overwrite, file -> {
-            try (OutputStream stream = new BufferedOutputStream(Files.newOutputStream(file), BUFFER_BYTES)) {
-                content.writeTo(stream);
-            }
-        });
+        try (AtomicFile file = create(target, overwrite)) {
+            file.fill(content);
+            file.commit();
+        }
     }
 
     /** As {@link #write}, for libraries that open the file themselves. */
@@ -125,6 +124,21 @@ public final class AtomicFile implements AutoCloseable {
             state = State.CLOSED;
             hook.close();
             throw failure;
+        }
+    }
+
+    /**
+     * Writes the content, which does not appear before {@link #commit}.
+     *
+     * @throws OutputException when it cannot be written, also when the content throws an {@link IOException}
+     */
+    public void fill(StreamContent content) {
+        try (OutputStream stream = new BufferedOutputStream(Files.newOutputStream(path()), BUFFER_BYTES)) {
+            content.writeTo(stream);
+        } catch (IOException failure) {
+            throw OutputException.of(target, failure);
+        } catch (UncheckedIOException failure) {
+            throw OutputException.of(target, failure.getCause());
         }
     }
 

@@ -22,11 +22,11 @@ public final class CsvWriter implements AutoCloseable {
      * Writes the header.
      *
      * @param stream is flushed, not closed, when this is closed
-     * @param names columns from left to right, at least one; letters, digits, {@code _} and blanks only
+     * @param names columns from left to right, at least one; letters, digits, {@code _ . -} and blanks only
      */
     public CsvWriter(OutputStream stream, List<String> names) throws IOException {
         for (String name : names) {
-            if (!name.matches("[A-Za-z0-9_ ]+")) {
+            if (!name.matches("[A-Za-z0-9_. -]+")) {
                 throw new IllegalArgumentException("not a column's name: '" + name + "'");
             }
         }

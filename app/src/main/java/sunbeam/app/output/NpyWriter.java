@@ -47,11 +47,14 @@ public final class NpyWriter implements AutoCloseable {
      * @throws OutputException when the file cannot be written
      */
     public static void write(Path target, Overwrite overwrite, float[] values, int... shape) {
-        AtomicFile.write(target, overwrite, stream -> {
-            try (NpyWriter writer = new NpyWriter(stream, shape)) {
-                writer.append(values, 0, values.length);
-            }
-        });
+        AtomicFile.write(target, overwrite, stream -> write(stream, values, shape));
+    }
+
+    /** As {@link #write(Path, Overwrite, float[], int...)}, to a stream, which stays open. */
+    public static void write(OutputStream stream, float[] values, int... shape) throws IOException {
+        try (NpyWriter writer = new NpyWriter(stream, shape)) {
+            writer.append(values, 0, values.length);
+        }
     }
 
     /** Writes {@code count} values, beginning with {@code values[first]}. */

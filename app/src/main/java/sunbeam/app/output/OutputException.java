@@ -19,7 +19,12 @@ public final class OutputException extends RuntimeException {
 
     /** The operating system's refusal to write the target, put into words. */
     static OutputException of(Path target, IOException cause) {
-        return new OutputException("cannot write " + target + ": " + reasonAndRemedy(cause), cause);
+        return new OutputException("cannot write " + target + ": " + reasonAndRemedy(rootOf(cause)), cause);
+    }
+
+    /** The system's own words: image writers wrap them in "I/O error". */
+    private static IOException rootOf(IOException failure) {
+        return failure.getCause() instanceof IOException cause ? rootOf(cause) : failure;
     }
 
     private static String reasonAndRemedy(IOException cause) {

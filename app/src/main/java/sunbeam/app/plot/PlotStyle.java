@@ -34,8 +34,15 @@ final class PlotStyle {
         SeriesMarkers.PLUS
     };
 
+    static final Color INK = new Color(0x222222);
+    /** Vermillion, seen on dark and on light. */
+    static final Color MARK = new Color(0xD55E00);
+
+    static final Font TITLE_FONT = new Font(Font.SANS_SERIF, Font.BOLD, 18);
+    static final Font LABEL_FONT = new Font(Font.SANS_SERIF, Font.PLAIN, 16);
+    static final Font TICK_FONT = new Font(Font.SANS_SERIF, Font.PLAIN, 14);
+
     private static final Color GRID = new Color(0xDDDDDD);
-    private static final Color INK = new Color(0x222222);
     private static final float LINE_WIDTH = 2f;
 
     private PlotStyle() {}
@@ -66,11 +73,11 @@ final class PlotStyle {
     }
 
     private static void applyFonts(XYStyler style) {
-        style.setBaseFont(new Font(Font.SANS_SERIF, Font.PLAIN, 14));
-        style.setChartTitleFont(new Font(Font.SANS_SERIF, Font.BOLD, 18));
-        style.setAxisTitleFont(new Font(Font.SANS_SERIF, Font.PLAIN, 16));
-        style.setAxisTickLabelsFont(new Font(Font.SANS_SERIF, Font.PLAIN, 14));
-        style.setLegendFont(new Font(Font.SANS_SERIF, Font.PLAIN, 14));
+        style.setBaseFont(TICK_FONT);
+        style.setChartTitleFont(TITLE_FONT);
+        style.setAxisTitleFont(LABEL_FONT);
+        style.setAxisTickLabelsFont(TICK_FONT);
+        style.setLegendFont(TICK_FONT);
     }
 
     private static void applyColours(XYStyler style) {

@@ -35,7 +35,8 @@ public record AngleSweep(double from, double to) {
         public AngleSweep convert(String text) {
             String[] parts = text.split(":", -1);
             if (parts.length != 2) {
-                throw new TypeConversionException("'" + text + "' is not a sweep; give FROM:TO in degrees as in -60:60");
+                throw new TypeConversionException(
+                        "'" + text + "' is not a sweep; give FROM:TO in degrees as in -60:60");
             }
             AngleConverter angle = new AngleConverter();
             return new AngleSweep(angle.convert(parts[0]), angle.convert(parts[1]));

@@ -29,7 +29,12 @@ final class FrameIdentity {
         digest.update(data.body().rgba());
         String meshAndBody = HexFormat.of().formatHex(digest.digest());
         inputs = String.join(
-                "|", Version.number(), data.patch().digest(), meshAndBody, size.toString(), "supersample " + supersample);
+                "|",
+                Version.number(),
+                data.patch().digest(),
+                meshAndBody,
+                size.toString(),
+                "supersample " + supersample);
     }
 
     /** The hash for one frame. */
@@ -53,9 +58,8 @@ final class FrameIdentity {
     }
 
     private static void addMesh(MessageDigest digest, Mesh mesh) {
-        for (float[] values : new float[][] {
-            mesh.positions(), mesh.normals(), mesh.tangents(), mesh.textureCoordinates()
-        }) {
+        for (float[] values :
+                new float[][] {mesh.positions(), mesh.normals(), mesh.tangents(), mesh.textureCoordinates()}) {
             ByteBuffer bytes = ByteBuffer.allocate(Float.BYTES * values.length);
             bytes.asFloatBuffer().put(values);
             digest.update(bytes);

@@ -77,8 +77,7 @@ final class FrameSequence implements AutoCloseable {
     }
 
     private void write(Path file, Overwrite overwrite, Scene scene, ScenePicture picture, double exposure) {
-        Map<String, String> text =
-                FrameText.of(data, scene, size, supersample, exposure, renderer, identity.of(scene));
+        Map<String, String> text = FrameText.of(data, scene, size, supersample, exposure, renderer, identity.of(scene));
         PngWriter.write(file, overwrite, display.image(picture, exposure, scene.background()), text);
     }
 

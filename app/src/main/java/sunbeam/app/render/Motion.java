@@ -17,8 +17,7 @@ final class Motion {
                 .mapToObj(frame -> {
                     Vector3f towards = new Vector3f(scene.light().towards());
                     towards.rotateZ((float) sweep.at(frame, frames));
-                    return scene.withLight(
-                            new SceneLight(towards, scene.light().intensity()));
+                    return scene.withLight(new SceneLight(towards, scene.light().intensity()));
                 })
                 .toList();
     }

@@ -30,8 +30,8 @@ final class Mp4Animation {
                 return;
             }
         }
-        throw new UsageException("--animation " + target + " needs the program ffmpeg, which is not on the PATH; install"
-                + " it, or name a .gif file");
+        throw new UsageException("--animation " + target
+                + " needs the program ffmpeg, which is not on the PATH; install" + " it, or name a .gif file");
     }
 
     /** Encodes the frames, which are numbered from 1 in one folder. */

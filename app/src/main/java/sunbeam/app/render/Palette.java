@@ -10,7 +10,7 @@ import java.util.List;
 final class Palette {
     private static final int COLORS = 256;
     private static final int BITS = 5;
-    private static final int CELLS = 1 << 3 * BITS;
+    private static final int CELLS = 1 << (3 * BITS);
 
     private final long[] counts = new long[CELLS];
     private final long[][] sums = new long[3][CELLS];
@@ -23,7 +23,7 @@ final class Palette {
             int cell = cell(rgb);
             counts[cell]++;
             for (int c = 0; c < 3; c++) {
-                sums[c][cell] += rgb >> 8 * (2 - c) & 0xff;
+                sums[c][cell] += (rgb >> (8 * (2 - c))) & 0xff;
             }
         }
     }
@@ -39,7 +39,9 @@ final class Palette {
         }
         boxes.add(new Box(used));
         while (boxes.size() < COLORS) {
-            Box widest = boxes.stream().max(Comparator.comparingDouble(Box::priority)).orElseThrow();
+            Box widest = boxes.stream()
+                    .max(Comparator.comparingDouble(Box::priority))
+                    .orElseThrow();
             if (widest.cells.size() < 2) {
                 break;
             }
@@ -61,8 +63,7 @@ final class Palette {
     /** An image in the colours that {@link #choose} gave; it must have been counted before. */
     BufferedImage apply(BufferedImage image, IndexColorModel colors) {
         int width = image.getWidth();
-        BufferedImage indexed =
-                new BufferedImage(width, image.getHeight(), BufferedImage.TYPE_BYTE_INDEXED, colors);
+        BufferedImage indexed = new BufferedImage(width, image.getHeight(), BufferedImage.TYPE_BYTE_INDEXED, colors);
         for (int y = 0; y < image.getHeight(); y++) {
             int[] row = image.getRGB(0, y, width, 1, null, 0, width);
             for (int x = 0; x < width; x++) {
@@ -74,11 +75,11 @@ final class Palette {
     }
 
     private static int cell(int rgb) {
-        return (rgb >> 19 & 31) << 10 | (rgb >> 11 & 31) << 5 | rgb >> 3 & 31;
+        return (((rgb >> 19) & 31) << 10) | (((rgb >> 11) & 31) << 5) | ((rgb >> 3) & 31);
     }
 
     private static int channel(int cell, int c) {
-        return cell >> BITS * (2 - c) & 31;
+        return (cell >> (BITS * (2 - c))) & 31;
     }
 
     /** Colours that become one. */
@@ -93,7 +94,7 @@ final class Palette {
 
         /** Large for boxes of many pixels that differ much; the root keeps rare but vivid colours alive. */
         double priority() {
-            return cells.size() < 2 ? -1 : extent(longest()) * Math.sqrt(pixels);
+            return cells.size() < 2 ? -1 : extent(longest()) * Math.sqrt((double) pixels);
         }
 
         List<Box> split() {

@@ -40,8 +40,9 @@ public final class RenderCommand implements Callable<Integer> {
 
     @Parameters(
             paramLabel = "SCENE",
-            description = "A built-in scene (elaphe, elaphe-body, elaphe-scales, xenopeltis, xenopeltis-body,"
-                    + " xenopeltis-scales, light-left, light-above, light-right) or a scene file (.json; docs/scenes.md).")
+            description =
+                    "A built-in scene (elaphe, elaphe-body, elaphe-scales, xenopeltis, xenopeltis-body,"
+                            + " xenopeltis-scales, light-left, light-above, light-right) or a scene file (.json; docs/scenes.md).")
     private String sceneName;
 
     @Option(
@@ -94,8 +95,7 @@ public final class RenderCommand implements Callable<Integer> {
         Scene scene = overrides.apply(Scenes.load(sceneName));
         List<Scene> scenes = animation.isAsked() ? animation.scenes(scene) : List.of(scene);
         Path target = target();
-        List<Path> files =
-                animation.isAsked() ? FrameFiles.names(target, scenes.size()) : List.of(target);
+        List<Path> files = animation.isAsked() ? FrameFiles.names(target, scenes.size()) : List.of(target);
         PrintWriter err = specification.commandLine().getErr();
         SceneData data = new SceneLoader(environment, warning -> {
                     err.println(Messages.warning(warning));

@@ -26,10 +26,14 @@ public final class SceneOverrides {
     @Option(
             names = "--patch",
             paramLabel = "PATCH",
-            description = "The surface: a built-in patch, a descriptor (.json), or an image with --width and --max-height.")
+            description =
+                    "The surface: a built-in patch, a descriptor (.json), or an image with --width and --max-height.")
     private String patch;
 
-    @Option(names = "--width", paramLabel = "LENGTH", description = "Extent of the patch's image along x, such as 65um.")
+    @Option(
+            names = "--width",
+            paramLabel = "LENGTH",
+            description = "Extent of the patch's image along x, such as 65um.")
     private String width;
 
     @Option(names = "--height", paramLabel = "LENGTH", description = "Its extent along y. Default: square pixels.")

@@ -13,8 +13,7 @@ final class SceneNames {
     }
 
     static SceneNames relativeTo(Path sceneFile) {
-        return new SceneNames(
-                Optional.of(sceneFile.toAbsolutePath().normalize().getParent()));
+        return new SceneNames(Optional.of(sceneFile.toAbsolutePath().normalize().getParent()));
     }
 
     static SceneNames absolute() {

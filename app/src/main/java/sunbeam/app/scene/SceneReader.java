@@ -76,8 +76,7 @@ public final class SceneReader {
     }
 
     private static Vector3f place(JsonObject object, String key) {
-        List<JsonValue> values =
-                object.sequence(key, object.required(key, "[\"10 cm\", \"-20 cm\", \"15 cm\"]"), 3);
+        List<JsonValue> values = object.sequence(key, object.required(key, "[\"10 cm\", \"-20 cm\", \"15 cm\"]"), 3);
         float[] metres = new float[3];
         for (int i = 0; i < 3; i++) {
             double coordinate = object.parsed(key, values.get(i), SceneUnits::coordinate);

@@ -55,6 +55,16 @@ public final class DiffractionSetup {
         return patch;
     }
 
+    /** The patch's distinct heights. */
+    public HeightLevels heights() {
+        return heights;
+    }
+
+    /** Which surface the patch's tables belong to. */
+    public PatchIdentity identity() {
+        return identity;
+    }
+
     public CieTable cie() {
         return cie;
     }

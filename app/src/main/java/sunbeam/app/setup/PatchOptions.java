@@ -50,7 +50,12 @@ public final class PatchOptions {
 
     /** Loads the patch; nothing else is read before it is known to be usable. */
     public Patch load() {
-        return load(PatchRequest.parse(patch, width, height, maxHeight, channel, level));
+        return load(patch);
+    }
+
+    /** As {@link #load()}, with a patch named elsewhere than by the option. */
+    public Patch load(String named) {
+        return load(PatchRequest.parse(named, width, height, maxHeight, channel, level));
     }
 
     /** Loads a patch that is asked for elsewhere; built-in names are known. */

@@ -1,6 +1,7 @@
 package sunbeam.app.setup;
 
 import java.io.PrintWriter;
+import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -119,9 +120,18 @@ public final class PlanOptions {
     /** Prints the plan, with reasons where they are asked for. */
     public void print(Plan plan, PrintWriter out) {
         PlanReport report = new PlanReport(plan);
-        out.println("plan: " + report.summary());
+        print(report.summary(), report.reasons(), out);
+    }
+
+    /** Prints a method's plan, with reasons where they are asked for. */
+    public void print(MethodFactory method, PrintWriter out) {
+        print(method.summary(), method.reasons(), out);
+    }
+
+    private void print(String summary, List<String> reasons, PrintWriter out) {
+        out.println("plan: " + summary);
         if (explain) {
-            report.reasons().forEach(line -> out.println("  " + line));
+            reasons.forEach(line -> out.println("  " + line));
         }
         out.flush();
     }

@@ -27,8 +27,7 @@ import sunbeam.app.input.PngText;
         matches = ".+",
         disabledReason = "DISPLAY is not set: rendering is not tested. Run ./sunbeam test, or start Xvfb")
 class RenderCommandTest {
-    private static final String SCENE =
-            """
+    private static final String SCENE = """
             {
               "mesh": "plane",
               "patch": "blaze",
@@ -68,7 +67,9 @@ class RenderCommandTest {
     void aPictureSaysHowItWasMadeAndIsNotOverwritten() {
         Path picture = folder.resolve("a.png");
         Path linear = folder.resolve("a.npy");
-        assertThat(render(picture, "--linear", linear.toString(), "--supersample", "2")).as(err.toString()).isZero();
+        assertThat(render(picture, "--linear", linear.toString(), "--supersample", "2"))
+                .as(err.toString())
+                .isZero();
         Map<String, String> text = PngText.read(picture);
         assertThat(text).containsKeys("Scene", "Plan", "Exposure", "Parameters");
         assertThat(text.get("Scene")).contains("\"blaze\"");
@@ -89,7 +90,9 @@ class RenderCommandTest {
         Files.setLastModifiedTime(first, old);
 
         assertThat(render(frames, "--turntable", "3")).as("without --resume").isEqualTo(ExitCode.CANNOT_WRITE.code());
-        assertThat(render(frames, "--turntable", "3", "--resume")).as(err.toString()).isZero();
+        assertThat(render(frames, "--turntable", "3", "--resume"))
+                .as(err.toString())
+                .isZero();
         assertThat(Files.getLastModifiedTime(first)).isEqualTo(old);
         assertThat(Files.readAllBytes(second)).isEqualTo(drawn);
 
@@ -102,8 +105,11 @@ class RenderCommandTest {
     @Test
     void aSweepIsAlsoAnAnimation() throws IOException {
         Path frames = folder.resolve("sweep");
-        assertThat(render(frames, "--light-sweep", "-30:30", "--frames", "3")).as(err.toString()).isZero();
-        try (ImageInputStream stream = ImageIO.createImageInputStream(frames.resolve("animation.gif").toFile())) {
+        assertThat(render(frames, "--light-sweep", "-30:30", "--frames", "3"))
+                .as(err.toString())
+                .isZero();
+        try (ImageInputStream stream =
+                ImageIO.createImageInputStream(frames.resolve("animation.gif").toFile())) {
             ImageReader reader = ImageIO.getImageReaders(stream).next();
             reader.setInput(stream);
             assertThat(reader.getNumImages(true)).isEqualTo(3);

@@ -17,8 +17,7 @@ import sunbeam.app.output.Overwrite;
 import sunbeam.precompute.plan.Average;
 
 class SceneFileTest {
-    private static final String SCENE =
-            """
+    private static final String SCENE = """
             {
               "mesh": "snake",
               "patch": "elaphe-like",
@@ -64,10 +63,7 @@ class SceneFileTest {
     }
 
     @ParameterizedTest
-    @CsvSource(
-            delimiter = '|',
-            textBlock =
-                    """
+    @CsvSource(delimiter = '|', textBlock = """
                     "mesh"               | "mush"             | line 1  | mesh          | missing
                     "rotatePatch"        | "rotatepatch"      | line 8  | rotatepatch   | unknown key
                     "30 deg"             | 30                 | line 8  | rotatePatch   | unit

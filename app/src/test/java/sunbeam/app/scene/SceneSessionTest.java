@@ -66,7 +66,9 @@ class SceneSessionTest {
         SceneData data = session.data();
         ReferenceColor reference = new ReferenceColor(
                 new ReferenceEvaluator(
-                        data.patch().heights(), data.plan().window(), data.plan().origin()),
+                        data.patch().heights(),
+                        data.plan().window(),
+                        data.plan().origin()),
                 data.plan().window(),
                 data.cie());
         double brightest = 0;
@@ -78,7 +80,8 @@ class SceneSessionTest {
             double gain = Gain.relativeRadiance(geometry);
             brightest = Math.max(brightest, gain * exact[1]);
             for (int c = 0; c < 3; c++) {
-                // The plan's tolerance is 1e-3 for each of five sources; directions in float32 add 1e-4 where an order's
+                // The plan's tolerance is 1e-3 for each of five sources; directions in float32 add 1e-4 where an
+                // order's
                 // flank is steep. Channels are compared in proportion to the brightest.
                 double scale = gain * Math.max(exact[0], Math.max(exact[1], exact[2]));
                 assertThat((double) drawn[c])
@@ -130,8 +133,8 @@ class SceneSessionTest {
     @Test
     void lightBelowTheSurfaceLeavesTheAmbientPart() {
         Scene scene = PlaneScenes.blaze();
-        ScenePicture picture = draw(scene.withLight(new SceneLight(new Vector3f(0.3f, 0, -0.5f), 2))
-                .withBlend(new Blend(50, 1, 1, 0.25)));
+        ScenePicture picture = draw(
+                scene.withLight(new SceneLight(new Vector3f(0.3f, 0, -0.5f), 2)).withBlend(new Blend(50, 1, 1, 0.25)));
         // Intensity 2, ambient 0.25, white. Seven digits of the matrix.
         assertThat(pixel(picture, 36, 28)[1]).isCloseTo(0.5f, within(1e-5f));
         for (float value : picture.rgba()) {
@@ -219,8 +222,7 @@ class SceneSessionTest {
         Scene other = PlaneScenes.blaze().withPatch(PatchRequest.of("lamellar"));
         assertThatThrownBy(() -> session.update(other)).isInstanceOf(IllegalArgumentException.class);
         float[] before = session.draw(WIDTH, HEIGHT).rgba();
-        SceneData loaded = new SceneLoader(new Environment(Map.of(), folder), line -> {})
-                .load(other, session.data());
+        SceneData loaded = new SceneLoader(new Environment(Map.of(), folder), line -> {}).load(other, session.data());
         assertThat(loaded.sharesMesh(session.data())).isTrue();
         session.update(loaded);
         assertThat(session.draw(WIDTH, HEIGHT).rgba()).isNotEqualTo(before);

@@ -52,14 +52,18 @@ public final class PlanReport {
                     .formatted(grid.interpolation().taps(), grid.fewestNodes(), mostNodes(grid));
         }
         Sampling.Orders orders = (Sampling.Orders) sampling;
-        return "single orders with %d wavelengths each".formatted(2 * orders.halfNodes() + 1);
+        return "single orders with %d wavelengths each or more".formatted(orderNodes(orders));
+    }
+
+    private static int orderNodes(Sampling.Orders orders) {
+        return 2 * (int) Math.ceil(orders.reach() / orders.nodeSpacing()) + 1;
     }
 
     /** Columns that the longest ray crosses. */
     private int mostNodes(Sampling.Grid grid) {
         double waveNumbers = 1 / CieTable.MINIMUM_WAVELENGTH - 1 / CieTable.MAXIMUM_WAVELENGTH;
-        return Math.max(
-                grid.fewestNodes(), (int) Math.ceil(plan.range().maximumComponent() * waveNumbers / grid.nodeStep()));
+        return Math.max(grid.fewestNodes(), (int)
+                Math.ceil(plan.range().maximumComponent() * waveNumbers / (grid.largestStride() * grid.nodeStep())));
     }
 
     /** Several lines: each choice and its reason. */
@@ -104,17 +108,25 @@ public final class PlanReport {
                                     + " Kaiser-Bessel taps; relative error of an amplitude %.1e",
                             design.deviation(), design.taps(), design.error()),
                     format(
-                            "wavelengths: where the ray (u, v) / lambda crosses columns %.4g cycles per metre apart, up"
-                                    + " to %d; below |u|, |v| = %.3f, %d equal steps of 1 / lambda",
-                            grid.nodeStep(), mostNodes(grid), grid.centreReach(), grid.fewestNodes()));
+                            "wavelengths: where the ray (u, v) / lambda crosses columns %.4g cycles per metre apart, with"
+                                    + " strides of up to %d, at most %d; where |u|, |v| < %.3f, %d equal steps of"
+                                    + " 1 / lambda",
+                            grid.nodeStep(),
+                            grid.largestStride(),
+                            mostNodes(grid),
+                            grid.centreReach(),
+                            grid.fewestNodes()));
         }
         if (sampling instanceof Sampling.Orders orders) {
             return List.of(
                     "spectrum: the patch is so small that the window resolves every order; the nearest bin is enough",
                     format(
-                            "wavelengths: %d around each order's middle, %.2f deviations of its power apart; %d within"
-                                    + " the specular order",
-                            2 * orders.halfNodes() + 1, orders.nodeSpacing(), orders.specularNodes()));
+                            "wavelengths: %d or more around each order's middle, %.2f deviations of its power and at most"
+                                    + " %s apart; %d within the specular order",
+                            orderNodes(orders),
+                            orders.nodeSpacing(),
+                            Lengths.format(orders.largestStep()),
+                            orders.specularNodes()));
         }
         return List.of("spectrum and wavelengths: " + sampling() + ", as asked for");
     }

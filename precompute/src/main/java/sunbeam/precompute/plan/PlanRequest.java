@@ -66,6 +66,21 @@ public record PlanRequest(
         return radius.isPresent() || anchor.isPresent() || wavelengthStep.isPresent();
     }
 
+    /** The same with equal steps of the wavelength, metres, where none are fixed: a plan for sums over DFT bins. */
+    public PlanRequest orWavelengthStep(double metres) {
+        return new PlanRequest(
+                preset,
+                tolerance,
+                expansion,
+                terms,
+                radius,
+                anchor,
+                OptionalDouble.of(wavelengthStep.orElse(metres)),
+                origin,
+                coherenceLength,
+                average);
+    }
+
     /** The window, sunlight's unless asked otherwise. */
     public CoherenceWindow window() {
         return CoherenceWindow.ofCoherenceLength(coherenceLength.orElse(CoherenceWindow.SUNLIGHT_COHERENCE_LENGTH));

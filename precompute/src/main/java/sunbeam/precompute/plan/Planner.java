@@ -33,7 +33,7 @@ public final class Planner {
         return new Plan(
                 request.isThesis() ? Double.NaN : tolerances.value(),
                 range,
-                expansion(request, range, tolerances),
+                expansion(request, range, tolerances.expansion(sampling)),
                 range.bandX(map.width(), margin(sampling, request, map.width())),
                 range.bandY(map.height(), margin(sampling, request, map.height())),
                 request.window(),
@@ -72,7 +72,7 @@ public final class Planner {
                 : 1;
     }
 
-    private Expansion expansion(PlanRequest request, VisibleRange range, Tolerances tolerances) {
+    private Expansion expansion(PlanRequest request, VisibleRange range, double tolerance) {
         boolean thesis = request.isThesis();
         ExpansionKind kind = request.expansion().orElse(thesis ? ExpansionKind.TAYLOR : ExpansionKind.LOWRANK);
         HeightScale scale = thesis ? HeightScale.mean(heights) : HeightScale.midRange(heights);
@@ -86,7 +86,6 @@ public final class Planner {
                 case LOWRANK -> LowRankExpansion.ofTerms(heights, scale, minimum, maximum, terms);
             };
         }
-        double tolerance = tolerances.expansion();
         return switch (kind) {
             case TAYLOR -> TaylorExpansion.within(scale, maximum, tolerance);
             case CHEBYSHEV -> ChebyshevExpansion.within(scale, maximum, tolerance);

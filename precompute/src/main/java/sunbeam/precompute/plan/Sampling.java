@@ -14,11 +14,13 @@ public sealed interface Sampling {
      * Looks at the nearest bin only, at wavelengths placed around the middle of each order that a direction sees: for
      * patches so small that the window resolves every order.
      *
-     * @param halfNodes wavelengths on each side of an order's middle
-     * @param nodeSpacing their distance in standard deviations of the order's power
+     * @param reach how far from an order's middle wavelengths lie, in standard deviations of the order's power
+     * @param nodeSpacing their distance, likewise
+     * @param largestStep their largest distance in metres: orders near the specular one are broader than the structure of
+     *     the colour matching functions and D65
      * @param specularNodes wavelengths within the specular order, which has no middle
      */
-    record Orders(int halfNodes, double nodeSpacing, int specularNodes) implements Sampling {}
+    record Orders(double reach, double nodeSpacing, double largestStep, int specularNodes) implements Sampling {}
 
     /**
      * Interpolates spectra that were windowed and resampled beforehand. Wavelengths lie where the ray f = (u, v) / lambda
@@ -26,10 +28,12 @@ public sealed interface Sampling {
      *
      * @param interpolation along that axis
      * @param nodeStep distance of the columns, cycles per metre
+     * @param largestStride a ray that crosses many columns stops at every second one, or third, up to this
      * @param fewestNodes directions whose ray crosses fewer columns than this within the visible band, those near the
      *     specular one, take this many equal steps of 1 / lambda and interpolate both axes
      */
-    record Grid(InterpolationDesign interpolation, double nodeStep, int fewestNodes) implements Sampling {
+    record Grid(InterpolationDesign interpolation, double nodeStep, int largestStride, int fewestNodes)
+            implements Sampling {
 
         /** Largest of |u|, |v| up to which both axes are interpolated. */
         public double centreReach() {

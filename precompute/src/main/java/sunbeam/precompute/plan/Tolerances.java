@@ -15,10 +15,11 @@ public record Tolerances(double value) {
 
     /**
      * Root mean square error of the expansion over the surface. A weak order sees more of it than the mean, because what
-     * is left out falls off more slowly with frequency than what is kept.
+     * is left out falls off more slowly with frequency than what is kept; more so the lone orders of a grating, whose
+     * efficiencies differ by many powers of ten.
      */
-    double expansion() {
-        return 0.1 * value;
+    double expansion(Sampling sampling) {
+        return (sampling instanceof Sampling.Orders ? 0.02 : 0.1) * value;
     }
 
     /** Relative error of an amplitude by interpolation; the power has twice that, and its weak spots more. */

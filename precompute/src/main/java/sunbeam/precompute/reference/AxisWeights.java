@@ -9,36 +9,79 @@ record AxisWeights(double[] real, double[] imaginary) {
         int direction = axis.step() < 0 ? -1 : 1;
         for (int i = 0; i < axis.count(); i++) {
             long turns = Math.floorMod((long) bin * (i - axis.origin()) * direction, (long) axis.count());
-            weights.add(i, 1.0 / axis.count(), (double) turns / axis.count());
+            double angle = angle((double) turns / axis.count());
+            weights.real[i] = Math.cos(angle) / axis.count();
+            weights.imaginary[i] = Math.sin(angle) / axis.count();
         }
         return weights;
     }
 
     /**
-     * g(x) exp(+2 pi i f x) / sum g, summed over all replicas of the patch that lie under the window.
+     * g(x) exp(+2 pi i f x) / sum g, summed over all replicas of the patch that lie under the window. The phase is that
+     * of the sample times that of the replica, so that sines are taken of the samples and replicas, not of the pairs.
      *
      * @param reach how many standard deviations the window extends
      */
     static AxisWeights ofWindow(double frequency, Axis axis, double sigma, double reach) {
         AxisWeights weights = new AxisWeights(new double[axis.count()], new double[axis.count()]);
         long extent = (long) Math.floor(reach * sigma / Math.abs(axis.step()));
+        long firstReplica = Math.floorDiv(axis.origin() - extent, (long) axis.count());
+        long lastReplica = Math.floorDiv(axis.origin() + extent, (long) axis.count());
         double total = 0;
-        for (long offset = -extent; offset <= extent; offset++) {
-            double position = offset * axis.step();
-            double gauss = Math.exp(-0.5 * position * position / (sigma * sigma));
-            total += gauss;
-            weights.add((int) Math.floorMod(axis.origin() + offset, (long) axis.count()), gauss, frequency * position);
+        for (long replica = firstReplica; replica <= lastReplica; replica++) {
+            long shift = replica * axis.count() - axis.origin();
+            int first = (int) Math.max(0, -extent - shift);
+            int last = (int) Math.min(axis.count() - 1, extent - shift);
+            double angle = angle(frequency * axis.step() * axis.count() * replica);
+            double cosine = Math.cos(angle);
+            double sine = Math.sin(angle);
+            for (int i = first; i <= last; i++) {
+                double deviations = (shift + i) * axis.step() / sigma;
+                double gauss = Math.exp(-0.5 * deviations * deviations);
+                total += gauss;
+                weights.real[i] += gauss * cosine;
+                weights.imaginary[i] += gauss * sine;
+            }
         }
         for (int i = 0; i < axis.count(); i++) {
-            weights.real[i] /= total;
-            weights.imaginary[i] /= total;
+            weights.turn(i, angle(frequency * axis.step() * (i - axis.origin())), 1 / total);
+        }
+        return weights;
+    }
+
+    /**
+     * exp(+2 pi i f x) / (N Q), summed over Q replicas of the patch side by side, one after the other.
+     *
+     * @param replicas Q, at least 1
+     */
+    static AxisWeights ofReplicas(double frequency, Axis axis, int replicas) {
+        AxisWeights weights = new AxisWeights(new double[axis.count()], new double[axis.count()]);
+        double amount = 1.0 / axis.count() / replicas;
+        for (int replica = 0; replica < replicas; replica++) {
+            for (int i = 0; i < axis.count(); i++) {
+                double position = ((double) replica * axis.count() + i) * axis.step();
+                weights.add(i, amount, frequency * position);
+            }
         }
         return weights;
     }
 
     private void add(int index, double amount, double turns) {
-        double angle = 2 * Math.PI * (turns - Math.rint(turns));
-        real[index] += amount * Math.cos(angle);
-        imaginary[index] += amount * Math.sin(angle);
+        real[index] += amount * Math.cos(angle(turns));
+        imaginary[index] += amount * Math.sin(angle(turns));
+    }
+
+    private void turn(int index, double angle, double factor) {
+        double cosine = factor * Math.cos(angle);
+        double sine = factor * Math.sin(angle);
+        double a = real[index];
+        double b = imaginary[index];
+        real[index] = a * cosine - b * sine;
+        imaginary[index] = a * sine + b * cosine;
+    }
+
+    /** Radians of a number of turns, whole ones left out first, because they only cost digits. */
+    private static double angle(double turns) {
+        return 2 * Math.PI * (turns - Math.rint(turns));
     }
 }

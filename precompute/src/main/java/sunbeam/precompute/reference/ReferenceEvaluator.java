@@ -4,7 +4,6 @@ import java.util.Arrays;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.Geometry;
 import sunbeam.precompute.optics.WindowOrigin;
-import sunbeam.precompute.patch.HeightLevels;
 import sunbeam.precompute.patch.HeightMap;
 
 /**
@@ -25,7 +24,7 @@ public final class ReferenceEvaluator {
     private static final double POWER_REACH = 6.8;
 
     private final HeightMap map;
-    private final HeightLevels heights;
+    private final SurfaceSums surface;
     private final CoherenceWindow window;
     private final WindowOrigin origin;
 
@@ -35,7 +34,7 @@ public final class ReferenceEvaluator {
      */
     public ReferenceEvaluator(HeightMap map, CoherenceWindow window, WindowOrigin origin) {
         this.map = map;
-        this.heights = HeightLevels.of(map);
+        this.surface = new SurfaceSums(map);
         this.window = window;
         this.origin = origin;
     }
@@ -45,9 +44,8 @@ public final class ReferenceEvaluator {
 
     /** Power of one coherence area, for a wavelength in metres; 1 for a flat mirror in specular direction. */
     public double coherent(Geometry geometry, double wavelength) {
-        AxisSums sums = new AxisSums(map.columns(), 1);
         AxisWeights alongY = windowWeights(geometry.v() / wavelength, Axis.y(map, origin));
-        accumulate(phases(geometry.w(), wavelength), new AxisWeights[] {alongY}, sums);
+        AxisSums sums = surface.overRows(geometry.w(), wavelength, alongY);
         return sums.power(0, windowWeights(geometry.u() / wavelength, Axis.x(map, origin)));
     }
 
@@ -64,8 +62,7 @@ public final class ReferenceEvaluator {
             alongY[i] = AxisWeights.ofBin(binsY[i], y);
         }
         alongY[binsY.length] = windowWeights(fy, y);
-        AxisSums sums = new AxisSums(map.columns(), alongY.length);
-        accumulate(phases(geometry.w(), wavelength), alongY, sums);
+        AxisSums sums = surface.overRows(geometry.w(), wavelength, alongY);
         double ensemble = 0;
         for (int jx : binsX) {
             AxisWeights alongX = AxisWeights.ofBin(jx, x);
@@ -93,43 +90,5 @@ public final class ReferenceEvaluator {
         int[] bins = new int[Math.max(0, last - first + 1)];
         Arrays.setAll(bins, i -> first + i);
         return bins;
-    }
-
-    /** exp(i k w h) of every distinct height: cosines, sines. */
-    private double[][] phases(double w, double wavelength) {
-        double waveNumber = 2 * Math.PI / wavelength;
-        double centre = 0.5 * (heights.minimum() + heights.maximum());
-        double[] cosines = new double[heights.count()];
-        double[] sines = new double[heights.count()];
-        for (int i = 0; i < cosines.length; i++) {
-            double phase = waveNumber * w * (heights.levels()[i] - centre);
-            cosines[i] = Math.cos(phase);
-            sines[i] = Math.sin(phase);
-        }
-        return new double[][] {cosines, sines};
-    }
-
-    /** Sums over rows first, one running sum per column: plain element-wise loops that the processor runs in parallel. */
-    private void accumulate(double[][] phases, AxisWeights[] alongY, AxisSums sums) {
-        int columns = map.columns();
-        double[] real = new double[columns];
-        double[] imaginary = new double[columns];
-        int[] index = heights.index();
-        for (int row = 0; row < map.rows(); row++) {
-            boolean seen = false;
-            for (AxisWeights weights : alongY) {
-                seen |= weights.real()[row] != 0 || weights.imaginary()[row] != 0;
-            }
-            if (!seen) {
-                continue;
-            }
-            for (int column = 0, i = row * columns; column < columns; column++, i++) {
-                real[column] = phases[0][index[i]];
-                imaginary[column] = phases[1][index[i]];
-            }
-            for (int b = 0; b < alongY.length; b++) {
-                sums.add(b, real, imaginary, alongY[b].real()[row], alongY[b].imaginary()[row]);
-            }
-        }
     }
 }

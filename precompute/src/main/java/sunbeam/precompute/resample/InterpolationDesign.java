@@ -20,8 +20,8 @@ public record InterpolationDesign(double deviation, int taps, double beta, doubl
     public static final int MOST_TAPS = 8;
 
     private static final double[] DEVIATIONS = {1.28, 1.45, 1.6, 1.75, 1.92, 2.2, 2.5};
-    private static final int SPECTRUM_SAMPLES = 512;
-    private static final int ALIASES = 6;
+    private static final int SPECTRUM_SAMPLES = 64;
+    private static final int ALIASES = 4;
     private static final int BETA_CANDIDATES = 96;
 
     /**
@@ -30,17 +30,25 @@ public record InterpolationDesign(double deviation, int taps, double beta, doubl
      * @throws IllegalArgumentException when no design keeps it
      */
     public static InterpolationDesign within(double tolerance) {
-        InterpolationDesign best = null;
+        InterpolationDesign finest = null;
         for (int taps = 2; taps <= MOST_TAPS; taps++) {
-            for (double deviation : DEVIATIONS) {
-                InterpolationDesign design = best(deviation, taps);
-                if (design.error <= tolerance) {
-                    return design;
-                }
-                best = best == null || design.error < best.error ? design : best;
+            // The finest grid has the smallest error: where it fails, so do the coarser ones.
+            finest = best(DEVIATIONS[DEVIATIONS.length - 1], taps);
+            if (finest.error <= tolerance) {
+                return coarsest(taps, tolerance, finest);
             }
         }
-        throw new IllegalArgumentException("interpolation reaches " + best.error + " at best, not " + tolerance);
+        throw new IllegalArgumentException("interpolation reaches " + finest.error + " at best, not " + tolerance);
+    }
+
+    private static InterpolationDesign coarsest(int taps, double tolerance, InterpolationDesign finest) {
+        for (int i = 0; i < DEVIATIONS.length - 1; i++) {
+            InterpolationDesign design = best(DEVIATIONS[i], taps);
+            if (design.error <= tolerance) {
+                return design;
+            }
+        }
+        return finest;
     }
 
     /** The best kernel of a number of taps for a Gaussian of so many grid steps. */

@@ -5,16 +5,30 @@ package sunbeam.precompute.resample;
  *
  * <pre>phi(x) = I0(beta sqrt(1 - (2 x / taps)^2)) / I0(beta),  |x| &lt; taps / 2</pre>
  */
-record KaiserBessel(int taps, double beta) {
+final class KaiserBessel {
+    private final int taps;
+    private final double beta;
+    private final double peak;
+
+    KaiserBessel(int taps, double beta) {
+        this.taps = taps;
+        this.beta = beta;
+        this.peak = besselI0(beta);
+    }
+
+    int taps() {
+        return taps;
+    }
 
     double value(double x) {
         double ratio = 2 * x / taps;
-        return ratio * ratio >= 1 ? 0 : besselI0(beta * Math.sqrt(1 - ratio * ratio)) / besselI0(beta);
+        return ratio * ratio >= 1 ? 0 : besselI0(beta * Math.sqrt(1 - ratio * ratio)) / peak;
     }
 
     /** Fourier transform at a frequency in cycles per grid step. */
     double transform(double frequency) {
-        double square = beta * beta - Math.pow(Math.PI * taps * frequency, 2);
+        double turns = Math.PI * taps * frequency;
+        double square = beta * beta - turns * turns;
         double root = Math.sqrt(Math.abs(square));
         double shape;
         if (root < 1e-6) {
@@ -22,7 +36,7 @@ record KaiserBessel(int taps, double beta) {
         } else {
             shape = square > 0 ? Math.sinh(root) / root : Math.sin(root) / root;
         }
-        return shape * taps / besselI0(beta);
+        return shape * taps / peak;
     }
 
     /** Frequency where the transform first vanishes. */

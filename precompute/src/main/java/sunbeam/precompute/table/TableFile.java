@@ -81,7 +81,7 @@ public final class TableFile {
     }
 
     private static TableException unusable(Path file, String reason, Exception cause) {
-        return new TableException(file + ": " + reason + "; make it again with 'sunbeam precompute'", cause);
+        return new TableException(file + ": " + reason, "make it again with 'sunbeam precompute'", cause);
     }
 
     private static FourierTable read(HdfFile hdf, long fileBytes) {

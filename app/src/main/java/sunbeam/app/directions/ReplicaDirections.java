@@ -1,0 +1,60 @@
+package sunbeam.app.directions;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.stream.IntStream;
+import sunbeam.app.cli.UsageException;
+import sunbeam.app.progress.Progress;
+import sunbeam.app.setup.DiffractionSetup;
+import sunbeam.app.setup.MethodRequest;
+import sunbeam.precompute.optics.CoherenceWindow;
+import sunbeam.precompute.optics.Gain;
+import sunbeam.precompute.optics.Geometry;
+import sunbeam.precompute.optics.Replicas;
+import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.plan.Average;
+import sunbeam.precompute.plan.PlanRequest;
+import sunbeam.precompute.reference.ReplicaColor;
+import sunbeam.precompute.reference.ReplicaEvaluator;
+
+/** Directions by the exact sum over replicas with sharp edges, the reference of method {@code pq}. */
+final class ReplicaDirections {
+    private final ReplicaEvaluator evaluator;
+    private final ReplicaColor color;
+    private final CoherenceWindow equalArea;
+
+    ReplicaDirections(DiffractionSetup setup, MethodRequest method, PlanRequest request) {
+        if (request.average().orElse(Average.COHERENT) == Average.ENSEMBLE) {
+            throw new UsageException("--average ensemble is not for --replicas, which lie at one place; leave out one");
+        }
+        HeightMap map = setup.patch().heights();
+        Replicas replicas = method.replicasOf(map, request.window());
+        evaluator = new ReplicaEvaluator(map, replicas);
+        color = new ReplicaColor(evaluator, setup.cie());
+        equalArea = replicas.equalAreaWindow(map.width(), map.height());
+    }
+
+    List<double[]> evaluate(DirectionList list) {
+        double[][] results = new double[list.size()][];
+        try (Progress progress = Progress.start("Reference", list.size())) {
+            IntStream.range(0, list.size()).parallel().forEach(row -> {
+                Geometry geometry = list.geometry(row);
+                results[row] = list.spectral() ? spectral(geometry, list.wavelength(row)) : colour(geometry);
+                progress.step(1);
+            });
+        }
+        return Arrays.asList(results);
+    }
+
+    private double[] spectral(Geometry geometry, double wavelength) {
+        double power = evaluator.power(geometry, wavelength);
+        return new double[] {
+            power, power, Gain.relativeRadiance(geometry) * power, Gain.brdf(geometry, equalArea, wavelength) * power
+        };
+    }
+
+    private double[] colour(Geometry geometry) {
+        double[] xyz = color.xyz(geometry);
+        return new double[] {xyz[0], xyz[1], xyz[2], Gain.relativeRadiance(geometry)};
+    }
+}

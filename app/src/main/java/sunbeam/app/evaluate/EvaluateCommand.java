@@ -1,0 +1,201 @@
+package sunbeam.app.evaluate;
+
+import com.fasterxml.jackson.databind.ObjectMapper;
+import java.io.PrintWriter;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
+import sunbeam.app.cli.Environment;
+import sunbeam.app.cli.ExitCode;
+import sunbeam.app.cli.UsageException;
+import sunbeam.app.cli.Version;
+import sunbeam.app.output.AtomicFile;
+import sunbeam.app.output.ForceOption;
+import sunbeam.app.output.Overwrite;
+import sunbeam.app.output.PngWriter;
+import sunbeam.app.setup.DiffractionSetup;
+import sunbeam.app.setup.PatchOptions;
+import sunbeam.app.setup.PlanOptions;
+import sunbeam.precompute.evaluation.GratingMeasurement;
+import sunbeam.precompute.evaluation.ResponseGrid;
+import sunbeam.precompute.evaluation.ResponseMatrix;
+import sunbeam.precompute.plan.Average;
+
+/** {@code sunbeam evaluate}: a patch's period from its response, as in the thesis's chapter 4. */
+@Command(
+        name = "evaluate",
+        description = "Measure a patch's period by the light it diffracts: compute the response over wavelengths and"
+                + " angles in the plane of incidence, follow the ridge of the first order, and fit the grating equation."
+                + " Writes the matrix (.csv and .npy), the figures (.json) and a plot (.png). See"
+                + " docs/evaluation.md.")
+public final class EvaluateCommand implements Callable<Integer> {
+    private static final int MOST_POSITIONS = 10_000;
+
+    private final Environment environment;
+
+    @Mixin
+    private PatchOptions patchOptions;
+
+    @Mixin
+    private GratingOptions gratingOptions;
+
+    @Mixin
+    private PlanOptions planOptions;
+
+    @Mixin
+    private ForceOption force;
+
+    @Option(
+            names = "--method",
+            paramLabel = "METHOD",
+            defaultValue = "full",
+            description = "full (default): one fragment for each angle and wavelength, through the shader code that"
+                    + " draws the maps. bins: the same sums in double precision on the processor. reference: direct"
+                    + " sums over the surface; exact, for a few hundred directions.")
+    private Responses.Method method;
+
+    @Option(
+            names = "--quantity",
+            paramLabel = "QUANTITY",
+            defaultValue = "rho",
+            description = "rho (default): relative radiance, what a map shows. power: the diffracted power alone.")
+    private Quantity quantity;
+
+    @Option(
+            names = "--positions",
+            paramLabel = "N",
+            defaultValue = "0",
+            description = "Also evaluate N random positions of the coherence window (by method bins) and the mean over"
+                    + " all positions, and tell how the period is distributed.")
+    private int positions;
+
+    @Option(
+            names = "--seed",
+            paramLabel = "NUMBER",
+            defaultValue = "1",
+            description = "Seed of the random positions. Default: ${DEFAULT-VALUE}.")
+    private long seed;
+
+    @Option(
+            names = "--output",
+            paramLabel = "NAME",
+            description = "What the files are called, without their endings. Default: a name made of the patch.")
+    private Path output;
+
+    @Spec
+    private CommandSpec specification;
+
+    public EvaluateCommand(Environment environment) {
+        this.environment = environment;
+    }
+
+    @Override
+    public Integer call() {
+        gratingOptions.check();
+        planOptions.request();
+        if (positions < 0 || positions > MOST_POSITIONS) {
+            throw new UsageException("--positions " + positions + " is out of range; give 0 to " + MOST_POSITIONS);
+        }
+        DiffractionSetup setup = new DiffractionSetup(
+                patchOptions, environment, specification.commandLine().getErr());
+        Overwrite overwrite = force.overwrite();
+        OutputFiles files = OutputFiles.of(output, setup.patch().name() + "-evaluate", endings(), overwrite);
+        evaluate(setup, files, overwrite, specification.commandLine().getOut());
+        return ExitCode.OK.code();
+    }
+
+    private List<String> endings() {
+        return positions > 0
+                ? List.of(".png", ".json", ".csv", ".npy", "-positions.csv", "-positions.png")
+                : List.of(".png", ".json", ".csv", ".npy");
+    }
+
+    private void evaluate(DiffractionSetup setup, OutputFiles files, Overwrite overwrite, PrintWriter out) {
+        double sigmaFrequency = planOptions.request().window().sigmaFrequency();
+        GratingTarget target = GratingTarget.of(setup.patch(), gratingOptions, sigmaFrequency);
+        ResponseGrid grid = gratingOptions.grid(
+                target.plane(), target.order(), planOptions.request().window());
+        Responses responses = new Responses(setup, planOptions, grid);
+        ResponseMatrix response = quantity.of(responses.power(method, out));
+        GratingMeasurement measurement = target.measure(response, sigmaFrequency);
+        Map<String, Object> report = describe(setup, target, grid);
+        report.putAll(EvaluationReport.tree(measurement));
+        String title = String.format(
+                Locale.ROOT,
+                "%s, light at %.4g degrees, azimuth %.4g degrees",
+                setup.patch().name(),
+                Math.toDegrees(grid.plane().thetaI()),
+                Math.toDegrees(grid.plane().azimuth()));
+        out.println(title);
+        EvaluationReport.lines(measurement).forEach(out::println);
+        out.flush();
+        List<Path> written = new ArrayList<>();
+        if (positions > 0) {
+            Positions.Draw draw = new Positions.Draw(
+                    positions,
+                    seed,
+                    setup.identity().columns(),
+                    setup.identity().rows());
+            Positions all = Positions.measure(responses.binSums(), draw, quantity, target.order(), sigmaFrequency);
+            report.put("positions", EvaluationReport.tree(all, seed));
+            EvaluationReport.lines(all).forEach(out::println);
+            written.add(files.path("-positions.csv"));
+            PositionFiles.writeCsv(files.path("-positions.csv"), overwrite, all);
+            if (all.sorted().length > 0) {
+                written.add(files.path("-positions.png"));
+                PngWriter.write(
+                        files.path("-positions.png"), overwrite, PositionFiles.draw(title, all), text(setup, title));
+            }
+        }
+        MatrixFiles.writeCsv(files.path(".csv"), overwrite, response);
+        MatrixFiles.writeNpy(files.path(".npy"), overwrite, response);
+        AtomicFile.write(
+                files.path(".json"),
+                overwrite,
+                stream -> stream.write(
+                        new ObjectMapper().writerWithDefaultPrettyPrinter().writeValueAsBytes(report)));
+        PngWriter.write(
+                files.path(".png"),
+                overwrite,
+                ResponsePlot.draw(title, quantity.label(), response, measurement),
+                text(setup, title));
+        List.of(".csv", ".npy", ".json", ".png").forEach(ending -> written.add(files.path(ending)));
+        written.forEach(out::println);
+    }
+
+    private Map<String, Object> describe(DiffractionSetup setup, GratingTarget target, ResponseGrid grid) {
+        Map<String, Object> report = new LinkedHashMap<>();
+        report.put("program", "Sunbeam " + Version.number());
+        report.put("patch", setup.patch().name());
+        report.put("source", setup.patch().source());
+        report.put("method", method.name().toLowerCase(Locale.ROOT));
+        report.put("quantity", quantity.name().toLowerCase(Locale.ROOT));
+        report.put("options", planOptions.describe());
+        report.put(
+                "average",
+                planOptions.request().average().orElse(Average.COHERENT).name().toLowerCase(Locale.ROOT));
+        report.put("window_origin", planOptions.request().windowOrigin().name().toLowerCase(Locale.ROOT));
+        report.put("coherence_length_m", planOptions.request().window().coherenceLength());
+        report.putAll(EvaluationReport.tree(grid));
+        report.put("heights", EvaluationReport.tree(target.heights()));
+        return report;
+    }
+
+    private Map<String, String> text(DiffractionSetup setup, String title) {
+        Map<String, String> text = new LinkedHashMap<>();
+        text.put("Title", title);
+        text.put("Patch", setup.patch().source());
+        text.put("Method", method.name().toLowerCase(Locale.ROOT));
+        text.put("Options", planOptions.describe());
+        return text;
+    }
+}

@@ -1,0 +1,80 @@
+package sunbeam.app.evaluate;
+
+import java.util.Locale;
+import java.util.OptionalDouble;
+import sunbeam.precompute.analysis.HeightSpectrum;
+import sunbeam.precompute.analysis.PeriodFinder;
+import sunbeam.precompute.analysis.Periodicity;
+import sunbeam.precompute.analysis.SpectrumPeak;
+import sunbeam.precompute.evaluation.FirstOrder;
+import sunbeam.precompute.evaluation.GratingMeasurement;
+import sunbeam.precompute.evaluation.GratingPlane;
+import sunbeam.precompute.evaluation.ResponseMatrix;
+import sunbeam.precompute.patch.Patch;
+import sunbeam.precompute.units.Lengths;
+
+/**
+ * What an evaluation aims at, from what the user says and what the heights show.
+ *
+ * @param patch its name, for messages
+ * @param plane light and viewers
+ * @param order where the first order is looked for
+ * @param heights the regularities of the heights along the plane, or in all directions
+ */
+record GratingTarget(String patch, GratingPlane plane, FirstOrder order, Periodicity heights) {
+    // A surface that repeats one small patch has its exact period; a grown one strays from the heights' mean period by
+    // up to a quarter from one coherence area to the next.
+    private static final double EXACT = 1.1;
+    private static final double GROWN = 1.35;
+    private static final double GIVEN = 1.2;
+
+    /**
+     * Aims.
+     *
+     * @throws NoPeriodException where neither the user nor the heights name a period
+     */
+    static GratingTarget of(Patch patch, GratingOptions options, double sigmaFrequency) {
+        PeriodFinder finder = new PeriodFinder(patch.heights());
+        OptionalDouble given = options.givenAzimuth();
+        Periodicity heights = given.isPresent() ? finder.along(given.getAsDouble(), sigmaFrequency) : finder.all();
+        if (!heights.found() && (given.isEmpty() || options.givenPeriod().isEmpty())) {
+            String where = given.isEmpty()
+                    ? ""
+                    : String.format(Locale.ROOT, " along azimuth %.4g degrees", Math.toDegrees(given.getAsDouble()));
+            String remedy = given.isEmpty() ? "--azimuth and --period" : "--period, or choose another --azimuth";
+            throw new NoPeriodException("%s has no periodicity%s: %s; to look for a ridge all the same give %s"
+                    .formatted(patch.name(), where, heights.describeFigure(), remedy));
+        }
+        double azimuth = given.orElseGet(() -> signed(heights.peaks().get(0)));
+        FirstOrder order = options.givenPeriod().isPresent()
+                ? FirstOrder.around(options.givenPeriod().getAsDouble(), GIVEN)
+                : FirstOrder.around(heights.peaks().get(0).period(), spread(heights));
+        return new GratingTarget(patch.name(), options.plane(azimuth), order, heights);
+    }
+
+    private static double spread(Periodicity heights) {
+        return heights.edges() == HeightSpectrum.Edges.PERIODIC ? EXACT : GROWN;
+    }
+
+    /** The direction between -90 and 90 degrees: a grating along x, a little off, is lit from +x. */
+    private static double signed(SpectrumPeak peak) {
+        double direction = peak.direction();
+        return direction > Math.PI / 2 ? direction - Math.PI : direction;
+    }
+
+    /**
+     * Measures a response.
+     *
+     * @throws NoPeriodException where it has no ridge
+     */
+    GratingMeasurement measure(ResponseMatrix response, double sigmaFrequency) {
+        return GratingMeasurement.of(response, order, sigmaFrequency)
+                .orElseThrow(() -> new NoPeriodException(
+                        "%s: the response has no ridge of periods from %s to %s within --angles; choose others or --period (the heights: %s)"
+                                .formatted(
+                                        patch,
+                                        Lengths.format(order.shortest()),
+                                        Lengths.format(order.longest()),
+                                        heights.describeFigure())));
+    }
+}

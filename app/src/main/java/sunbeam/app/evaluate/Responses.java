@@ -1,0 +1,136 @@
+package sunbeam.app.evaluate;
+
+import java.io.PrintWriter;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.IntStream;
+import jrtr.RenderContext;
+import jrtr.gl.RenderContexts;
+import sunbeam.app.directions.DirectionsRenderer;
+import sunbeam.app.gpu.DiffractionMethod;
+import sunbeam.app.gpu.FullMethod;
+import sunbeam.app.gpu.MethodUse;
+import sunbeam.app.progress.Progress;
+import sunbeam.app.setup.DiffractionSetup;
+import sunbeam.app.setup.PlanOptions;
+import sunbeam.precompute.evaluation.BinSums;
+import sunbeam.precompute.evaluation.ResponseGrid;
+import sunbeam.precompute.evaluation.ResponseMatrix;
+import sunbeam.precompute.evaluation.WindowPlace;
+import sunbeam.precompute.optics.Geometry;
+import sunbeam.precompute.plan.Average;
+import sunbeam.precompute.plan.Plan;
+import sunbeam.precompute.plan.PlanRequest;
+import sunbeam.precompute.plan.VisibleRange;
+import sunbeam.precompute.reference.ReferenceEvaluator;
+
+/** The power over a grid, by one of the methods. */
+final class Responses {
+    // Directions that are handed to the GPU at once; one fragment each.
+    private static final int PORTION = 1 << 14;
+
+    private final DiffractionSetup setup;
+    private final PlanOptions options;
+    private final PlanRequest request;
+    private final ResponseGrid grid;
+
+    /** Who evaluates. */
+    enum Method {
+        REFERENCE,
+        FULL,
+        BINS
+    }
+
+    Responses(DiffractionSetup setup, PlanOptions options, ResponseGrid grid) {
+        this.setup = setup;
+        this.options = options;
+        this.request = options.request();
+        this.grid = grid;
+    }
+
+    /** The power that the request's average means. */
+    ResponseMatrix power(Method method, PrintWriter out) {
+        return switch (method) {
+            case REFERENCE -> reference();
+            case FULL -> full(out);
+            case BINS -> bins();
+        };
+    }
+
+    private boolean ensemble() {
+        return request.average().orElse(Average.COHERENT) == Average.ENSEMBLE;
+    }
+
+    private ResponseMatrix reference() {
+        ReferenceEvaluator evaluator =
+                new ReferenceEvaluator(setup.patch().heights(), request.window(), request.windowOrigin());
+        double[][] power = new double[grid.wavelengths().length][grid.angles().length];
+        int columns = grid.angles().length;
+        int count = power.length * columns;
+        try (Progress progress = Progress.start("Reference", count)) {
+            IntStream.range(0, count).parallel().forEach(i -> {
+                Geometry geometry = grid.plane().geometry(grid.angles()[i % columns]);
+                double wavelength = grid.wavelengths()[i / columns];
+                power[i / columns][i % columns] = ensemble()
+                        ? evaluator.powers(geometry, wavelength).ensemble()
+                        : evaluator.coherent(geometry, wavelength);
+                progress.step(1);
+            });
+        }
+        return new ResponseMatrix(grid, power);
+    }
+
+    private ResponseMatrix bins() {
+        BinSums sums = binSums();
+        try (Progress progress = Progress.start("Response", grid.wavelengths().length)) {
+            if (ensemble()) {
+                return sums.ensemble(progress::step);
+            }
+            WindowPlace place = WindowPlace.of(
+                    request.windowOrigin(),
+                    setup.identity().columns(),
+                    setup.identity().rows());
+            return sums.coherent(List.of(place), progress::step).get(0);
+        }
+    }
+
+    /** Sums over bins for any position of the window. */
+    BinSums binSums() {
+        return BinSums.of(setup.identity(), setup.heights(), request.window(), grid);
+    }
+
+    private ResponseMatrix full(PrintWriter out) {
+        List<Geometry> directions = new ArrayList<>(grid.angles().length);
+        for (double angle : grid.angles()) {
+            directions.add(grid.plane().geometry(angle));
+        }
+        Plan plan = setup.plan(request, VisibleRange.of(directions));
+        options.print(plan, out);
+        long count = (long) grid.wavelengths().length * directions.size();
+        try (RenderContext context = RenderContexts.offscreen();
+                DiffractionMethod method =
+                        FullMethod.create(context, plan, setup.table(plan), MethodUse.SPECTRAL, setup.cie());
+                DirectionsRenderer renderer = new DirectionsRenderer(context, method, true);
+                Progress progress = Progress.start("Response", count)) {
+            return new ResponseMatrix(grid, render(renderer, directions, progress));
+        }
+    }
+
+    private double[][] render(DirectionsRenderer renderer, List<Geometry> directions, Progress progress) {
+        int columns = directions.size();
+        double[][] power = new double[grid.wavelengths().length][columns];
+        int channel = ensemble() ? 1 : 0;
+        int count = power.length * columns;
+        for (int start = 0; start < count; start += PORTION) {
+            List<DirectionsRenderer.Query> portion = new ArrayList<>(PORTION);
+            for (int i = start; i < Math.min(count, start + PORTION); i++) {
+                portion.add(new DirectionsRenderer.Query(directions.get(i % columns), grid.wavelengths()[i / columns]));
+            }
+            List<float[]> values = renderer.evaluate(portion, progress::step);
+            for (int i = 0; i < values.size(); i++) {
+                power[(start + i) / columns][(start + i) % columns] = values.get(i)[channel];
+            }
+        }
+        return power;
+    }
+}

@@ -1,0 +1,138 @@
+package sunbeam.precompute.analysis;
+
+import java.util.stream.IntStream;
+import sunbeam.precompute.fourier.Band;
+import sunbeam.precompute.fourier.BandTransform2d;
+import sunbeam.precompute.fourier.ComplexVector;
+import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.patch.Levelling;
+import sunbeam.precompute.patch.SamplingCheck;
+
+/**
+ * Power spectrum of a patch's heights up to what light can see (2 / 380 nm) or the samples hold (1 / (2 pitch)),
+ * whichever is less. The sum of all bins is the variance of the heights that were transformed.
+ *
+ * @param bandX bins along x, symmetric about 0
+ * @param bandY bins along y (upwards), symmetric about 0
+ * @param width of the patch, metres; frequency along x = bin / width
+ * @param height of the patch, metres
+ * @param power square metres, {@code [(jy - bandY.first) * bandX.count + jx - bandX.first]}
+ */
+public record HeightSpectrum(Band bandX, Band bandY, double width, double height, double[] power) {
+
+    /** How the patch's edges are treated. */
+    public enum Edges {
+        /** One period of a surface that repeats: heights less their mean, each bin one exact frequency. */
+        PERIODIC,
+        /**
+         * A piece of a surface: heights less their plane, under a Hann window along both axes, scaled to the variance.
+         */
+        TAPERED
+    }
+
+    /** Transforms the heights of a map without missing samples. */
+    public static HeightSpectrum of(HeightMap map, Edges edges) {
+        boolean tapered = edges == Edges.TAPERED;
+        HeightMap level = (tapered ? Levelling.PLANE : Levelling.MEAN).apply(map);
+        double[] taperX = taper(map.columns(), tapered);
+        double[] taperY = taper(map.rows(), tapered);
+        Band bandX = band(map.columns(), map.pitchX());
+        Band bandY = band(map.rows(), map.pitchY());
+        ComplexVector bins = new BandTransform2d(map.columns(), map.rows(), bandX, bandY)
+                .transform((row, real, imaginary) -> {
+                    for (int column = 0; column < map.columns(); column++) {
+                        real[column] = level.at(column, row) * taperX[column] * taperY[row];
+                        imaginary[column] = 0;
+                    }
+                });
+        double[] power = new double[bins.length()];
+        for (int i = 0; i < power.length; i++) {
+            power[i] = bins.real()[i] * bins.real()[i] + bins.imaginary()[i] * bins.imaginary()[i];
+        }
+        return new HeightSpectrum(bandX, bandY, map.width(), map.height(), power);
+    }
+
+    private static Band band(int samples, double pitch) {
+        int nyquist = (samples - 1) / 2;
+        int visible = (int) Math.ceil(2 / SamplingCheck.SHORTEST_WAVELENGTH * samples * pitch);
+        int reach = Math.min(nyquist, visible);
+        return Band.of(-reach, reach);
+    }
+
+    /** Hann window of root mean square 1, or none. */
+    private static double[] taper(int samples, boolean tapered) {
+        double[] taper = new double[samples];
+        for (int i = 0; i < samples; i++) {
+            double sine = Math.sin(Math.PI * (i + 0.5) / samples);
+            taper[i] = tapered && samples > 1 ? sine * sine / Math.sqrt(0.375) : 1;
+        }
+        return taper;
+    }
+
+    /** Power of a bin; 0 outside the bands. */
+    public double at(int jx, int jy) {
+        int column = jx - bandX.first();
+        int row = jy - bandY.first();
+        return column < 0 || row < 0 || column >= bandX.count() || row >= bandY.count()
+                ? 0
+                : power[row * bandX.count() + column];
+    }
+
+    /** Power at a frequency in cycles per metre, linear between bins; 0 outside the bands. */
+    public double interpolated(double frequencyX, double frequencyY) {
+        double x = frequencyX * width;
+        double y = frequencyY * height;
+        int jx = (int) Math.floor(x);
+        int jy = (int) Math.floor(y);
+        double lower = at(jx, jy) * (1 - (x - jx)) + at(jx + 1, jy) * (x - jx);
+        double upper = at(jx, jy + 1) * (1 - (x - jx)) + at(jx + 1, jy + 1) * (x - jx);
+        return lower * (1 - (y - jy)) + upper * (y - jy);
+    }
+
+    /** Whether a frequency lies within the bands. */
+    public boolean covers(double frequencyX, double frequencyY) {
+        return Math.abs(frequencyX * width) <= bandX.last() + 1e-9
+                && Math.abs(frequencyY * height) <= bandY.last() + 1e-9;
+    }
+
+    /** The sum of all bins, square metres. */
+    public double total() {
+        double sum = 0;
+        for (double value : power) {
+            sum += value;
+        }
+        return sum;
+    }
+
+    /** Averaged with a Gaussian over bins: less noise, peaks a few bins wide. An axis without bins stays as it is. */
+    public HeightSpectrum smoothed(double sigmaBins) {
+        double[] alongX = convolve(power, bandY.count(), bandX.count(), 1, sigmaBins);
+        double[] both = convolve(alongX, bandX.count(), bandY.count(), bandX.count(), sigmaBins);
+        return new HeightSpectrum(bandX, bandY, width, height, both);
+    }
+
+    /** Lines of {@code length} values that lie {@code stride} apart; beyond their ends there is nothing. */
+    private static double[] convolve(double[] values, int lines, int length, int stride, double sigma) {
+        int radius = (int) Math.ceil(4 * sigma);
+        double[] kernel = new double[2 * radius + 1];
+        double sum = 0;
+        for (int i = -radius; i <= radius; i++) {
+            kernel[i + radius] = Math.exp(-0.5 * i * i / (sigma * sigma));
+            sum += kernel[i + radius];
+        }
+        double norm = length == 1 ? kernel[radius] : sum;
+        double[] result = new double[values.length];
+        IntStream.range(0, lines).parallel().forEach(line -> {
+            int start = stride == 1 ? line * length : line;
+            for (int i = 0; i < length; i++) {
+                double value = 0;
+                int last = Math.min(length - 1, i + radius);
+                for (int j = Math.max(0, i - radius); j <= last; j++) {
+                    value += kernel[j - i + radius] * values[start + j * stride];
+                }
+                result[start + i * stride] = value / norm;
+            }
+        });
+        return result;
+    }
+}

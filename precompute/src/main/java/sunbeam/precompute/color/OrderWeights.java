@@ -1,0 +1,81 @@
+package sunbeam.precompute.color;
+
+import java.util.stream.IntStream;
+
+/**
+ * Colour weights of diffraction orders, which are Gaussians of 1 / lambda:
+ *
+ * <pre>W(s, width) = int S xbar exp(-((1 / lambda - s) / width)^2) dlambda / int S ybar dlambda</pre>
+ *
+ * tabulated as W / width, which hardly depends on width where orders are narrow: sqrt(pi) lambda^2 S xbar(lambda).
+ *
+ * @param minimumPlace s of the first column, 1 / metre
+ * @param maximumPlace s of the last column
+ * @param minimumWidth width of the first row, 1 / metre
+ * @param maximumWidth width of the last row
+ * @param columns number of places
+ * @param rows number of widths
+ * @param values {@code [(row * columns + column) * 3 + channel]}, metres
+ */
+public record OrderWeights(
+        double minimumPlace,
+        double maximumPlace,
+        double minimumWidth,
+        double maximumWidth,
+        int columns,
+        int rows,
+        float[] values) {
+
+    // 0.7 nm at 500 nm: the colour matching functions bend over tens of nanometres. The table's own grid is 1 nm.
+    private static final int COLUMNS = 768;
+    private static final int ROWS = 24;
+    // exp(-4.5^2) = 2e-9.
+    private static final double REACH = 4.5;
+    // Trapezoid rule for exp(-(x / width)^2): relative error 2 exp(-(pi width / step)^2) = 1e-17 at a quarter.
+    private static final int NODES_PER_WIDTH = 4;
+
+    /**
+     * Tabulates the weights.
+     *
+     * @param narrowest smallest width, 1 / metre, positive
+     * @param widest largest width, 1 / metre, above the smallest
+     */
+    public static OrderWeights tabulate(CieTable cie, double narrowest, double widest) {
+        if (!(narrowest > 0 && widest > narrowest)) {
+            throw new IllegalArgumentException("bad widths: " + narrowest + " to " + widest);
+        }
+        // At the first and last place the widest order just misses the band: the texture's border is black.
+        double low = 1 / CieTable.MAXIMUM_WAVELENGTH - REACH * widest;
+        double high = 1 / CieTable.MINIMUM_WAVELENGTH + REACH * widest;
+        float[] values = new float[3 * COLUMNS * ROWS];
+        IntStream.range(0, ROWS).parallel().forEach(row -> {
+            double width = narrowest + (widest - narrowest) * row / (ROWS - 1);
+            for (int column = 0; column < COLUMNS; column++) {
+                double[] weight = integral(cie, low + (high - low) * column / (COLUMNS - 1), width);
+                for (int c = 0; c < 3; c++) {
+                    values[3 * (row * COLUMNS + column) + c] = (float) (weight[c] / width);
+                }
+            }
+        });
+        return new OrderWeights(low, high, narrowest, widest, COLUMNS, ROWS, values);
+    }
+
+    /** W of one order: X, Y, Z; dlambda = lambda^2 d(1 / lambda). */
+    static double[] integral(CieTable cie, double place, double width) {
+        double step = width / NODES_PER_WIDTH;
+        int reach = (int) Math.ceil(REACH * NODES_PER_WIDTH);
+        double[] sum = new double[3];
+        for (int i = -reach; i <= reach; i++) {
+            double waveNumber = place + i * step;
+            if (waveNumber > 0) {
+                double wavelength = 1 / waveNumber;
+                double gauss = Math.exp(-Math.pow(i * step / width, 2)) * wavelength * wavelength * step;
+                for (int c = 0; c < 3; c++) {
+                    sum[c] += gauss * cie.at(wavelength, c);
+                }
+            }
+        }
+        double norm = 1 / cie.integralOfY();
+        return new double[] {sum[0] * norm, sum[1] * norm, sum[2] * norm};
+    }
+}

@@ -1,0 +1,79 @@
+package sunbeam.precompute.evaluation;
+
+import sunbeam.precompute.optics.Direction;
+import sunbeam.precompute.optics.Geometry;
+
+/**
+ * The directions into which a grating can send one light: those whose (u, v) lies along the grating's direction. With
+ * the light in the plane of the grating's direction (phi 0 or 180 degrees) that is the plane of incidence; with any
+ * other light it is the cone on which the component across the grating is the mirror's (conical diffraction).
+ *
+ * <p>Directions to the viewer are named by a signed angle theta_r, whose sine is their component along the grating's
+ * direction; positive on the side where the light is for phi 0, so that the mirror lies at theta_r = -theta_i. The
+ * grating equation then reads {@code u = -(sin theta_i cos phi + sin theta_r) = m lambda / d}.
+ *
+ * @param thetaI angle of the light to the normal, radians, 0 to below pi / 2
+ * @param phiI azimuth of the light against the grating's direction, radians
+ * @param azimuth the grating's direction in the patch, radians counter-clockwise from +x
+ */
+public record GratingPlane(double thetaI, double phiI, double azimuth) {
+    public GratingPlane {
+        if (!(thetaI >= 0 && thetaI < Math.PI / 2) || !Double.isFinite(phiI) || !Double.isFinite(azimuth)) {
+            throw new IllegalArgumentException(
+                    "bad light or azimuth: theta " + thetaI + ", phi " + phiI + ", azimuth " + azimuth + " rad");
+        }
+    }
+
+    /** The light's component along the grating's direction. */
+    public double lightAlong() {
+        return Math.sin(thetaI) * Math.cos(phiI);
+    }
+
+    /** The light's component across; the viewer's is its opposite. */
+    private double lightAcross() {
+        return Math.sin(thetaI) * Math.sin(phiI);
+    }
+
+    /** Component of (u, v) along the grating's direction; the one across is zero. */
+    public double u(double thetaR) {
+        return -(lightAlong() + Math.sin(thetaR));
+    }
+
+    /** The third component, at most 0. */
+    public double w(double thetaR) {
+        return -(Math.cos(thetaI) + cosine(thetaR));
+    }
+
+    /** The signed angle to the viewer for a u; NaN where no direction has it. */
+    public double thetaR(double u) {
+        double sine = -u - lightAlong();
+        return Math.abs(sine) <= 1 ? Math.asin(sine) : Double.NaN;
+    }
+
+    /** The largest |theta_r| that is a direction above the surface, radians. */
+    public double largestThetaR() {
+        return Math.acos(Math.min(1, Math.abs(lightAcross())));
+    }
+
+    /** Both directions in the patch's frame. */
+    public Geometry geometry(double thetaR) {
+        Direction wi = rotated(lightAlong(), lightAcross(), Math.cos(thetaI));
+        Direction wr = rotated(Math.sin(thetaR), -lightAcross(), cosine(thetaR));
+        return new Geometry(wi, wr);
+    }
+
+    /** cos of the viewer's angle to the normal. */
+    private double cosine(double thetaR) {
+        if (lightAcross() == 0) {
+            return Math.cos(thetaR);
+        }
+        double sine = Math.sin(thetaR);
+        return Math.sqrt(Math.max(0, 1 - sine * sine - lightAcross() * lightAcross()));
+    }
+
+    private Direction rotated(double along, double across, double z) {
+        double cosine = Math.cos(azimuth);
+        double sine = Math.sin(azimuth);
+        return new Direction(along * cosine - across * sine, along * sine + across * cosine, z);
+    }
+}

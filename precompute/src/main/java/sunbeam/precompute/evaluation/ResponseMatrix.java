@@ -1,0 +1,65 @@
+package sunbeam.precompute.evaluation;
+
+import java.util.Arrays;
+import sunbeam.precompute.optics.Gain;
+
+/**
+ * A surface's response over wavelengths and directions.
+ *
+ * @param grid where it was evaluated
+ * @param values {@code [wavelength][angle]}: diffracted power, 1 for a flat mirror in specular direction, or relative
+ *     radiance
+ */
+public record ResponseMatrix(ResponseGrid grid, double[][] values) {
+    public ResponseMatrix {
+        if (values.length != grid.wavelengths().length) {
+            throw new IllegalArgumentException(
+                    values.length + " rows for " + grid.wavelengths().length + " wavelengths");
+        }
+        for (double[] row : values) {
+            if (row.length != grid.angles().length) {
+                throw new IllegalArgumentException(row.length + " columns for " + grid.angles().length + " angles");
+            }
+        }
+    }
+
+    /** Power to relative radiance rho, what a map shows of it (see {@link Gain#relativeRadiance}). */
+    public ResponseMatrix toRelativeRadiance() {
+        double[] gains = Arrays.stream(grid.angles())
+                .map(angle -> Gain.relativeRadiance(grid.plane().geometry(angle)))
+                .toArray();
+        double[][] radiance = new double[values.length][gains.length];
+        for (int row = 0; row < radiance.length; row++) {
+            for (int column = 0; column < gains.length; column++) {
+                radiance[row][column] = gains[column] * values[row][column];
+            }
+        }
+        return new ResponseMatrix(grid, radiance);
+    }
+
+    /** The response of one wavelength at a frequency u / lambda in cycles per metre; NaN where no angle has it. */
+    double atFrequency(int row, double frequency) {
+        double position = position(grid.plane().thetaR(frequency * grid.wavelengths()[row]));
+        if (!(position >= 0 && position <= grid.angles().length - 1)) {
+            return Double.NaN;
+        }
+        int index = Math.min((int) position, Math.max(0, grid.angles().length - 2));
+        double before = values[row][index];
+        double fraction = position - index;
+        return fraction == 0 ? before : before + fraction * (values[row][index + 1] - before);
+    }
+
+    /** An angle as an index with fraction into the grid's angles; NaN or outside the indices where it is not there. */
+    private double position(double angle) {
+        double[] angles = grid.angles();
+        if (!(angle >= angles[0] && angle <= angles[angles.length - 1])) {
+            return Double.NaN;
+        }
+        int found = Arrays.binarySearch(angles, angle);
+        if (found >= 0) {
+            return found;
+        }
+        int next = -found - 1;
+        return next - 1 + (angle - angles[next - 1]) / (angles[next] - angles[next - 1]);
+    }
+}

@@ -1,0 +1,50 @@
+package sunbeam.precompute.reference;
+
+import sunbeam.precompute.optics.Geometry;
+import sunbeam.precompute.optics.Replicas;
+import sunbeam.precompute.optics.WindowOrigin;
+import sunbeam.precompute.patch.HeightMap;
+
+/**
+ * Diffracted power of replicas of a patch with sharp edges, evenly lit and nothing beyond them, by direct summation
+ * in double precision:
+ *
+ * <pre>|1/(Qx Qy N M) sum over all samples of all replicas of exp(i k w h) exp(i k (u x + v y))|^2</pre>
+ *
+ * the finite sum that the array factor of method {@code pq} puts in closed form (thesis section 3.5.2). Immutable and safe
+ * for use by several threads.
+ */
+public final class ReplicaEvaluator {
+    private final SurfaceSums surface;
+    private final Axis x;
+    private final Axis y;
+    private final Replicas replicas;
+
+    /**
+     * @param map heights without missing samples
+     * @throws IllegalArgumentException when samples are missing
+     */
+    public ReplicaEvaluator(HeightMap map, Replicas replicas) {
+        this.surface = new SurfaceSums(map);
+        this.x = Axis.x(map, WindowOrigin.CORNER);
+        this.y = Axis.y(map, WindowOrigin.CORNER);
+        this.replicas = replicas;
+    }
+
+    /** Power at a wavelength in metres; 1 for a flat mirror in specular direction. */
+    public double power(Geometry geometry, double wavelength) {
+        AxisWeights alongX = AxisWeights.ofReplicas(geometry.u() / wavelength, x, replicas.alongX());
+        AxisWeights alongY = AxisWeights.ofReplicas(geometry.v() / wavelength, y, replicas.alongY());
+        return surface.overRows(geometry.w(), wavelength, alongY).power(0, alongX);
+    }
+
+    /** Extent of all replicas along x, metres. */
+    public double width() {
+        return replicas.alongX() * x.period();
+    }
+
+    /** Extent of all replicas along y, metres. */
+    public double height() {
+        return replicas.alongY() * y.period();
+    }
+}

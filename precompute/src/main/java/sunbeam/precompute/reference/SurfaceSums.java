@@ -1,0 +1,65 @@
+package sunbeam.precompute.reference;
+
+import sunbeam.precompute.patch.HeightLevels;
+import sunbeam.precompute.patch.HeightMap;
+
+/** Sums of p = exp(i k w h) over the rows of a patch, one running sum per column and weighting. */
+final class SurfaceSums {
+    private final HeightMap map;
+    private final HeightLevels heights;
+
+    /**
+     * @param map heights without missing samples
+     * @throws IllegalArgumentException when samples are missing
+     */
+    SurfaceSums(HeightMap map) {
+        this.map = map;
+        this.heights = HeightLevels.of(map);
+    }
+
+    /** Sums over rows first: plain element-wise loops that the processor runs in parallel. */
+    AxisSums overRows(double w, double wavelength, AxisWeights... alongY) {
+        double[][] phases = phases(w, wavelength);
+        int columns = map.columns();
+        AxisSums sums = new AxisSums(columns, alongY.length);
+        double[] real = new double[columns];
+        double[] imaginary = new double[columns];
+        int[] index = heights.index();
+        for (int row = 0; row < map.rows(); row++) {
+            if (!isSeen(row, alongY)) {
+                continue;
+            }
+            for (int column = 0, i = row * columns; column < columns; column++, i++) {
+                real[column] = phases[0][index[i]];
+                imaginary[column] = phases[1][index[i]];
+            }
+            for (int b = 0; b < alongY.length; b++) {
+                sums.add(b, real, imaginary, alongY[b].real()[row], alongY[b].imaginary()[row]);
+            }
+        }
+        return sums;
+    }
+
+    private static boolean isSeen(int row, AxisWeights[] alongY) {
+        for (AxisWeights weights : alongY) {
+            if (weights.real()[row] != 0 || weights.imaginary()[row] != 0) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** exp(i k w h) of every distinct height: cosines, sines. */
+    private double[][] phases(double w, double wavelength) {
+        double waveNumber = 2 * Math.PI / wavelength;
+        double centre = 0.5 * (heights.minimum() + heights.maximum());
+        double[] cosines = new double[heights.count()];
+        double[] sines = new double[heights.count()];
+        for (int i = 0; i < cosines.length; i++) {
+            double phase = waveNumber * w * (heights.levels()[i] - centre);
+            cosines[i] = Math.cos(phase);
+            sines[i] = Math.sin(phase);
+        }
+        return new double[][] {cosines, sines};
+    }
+}

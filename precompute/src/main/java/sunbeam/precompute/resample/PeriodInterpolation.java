@@ -1,0 +1,67 @@
+package sunbeam.precompute.resample;
+
+import java.util.Locale;
+
+/**
+ * How the spectrum of one period with sharp edges is read between the bins of its DFT (thesis section 3.5.2):
+ *
+ * <pre>P_1(f) = 1/N sum_n p_n exp(2 pi i f x_n),  x = 0 in the middle of the period</pre>
+ */
+public enum PeriodInterpolation {
+    /**
+     * The DFT's own interpolation, sum_j P_1(f_j) sin(pi (f - f_j) L) / (N sin(pi (f - f_j) pitch)). Its kernel decays so
+     * slowly that every bin counts: truncated to a few taps it loses the specular order's tails, which outshine the
+     * rest of a rough patch. So the period is padded with zeros to twice its length, which puts samples of that very
+     * sum between the bins, and these are interpolated by seven taps of a Kaiser-Bessel kernel whose transform is divided
+     * out of the period beforehand (Jackson et al. 1991). Error below 1e-7 of the largest amplitude, measured in
+     * PeriodSpectrumTest.
+     */
+    SINC(2, 7),
+    /** A straight line between neighbouring bins. Exact on the bins, and only there. */
+    LINEAR(1, 2);
+
+    private final int oversampling;
+    private final int taps;
+
+    PeriodInterpolation(int oversampling, int taps) {
+        this.oversampling = oversampling;
+        this.taps = taps;
+    }
+
+    /** Lower-case name, as at the command line. */
+    public String label() {
+        return name().toLowerCase(Locale.ROOT);
+    }
+
+    /** Samples per bin of the DFT. */
+    public int oversampling() {
+        return oversampling;
+    }
+
+    /** Samples that are summed along one axis. */
+    public int taps() {
+        return taps;
+    }
+
+    /** Samples that are needed beyond the visible ones on each side. */
+    public int margin() {
+        // Half of the taps, and one more, because float32 may round a frequency into the next sample.
+        return taps / 2 + 1;
+    }
+
+    /** Weight of a sample at a distance, in samples. */
+    public double kernel(double distance) {
+        return this == SINC ? kaiserBessel().value(distance) : Math.max(0, 1 - Math.abs(distance));
+    }
+
+    /** What a sample of the surface is multiplied by, at a place in -1/2..1/2 of the period. */
+    double correction(double place) {
+        return this == SINC ? 1 / kaiserBessel().transform(place / oversampling) : 1;
+    }
+
+    // The transform vanishes first where the nearest alias of the period's edge lies: 1 - 1 / (2 oversampling).
+    private KaiserBessel kaiserBessel() {
+        double alias = Math.PI * taps * (1 - 0.5 / oversampling);
+        return new KaiserBessel(taps, Math.sqrt(alias * alias - Math.PI * Math.PI));
+    }
+}

@@ -1,0 +1,154 @@
+package sunbeam.precompute.resample;
+
+import org.apache.commons.math3.complex.Complex;
+import sunbeam.precompute.expansion.CoefficientTable;
+import sunbeam.precompute.expansion.Expansion;
+import sunbeam.precompute.fourier.Band;
+import sunbeam.precompute.fourier.BandTransform2d;
+import sunbeam.precompute.fourier.ComplexVector;
+import sunbeam.precompute.patch.HeightLevels;
+import sunbeam.precompute.patch.HeightMap;
+
+/**
+ * The terms T_n of one period with sharp edges, transformed to samples that {@link PeriodInterpolation} interpolates.
+ * Sample j along x has the frequency j / (oversampling * width); phases count from the period's middle, so that
+ * neighbouring samples differ as little as they can.
+ */
+public final class PeriodSpectrum {
+    private final HeightMap map;
+    private final HeightLevels heights;
+    private final Expansion expansion;
+    private final PeriodInterpolation interpolation;
+    private final Band bandX;
+    private final Band bandY;
+    private final BandTransform2d transform;
+    private final double[] correctionX;
+    private final double[] correctionY;
+
+    /**
+     * @param map heights without missing samples
+     * @param heights the same, by level
+     * @param bandX samples along x, {@link PeriodInterpolation#margin()} beyond the visible ones
+     * @param bandY samples along y, alike
+     */
+    public PeriodSpectrum(
+            HeightMap map,
+            HeightLevels heights,
+            Expansion expansion,
+            Band bandX,
+            Band bandY,
+            PeriodInterpolation interpolation) {
+        this.map = map;
+        this.heights = heights;
+        this.expansion = expansion;
+        this.interpolation = interpolation;
+        this.bandX = bandX;
+        this.bandY = bandY;
+        int samples = interpolation.oversampling();
+        this.transform = new BandTransform2d(samples * map.columns(), samples * map.rows(), bandX, bandY);
+        this.correctionX = corrections(map.columns());
+        this.correctionY = corrections(map.rows());
+    }
+
+    private double[] corrections(int count) {
+        double[] result = new double[count];
+        for (int i = 0; i < count; i++) {
+            result[i] = interpolation.correction((i - middle(count)) / count);
+        }
+        return result;
+    }
+
+    private static double middle(int count) {
+        return 0.5 * (count - 1);
+    }
+
+    /** Samples along x. */
+    public Band bandX() {
+        return bandX;
+    }
+
+    /** Samples along y, upwards. */
+    public Band bandY() {
+        return bandY;
+    }
+
+    public PeriodInterpolation interpolation() {
+        return interpolation;
+    }
+
+    /** Number of terms. */
+    public int terms() {
+        return expansion.terms();
+    }
+
+    /** The period along x, metres. */
+    public double width() {
+        return map.width();
+    }
+
+    /** The period along y, metres. */
+    public double height() {
+        return map.height();
+    }
+
+    /** Samples per cycle per metre along x. */
+    public double scaleX() {
+        return interpolation.oversampling() * map.width();
+    }
+
+    /** Samples per cycle per metre along y. */
+    public double scaleY() {
+        return interpolation.oversampling() * map.height();
+    }
+
+    /** Coefficients of the terms, which carry their quarter turns already. */
+    public CoefficientTable coefficients() {
+        return CoefficientTable.sampled(expansion);
+    }
+
+    /** One term, rows of ascending y samples. Runs on all processors. */
+    public ComplexVector term(int n) {
+        Complex[] values = new Complex[heights.count()];
+        Complex turn = expansion.kind().turn(n);
+        for (int i = 0; i < values.length; i++) {
+            values[i] = expansion
+                    .basis(n, expansion.scale().scaled(heights.levels()[i]))
+                    .multiply(turn);
+        }
+        ComplexVector result = transform.transform((row, real, imaginary) -> fill(values, row, real, imaginary));
+        turnToMiddle(result);
+        return result;
+    }
+
+    // Beyond the period there is nothing; the work vector may hold a former row.
+    private void fill(Complex[] values, int row, double[] real, double[] imaginary) {
+        int columns = map.columns();
+        int padded = interpolation.oversampling() * columns;
+        for (int column = 0; column < padded; column++) {
+            boolean inside = row < map.rows() && column < columns;
+            Complex value = inside ? values[heights.index()[row * columns + column]] : Complex.ZERO;
+            double factor = inside ? correctionX[column] * correctionY[row] : 0;
+            real[column] = factor * value.getReal();
+            imaginary[column] = factor * value.getImaginary();
+        }
+    }
+
+    /** Moves the origin from the top left sample to the middle, and undoes the padding's part of the normalisation. */
+    private void turnToMiddle(ComplexVector samples) {
+        double padding = interpolation.oversampling() * interpolation.oversampling();
+        double turnsX = -middle(map.columns()) / (interpolation.oversampling() * map.columns());
+        // Rows run downwards, y upwards.
+        double turnsY = middle(map.rows()) / (interpolation.oversampling() * map.rows());
+        for (int i = 0; i < samples.length(); i++) {
+            int jx = bandX.first() + i % bandX.count();
+            int jy = bandY.first() + i / bandX.count();
+            double angle = 2 * Math.PI * (jx * turnsX + jy * turnsY);
+            double cosine = padding * Math.cos(angle);
+            double sine = padding * Math.sin(angle);
+            double real = samples.real()[i];
+            double imaginary = samples.imaginary()[i];
+            samples.real()[i] = real * cosine - imaginary * sine;
+            samples.imaginary()[i] = real * sine + imaginary * cosine;
+        }
+    }
+}

@@ -1,0 +1,116 @@
+// Only the wavelengths at which the look-up meets a DFT bin, one per order (thesis section 3.5.1), each with the width of its
+// order as weight.
+//
+// The ray f = s (u, v), s = 1 / lambda, passes bin f_j closest at s_j = f_j . (u, v) / |(u, v)|^2, lambda = L u / n for a bin
+// on the ray, at a distance d. With the window's spectrum as a Gaussian the order adds, while |F_j| hardly changes,
+//
+//     int |F_j|^2 exp(-|s (u, v) - f_j|^2 / sigma_f^2) S xbar dlambda
+//         = |F_j|^2 exp(-d^2 / sigma_f^2) W(s_j, sigma_f / |(u, v)|),
+//     W(s_j, width) = int S xbar exp(-((1 / lambda - s_j) / width)^2) dlambda,
+//
+// and W of a narrow order is sqrt(pi) lambda_j^2 width S xbar(lambda_j): the order's width in wavelength, which the thesis
+// leaves out. Towards u = v = 0 orders grow wider than the colour matching functions; where they do, all wavelengths count.
+
+// W over 1 / lambda (columns) and width (rows), over width; the map gives offset and scale of both texture coordinates.
+uniform sampler2D orderWeights;
+uniform vec2 orderPlaceMap;
+uniform vec2 orderWidthMap;
+// The widest order that is looked at as one, in 1 / metre of 1 / lambda.
+uniform float orderWidest;
+// Standard deviation of the window's spectrum, cycles per metre.
+uniform float windowSigmaFrequency;
+
+float chosenPower(vec3 uvw, float wavelength) {
+#if AVERAGE == AVERAGE_ENSEMBLE
+    return ensemblePower(uvw, wavelength);
+#else
+    return coherentPower(uvw, wavelength);
+#endif
+}
+
+vec3 orderWeight(float waveNumber, float width) {
+    vec2 at = vec2(orderPlaceMap.x + orderPlaceMap.y * waveNumber, orderWidthMap.x + orderWidthMap.y * width);
+    return width * texture(orderWeights, at).rgb;
+}
+
+vec3 allWavelengths(vec3 uvw) {
+    vec3 xyz = vec3(0.0);
+    for (int i = 0; i < wavelengthCount; ++i) {
+        vec4 node = texelFetch(wavelengthNodes, ivec2(i, 0), 0);
+        xyz += node.yzw * chosenPower(uvw, node.x);
+    }
+    return xyz;
+}
+
+// Wavelength of an order; one whose middle lies just outside the band is looked at on the band's end.
+float orderWavelength(float waveNumber) {
+    return clamp(1.0 / waveNumber, SHORTEST_WAVELENGTH, LONGEST_WAVELENGTH);
+}
+
+#if ORDERS_OVERLAP && AVERAGE == AVERAGE_COHERENT
+
+// Orders overlap and interfere: no order has a power of its own. The spectrum is sampled where the ray crosses the bins'
+// columns, and a sample stands for all wavelengths up to half way to the next: W over sqrt(pi) width, times the distance.
+vec3 column(vec3 uvw, float width, float waveNumber) {
+    return orderWeight(waveNumber, width) * coherentPower(uvw, orderWavelength(waveNumber));
+}
+
+// Samples on the columns meet the bins' Gaussians at their heights and overrate them: on the average over the phases of the
+// bins by Poisson's sum 1 + 2 sum_k exp(-(pi k sigma)^2), sigma in bins. Four terms serve from sigma = 0.2 on.
+float columnShare(float width, float waveNumberStep, float sigmaBins) {
+    const float PI = 3.14159265;
+    float overrated = 1.0;
+    for (int k = 1; k <= 4; ++k) {
+        float turns = PI * float(k) * sigmaBins;
+        overrated += 2.0 * exp(-turns * turns);
+    }
+    return waveNumberStep / (sqrt(PI) * width * overrated);
+}
+
+#else
+
+vec3 column(vec3 uvw, float width, float waveNumber) {
+    vec3 xyz = vec3(0.0);
+    float squaredLength = dot(uvw.xy, uvw.xy);
+    vec2 frequency = uvw.xy * waveNumber * tablePeriod;
+    bool alongX = abs(uvw.x * tablePeriod.x) >= abs(uvw.y * tablePeriod.y);
+    ivec2 nearest = ivec2(floor(frequency + 0.5));
+    for (int across = -ACROSS; across <= ACROSS; ++across) {
+        ivec2 bin = nearest + (alongX ? ivec2(0, across) : ivec2(across, 0));
+        vec2 binFrequency = vec2(bin) / tablePeriod;
+        float middle = dot(binFrequency, uvw.xy) / squaredLength;
+        vec2 off = binFrequency - middle * uvw.xy;
+        float gauss = exp(-dot(off, off) / (windowSigmaFrequency * windowSigmaFrequency));
+        float zeta = expansionPhase(uvw.z, orderWavelength(middle));
+        xyz += gauss * binPower(bin - tableFirst, zeta) * orderWeight(middle, width);
+    }
+    return xyz;
+}
+
+float columnShare(float width, float waveNumberStep, float sigmaBins) {
+    return 1.0;
+}
+
+#endif
+
+vec3 diffractedXyz(vec3 uvw) {
+    // |(u, v)| = 0 compares right, too, where a division would not.
+    if (windowSigmaFrequency >= orderWidest * length(uvw.xy)) {
+        return allWavelengths(uvw);
+    }
+    float width = windowSigmaFrequency / length(uvw.xy);
+    // Columns of bins along the axis on which the ray crosses more of them.
+    vec2 binsPerWaveNumber = abs(uvw.xy) * tablePeriod;
+    bool alongX = binsPerWaveNumber.x >= binsPerWaveNumber.y;
+    float waveNumberStep = 1.0 / (alongX ? binsPerWaveNumber.x : binsPerWaveNumber.y);
+    // Orders whose middle lies outside the band reach into it: three deviations, width / sqrt(2) each, and what the bins of a
+    // column differ.
+    float reach = 2.2 * width / waveNumberStep + float(ACROSS);
+    int first = max(1, int(ceil(1.0 / (LONGEST_WAVELENGTH * waveNumberStep) - reach)));
+    int last = int(floor(1.0 / (SHORTEST_WAVELENGTH * waveNumberStep) + reach));
+    vec3 xyz = vec3(0.0);
+    for (int n = first; n <= last; ++n) {
+        xyz += column(uvw, width, float(n) * waveNumberStep);
+    }
+    return xyz * columnShare(width, waveNumberStep, alongX ? windowSigmaBins.x : windowSigmaBins.y);
+}

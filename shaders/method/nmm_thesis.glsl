@@ -1,0 +1,28 @@
+// The thesis's own form of nmm (section 3.5.1, algorithm 3.4): wavelengths L |u| / n and L |v| / n, all with the weight of one
+// step of wavelength, as if every order were equally wide. Blue orders, which are narrower, get too much: a purple cast.
+
+// The step that each wavelength stands for, in metres.
+uniform float orderStep;
+
+vec3 alongAxis(vec3 uvw, float bins) {
+    vec3 xyz = vec3(0.0);
+    int last = int(floor(bins / SHORTEST_WAVELENGTH));
+    for (int n = max(1, int(ceil(bins / LONGEST_WAVELENGTH))); n <= last; ++n) {
+        float wavelength = bins / float(n);
+#if AVERAGE == AVERAGE_ENSEMBLE
+        xyz += cieWeight(wavelength) * ensemblePower(uvw, wavelength);
+#else
+        xyz += cieWeight(wavelength) * coherentPower(uvw, wavelength);
+#endif
+    }
+    return orderStep * xyz;
+}
+
+vec3 diffractedXyz(vec3 uvw) {
+    vec2 bins = abs(uvw.xy) * tablePeriod;
+    // Near u = v = 0 no wavelength meets a bin, and the thesis draws a white disc.
+    if (length(bins) < SHORTEST_WAVELENGTH) {
+        return cieWhite;
+    }
+    return alongAxis(uvw, bins.x) + alongAxis(uvw, bins.y);
+}

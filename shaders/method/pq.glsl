@@ -1,0 +1,66 @@
+// The patch repeated Q times along x and along y, evenly lit, with sharp edges instead of the Gaussian window: the spectrum
+// of one period, interpolated, times the array factor of its replicas (thesis section 3.5.2, eq. 2.62).
+
+// Samples of one period's spectrum, two complex terms a texel; PERIOD_LAYERS layers.
+uniform sampler2DArray periodTerms;
+uniform sampler2D periodCoefficients;
+uniform vec2 periodPhaseMap;
+// Samples per cycle per metre, and index of the first sample, along x and y.
+uniform vec2 periodScale;
+uniform vec2 periodFirst;
+// The period in metres, and Q, along x and y.
+uniform vec2 periodLength;
+uniform vec2 periodReplicas;
+
+const int PERIOD_ROWS = (PERIOD_LAYERS + 1) / 2;
+
+// |sin(Q w T / 2) / (Q sin(w T / 2))| with w T / 2 = pi turns: 1 wherever turns is an integer, where both sines vanish.
+float arrayFactor(float turns, float replicas) {
+    const float PI = 3.14159265;
+    // The factor has period 1: fewer turns leave float32 more digits.
+    float angle = PI * (turns - floor(turns + 0.5));
+    float wide = replicas * angle;
+    // Next order of the series: wide^4 / 120, 1e-10 of the factor.
+    if (abs(wide) < 0.01) {
+        return 1.0 - (wide * wide - angle * angle) / 6.0;
+    }
+    return abs(sin(wide) / (replicas * sin(angle)));
+}
+
+vec2 periodAmplitude(vec2 frequency, float zeta) {
+    vec2 position = frequency * periodScale - periodFirst;
+    Taps x = tapsAround(position.x);
+    Taps y = tapsAround(position.y);
+    vec2 amplitude = vec2(0.0);
+    for (int row = 0; row < PERIOD_ROWS; ++row) {
+        vec4 coefficients = fourCoefficients(periodCoefficients, row, PERIOD_ROWS, periodPhaseMap, zeta);
+        vec4 pair = atPoint(periodTerms, 2 * row, x, y);
+        amplitude += coefficients.x * pair.xy + coefficients.y * pair.zw;
+        if (2 * row + 1 < PERIOD_LAYERS) {
+            pair = atPoint(periodTerms, 2 * row + 1, x, y);
+            amplitude += coefficients.z * pair.xy + coefficients.w * pair.zw;
+        }
+    }
+    return amplitude;
+}
+
+float coherentPower(vec3 uvw, float wavelength) {
+    vec2 frequency = uvw.xy / wavelength;
+    vec2 turns = frequency * periodLength;
+    float factor = arrayFactor(turns.x, periodReplicas.x) * arrayFactor(turns.y, periodReplicas.y);
+    return factor * factor * squaredMagnitude(periodAmplitude(frequency, expansionPhase(uvw.z, wavelength)));
+}
+
+// The replicas lie where they lie: there is no window whose positions could be averaged.
+float ensemblePower(vec3 uvw, float wavelength) {
+    return coherentPower(uvw, wavelength);
+}
+
+vec3 diffractedXyz(vec3 uvw) {
+    vec3 xyz = vec3(0.0);
+    for (int i = 0; i < wavelengthCount; ++i) {
+        vec4 node = texelFetch(wavelengthNodes, ivec2(i, 0), 0);
+        xyz += node.yzw * coherentPower(uvw, node.x);
+    }
+    return xyz;
+}
