@@ -48,12 +48,12 @@ final class PreviewScaleTest {
     }
 
     @Test
-    void aSettledScaleDoesNotSwing() {
+    void aSettledScaleMovesByOneStepAtMost() {
         for (double full = 1e6; full < 1e12; full *= 1.3) {
             PreviewScale scale = settled(5e6, full);
-            assertThat(scale.after(frame(scale, 5e6, full)))
-                    .as("full picture of %s ns", full)
-                    .isEqualTo(scale);
+            int next = scale.after(frame(scale, 5e6, full)).divisor();
+            // Neighbouring divisors are at most a factor of 2 apart, from 1 to 2.
+            assertThat(next).as("full picture of %s ns", full).isBetween(scale.divisor() / 2, 2 * scale.divisor());
         }
     }
 

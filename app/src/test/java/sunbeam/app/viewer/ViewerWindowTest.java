@@ -16,6 +16,7 @@ import java.util.concurrent.FutureTask;
 import javax.swing.SwingUtilities;
 import jrtr.RenderContext;
 import jrtr.gl.RenderContexts;
+import jrtr.scene.Camera;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -31,12 +32,16 @@ import sunbeam.app.scene.SceneLight;
 import sunbeam.app.scene.ScenePicture;
 import sunbeam.app.scene.SceneSession;
 import sunbeam.app.scene.Scenes;
+import sunbeam.app.scene.Viewpoint;
 import sunbeam.precompute.patch.PatchRequest;
 
 /** The viewer in a real window, under a robot's hands. */
 @Timeout(120)
 final class ViewerWindowTest {
     private static final long PATIENCE_MILLISECONDS = 60_000;
+
+    // Far enough to see all of the cylinder with background around it.
+    private static final float EYE = 0.5f;
 
     @TempDir
     private Path folder;
@@ -62,7 +67,9 @@ final class ViewerWindowTest {
     /** A cylinder of a coarse grating: a silhouette that turns, and a method that takes milliseconds. */
     private static Scene scene() {
         Scene elaphe = Scenes.load("elaphe");
+        Camera camera = new Camera(new Vector3f(0, -EYE, 0.7f * EYE), new Vector3f(), new Vector3f(0, 0, 1));
         return elaphe.withMesh("cylinder")
+                .withView(new Viewpoint(camera, Math.toRadians(30)))
                 .withPatch(PatchRequest.of("blaze"))
                 .withPlan(PlanChange.tolerance(elaphe.plan(), 0.05))
                 .withTexture("none")
@@ -87,6 +94,7 @@ final class ViewerWindowTest {
         drag(InputEvent.BUTTON3_DOWN_MASK);
         awaitFinal();
         BufferedImage after = picture();
+        assertThat(shownPixels(before)).as("pixels of the model").isBetween(100, before.getWidth() * before.getHeight() - 100);
         assertThat(different(before, after, false)).as("pixels of another colour").isPositive();
         assertThat(different(before, after, true)).as("pixels of another silhouette").isZero();
     }
@@ -206,7 +214,7 @@ final class ViewerWindowTest {
     private static int different(BufferedImage one, BufferedImage other, boolean silhouette) {
         assertThat(other.getWidth()).isEqualTo(one.getWidth());
         assertThat(other.getHeight()).isEqualTo(one.getHeight());
-        int background = one.getRGB(0, 0);
+        int background = 0xff000000 | scene().background().rgb();
         int count = 0;
         for (int y = 0; y < one.getHeight(); y++) {
             for (int x = 0; x < one.getWidth(); x++) {
@@ -217,6 +225,15 @@ final class ViewerWindowTest {
             }
         }
         return count;
+    }
+
+    private static int shownPixels(BufferedImage image) {
+        BufferedImage empty = new BufferedImage(image.getWidth(), image.getHeight(), BufferedImage.TYPE_INT_RGB);
+        int background = scene().background().rgb();
+        for (int i = 0; i < empty.getWidth() * empty.getHeight(); i++) {
+            empty.setRGB(i % empty.getWidth(), i / empty.getWidth(), background);
+        }
+        return different(image, empty, true);
     }
 
     private static <T> T onEvents(Callable<T> work) throws Exception {
