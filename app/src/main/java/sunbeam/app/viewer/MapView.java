@@ -56,7 +56,9 @@ final class MapView extends JComponent {
         graphics.setColor(Color.BLACK);
         graphics.fill(new Ellipse2D.Double(left, 0, side, side));
         if (map != null) {
+            graphics.setClip(new Ellipse2D.Double(left, 0, side, side));
             graphics.drawImage(map, left, 0, side, side, null);
+            graphics.setClip(null);
             marked.filter(direction -> direction.z() > 0).ifPresent(direction -> paintMark(graphics, left, side));
         }
         graphics.setColor(getForeground());

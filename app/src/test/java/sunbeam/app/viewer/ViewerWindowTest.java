@@ -41,7 +41,7 @@ final class ViewerWindowTest {
     private static final long PATIENCE_MILLISECONDS = 60_000;
 
     // Far enough to see all of the cylinder with background around it.
-    private static final float EYE = 0.5f;
+    private static final float EYE = 0.8f;
 
     @TempDir
     private Path folder;
@@ -67,7 +67,7 @@ final class ViewerWindowTest {
     /** A cylinder of a coarse grating: a silhouette that turns, and a method that takes milliseconds. */
     private static Scene scene() {
         Scene elaphe = Scenes.load("elaphe");
-        Camera camera = new Camera(new Vector3f(0, -EYE, 0.7f * EYE), new Vector3f(), new Vector3f(0, 0, 1));
+        Camera camera = new Camera(new Vector3f(0, -EYE, 0.7f * EYE), new Vector3f(0, 0, 0.1f), new Vector3f(0, 0, 1));
         return elaphe.withMesh("cylinder")
                 .withView(new Viewpoint(camera, Math.toRadians(30)))
                 .withPatch(PatchRequest.of("blaze"))
