@@ -30,7 +30,7 @@ public record PreviewScale(int divisor, double fixedNanoseconds) {
      * @param nanoseconds what a frame at this scale took
      */
     public PreviewScale after(long nanoseconds) {
-        double fixed = Math.min(fixedNanoseconds, nanoseconds);
+        double fixed = Math.min(fixedNanoseconds, (double) nanoseconds);
         double forPixels = (nanoseconds - fixed) * divisor * divisor;
         double allowed = Math.max(BUDGET_NANOSECONDS - fixed, LEAST_SHARE * BUDGET_NANOSECONDS);
         for (int index = Math.max(0, indexOf(divisor) - 1); index < DIVISORS.length; index++) {

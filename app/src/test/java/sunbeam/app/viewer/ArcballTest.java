@@ -32,8 +32,7 @@ final class ArcballTest {
     @Test
     void theTurnHasTwiceTheArcBetweenThePoints() {
         double half = Math.sin(Math.toRadians(20));
-        assertThat(Arcball.turn(FRONT, 0, 0, half, 0).angle())
-                .isCloseTo((float) Math.toRadians(40), within(ROUNDING));
+        assertThat(Arcball.turn(FRONT, 0, 0, half, 0).angle()).isCloseTo((float) Math.toRadians(40), within(ROUNDING));
     }
 
     @Test

@@ -11,8 +11,8 @@ import sunbeam.app.scene.Viewpoint;
 final class CameraMovesTest {
     // Float32 coordinates of size 5.
     private static final float ROUNDING = 1e-5f;
-    private static final Viewpoint FRONT = new Viewpoint(
-            new Camera(new Vector3f(0, 0, 5), new Vector3f(), new Vector3f(0, 1, 0)), Math.toRadians(90));
+    private static final Viewpoint FRONT =
+            new Viewpoint(new Camera(new Vector3f(0, 0, 5), new Vector3f(), new Vector3f(0, 1, 0)), Math.toRadians(90));
 
     @Test
     void zoomingInHalvesTheDistance() {

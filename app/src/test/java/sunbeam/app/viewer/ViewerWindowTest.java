@@ -17,12 +17,12 @@ import javax.swing.SwingUtilities;
 import jrtr.RenderContext;
 import jrtr.gl.RenderContexts;
 import jrtr.scene.Camera;
+import org.joml.Vector3f;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
-import org.joml.Vector3f;
 import sunbeam.app.cli.Environment;
 import sunbeam.app.scene.Blend;
 import sunbeam.app.scene.Scene;
@@ -94,9 +94,15 @@ final class ViewerWindowTest {
         drag(InputEvent.BUTTON3_DOWN_MASK);
         awaitFinal();
         BufferedImage after = picture();
-        assertThat(shownPixels(before)).as("pixels of the model").isBetween(100, before.getWidth() * before.getHeight() - 100);
-        assertThat(different(before, after, false)).as("pixels of another colour").isPositive();
-        assertThat(different(before, after, true)).as("pixels of another silhouette").isZero();
+        assertThat(shownPixels(before))
+                .as("pixels of the model")
+                .isBetween(100, before.getWidth() * before.getHeight() - 100);
+        assertThat(different(before, after, false))
+                .as("pixels of another colour")
+                .isPositive();
+        assertThat(different(before, after, true))
+                .as("pixels of another silhouette")
+                .isZero();
     }
 
     @Test
@@ -104,7 +110,9 @@ final class ViewerWindowTest {
         BufferedImage before = picture();
         drag(InputEvent.BUTTON1_DOWN_MASK);
         awaitFinal();
-        assertThat(different(before, picture(), true)).as("pixels of another silhouette").isPositive();
+        assertThat(different(before, picture(), true))
+                .as("pixels of another silhouette")
+                .isPositive();
     }
 
     @Test
@@ -116,7 +124,8 @@ final class ViewerWindowTest {
                 SceneDisplay display = new SceneDisplay(context)) {
             ScenePicture picture = session.draw(shown.getWidth(), shown.getHeight());
             double exposure = SceneDisplay.exposure(data.scene(), picture);
-            BufferedImage rendered = display.image(picture, exposure, data.scene().background());
+            BufferedImage rendered =
+                    display.image(picture, exposure, data.scene().background());
             assertThat(different(shown, rendered, false)).isZero();
         }
     }
