@@ -18,7 +18,7 @@ final class SpectrumPlot extends JComponent {
     private double[] powers = {};
 
     SpectrumPlot() {
-        setPreferredSize(new Dimension(240, 110));
+        setPreferredSize(new Dimension(240, 100));
         setToolTipText("Diffracted power (no unit; 1 for a mirror) over wavelength (nm), by direct summation");
         setName("spectrum");
     }

@@ -43,7 +43,7 @@ final class ViewerWindow extends JFrame {
         add(status, BorderLayout.SOUTH);
         setMinimumSize(new Dimension(60, 60));
         setDefaultCloseOperation(DISPOSE_ON_CLOSE);
-        setSize(1180, 820);
+        setSize(1180, 880);
         setLocationByPlatform(true);
     }
 
