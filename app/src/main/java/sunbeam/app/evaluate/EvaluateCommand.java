@@ -59,8 +59,9 @@ public final class EvaluateCommand implements Callable<Integer> {
             paramLabel = "METHOD",
             defaultValue = "full",
             description = "full (default): one fragment for each angle and wavelength, through the shader code that"
-                    + " draws the maps. nmm, pq: the thesis's other methods. bins: the sums of full in double precision on the processor. reference: direct"
-                    + " sums over the surface; exact, for a few hundred directions.")
+                    + " draws the maps. nmm, pq: the thesis's other methods. bins: the sums of full in double precision"
+                    + " on the processor. reference: direct sums over the surface; exact, for a few hundred"
+                    + " directions.")
     private Responses.Method method;
 
     @Option(
