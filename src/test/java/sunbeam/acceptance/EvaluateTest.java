@@ -30,12 +30,16 @@ class EvaluateTest {
     private static JsonNode evaluate(String patch, String... options) throws Exception {
         String[] fixed = {
             // A tenth of the thesis's wavelengths: the means move by some hundredths of a nanometre.
-            "evaluate", "--patch", SharedData.patch(patch).toString(), "--wavelengths", "380:780:10", "--output", "result",
+            "evaluate",
+            "--patch",
+            SharedData.patch(patch).toString(),
+            "--wavelengths",
+            "380:780:10",
+            "--output",
+            "result",
             "--force"
         };
-        String[] all = Stream.of(fixed, options)
-                .flatMap(Arrays::stream)
-                .toArray(String[]::new);
+        String[] all = Stream.of(fixed, options).flatMap(Arrays::stream).toArray(String[]::new);
         workplace.succeed(all);
         return new ObjectMapper().readTree(workplace.resolve("result.json").toFile());
     }
