@@ -4,5 +4,6 @@
 const float R0 = 0.04;
 
 float reflectance(float cosThetaD) {
-    return R0 + (1.0 - R0) * pow(1.0 - cosThetaD, 5.0);
+    // Rounding may push the cosine past 1, and pow() of a negative base is undefined.
+    return R0 + (1.0 - R0) * pow(max(0.0, 1.0 - cosThetaD), 5.0);
 }
