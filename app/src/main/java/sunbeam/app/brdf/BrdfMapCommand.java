@@ -125,7 +125,7 @@ public final class BrdfMapCommand implements Callable<Integer> {
         }
         MethodFactory factory = new MethodFactory(setup, methodRequest, request, VisibleRange.of(wi));
         PrintWriter out = specification.commandLine().getOut();
-        planOptions.print(factory, out);
+        planOptions.print(factory, err);
         try (RenderContext context = RenderContexts.offscreen();
                 DiffractionMethod method = factory.create(context, MethodUse.COLOUR);
                 BrdfMapRenderer renderer = new BrdfMapRenderer(context, method, size);

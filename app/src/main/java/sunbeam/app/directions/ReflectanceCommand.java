@@ -82,7 +82,7 @@ public final class ReflectanceCommand implements Callable<Integer> {
             DiffractionSetup setup, MethodRequest method, PlanRequest request, DirectionList list) {
         if (method.kind() != MethodKind.REFERENCE) {
             MethodFactory factory = new MethodFactory(setup, method, request, VisibleRange.of(list.geometries()));
-            planOptions.print(factory, specification.commandLine().getOut());
+            planOptions.print(factory, specification.commandLine().getErr());
             return new GpuDirections(factory).evaluate(list);
         }
         return method.replicas().isPresent()

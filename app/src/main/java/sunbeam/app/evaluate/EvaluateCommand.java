@@ -126,7 +126,8 @@ public final class EvaluateCommand implements Callable<Integer> {
         ResponseGrid grid = gratingOptions.grid(
                 target.plane(), target.order(), planOptions.request().window());
         Responses responses = new Responses(setup, planOptions, grid);
-        ResponseMatrix response = quantity.of(responses.power(method, out));
+        ResponseMatrix response =
+                quantity.of(responses.power(method, specification.commandLine().getErr()));
         GratingMeasurement measurement = target.measure(response, sigmaFrequency);
         Map<String, Object> report = describe(setup, target, grid);
         report.putAll(EvaluationReport.tree(measurement));

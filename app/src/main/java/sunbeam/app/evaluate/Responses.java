@@ -106,13 +106,13 @@ final class Responses {
         return BinSums.of(setup.identity(), setup.heights(), request.window(), grid);
     }
 
-    private ResponseMatrix onGpu(MethodKind kind, PrintWriter out) {
+    private ResponseMatrix onGpu(MethodKind kind, PrintWriter err) {
         List<Geometry> directions = new ArrayList<>(grid.angles().length);
         for (double angle : grid.angles()) {
             directions.add(grid.plane().geometry(angle));
         }
         MethodFactory factory = new MethodFactory(setup, MethodRequest.of(kind), request, VisibleRange.of(directions));
-        options.print(factory, out);
+        options.print(factory, err);
         long count = (long) grid.wavelengths().length * directions.size();
         try (RenderContext context = RenderContexts.offscreen();
                 DiffractionMethod method = factory.create(context, MethodUse.SPECTRAL);

@@ -103,8 +103,8 @@ public final class RenderCommand implements Callable<Integer> {
                 })
                 .load(scene);
         PrintWriter out = specification.commandLine().getOut();
-        out.println("plan: " + new PlanReport(data.plan()).summary());
-        out.flush();
+        err.println("plan: " + new PlanReport(data.plan()).summary());
+        err.flush();
         try (RenderContext context = RenderContexts.offscreen();
                 FrameSequence frames = new FrameSequence(context, data, size, supersample)) {
             draw(frames, scenes, files, target);
