@@ -19,7 +19,7 @@ final class Complaint {
     static void assertThatIt(SunbeamResult result, int exitCode, String... words) {
         assertThat(result.exitCode()).as("%s", result).isEqualTo(exitCode);
         assertThat(result.stdout()).as("%s", result).isEmpty();
-        assertThat(result.stderr().replaceFirst("^plan: .*\n", ""))
+        assertThat(result.complaints())
                 .as("%s", result)
                 .startsWith("sunbeam: ")
                 .contains(words)

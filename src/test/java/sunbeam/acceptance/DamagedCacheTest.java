@@ -25,7 +25,7 @@ class DamagedCacheTest {
     @BeforeAll
     static void makeATable() throws Exception {
         workplace = Workplace.in(root);
-        assertThat(map("first").stderr()).isEmpty();
+        assertThat(map("first").complaints()).isEmpty();
         assertThat(workplace.tables()).hasSize(1);
         table = workplace.tables().get(0);
         goodTable = Files.readAllBytes(table);
@@ -37,7 +37,7 @@ class DamagedCacheTest {
         Files.write(table, goodTable);
         var written = Files.getLastModifiedTime(table);
 
-        assertThat(map("second").stderr()).isEmpty();
+        assertThat(map("second").complaints()).isEmpty();
 
         assertThat(Files.getLastModifiedTime(table)).isEqualTo(written);
         assertThat(workplace.resolve("second.npy")).hasBinaryContent(goodMap);
@@ -90,7 +90,7 @@ class DamagedCacheTest {
     private static void isMadeAgain(String reason) throws Exception {
         SunbeamResult result = map("again");
 
-        assertThat(result.stderr())
+        assertThat(result.complaints())
                 .as("%s", result)
                 .startsWith("sunbeam: warning: cached table is made again: " + table + ": " + reason)
                 .hasLineCount(1);

@@ -9,6 +9,11 @@ package sunbeam.acceptance;
  * @param stderr everything written to standard error, UTF-8
  */
 public record SunbeamResult(String commandLine, int exitCode, String stdout, String stderr) {
+    /** What stands on standard error besides the plan. */
+    public String complaints() {
+        return stderr.replaceFirst("(?m)^plan: .*\n", "");
+    }
+
     /** The whole story, for the message of a failed assertion. */
     @Override
     public String toString() {
