@@ -13,6 +13,7 @@ import sunbeam.app.directions.ReflectanceCommand;
 import sunbeam.app.doctor.DoctorCommand;
 import sunbeam.app.doctor.RendererProbe;
 import sunbeam.app.evaluate.EvaluateCommand;
+import sunbeam.app.figures.FiguresCommand;
 import sunbeam.app.inspect.InspectCommand;
 import sunbeam.app.mesh.MeshCommand;
 import sunbeam.app.render.RenderCommand;
@@ -58,6 +59,7 @@ public final class Sunbeam {
         root.addSubcommand(new ReflectanceCommand(environment));
         root.addSubcommand(new InspectCommand());
         root.addSubcommand(new EvaluateCommand(environment));
+        root.addSubcommand(new FiguresCommand(environment));
         root.addSubcommand(new PrecomputeCommand(environment));
         root.addSubcommand(new BenchmarkCommand(environment));
         root.addSubcommand(new RenderCommand(environment));

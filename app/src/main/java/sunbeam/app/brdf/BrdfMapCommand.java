@@ -131,8 +131,9 @@ public final class BrdfMapCommand implements Callable<Integer> {
                 BrdfMapRenderer renderer = new BrdfMapRenderer(context, method, size);
                 DisplayPass display = new DisplayPass(context)) {
             LinearPicture map = render(renderer, wi);
-            double factor =
-                    fixedExposure > 0 ? fixedExposure : AutoExposure.of(map, specular(wi, method.specularReach()));
+            double factor = fixedExposure > 0
+                    ? fixedExposure
+                    : AutoExposure.of(map, new SpecularDisc(size, wi, method.specularReach()));
             Map<String, String> text = describe(setup, methodRequest, factory.summary(), factor, context);
             BufferedImage image = SrgbImage.fromEncoded(size, size, display.srgb(map, factor));
             write(picture, stream -> PngWriter.write(stream, image, text), map);
@@ -179,15 +180,6 @@ public final class BrdfMapCommand implements Callable<Integer> {
         try (Progress progress = Progress.start("BRDF map", (long) size * size)) {
             return renderer.render(wi, progress::step);
         }
-    }
-
-    private AutoExposure.Specular specular(Direction wi, double radius) {
-        return pixel -> {
-            double x = (2.0 * (pixel % size) + 1) / size - 1;
-            int row = pixel / size;
-            double y = 1 - (2.0 * row + 1) / size;
-            return Math.hypot(x + wi.x(), y + wi.y()) < radius;
-        };
     }
 
     private Map<String, String> describe(

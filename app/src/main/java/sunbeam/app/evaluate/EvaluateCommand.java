@@ -25,10 +25,9 @@ import sunbeam.app.output.PngWriter;
 import sunbeam.app.setup.DiffractionSetup;
 import sunbeam.app.setup.PatchOptions;
 import sunbeam.app.setup.PlanOptions;
-import sunbeam.precompute.evaluation.GratingMeasurement;
 import sunbeam.precompute.evaluation.ResponseGrid;
-import sunbeam.precompute.evaluation.ResponseMatrix;
 import sunbeam.precompute.plan.Average;
+import sunbeam.precompute.plan.PlanRequest;
 
 /** {@code sunbeam evaluate}: a patch's period from its response, as in the thesis's chapter 4. */
 @Command(
@@ -101,7 +100,7 @@ public final class EvaluateCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
-        gratingOptions.check();
+        gratingOptions.request();
         planOptions.request();
         if (positions < 0 || positions > MOST_POSITIONS) {
             throw new UsageException("--positions " + positions + " is out of range; give 0 to " + MOST_POSITIONS);
@@ -121,23 +120,16 @@ public final class EvaluateCommand implements Callable<Integer> {
     }
 
     private void evaluate(DiffractionSetup setup, OutputFiles files, Overwrite overwrite, PrintWriter out) {
-        double sigmaFrequency = planOptions.request().window().sigmaFrequency();
-        GratingTarget target = GratingTarget.of(setup.patch(), gratingOptions, sigmaFrequency);
-        ResponseGrid grid = gratingOptions.grid(
-                target.plane(), target.order(), planOptions.request().window());
-        Responses responses = new Responses(setup, planOptions, grid);
-        ResponseMatrix response =
-                quantity.of(responses.power(method, specification.commandLine().getErr()));
-        GratingMeasurement measurement = target.measure(response, sigmaFrequency);
-        Map<String, Object> report = describe(setup, target, grid);
-        report.putAll(EvaluationReport.tree(measurement));
-        String title = "%s, light at %s degrees, azimuth %s degrees"
-                .formatted(
-                        setup.patch().name(),
-                        Degrees.text(grid.plane().thetaI()),
-                        Degrees.text(grid.plane().azimuth()));
+        PlanRequest request = planOptions.request();
+        PrintWriter err = specification.commandLine().getErr();
+        Evaluation evaluation = Evaluation.of(
+                setup, gratingOptions.request(), request, method, quantity, planned -> planOptions.print(planned, err));
+        GratingTarget target = evaluation.target();
+        Map<String, Object> report = describe(setup, target, evaluation.grid());
+        report.putAll(EvaluationReport.tree(evaluation.measurement()));
+        String title = evaluation.title();
         out.println(title);
-        EvaluationReport.lines(measurement).forEach(out::println);
+        EvaluationReport.lines(evaluation.measurement()).forEach(out::println);
         out.flush();
         List<Path> written = new ArrayList<>();
         if (positions > 0) {
@@ -146,7 +138,12 @@ public final class EvaluateCommand implements Callable<Integer> {
                     seed,
                     setup.identity().columns(),
                     setup.identity().rows());
-            Positions all = Positions.measure(responses.binSums(), draw, quantity, target.order(), sigmaFrequency);
+            Positions all = Positions.measure(
+                    evaluation.responses().binSums(),
+                    draw,
+                    quantity,
+                    target.order(),
+                    request.window().sigmaFrequency());
             report.put("positions", EvaluationReport.tree(all, seed));
             EvaluationReport.lines(all).forEach(out::println);
             written.add(files.path("-positions.csv"));
@@ -157,18 +154,14 @@ public final class EvaluateCommand implements Callable<Integer> {
                         files.path("-positions.png"), overwrite, PositionFiles.draw(title, all), text(setup, title));
             }
         }
-        MatrixFiles.writeCsv(files.path(".csv"), overwrite, response);
-        MatrixFiles.writeNpy(files.path(".npy"), overwrite, response);
+        MatrixFiles.writeCsv(files.path(".csv"), overwrite, evaluation.response());
+        MatrixFiles.writeNpy(files.path(".npy"), overwrite, evaluation.response());
         AtomicFile.write(
                 files.path(".json"),
                 overwrite,
                 stream -> stream.write(
                         new ObjectMapper().writerWithDefaultPrettyPrinter().writeValueAsBytes(report)));
-        PngWriter.write(
-                files.path(".png"),
-                overwrite,
-                ResponsePlot.draw(title, quantity.label(), response, measurement),
-                text(setup, title));
+        PngWriter.write(files.path(".png"), overwrite, evaluation.plot(), text(setup, title));
         List.of(".csv", ".npy", ".json", ".png").forEach(ending -> written.add(files.path(ending)));
         written.forEach(out::println);
     }

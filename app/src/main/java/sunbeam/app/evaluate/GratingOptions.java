@@ -1,6 +1,6 @@
 package sunbeam.app.evaluate;
 
-import java.util.Arrays;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import picocli.CommandLine.Option;
 import sunbeam.app.cli.AngleConverter;
@@ -8,23 +8,10 @@ import sunbeam.app.cli.LengthConverter;
 import sunbeam.app.cli.Range;
 import sunbeam.app.cli.RangeConverter;
 import sunbeam.app.cli.UsageException;
-import sunbeam.precompute.color.CieTable;
-import sunbeam.precompute.evaluation.FirstOrder;
-import sunbeam.precompute.evaluation.GratingPlane;
-import sunbeam.precompute.evaluation.ResponseGrid;
-import sunbeam.precompute.optics.CoherenceWindow;
-import sunbeam.precompute.units.Lengths;
 
 /** Light, plane and grid of an evaluation; to be used as a picocli mixin. */
 public final class GratingOptions {
     private static final String AUTO = "auto";
-    // Angles that are taken where none are given, as many as the thesis takes.
-    private static final int ANGLES = 1500;
-    private static final double LARGEST_THETA_DEGREES = 89.9;
-    // 160 MB of doubles.
-    private static final long MOST_DIRECTIONS = 20_000_000;
-    // A ridge is 1.7 deviations wide at half its height; three samples must lie on its top.
-    private static final double COARSEST_STEP = 0.6;
 
     @Option(
             names = "--theta-i",
@@ -77,65 +64,23 @@ public final class GratingOptions {
                     + " heights' power spectrum shows.")
     private Double period;
 
-    /** Checks all that can be checked without the patch. */
-    void check() {
-        double degrees = Math.toDegrees(thetaRadians);
-        if (!(degrees >= 0 && degrees <= LARGEST_THETA_DEGREES)) {
-            throw new UsageException("--theta-i " + degrees + " is out of range; give 0 to " + LARGEST_THETA_DEGREES);
-        }
-        givenAzimuth();
-        double shortest = CieTable.MINIMUM_WAVELENGTH * 1e9;
-        double longest = CieTable.MAXIMUM_WAVELENGTH * 1e9;
-        if (wavelengths.minimum() < shortest - 1e-6 || wavelengths.maximum() > longest + 1e-6) {
-            throw new UsageException(
-                    "--wavelengths %s leaves the visible band; give 380 to 780 nm".formatted(text(wavelengths)));
-        }
-        if (wavelengths.count() < 3) {
-            throw new UsageException("--wavelengths %s has %d of them; a period's variance needs 3 or more"
-                    .formatted(text(wavelengths), wavelengths.count()));
-        }
-        if (period != null && !(period >= 100e-9 && period <= 1e-3)) {
-            throw new UsageException("--period " + Lengths.format(period) + " is out of range; give 100 nm to 1 mm");
-        }
-        checkAngles(new GratingPlane(thetaRadians, phiRadians, 0));
-    }
-
-    private void checkAngles(GratingPlane plane) {
-        if (angles == null) {
-            return;
-        }
-        double largest = Math.toDegrees(plane.largestThetaR());
-        if (angles.minimum() < -largest - 1e-9 || angles.maximum() > largest + 1e-9) {
-            throw new UsageException("--angles %s leaves the hemisphere; give %.6g to %.6g degrees"
-                    .formatted(text(angles), -largest, largest));
-        }
-        if (angles.count() < 3) {
-            throw new UsageException(
-                    "--angles %s has %d of them; a peak needs 3 or more".formatted(text(angles), angles.count()));
-        }
-        if ((long) angles.count() * wavelengths.count() > MOST_DIRECTIONS) {
-            throw new UsageException(
-                    "--angles %s and --wavelengths %s make %d directions; take larger steps for %d or less"
-                            .formatted(
-                                    text(angles),
-                                    text(wavelengths),
-                                    (long) angles.count() * wavelengths.count(),
-                                    MOST_DIRECTIONS));
-        }
-    }
-
-    private static String text(Range range) {
-        return "%s:%s:%s".formatted(plain(range.minimum()), plain(range.maximum()), plain(range.step()));
-    }
-
-    private static String plain(double value) {
-        return value == Math.rint(value) && Math.abs(value) < 1e9
-                ? Long.toString((long) value)
-                : Double.toString(value);
+    /**
+     * What is asked for, checked as far as it can be without the patch.
+     *
+     * @throws UsageException for a value that cannot be used
+     */
+    GratingRequest request() {
+        return new GratingRequest(
+                thetaRadians,
+                phiRadians,
+                givenAzimuth(),
+                Optional.ofNullable(angles),
+                wavelengths,
+                period == null ? OptionalDouble.empty() : OptionalDouble.of(period));
     }
 
     /** The azimuth in radians; empty for auto. */
-    OptionalDouble givenAzimuth() {
+    private OptionalDouble givenAzimuth() {
         if (azimuth.equals(AUTO)) {
             return OptionalDouble.empty();
         }
@@ -143,61 +88,6 @@ public final class GratingOptions {
             return OptionalDouble.of(new AngleConverter().convert(azimuth));
         } catch (picocli.CommandLine.TypeConversionException failure) {
             throw new UsageException("--azimuth: " + failure.getMessage() + ", or auto");
-        }
-    }
-
-    /** The period to look for, metres; empty where the heights are to tell. */
-    OptionalDouble givenPeriod() {
-        return period == null ? OptionalDouble.empty() : OptionalDouble.of(period);
-    }
-
-    GratingPlane plane(double azimuthRadians) {
-        return new GratingPlane(thetaRadians, phiRadians, azimuthRadians);
-    }
-
-    /**
-     * Angles and wavelengths, checked against the window's resolution.
-     *
-     * @throws UsageException where the steps are too coarse to see a peak, or the first order is not to be seen
-     */
-    ResponseGrid grid(GratingPlane plane, FirstOrder order, CoherenceWindow window) {
-        double[] lambdas =
-                Arrays.stream(wavelengths.values()).map(nm -> nm * 1e-9).toArray();
-        ResponseGrid grid = new ResponseGrid(plane, lambdas, angles(plane, order, lambdas));
-        requireFineAngles(grid, window);
-        return grid;
-    }
-
-    private double[] angles(GratingPlane plane, FirstOrder order, double[] lambdas) {
-        if (angles != null) {
-            return Arrays.stream(angles.values()).map(Math::toRadians).toArray();
-        }
-        double[] ends = order.angles(plane, lambdas[0], lambdas[lambdas.length - 1]);
-        if (ends.length == 0) {
-            throw new UsageException(
-                    "no angle sees the first order of a period near %s with the light at --theta-i %.6g; choose another"
-                                    .formatted(Lengths.format(order.middle()), Math.toDegrees(thetaRadians))
-                            + " light, or other --wavelengths");
-        }
-        double[] values = new double[ANGLES];
-        Arrays.setAll(values, i -> ends[0] + (ends[1] - ends[0]) * i / (ANGLES - 1));
-        return values;
-    }
-
-    private static void requireFineAngles(ResponseGrid grid, CoherenceWindow window) {
-        double shortest = grid.wavelengths()[0];
-        double[] all = grid.angles();
-        double coarsest = 0;
-        for (int i = 1; i < all.length; i++) {
-            coarsest = Math.max(
-                    coarsest, Math.abs(grid.plane().u(all[i]) - grid.plane().u(all[i - 1])) / shortest);
-        }
-        double allowed = COARSEST_STEP * window.sigmaFrequency();
-        if (coarsest > allowed) {
-            double step = Math.toDegrees(all[1] - all[0]);
-            throw new UsageException(
-                    "--angles: steps of %.3g degrees are too coarse for peaks as sharp as this window's; give %.2g or less"
-                            .formatted(step, 0.99 * step * allowed / coarsest));
         }
     }
 }

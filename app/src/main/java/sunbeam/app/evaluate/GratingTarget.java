@@ -32,11 +32,11 @@ record GratingTarget(String patch, GratingPlane plane, FirstOrder order, Periodi
      *
      * @throws NoPeriodException where neither the user nor the heights name a period
      */
-    static GratingTarget of(Patch patch, GratingOptions options, double sigmaFrequency) {
+    static GratingTarget of(Patch patch, GratingRequest request, double sigmaFrequency) {
         PeriodFinder finder = new PeriodFinder(patch.heights());
-        OptionalDouble given = options.givenAzimuth();
+        OptionalDouble given = request.azimuth();
         Periodicity heights = given.isPresent() ? finder.along(given.getAsDouble(), sigmaFrequency) : finder.all();
-        if (!heights.found() && (given.isEmpty() || options.givenPeriod().isEmpty())) {
+        if (!heights.found() && (given.isEmpty() || request.period().isEmpty())) {
             String where =
                     given.isEmpty() ? "" : " along azimuth %s degrees".formatted(Degrees.text(given.getAsDouble()));
             String remedy = given.isEmpty() ? "--azimuth and --period" : "--period, or choose another --azimuth";
@@ -44,10 +44,10 @@ record GratingTarget(String patch, GratingPlane plane, FirstOrder order, Periodi
                     .formatted(patch.name(), where, heights.describeFigure(), remedy));
         }
         double azimuth = given.orElseGet(() -> signed(heights.peaks().get(0)));
-        FirstOrder order = options.givenPeriod().isPresent()
-                ? FirstOrder.around(options.givenPeriod().getAsDouble(), GIVEN)
+        FirstOrder order = request.period().isPresent()
+                ? FirstOrder.around(request.period().getAsDouble(), GIVEN)
                 : FirstOrder.around(heights.peaks().get(0).period(), spread(heights));
-        return new GratingTarget(patch.name(), options.plane(azimuth), order, heights);
+        return new GratingTarget(patch.name(), request.plane(azimuth), order, heights);
     }
 
     private static double spread(Periodicity heights) {

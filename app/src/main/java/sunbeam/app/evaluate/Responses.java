@@ -1,8 +1,8 @@
 package sunbeam.app.evaluate;
 
-import java.io.PrintWriter;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Consumer;
 import java.util.stream.IntStream;
 import jrtr.RenderContext;
 import jrtr.gl.RenderContexts;
@@ -14,7 +14,6 @@ import sunbeam.app.progress.Progress;
 import sunbeam.app.setup.DiffractionSetup;
 import sunbeam.app.setup.MethodFactory;
 import sunbeam.app.setup.MethodRequest;
-import sunbeam.app.setup.PlanOptions;
 import sunbeam.precompute.evaluation.BinSums;
 import sunbeam.precompute.evaluation.ResponseGrid;
 import sunbeam.precompute.evaluation.ResponseMatrix;
@@ -31,9 +30,9 @@ final class Responses {
     private static final int PORTION = 1 << 14;
 
     private final DiffractionSetup setup;
-    private final PlanOptions options;
     private final PlanRequest request;
     private final ResponseGrid grid;
+    private final Consumer<MethodFactory> planned;
 
     /** Who evaluates. */
     enum Method {
@@ -46,20 +45,21 @@ final class Responses {
         BINS
     }
 
-    Responses(DiffractionSetup setup, PlanOptions options, ResponseGrid grid) {
+    /** @param planned told of the method that a shader uses, once it is planned */
+    Responses(DiffractionSetup setup, PlanRequest request, ResponseGrid grid, Consumer<MethodFactory> planned) {
         this.setup = setup;
-        this.options = options;
-        this.request = options.request();
+        this.request = request;
         this.grid = grid;
+        this.planned = planned;
     }
 
     /** The power that the request's average means. */
-    ResponseMatrix power(Method method, PrintWriter out) {
+    ResponseMatrix power(Method method) {
         return switch (method) {
             case REFERENCE -> reference();
-            case FULL -> onGpu(MethodKind.FULL, out);
-            case NMM -> onGpu(MethodKind.NMM, out);
-            case PQ -> onGpu(MethodKind.PQ, out);
+            case FULL -> onGpu(MethodKind.FULL);
+            case NMM -> onGpu(MethodKind.NMM);
+            case PQ -> onGpu(MethodKind.PQ);
             case BINS -> bins();
         };
     }
@@ -106,13 +106,13 @@ final class Responses {
         return BinSums.of(setup.identity(), setup.heights(), request.window(), grid);
     }
 
-    private ResponseMatrix onGpu(MethodKind kind, PrintWriter err) {
+    private ResponseMatrix onGpu(MethodKind kind) {
         List<Geometry> directions = new ArrayList<>(grid.angles().length);
         for (double angle : grid.angles()) {
             directions.add(grid.plane().geometry(angle));
         }
         MethodFactory factory = new MethodFactory(setup, MethodRequest.of(kind), request, VisibleRange.of(directions));
-        options.print(factory, err);
+        planned.accept(factory);
         long count = (long) grid.wavelengths().length * directions.size();
         try (RenderContext context = RenderContexts.offscreen();
                 DiffractionMethod method = factory.create(context, MethodUse.SPECTRAL);

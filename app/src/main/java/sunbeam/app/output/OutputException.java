@@ -18,7 +18,7 @@ public final class OutputException extends RuntimeException {
     }
 
     /** The operating system's refusal to write the target, put into words. */
-    static OutputException of(Path target, IOException cause) {
+    public static OutputException of(Path target, IOException cause) {
         return new OutputException("cannot write " + target + ": " + reasonAndRemedy(rootOf(cause)), cause);
     }
 

@@ -1,6 +1,5 @@
 package sunbeam.app.render;
 
-import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -25,19 +24,6 @@ final class FrameFiles {
             plain = Path.of(stem + "-" + number);
         }
         return plain;
-    }
-
-    /** Makes the folder where it is missing; its parent must be there. */
-    static void create(Path folder) {
-        try {
-            if (!Files.isDirectory(folder)) {
-                Files.createDirectory(folder);
-            }
-        } catch (IOException failure) {
-            throw new OutputException(
-                    "cannot make the folder " + folder + " (" + failure.getMessage() + "); name another with --output",
-                    failure);
-        }
     }
 
     /** The frames' files in order. */

@@ -20,6 +20,7 @@ import sunbeam.app.cli.UsageException;
 import sunbeam.app.output.AtomicFile;
 import sunbeam.app.output.DefaultName;
 import sunbeam.app.output.ForceOption;
+import sunbeam.app.output.OutputFolder;
 import sunbeam.app.output.Overwrite;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneData;
@@ -148,7 +149,7 @@ public final class RenderCommand implements Callable<Integer> {
     private void draw(FrameSequence frames, List<Scene> scenes, List<Path> files, Path target) {
         Overwrite overwrite = force.overwrite();
         if (animation.isAsked()) {
-            FrameFiles.create(target);
+            OutputFolder.create(target);
         }
         List<Boolean> missing = FrameFiles.missing(files, frames.identities(scenes), animation.resume(), overwrite);
         AtomicFile.checkWritable(files.get(0), Overwrite.REPLACE);

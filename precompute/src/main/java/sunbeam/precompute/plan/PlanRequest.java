@@ -90,4 +90,34 @@ public record PlanRequest(
     public WindowOrigin windowOrigin() {
         return origin.orElse(isThesis() ? WindowOrigin.CORNER : WindowOrigin.CENTRE);
     }
+
+    /** The same with a number of terms of an expansion. */
+    public PlanRequest withTerms(ExpansionKind kind, int count) {
+        return new PlanRequest(
+                preset,
+                tolerance,
+                Optional.of(kind),
+                OptionalInt.of(count),
+                radius,
+                anchor,
+                wavelengthStep,
+                origin,
+                coherenceLength,
+                average);
+    }
+
+    /** The same with another window: four standard deviations in metres, and its place. */
+    public PlanRequest withWindow(double coherenceLengthMetres, WindowOrigin place) {
+        return new PlanRequest(
+                preset,
+                tolerance,
+                expansion,
+                terms,
+                radius,
+                anchor,
+                wavelengthStep,
+                Optional.of(place),
+                OptionalDouble.of(coherenceLengthMetres),
+                average);
+    }
 }

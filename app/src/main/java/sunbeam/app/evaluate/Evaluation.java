@@ -1,0 +1,101 @@
+package sunbeam.app.evaluate;
+
+import java.awt.image.BufferedImage;
+import java.util.function.Consumer;
+import sunbeam.app.setup.DiffractionSetup;
+import sunbeam.app.setup.MethodFactory;
+import sunbeam.precompute.evaluation.GratingMeasurement;
+import sunbeam.precompute.evaluation.ResponseGrid;
+import sunbeam.precompute.evaluation.ResponseMatrix;
+import sunbeam.precompute.plan.PlanRequest;
+
+/** A patch's response in the plane of incidence and the period that it shows. */
+public final class Evaluation {
+    private final GratingTarget target;
+    private final Responses responses;
+    private final Quantity quantity;
+    private final ResponseMatrix response;
+    private final GratingMeasurement measurement;
+    private final String title;
+
+    private Evaluation(
+            GratingTarget target,
+            Responses responses,
+            Quantity quantity,
+            ResponseMatrix response,
+            GratingMeasurement measurement,
+            String title) {
+        this.target = target;
+        this.responses = responses;
+        this.quantity = quantity;
+        this.response = response;
+        this.measurement = measurement;
+        this.title = title;
+    }
+
+    /**
+     * Evaluates the relative radiance by method {@code full}.
+     *
+     * @throws NoPeriodException where the surface or its response has no period
+     */
+    public static Evaluation ofRadiance(DiffractionSetup setup, GratingRequest grating, PlanRequest request) {
+        return of(setup, grating, request, Responses.Method.FULL, Quantity.RHO, method -> {});
+    }
+
+    /** @param planned told of the method that a shader uses, once it is planned */
+    static Evaluation of(
+            DiffractionSetup setup,
+            GratingRequest grating,
+            PlanRequest request,
+            Responses.Method method,
+            Quantity quantity,
+            Consumer<MethodFactory> planned) {
+        double sigmaFrequency = request.window().sigmaFrequency();
+        GratingTarget target = GratingTarget.of(setup.patch(), grating, sigmaFrequency);
+        ResponseGrid grid = grating.grid(target.plane(), target.order(), request.window());
+        Responses responses = new Responses(setup, request, grid, planned);
+        ResponseMatrix response = quantity.of(responses.power(method));
+        String title = "%s, light at %s degrees, azimuth %s degrees"
+                .formatted(
+                        setup.patch().name(),
+                        Degrees.text(grid.plane().thetaI()),
+                        Degrees.text(grid.plane().azimuth()));
+        return new Evaluation(target, responses, quantity, response, target.measure(response, sigmaFrequency), title);
+    }
+
+    /** The patch, the light and the azimuth. */
+    public String title() {
+        return title;
+    }
+
+    /** Direction of the grating in the patch, radians. */
+    public double azimuth() {
+        return grid().plane().azimuth();
+    }
+
+    /** The ridge of the first order and its periods. */
+    public GratingMeasurement measurement() {
+        return measurement;
+    }
+
+    /** The thesis's figures 4.9 to 4.11: the response in colour, its followed peaks and the grating equation. */
+    public BufferedImage plot() {
+        return ResponsePlot.draw(title, quantity.label(), response, measurement);
+    }
+
+    GratingTarget target() {
+        return target;
+    }
+
+    ResponseGrid grid() {
+        return response.grid();
+    }
+
+    ResponseMatrix response() {
+        return response;
+    }
+
+    Responses responses() {
+        return responses;
+    }
+}

@@ -1,0 +1,104 @@
+package sunbeam.app.figures;
+
+import java.awt.image.BufferedImage;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.Locale;
+import java.util.Map;
+import jrtr.RenderContext;
+import jrtr.gl.RenderContexts;
+import sunbeam.app.brdf.BrdfMapRenderer;
+import sunbeam.app.brdf.SpecularDisc;
+import sunbeam.app.figures.Panel.MapPanel;
+import sunbeam.app.gpu.DiffractionMethod;
+import sunbeam.app.gpu.MethodUse;
+import sunbeam.app.output.SrgbImage;
+import sunbeam.app.picture.AutoExposure;
+import sunbeam.app.picture.DisplayPass;
+import sunbeam.app.picture.LinearPicture;
+import sunbeam.app.progress.Progress;
+import sunbeam.app.setup.DiffractionSetup;
+import sunbeam.app.setup.MethodFactory;
+import sunbeam.precompute.optics.Direction;
+import sunbeam.precompute.plan.VisibleRange;
+
+/** Draws the maps, and each map that others are compared with once. */
+final class MapDrawer implements AutoCloseable {
+    private final FigurePatches patches;
+    private final PanelStore store;
+    private final int size;
+    private final RenderContext context;
+    private final DisplayPass display;
+    private final Map<MapKey, DrawnMap> drawn = new HashMap<>();
+
+    /** What two panels with the same map have in common. */
+    private record MapKey(Role role, double thetaDegrees, Object method, Object request) {}
+
+    /** A map, the exposure that fits it, and what was computed. */
+    private record DrawnMap(LinearPicture map, double exposure, String summary) {}
+
+    MapDrawer(FigurePatches patches, PanelStore store, int size) {
+        this.patches = patches;
+        this.store = store;
+        this.size = size;
+        this.context = RenderContexts.offscreen();
+        this.display = new DisplayPass(context);
+    }
+
+    /** Draws and writes a map; returns the texts of its picture. */
+    Map<String, String> draw(MapPanel panel) {
+        DrawnMap map = map(panel);
+        Map<String, String> text = new LinkedHashMap<>();
+        double exposure = map.exposure();
+        String caption = panel.label() + "; " + map.summary();
+        if (panel.base().isPresent()) {
+            DrawnMap base = map(panel.base().get());
+            exposure = base.exposure();
+            caption += "; against '" + panel.base().get().label() + "' it "
+                    + MapDifference.of(map.map(), base.map(), exposure).text();
+        }
+        caption += String.format(Locale.ROOT, "; exposure %.3g", exposure);
+        text.put(PanelStore.CAPTION, caption);
+        text.put("Light", "theta %s degrees".formatted(panel.thetaDegrees()));
+        text.put("Method", panel.method().describe());
+        text.put("Plan", map.summary());
+        text.put("Exposure", Double.toString(exposure));
+        text.put("Renderer", context.info().renderer());
+        BufferedImage image = SrgbImage.fromEncoded(size, size, display.srgb(map.map(), exposure));
+        return store.write(panel, image, text);
+    }
+
+    private DrawnMap map(MapPanel panel) {
+        MapKey key = new MapKey(panel.role(), panel.thetaDegrees(), panel.method(), panel.request());
+        DrawnMap known = drawn.get(key);
+        if (known != null) {
+            return known;
+        }
+        DrawnMap map = render(panel);
+        if (panel.base().isEmpty()) {
+            drawn.put(key, map);
+        }
+        return map;
+    }
+
+    private DrawnMap render(MapPanel panel) {
+        DiffractionSetup setup = patches.setup(panel.role());
+        Direction light = Direction.ofDegrees(panel.thetaDegrees(), 0);
+        MethodFactory factory = new MethodFactory(setup, panel.method(), panel.request(), VisibleRange.of(light));
+        // A hundred tables that no other command asks for: the cache is spared them.
+        try (DiffractionMethod method =
+                        factory.create(context, MethodUse.COLOUR, factory.plan().map(setup::freshTable));
+                BrdfMapRenderer renderer = new BrdfMapRenderer(context, method, size);
+                Progress progress = Progress.start(panel.name(), (long) size * size)) {
+            LinearPicture map = renderer.render(light, progress::step);
+            double exposure = AutoExposure.of(map, new SpecularDisc(size, light, method.specularReach()));
+            return new DrawnMap(map, exposure, factory.summary());
+        }
+    }
+
+    @Override
+    public void close() {
+        display.close();
+        context.close();
+    }
+}

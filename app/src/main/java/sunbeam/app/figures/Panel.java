@@ -1,0 +1,43 @@
+package sunbeam.app.figures;
+
+import java.nio.file.Path;
+import java.util.Optional;
+import sunbeam.app.setup.MethodRequest;
+import sunbeam.precompute.plan.PlanRequest;
+
+/** One picture of a figure. */
+sealed interface Panel {
+    /** The picture's file name without folder and extension. */
+    String name();
+
+    /** Which patch. */
+    Role role();
+
+    /** What sets this picture apart from its neighbours. */
+    String label();
+
+    /** The picture's file. */
+    default Path file(Path folder) {
+        return folder.resolve(name() + ".png");
+    }
+
+    /**
+     * A BRDF map.
+     *
+     * @param thetaDegrees of the light to the normal; its azimuth is 0
+     * @param base the map whose exposure this one takes and from which its difference is told; empty for a map with
+     *     its own exposure
+     */
+    record MapPanel(
+            String name,
+            Role role,
+            String label,
+            double thetaDegrees,
+            MethodRequest method,
+            PlanRequest request,
+            Optional<MapPanel> base)
+            implements Panel {}
+
+    /** A response over wavelengths and angles, light at 75 degrees. */
+    record ResponsePanel(String name, Role role, String label, PlanRequest request) implements Panel {}
+}

@@ -1,0 +1,69 @@
+package sunbeam.app.figures;
+
+import java.awt.image.BufferedImage;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Optional;
+import sunbeam.app.cli.Version;
+import sunbeam.app.output.OutputException;
+import sunbeam.app.output.Overwrite;
+import sunbeam.app.output.PngWriter;
+import sunbeam.app.picture.PictureParameters;
+
+/** The folder of pictures: what is there already with its parameters is kept, so that a run goes on where one ended. */
+final class PanelStore {
+    static final String CAPTION = "Caption";
+
+    private final Path folder;
+    private final int size;
+    private final Overwrite overwrite;
+    private final FigurePatches patches;
+
+    PanelStore(Path folder, int size, Overwrite overwrite, FigurePatches patches) {
+        this.folder = folder;
+        this.size = size;
+        this.overwrite = overwrite;
+        this.patches = patches;
+    }
+
+    /** The texts of a panel's picture where it is there. */
+    Optional<Map<String, String>> finished(Panel panel) {
+        return PictureParameters.find(panel.file(folder), hash(panel));
+    }
+
+    /**
+     * Checks that a panel that is to be drawn may be written.
+     *
+     * @throws OutputException for another picture of its name
+     */
+    void requireFree(Panel panel) {
+        Path file = panel.file(folder);
+        if (overwrite == Overwrite.REFUSE && Files.exists(file)) {
+            throw new OutputException("cannot write " + file
+                    + ": it exists, with other parameters; add --force to replace it, or choose another --output");
+        }
+    }
+
+    /** Writes a panel's picture; returns its texts. */
+    Map<String, String> write(Panel panel, BufferedImage image, Map<String, String> text) {
+        Map<String, String> all = new LinkedHashMap<>();
+        all.put("Title", panel.label());
+        all.put("Patch", patches.setup(panel.role()).patch().source());
+        all.putAll(text);
+        all.put(PictureParameters.KEYWORD, hash(panel));
+        PngWriter.write(panel.file(folder), overwrite, image, all);
+        return all;
+    }
+
+    private String hash(Panel panel) {
+        return PictureParameters.hash(String.join(
+                "|",
+                Version.number(),
+                Integer.toString(size),
+                patches.setup(panel.role()).patch().digest(),
+                patches.azimuth(panel.role()).toString(),
+                panel.toString()));
+    }
+}
