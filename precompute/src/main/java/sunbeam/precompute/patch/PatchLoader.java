@@ -113,9 +113,10 @@ public final class PatchLoader {
             Path file, Path imageFile, PatchScale scale, Optional<Channel> channel, Optional<Levelling> levelling) {
         HeightImage image = HeightImageReader.read(imageFile, channel);
         HeightMap map = scale.apply(image);
+        // Pictures are published with it: the file's name, not the folders of its owner.
         String source = "%s (%s), %s, full scale %s"
                 .formatted(
-                        imageFile,
+                        imageFile.getFileName(),
                         image.description(),
                         size(map),
                         Lengths.format(scale.maxHeight().metres()));
