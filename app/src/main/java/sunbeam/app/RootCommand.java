@@ -45,7 +45,12 @@ final class RootCommand implements Callable<Integer> {
         "",
         "Examples:",
         "  sunbeam doctor                        does rendering work here?",
-        "  sunbeam help doctor                   the help of one command",
+        "  sunbeam brdf-map                      the map of the default patch",
+        "  sunbeam brdf-map --patch scan.png --width 65um --max-height 375nm --theta-i 30",
+        "  sunbeam inspect --patch scan.json     what a scan is like",
+        "  sunbeam render elaphe                 a scene as a picture",
+        "  sunbeam view                          the snake in a window",
+        "  sunbeam help brdf-map                 the help of one command",
     };
 
     @Option(
