@@ -1,17 +1,10 @@
 package sunbeam.app.plot;
 
-import java.awt.BasicStroke;
 import java.awt.Color;
-import java.awt.FontMetrics;
 import java.awt.Graphics2D;
 import java.awt.RenderingHints;
-import java.awt.Shape;
-import java.awt.geom.Ellipse2D;
-import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
-import java.util.ArrayList;
-import java.util.List;
 import java.util.Map;
 
 /**
@@ -21,19 +14,14 @@ import java.util.Map;
 public final class HeatMap {
     // A strip thinner than this is drawn broader than it is.
     private static final double THINNEST = 10;
-    private static final Color SHADE = new Color(0, 0, 0, 150);
-    private static final float CURVE_WIDTH = 1.7f;
     static final int TITLE_HEIGHT = 48;
     private static final int LEFT = 92;
     private static final int BOTTOM = 66;
     private static final int RIGHT = 118;
-    private static final int LEGEND_HEIGHT = 28;
 
     private final Frame frame;
     private final Values values;
-    private final List<Curve> curves = new ArrayList<>();
-    private final List<Mark> marks = new ArrayList<>();
-    private ScaleBar scaleBar;
+    private final HeatMapOverlays overlays = new HeatMapOverlays();
 
     /**
      * What stands around the matrix.
@@ -84,12 +72,6 @@ public final class HeatMap {
         }
     }
 
-    private record Curve(String name, double[] x, double[] y, Color color, boolean dashed) {}
-
-    private record Mark(String label, double x, double y) {}
-
-    private record ScaleBar(String label, double length) {}
-
     public HeatMap(Frame frame, Values values) {
         this.frame = frame;
         this.values = values;
@@ -97,19 +79,19 @@ public final class HeatMap {
 
     /** Adds a curve with an entry in the legend; points that are NaN or outside the axes interrupt it. */
     public HeatMap curve(String name, double[] x, double[] y, int rgb, boolean dashed) {
-        curves.add(new Curve(name, x, y, new Color(rgb), dashed));
+        overlays.curve(name, x, y, new Color(rgb), dashed);
         return this;
     }
 
     /** Adds a ring around a point with a label beside it. */
     public HeatMap mark(String label, double x, double y) {
-        marks.add(new Mark(label, x, y));
+        overlays.mark(label, x, y);
         return this;
     }
 
     /** Adds a bar of that length along x, in the lower left corner. */
     public HeatMap scaleBar(String label, double length) {
-        scaleBar = new ScaleBar(label, length);
+        overlays.scaleBar(label, length);
         return this;
     }
 
@@ -127,13 +109,11 @@ public final class HeatMap {
             graphics.fillRect(0, 0, frame.width(), frame.height());
             PlotArea area = area();
             drawCells(graphics, area);
-            drawCurves(graphics, area);
-            drawMarks(graphics, area);
-            drawScaleBar(graphics, area);
+            overlays.draw(graphics, area);
             HeatMapAxes axes = new HeatMapAxes(graphics, area);
             axes.drawAxes(frame);
             axes.drawBar(values.colors());
-            drawLegend(graphics, area);
+            overlays.drawLegend(graphics, area, new Color(values.colors().map().at(0.2)));
         } finally {
             graphics.dispose();
         }
@@ -141,7 +121,7 @@ public final class HeatMap {
     }
 
     private PlotArea area() {
-        int bottom = BOTTOM + (curves.isEmpty() ? 0 : LEGEND_HEIGHT);
+        int bottom = BOTTOM + overlays.legendHeight();
         double width = frame.width() - LEFT - RIGHT;
         double height = frame.height() - TITLE_HEIGHT - bottom;
         double left = LEFT;
@@ -204,94 +184,5 @@ public final class HeatMap {
             }
         }
         return largest;
-    }
-
-    private void drawCurves(Graphics2D graphics, PlotArea area) {
-        Shape clip = graphics.getClip();
-        graphics.clip(area.rectangle());
-        for (Curve curve : curves) {
-            Path2D path = new Path2D.Double();
-            boolean drawing = false;
-            for (int i = 0; i < curve.x().length; i++) {
-                boolean there = Double.isFinite(curve.x()[i]) && Double.isFinite(curve.y()[i]);
-                if (there && drawing) {
-                    path.lineTo(area.pixelX(curve.x()[i]), area.pixelY(curve.y()[i]));
-                } else if (there) {
-                    path.moveTo(area.pixelX(curve.x()[i]), area.pixelY(curve.y()[i]));
-                }
-                drawing = there;
-            }
-            graphics.setColor(curve.color());
-            graphics.setStroke(stroke(curve));
-            graphics.draw(path);
-        }
-        graphics.setClip(clip);
-    }
-
-    private static BasicStroke stroke(Curve curve) {
-        float[] dashes = {10, 8};
-        return curve.dashed()
-                ? new BasicStroke(CURVE_WIDTH, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 1, dashes, 0)
-                : new BasicStroke(CURVE_WIDTH, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND);
-    }
-
-    private void drawMarks(Graphics2D graphics, PlotArea area) {
-        Shape clip = graphics.getClip();
-        graphics.clip(area.rectangle());
-        graphics.setFont(PlotStyle.TICK_FONT);
-        FontMetrics metrics = graphics.getFontMetrics();
-        for (Mark mark : marks) {
-            double x = area.pixelX(mark.x());
-            double y = area.pixelY(mark.y());
-            graphics.setStroke(new BasicStroke(2));
-            graphics.setColor(PlotStyle.MARK);
-            graphics.draw(new Ellipse2D.Double(x - 8, y - 8, 16, 16));
-            double textX = Math.min(x + 12, area.rectangle().getMaxX() - metrics.stringWidth(mark.label()) - 4);
-            float textY = (float) (y + (textX < x + 12 ? -14 : 5));
-            graphics.setColor(SHADE);
-            graphics.fill(new Rectangle2D.Double(
-                    textX - 3,
-                    textY - metrics.getAscent(),
-                    metrics.stringWidth(mark.label()) + 6,
-                    metrics.getHeight()));
-            graphics.setColor(Color.WHITE);
-            graphics.drawString(mark.label(), (float) textX, textY);
-        }
-        graphics.setClip(clip);
-    }
-
-    private void drawScaleBar(Graphics2D graphics, PlotArea area) {
-        if (scaleBar == null) {
-            return;
-        }
-        graphics.setFont(PlotStyle.LABEL_FONT);
-        int textWidth = graphics.getFontMetrics().stringWidth(scaleBar.label());
-        int length = (int) Math.round(area.pixelX(values.xRange()[0] + scaleBar.length())
-                - area.rectangle().getX());
-        int x = (int) Math.round(area.rectangle().getX()) + 16;
-        int y = (int) Math.round(area.rectangle().getMaxY()) - 20;
-        graphics.setColor(SHADE);
-        graphics.fillRect(x - 8, y - 26, Math.max(length, textWidth) + 16, 40);
-        graphics.setColor(Color.WHITE);
-        graphics.fillRect(x, y, length, 5);
-        graphics.drawString(scaleBar.label(), x + Math.max(0, (length - textWidth) / 2), y - 6);
-    }
-
-    private void drawLegend(Graphics2D graphics, PlotArea area) {
-        graphics.setFont(PlotStyle.TICK_FONT);
-        FontMetrics metrics = graphics.getFontMetrics();
-        double x = area.rectangle().getX();
-        int y = (int) Math.round(area.rectangle().getMaxY()) + 48 + LEGEND_HEIGHT;
-        for (Curve curve : curves) {
-            int swatch = 40;
-            graphics.setColor(new Color(values.colors().map().at(0.2)));
-            graphics.fillRect((int) x, y - 14, swatch, 18);
-            graphics.setColor(curve.color());
-            graphics.setStroke(stroke(curve));
-            graphics.drawLine((int) x + 3, y - 5, (int) x + swatch - 3, y - 5);
-            graphics.setColor(PlotStyle.INK);
-            graphics.drawString(curve.name(), (int) x + swatch + 8, y);
-            x += swatch + 8 + metrics.stringWidth(curve.name()) + 30;
-        }
     }
 }
