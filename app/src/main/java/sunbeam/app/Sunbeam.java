@@ -4,6 +4,7 @@ import java.io.PrintWriter;
 import picocli.CommandLine;
 import picocli.CommandLine.HelpCommand;
 import picocli.CommandLine.Model.CommandSpec;
+import sunbeam.app.accuracy.AccuracyCommand;
 import sunbeam.app.benchmark.BenchmarkCommand;
 import sunbeam.app.brdf.BrdfMapCommand;
 import sunbeam.app.cli.Environment;
@@ -16,6 +17,7 @@ import sunbeam.app.inspect.InspectCommand;
 import sunbeam.app.mesh.MeshCommand;
 import sunbeam.app.render.RenderCommand;
 import sunbeam.app.setup.PrecomputeCommand;
+import sunbeam.app.viewer.ViewCommand;
 
 /** The program: its commands put together, run, and their failures turned into messages and exit codes. */
 public final class Sunbeam {
@@ -60,6 +62,8 @@ public final class Sunbeam {
         root.addSubcommand(new BenchmarkCommand(environment));
         root.addSubcommand(new RenderCommand(environment));
         root.addSubcommand(new MeshCommand());
+        root.addSubcommand(new AccuracyCommand(environment));
+        root.addSubcommand(new ViewCommand(environment));
         root.addSubcommand(new DoctorCommand(environment, new RendererProbe()));
         root.addSubcommand(new HelpCommand());
         root.setOut(out);

@@ -48,22 +48,32 @@ public final class BrdfMapRenderer implements AutoCloseable {
      */
     public LinearPicture render(Direction light, LongConsumer progress) {
         draw(light, progress);
-        return LinearPicture.ofRgba(size, size, target.read(0));
+        return picture();
     }
 
     /** Draws the map and leaves it on the device. */
     public void draw(Direction light, LongConsumer progress) {
-        program.set("lightDirection", new Vector3f((float) light.x(), (float) light.y(), (float) light.z()));
         for (Tile tile : tiles()) {
-            context.drawFullScreen(program, method.bindings(), target, tile);
-            context.finish();
+            draw(light, tile);
             progress.accept(tile.pixels());
         }
     }
 
+    /** Draws a part of the map, waits for it and leaves it on the device. */
+    public void draw(Direction light, Tile tile) {
+        program.set("lightDirection", new Vector3f((float) light.x(), (float) light.y(), (float) light.z()));
+        context.drawFullScreen(program, method.bindings(), target, tile);
+        context.finish();
+    }
+
+    /** What has been drawn: linear XYZ of rho, NaN outside the disc. */
+    public LinearPicture picture() {
+        return LinearPicture.ofRgba(size, size, target.read(0));
+    }
+
     /** Pixels inside the disc. */
     public int coveredPixels() {
-        LinearPicture picture = LinearPicture.ofRgba(size, size, target.read(0));
+        LinearPicture picture = picture();
         return (int) IntStream.range(0, size * size).filter(picture::covered).count();
     }
 

@@ -25,7 +25,12 @@ public final class DiffractionSetup {
 
     /** Loads the patch and says what the user should know of it. */
     public DiffractionSetup(PatchOptions options, Environment environment, PrintWriter err) {
-        this(options.load(), environment, warning -> {
+        this(options.load(), environment, err);
+    }
+
+    /** Takes a loaded patch and says what the user should know of it. */
+    public DiffractionSetup(Patch patch, Environment environment, PrintWriter err) {
+        this(patch, environment, warning -> {
             err.println(Messages.warning(warning));
             err.flush();
         });

@@ -42,8 +42,10 @@ final class Directions {
             Direction light = direction(0.95);
             Direction view = direction(0.95);
             double wavelength = 380e-9 + 400e-9 * random.nextDouble();
-            double fx = order(-(light.x() + view.x()) / wavelength, map.width()) + 2 * signed() * window.sigmaFrequency();
-            double fy = order(-(light.y() + view.y()) / wavelength, map.height()) + 2 * signed() * window.sigmaFrequency();
+            double fx =
+                    order(-(light.x() + view.x()) / wavelength, map.width()) + 2 * signed() * window.sigmaFrequency();
+            double fy =
+                    order(-(light.y() + view.y()) / wavelength, map.height()) + 2 * signed() * window.sigmaFrequency();
             double x = -fx * wavelength - light.x();
             double y = -fy * wavelength - light.y();
             if (x * x + y * y < 0.95) {

@@ -36,9 +36,9 @@ final class Surface {
                 columns,
                 rows,
                 pitch,
-                (x, y) -> Math.sin(2 * x0 * x + y0 * y) + 0.6 * Math.cos(x0 * x - 3 * y0 * y + 1) + 0.3 * Math.sin(4
-                        * x0 * x
-                        + 2));
+                (x, y) -> Math.sin(2 * x0 * x + y0 * y)
+                        + 0.6 * Math.cos(x0 * x - 3 * y0 * y + 1)
+                        + 0.3 * Math.sin(4 * x0 * x + 2));
         double scale = relief / raw.relief();
         double low = raw.minimum();
         return raw.map(height -> (height - low) * scale);

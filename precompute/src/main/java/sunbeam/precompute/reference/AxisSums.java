@@ -1,5 +1,7 @@
 package sunbeam.precompute.reference;
 
+import org.apache.commons.math3.complex.Complex;
+
 /** Running complex sums over rows, one vector of columns for each weighting of the rows. */
 final class AxisSums {
     private final double[][] real;
@@ -22,6 +24,12 @@ final class AxisSums {
 
     /** |sum over columns|^2 with the columns' weights. */
     double power(int weighting, AxisWeights alongX) {
+        Complex sum = sum(weighting, alongX);
+        return sum.getReal() * sum.getReal() + sum.getImaginary() * sum.getImaginary();
+    }
+
+    /** The sum over columns with the columns' weights. */
+    Complex sum(int weighting, AxisWeights alongX) {
         double sumReal = 0;
         double sumImaginary = 0;
         for (int i = 0; i < real[weighting].length; i++) {
@@ -30,6 +38,6 @@ final class AxisSums {
             sumReal += a * alongX.real()[i] - b * alongX.imaginary()[i];
             sumImaginary += a * alongX.imaginary()[i] + b * alongX.real()[i];
         }
-        return sumReal * sumReal + sumImaginary * sumImaginary;
+        return new Complex(sumReal, sumImaginary);
     }
 }

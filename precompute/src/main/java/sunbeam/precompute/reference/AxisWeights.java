@@ -23,11 +23,15 @@ record AxisWeights(double[] real, double[] imaginary) {
      * @param reach how many standard deviations the window extends
      */
     static AxisWeights ofWindow(double frequency, Axis axis, double sigma, double reach) {
+        return ofWindow(frequency, axis, WindowSamples.of(axis, sigma, reach));
+    }
+
+    /** As {@link #ofWindow(double, Axis, double, double)}, with the window sampled beforehand. */
+    static AxisWeights ofWindow(double frequency, Axis axis, WindowSamples window) {
         AxisWeights weights = new AxisWeights(new double[axis.count()], new double[axis.count()]);
-        long extent = (long) Math.floor(reach * sigma / Math.abs(axis.step()));
+        long extent = window.extent();
         long firstReplica = Math.floorDiv(axis.origin() - extent, (long) axis.count());
         long lastReplica = Math.floorDiv(axis.origin() + extent, (long) axis.count());
-        double total = 0;
         for (long replica = firstReplica; replica <= lastReplica; replica++) {
             long shift = replica * axis.count() - axis.origin();
             int first = (int) Math.max(0, -extent - shift);
@@ -36,15 +40,13 @@ record AxisWeights(double[] real, double[] imaginary) {
             double cosine = Math.cos(angle);
             double sine = Math.sin(angle);
             for (int i = first; i <= last; i++) {
-                double deviations = (shift + i) * axis.step() / sigma;
-                double gauss = Math.exp(-0.5 * deviations * deviations);
-                total += gauss;
+                double gauss = window.at(shift + i);
                 weights.real[i] += gauss * cosine;
                 weights.imaginary[i] += gauss * sine;
             }
         }
         for (int i = 0; i < axis.count(); i++) {
-            weights.turn(i, angle(frequency * axis.step() * (i - axis.origin())), 1 / total);
+            weights.turn(i, angle(frequency * axis.step() * (i - axis.origin())));
         }
         return weights;
     }
@@ -71,9 +73,9 @@ record AxisWeights(double[] real, double[] imaginary) {
         imaginary[index] += amount * Math.sin(angle(turns));
     }
 
-    private void turn(int index, double angle, double factor) {
-        double cosine = factor * Math.cos(angle);
-        double sine = factor * Math.sin(angle);
+    private void turn(int index, double angle) {
+        double cosine = Math.cos(angle);
+        double sine = Math.sin(angle);
         double a = real[index];
         double b = imaginary[index];
         real[index] = a * cosine - b * sine;

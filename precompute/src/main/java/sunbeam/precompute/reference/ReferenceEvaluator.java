@@ -1,9 +1,11 @@
 package sunbeam.precompute.reference;
 
 import java.util.Arrays;
+import org.apache.commons.math3.complex.Complex;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.Geometry;
 import sunbeam.precompute.optics.WindowOrigin;
+import sunbeam.precompute.patch.HeightLevels;
 import sunbeam.precompute.patch.HeightMap;
 
 /**
@@ -23,64 +25,81 @@ public final class ReferenceEvaluator {
     private static final double AMPLITUDE_REACH = 9;
     private static final double POWER_REACH = 6.8;
 
-    private final HeightMap map;
     private final SurfaceSums surface;
     private final CoherenceWindow window;
-    private final WindowOrigin origin;
+    private final Axis axisX;
+    private final Axis axisY;
+    private final WindowSamples windowX;
+    private final WindowSamples windowY;
 
     /**
      * @param map heights without missing samples
      * @throws IllegalArgumentException when samples are missing
      */
     public ReferenceEvaluator(HeightMap map, CoherenceWindow window, WindowOrigin origin) {
-        this.map = map;
         this.surface = new SurfaceSums(map);
         this.window = window;
-        this.origin = origin;
+        this.axisX = Axis.x(map, origin);
+        this.axisY = Axis.y(map, origin);
+        this.windowX = WindowSamples.of(axisX, window.sigmaMetres(), AMPLITUDE_REACH);
+        this.windowY = WindowSamples.of(axisY, window.sigmaMetres(), AMPLITUDE_REACH);
     }
 
     /** Both averages of the power. */
     public record Power(double coherent, double ensemble) {}
 
+    /** The distinct heights of the patch, in the order of {@link #windowed}'s fields. */
+    public HeightLevels heights() {
+        return surface.heights();
+    }
+
     /** Power of one coherence area, for a wavelength in metres; 1 for a flat mirror in specular direction. */
     public double coherent(Geometry geometry, double wavelength) {
-        AxisWeights alongY = windowWeights(geometry.v() / wavelength, Axis.y(map, origin));
-        AxisSums sums = surface.overRows(geometry.w(), wavelength, alongY);
-        return sums.power(0, windowWeights(geometry.u() / wavelength, Axis.x(map, origin)));
+        AxisSums sums = surface.overRows(
+                geometry.w(), wavelength, AxisWeights.ofWindow(geometry.v() / wavelength, axisY, windowY));
+        return sums.power(0, AxisWeights.ofWindow(geometry.u() / wavelength, axisX, windowX));
+    }
+
+    /**
+     * sum g a exp(2 pi i (fx x + fy y)) / sum g for any complex function a of the height.
+     *
+     * @param real real part of a for each of {@link #heights()}'s levels
+     * @param imaginary its imaginary part
+     * @param fx cycles per metre
+     * @param fy cycles per metre
+     */
+    public Complex windowed(double[] real, double[] imaginary, double fx, double fy) {
+        AxisWeights alongY = AxisWeights.ofWindow(fy, axisY, windowY);
+        AxisSums sums = surface.overRows(new double[][] {real, imaginary}, alongY);
+        return sums.sum(0, AxisWeights.ofWindow(fx, axisX, windowX));
     }
 
     /** Power of one coherence area and its mean over all positions of the window, for a wavelength in metres. */
     public Power powers(Geometry geometry, double wavelength) {
         double fx = geometry.u() / wavelength;
         double fy = geometry.v() / wavelength;
-        Axis x = Axis.x(map, origin);
-        Axis y = Axis.y(map, origin);
-        int[] binsX = binsNear(fx, x);
-        int[] binsY = binsNear(fy, y);
+        int[] binsX = binsNear(fx, axisX);
+        int[] binsY = binsNear(fy, axisY);
         AxisWeights[] alongY = new AxisWeights[binsY.length + 1];
         for (int i = 0; i < binsY.length; i++) {
-            alongY[i] = AxisWeights.ofBin(binsY[i], y);
+            alongY[i] = AxisWeights.ofBin(binsY[i], axisY);
         }
-        alongY[binsY.length] = windowWeights(fy, y);
+        alongY[binsY.length] = AxisWeights.ofWindow(fy, axisY, windowY);
         AxisSums sums = surface.overRows(geometry.w(), wavelength, alongY);
         double ensemble = 0;
         for (int jx : binsX) {
-            AxisWeights alongX = AxisWeights.ofBin(jx, x);
-            double gaussX = powerGauss(fx - jx / x.period());
+            AxisWeights alongX = AxisWeights.ofBin(jx, axisX);
+            double gaussX = powerGauss(fx - jx / axisX.period());
             for (int i = 0; i < binsY.length; i++) {
-                ensemble += gaussX * powerGauss(fy - binsY[i] / y.period()) * sums.power(i, alongX);
+                ensemble += gaussX * powerGauss(fy - binsY[i] / axisY.period()) * sums.power(i, alongX);
             }
         }
-        return new Power(sums.power(binsY.length, windowWeights(fx, x)), ensemble);
+        return new Power(sums.power(binsY.length, AxisWeights.ofWindow(fx, axisX, windowX)), ensemble);
     }
 
     private double powerGauss(double frequency) {
         double ratio = frequency / window.sigmaFrequency();
         return Math.exp(-ratio * ratio);
-    }
-
-    private AxisWeights windowWeights(double frequency, Axis axis) {
-        return AxisWeights.ofWindow(frequency, axis, window.sigmaMetres(), AMPLITUDE_REACH);
     }
 
     private int[] binsNear(double frequency, Axis axis) {

@@ -17,9 +17,21 @@ final class SurfaceSums {
         this.heights = HeightLevels.of(map);
     }
 
+    HeightLevels heights() {
+        return heights;
+    }
+
     /** Sums over rows first: plain element-wise loops that the processor runs in parallel. */
     AxisSums overRows(double w, double wavelength, AxisWeights... alongY) {
-        double[][] phases = phases(w, wavelength);
+        return overRows(phases(w, wavelength), alongY);
+    }
+
+    /**
+     * Sums of any complex function of the height.
+     *
+     * @param values its real and imaginary part for each of {@link #heights()}'s levels
+     */
+    AxisSums overRows(double[][] values, AxisWeights... alongY) {
         int columns = map.columns();
         AxisSums sums = new AxisSums(columns, alongY.length);
         double[] real = new double[columns];
@@ -30,8 +42,8 @@ final class SurfaceSums {
                 continue;
             }
             for (int column = 0, i = row * columns; column < columns; column++, i++) {
-                real[column] = phases[0][index[i]];
-                imaginary[column] = phases[1][index[i]];
+                real[column] = values[0][index[i]];
+                imaginary[column] = values[1][index[i]];
             }
             for (int b = 0; b < alongY.length; b++) {
                 sums.add(b, real, imaginary, alongY[b].real()[row], alongY[b].imaginary()[row]);

@@ -63,8 +63,7 @@ class GratingTruthsTest {
     void sinusoidHasBesselOrders(double amplitude) {
         // exp(i z sin t) = sum J_m(z) e^(i m t), seen at f = -m / period. 64 samples a period fold J_55 and beyond onto
         // these orders: below 1e-25 at phases up to 7.
-        HeightMap map =
-                Surfaces.of(64, 1, PERIOD / 64, (x, y) -> amplitude * Math.sin(2 * Math.PI * x / PERIOD));
+        HeightMap map = Surfaces.of(64, 1, PERIOD / 64, (x, y) -> amplitude * Math.sin(2 * Math.PI * x / PERIOD));
         assertOrders(map, amplitude, (order, phase) -> new Complex(bessel(-order, phase)));
     }
 

@@ -55,8 +55,7 @@ class MirrorTruthsTest {
         double sum = 0;
         for (int i = -12; i <= 12; i++) {
             for (int j = -12; j <= 12; j++) {
-                Geometry geometry =
-                        new Geometry(light, Direction.ofDisc(-light.x() + i * step, -light.y() + j * step));
+                Geometry geometry = new Geometry(light, Direction.ofDisc(-light.x() + i * step, -light.y() + j * step));
                 sum += Gain.brdf(geometry, window, WAVELENGTH) * reference.coherent(geometry, WAVELENGTH);
             }
         }

@@ -50,7 +50,8 @@ class SymmetryTruthsTest {
 
     @Test
     void heightOffsetsChangeNothing() {
-        // A millimetre against a rounding of 1e-19 m at its own height: phases move by 2 pi 1e-19 / lambda, next to none.
+        // A millimetre against a rounding of 1e-19 m at its own height: phases move by 2 pi 1e-19 / lambda, next to
+        // none.
         ReferenceEvaluator raised =
                 new ReferenceEvaluator(ROUGH.map(height -> height + 1e-3), WINDOW, WindowOrigin.CENTRE);
         for (int i = 0; i < 50; i++) {

@@ -77,7 +77,9 @@ class WindowPositionsTest {
             if (Double.isNaN(firstError)) {
                 firstError = standardError;
             } else {
-                assertThat(standardError).as("a hundred times as many positions").isLessThan(0.15 * firstError);
+                assertThat(standardError)
+                        .as("a hundred times as many positions")
+                        .isLessThan(0.15 * firstError);
             }
         }
         // One position alone is speckle: it says little of the mean.

@@ -1,0 +1,126 @@
+package sunbeam.app.accuracy;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.concurrent.Callable;
+import jrtr.RenderContext;
+import jrtr.gl.RenderContexts;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
+import sunbeam.app.accuracy.ReferenceSamples.SampleCounts;
+import sunbeam.app.cli.Environment;
+import sunbeam.app.cli.ExitCode;
+import sunbeam.app.output.ForceOption;
+import sunbeam.app.output.OutputException;
+import sunbeam.app.setup.DiffractionSetup;
+import sunbeam.app.setup.PatchOptions;
+import sunbeam.precompute.patch.Patch;
+import sunbeam.precompute.patch.PatchRequest;
+
+/** {@code sunbeam accuracy}: measures and plots how the error of method full depends on each of its choices. */
+@Command(
+        name = "accuracy",
+        description = "Measure and plot the error of method full against the exact reference: over the number of terms"
+                + " of each expansion, the neighbourhood, the wavelength step, and the tolerance, on random directions,"
+                + " half of them aimed at diffraction orders. Writes tables (CSV), plots (PNG) and a report (Markdown)"
+                + " into a folder.")
+public final class AccuracyCommand implements Callable<Integer> {
+    private static final List<String> DEFAULT_PATCHES = List.of("blaze", "elaphe-like", "xenopeltis-like");
+    private static final SampleCounts USUAL = new SampleCounts(200, 40, 3);
+    private static final SampleCounts QUICK = new SampleCounts(40, 8, 3);
+
+    private final Environment environment;
+
+    @Option(
+            names = "--patch",
+            paramLabel = "PATCH",
+            description = "A built-in patch or a descriptor (.json); may be given several times. Default: blaze,"
+                    + " elaphe-like, xenopeltis-like.")
+    private List<String> patches = new ArrayList<>();
+
+    @Option(
+            names = "--output",
+            paramLabel = "FOLDER",
+            defaultValue = "accuracy",
+            description = "Where the files go; made if it is missing. Default: ${DEFAULT-VALUE}.")
+    private Path output;
+
+    @Option(names = "--quick", description = "Fewer directions: a first impression in a fifth of the time.")
+    private boolean quick;
+
+    @Mixin
+    private ForceOption force;
+
+    @Spec
+    private CommandSpec specification;
+
+    public AccuracyCommand(Environment environment) {
+        this.environment = environment;
+    }
+
+    @Override
+    public Integer call() {
+        SampleCounts counts = quick ? QUICK : USUAL;
+        Map<String, Patch> named = load();
+        AccuracyReport report = new AccuracyReport(output, force.overwrite());
+        makeFolder();
+        report.checkWritable();
+        PrintWriter out = specification.commandLine().getOut();
+        try (RenderContext context = RenderContexts.offscreen()) {
+            for (Map.Entry<String, Patch> patch : named.entrySet()) {
+                DiffractionSetup setup = new DiffractionSetup(
+                        patch.getValue(),
+                        environment,
+                        specification.commandLine().getErr());
+                Subject subject = new Subject(patch.getKey(), context, setup, counts);
+                for (Experiment experiment : Experiments.all()) {
+                    ErrorFigure figure = experiment.run(subject);
+                    report.add(subject, figure);
+                    out.println(figure.title());
+                    out.flush();
+                }
+            }
+            report.write(counts, context.info().renderer());
+        }
+        out.println(report.file());
+        return ExitCode.OK.code();
+    }
+
+    /** By names that differ, as files are named after them. */
+    private Map<String, Patch> load() {
+        Map<String, Patch> named = new LinkedHashMap<>();
+        Set<String> taken = new HashSet<>();
+        for (String given : patches.isEmpty() ? DEFAULT_PATCHES : patches) {
+            Patch patch = PatchOptions.load(PatchRequest.of(given));
+            String name = patch.name();
+            for (int number = 2; !taken.add(name); number++) {
+                name = patch.name() + "-" + number;
+            }
+            named.put(name, patch);
+        }
+        return named;
+    }
+
+    private void makeFolder() {
+        try {
+            Files.createDirectories(output);
+        } catch (IOException failure) {
+            throw new OutputException(
+                    "cannot make the folder " + output + ": " + failure.getMessage() + "; choose another", failure);
+        } catch (UncheckedIOException failure) {
+            throw new OutputException("cannot make the folder " + output + "; choose another", failure);
+        }
+    }
+}

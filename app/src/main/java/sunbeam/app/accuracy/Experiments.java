@@ -1,0 +1,12 @@
+package sunbeam.app.accuracy;
+
+import java.util.List;
+
+/** All that is measured. */
+final class Experiments {
+    private Experiments() {}
+
+    static List<Experiment> all() {
+        return List.of(new ToleranceExperiment());
+    }
+}

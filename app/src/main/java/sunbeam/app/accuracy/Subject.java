@@ -1,0 +1,119 @@
+package sunbeam.app.accuracy;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.OptionalInt;
+import jrtr.RenderContext;
+import sunbeam.app.accuracy.ReferenceSamples.SampleCounts;
+import sunbeam.app.directions.DirectionsRenderer;
+import sunbeam.app.directions.DirectionsRenderer.Query;
+import sunbeam.app.gpu.DiffractionMethod;
+import sunbeam.app.gpu.FullMethod;
+import sunbeam.app.gpu.MethodUse;
+import sunbeam.app.setup.DiffractionSetup;
+import sunbeam.precompute.optics.CoherenceWindow;
+import sunbeam.precompute.optics.Geometry;
+import sunbeam.precompute.optics.WindowOrigin;
+import sunbeam.precompute.plan.Plan;
+import sunbeam.precompute.plan.PlanRequest;
+import sunbeam.precompute.plan.VisibleRange;
+import sunbeam.precompute.table.FourierTable;
+
+/** One patch whose errors are measured on the GPU, with its exact samples. */
+final class Subject {
+    private static final CoherenceWindow WINDOW =
+            CoherenceWindow.ofCoherenceLength(CoherenceWindow.SUNLIGHT_COHERENCE_LENGTH);
+
+    private final String name;
+    private final RenderContext context;
+    private final DiffractionSetup setup;
+    private final SampleCounts counts;
+    private final ReferenceSamples centred;
+    private final ReferenceSamples cornered;
+
+    Subject(String name, RenderContext context, DiffractionSetup setup, SampleCounts counts) {
+        this.name = name;
+        this.context = context;
+        this.setup = setup;
+        this.counts = counts;
+        this.centred = samples(WindowOrigin.CENTRE);
+        this.cornered = samples(WindowOrigin.CORNER);
+    }
+
+    private ReferenceSamples samples(WindowOrigin origin) {
+        return new ReferenceSamples(setup.patch().heights(), WINDOW, origin, setup.cie(), counts);
+    }
+
+    String name() {
+        return name;
+    }
+
+    DiffractionSetup setup() {
+        return setup;
+    }
+
+    ReferenceSamples samples() {
+        return centred;
+    }
+
+    /** The thesis's window lies on the corner, and so must that of the exact values it is compared with. */
+    ReferenceSamples samplesFor(PlanRequest request) {
+        return request.windowOrigin() == WindowOrigin.CENTRE ? centred : cornered;
+    }
+
+    /** What a tolerance asks for, and nothing else. */
+    static PlanRequest withTolerance(double tolerance) {
+        return new PlanRequest(
+                PlanRequest.Preset.NONE,
+                tolerance,
+                Optional.empty(),
+                OptionalInt.empty(),
+                OptionalInt.empty(),
+                Optional.empty(),
+                OptionalDouble.empty(),
+                Optional.empty(),
+                OptionalDouble.empty(),
+                Optional.empty());
+    }
+
+    /** A plan for some directions. */
+    Plan plan(PlanRequest request, List<Query> queries) {
+        List<Geometry> geometries = queries.stream().map(Query::geometry).toList();
+        return setup.plan(request, VisibleRange.of(geometries));
+    }
+
+    /** Relative errors of powers that the GPU computes. */
+    double[] powerErrors(Plan plan, FourierTable table, List<ReferenceSamples.Power> samples) {
+        List<Query> queries =
+                samples.stream().map(ReferenceSamples.Power::query).toList();
+        List<float[]> results = evaluate(plan, table, MethodUse.SPECTRAL, queries);
+        double[] errors = new double[samples.size()];
+        for (int i = 0; i < errors.length; i++) {
+            errors[i] = RelativeError.of(results.get(i)[0], samples.get(i).power());
+        }
+        return errors;
+    }
+
+    /** Relative errors of X, Y, Z that the GPU computes. */
+    double[] colorErrors(Plan plan, FourierTable table, List<ReferenceSamples.Color> samples) {
+        List<Query> queries =
+                samples.stream().map(ReferenceSamples.Color::query).toList();
+        List<float[]> results = evaluate(plan, table, MethodUse.COLOUR, queries);
+        double[] errors = new double[samples.size()];
+        for (int i = 0; i < errors.length; i++) {
+            float[] result = results.get(i);
+            double[] xyz = {result[0], result[1], result[2]};
+            errors[i] = RelativeError.ofColor(xyz, samples.get(i).xyz());
+        }
+        return errors;
+    }
+
+    private List<float[]> evaluate(Plan plan, FourierTable table, MethodUse use, List<Query> queries) {
+        try (DiffractionMethod method = FullMethod.create(context, plan, table, use, setup.cie());
+                DirectionsRenderer renderer = new DirectionsRenderer(context, method, use == MethodUse.SPECTRAL)) {
+            return new ArrayList<>(renderer.evaluate(queries, done -> {}));
+        }
+    }
+}

@@ -1,0 +1,54 @@
+package sunbeam.app.accuracy;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Stream;
+import sunbeam.app.accuracy.ReferenceSamples.Color;
+import sunbeam.app.accuracy.ReferenceSamples.Power;
+import sunbeam.app.directions.DirectionsRenderer.Query;
+import sunbeam.app.plot.Plot.Axis;
+import sunbeam.precompute.plan.Plan;
+import sunbeam.precompute.plan.PlanRequest;
+import sunbeam.precompute.table.FourierTable;
+
+/** What a tolerance promises and what comes of it: power and X, Y, Z of plans made for nothing but a tolerance. */
+final class ToleranceExperiment implements Experiment {
+    private static final double[] TOLERANCES = {1e-5, 1e-4, 1e-3, 1e-2, 1e-1};
+
+    @Override
+    public ErrorFigure run(Subject subject) {
+        ErrorCurve.Builder power = new ErrorCurve.Builder("power");
+        ErrorCurve.Builder color = new ErrorCurve.Builder("XYZ");
+        for (double tolerance : TOLERANCES) {
+            double[][] errors = errors(subject, Subject.withTolerance(tolerance));
+            power.add(tolerance, errors[0]);
+            color.add(tolerance, errors[1]);
+        }
+        double[][] thesis = errors(subject, PlanRequest.of(PlanRequest.Preset.THESIS));
+        // It has no tolerance; its points stand where the coarsest one is.
+        double place = TOLERANCES[TOLERANCES.length - 1];
+        return new ErrorFigure(
+                "tolerance",
+                subject.name() + ": error over tolerance",
+                Axis.logarithmic("tolerance"),
+                "relative error",
+                "tolerance",
+                List.of(power.build(), color.build()),
+                List.of(
+                        ErrorCurve.point("thesis power", place, ErrorStatistics.of(thesis[0])),
+                        ErrorCurve.point("thesis XYZ", place, ErrorStatistics.of(thesis[1]))),
+                true);
+    }
+
+    /** Errors of power, errors of X, Y, Z. */
+    private static double[][] errors(Subject subject, PlanRequest request) {
+        List<Power> powers = subject.samplesFor(request).powers();
+        List<Color> colors = subject.samplesFor(request).colors();
+        List<Query> queries = new ArrayList<>();
+        Stream.concat(powers.stream().map(Power::query), colors.stream().map(Color::query))
+                .forEach(queries::add);
+        Plan plan = subject.plan(request, queries);
+        FourierTable table = subject.setup().freshTable(plan);
+        return new double[][] {subject.powerErrors(plan, table, powers), subject.colorErrors(plan, table, colors)};
+    }
+}

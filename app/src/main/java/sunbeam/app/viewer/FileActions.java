@@ -1,0 +1,177 @@
+package sunbeam.app.viewer;
+
+import java.awt.datatransfer.DataFlavor;
+import java.awt.datatransfer.UnsupportedFlavorException;
+import java.io.File;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+import java.util.function.Consumer;
+import java.util.function.UnaryOperator;
+import javax.swing.JFileChooser;
+import javax.swing.JOptionPane;
+import javax.swing.TransferHandler;
+import sunbeam.app.output.Overwrite;
+import sunbeam.app.output.PngWriter;
+import sunbeam.app.scene.Scene;
+import sunbeam.app.scene.SceneReader;
+import sunbeam.app.scene.SceneWriter;
+import sunbeam.precompute.patch.PatchException;
+
+/** Loading and saving; files are read and written off the event thread. */
+final class FileActions {
+    private final ViewerWindow window;
+    private final ViewerModel model;
+    private final Background background;
+    private final Consumer<Scene> loadedScene;
+    private Path folder = Path.of("");
+    private Path pictureWaiting;
+
+    /** @param loadedScene told of a scene that was read */
+    FileActions(ViewerWindow window, ViewerModel model, Background background, Consumer<Scene> loadedScene) {
+        this.window = window;
+        this.model = model;
+        this.background = background;
+        this.loadedScene = loadedScene;
+        window.getRootPane().setTransferHandler(new Drop());
+    }
+
+    void loadScene() {
+        ask("Load scene", JFileChooser.OPEN_DIALOG).ifPresent(this::loadScene);
+    }
+
+    private void loadScene(Path file) {
+        run(() -> SceneReader.read(file), scene -> {
+            window.status().message("loaded " + file.getFileName());
+            loadedScene.accept(scene);
+        });
+    }
+
+    void loadPatch() {
+        ask("Load patch (descriptor .json, or image)", JFileChooser.OPEN_DIALOG).ifPresent(this::loadPatch);
+    }
+
+    /** Loads a patch; if that fails, the old one stays and the status line says why. */
+    void loadPatch(Path file) {
+        try {
+            PatchScaleDialog.request(window, file)
+                    .ifPresent(request -> model.change(scene -> scene.withPatch(request)));
+        } catch (PatchException failure) {
+            window.status().message(failure.getMessage());
+        }
+    }
+
+    void saveScene() {
+        Scene scene = model.scene();
+        ask("Save scene (.json)", JFileChooser.SAVE_DIALOG)
+                .map(file -> withEnding(file, ".json"))
+                .filter(this::mayWrite)
+                .ifPresent(file -> run(
+                        () -> {
+                            SceneWriter.write(file, Overwrite.REPLACE, scene);
+                            return file;
+                        },
+                        saved -> window.status().message("saved " + saved)));
+    }
+
+    void savePicture() {
+        ask("Save picture (.png)", JFileChooser.SAVE_DIALOG)
+                .map(file -> withEnding(file, ".png"))
+                .filter(this::mayWrite)
+                .ifPresent(file -> {
+                    pictureWaiting = file;
+                    window.status().message("the picture is saved once it is final");
+                    pictureIsFinal();
+                });
+    }
+
+    /** Saves a picture that was waiting for that. */
+    void pictureIsFinal() {
+        PictureView view = window.picture();
+        if (pictureWaiting == null || !view.isFinal() || view.picture().isEmpty()) {
+            return;
+        }
+        Path file = pictureWaiting;
+        pictureWaiting = null;
+        var image = view.picture().get();
+        Map<String, String> text = new LinkedHashMap<>();
+        text.put("Title", model.scene().title());
+        text.put("Scene", SceneWriter.describe(model.scene()));
+        run(
+                () -> {
+                    PngWriter.write(file, Overwrite.REPLACE, image, text);
+                    return file;
+                },
+                saved -> window.status().message("saved " + saved));
+    }
+
+    private <T> void run(Callable<T> work, Consumer<T> done) {
+        window.status().busy(true);
+        background.run(
+                work,
+                result -> {
+                    window.status().busy(false);
+                    done.accept(result);
+                },
+                problem -> {
+                    window.status().busy(false);
+                    window.status().message(problem);
+                });
+    }
+
+    private Optional<Path> ask(String title, int kind) {
+        JFileChooser chooser = new JFileChooser(folder.toFile());
+        chooser.setDialogTitle(title);
+        chooser.setDialogType(kind);
+        if (chooser.showDialog(window, kind == JFileChooser.OPEN_DIALOG ? "Load" : "Save")
+                != JFileChooser.APPROVE_OPTION) {
+            return Optional.empty();
+        }
+        Path file = chooser.getSelectedFile().toPath().toAbsolutePath();
+        folder = file.getParent();
+        return Optional.of(file);
+    }
+
+    private boolean mayWrite(Path file) {
+        return !Files.exists(file)
+                || JOptionPane.showConfirmDialog(
+                                window,
+                                file.getFileName() + " exists. Replace it?",
+                                "Replace file",
+                                JOptionPane.OK_CANCEL_OPTION)
+                        == JOptionPane.OK_OPTION;
+    }
+
+    private static Path withEnding(Path file, String ending) {
+        String name = file.getFileName().toString();
+        UnaryOperator<String> complete = given -> given.contains(".") ? given : given + ending;
+        return file.resolveSibling(complete.apply(name));
+    }
+
+    /** Files dropped on the window are patches. */
+    private final class Drop extends TransferHandler {
+        @Override
+        public boolean canImport(TransferSupport support) {
+            return support.isDataFlavorSupported(DataFlavor.javaFileListFlavor);
+        }
+
+        @Override
+        public boolean importData(TransferSupport support) {
+            try {
+                Object data = support.getTransferable().getTransferData(DataFlavor.javaFileListFlavor);
+                if (data instanceof List<?> files && !files.isEmpty() && files.get(0) instanceof File file) {
+                    loadPatch(file.toPath());
+                    return true;
+                }
+            } catch (UnsupportedFlavorException | IOException failure) {
+                window.status().message("what was dropped cannot be read: " + failure.getMessage());
+            }
+            return false;
+        }
+    }
+}

@@ -1,0 +1,36 @@
+package sunbeam.app.viewer;
+
+import sunbeam.app.scene.Scene;
+import sunbeam.app.scene.SceneData;
+import sunbeam.app.scene.SceneLoader;
+
+/**
+ * A scene with its tables for final pictures and for previews.
+ *
+ * @param fine with the scene's own plan
+ * @param coarse with {@link PreviewPlan}'s
+ */
+record LoadedScene(SceneData fine, SceneData coarse) {
+
+    /** Loads all, or what differs from the previous one. May take seconds. */
+    static LoadedScene load(SceneLoader loader, Scene scene, LoadedScene previous) {
+        SceneData fine = previous == null ? loader.load(scene) : loader.load(scene, previous.fine);
+        Scene preview = coarse(scene);
+        boolean kept = previous != null && previous.coarse.suits(preview);
+        SceneData coarse = kept ? previous.coarse.with(preview) : loader.load(preview, fine);
+        return new LoadedScene(fine, coarse);
+    }
+
+    /** Whether another scene needs no loading. */
+    boolean suits(Scene scene) {
+        return fine.suits(scene);
+    }
+
+    LoadedScene with(Scene scene) {
+        return new LoadedScene(fine.with(scene), coarse.with(coarse(scene)));
+    }
+
+    private static Scene coarse(Scene scene) {
+        return scene.withPlan(PreviewPlan.of(scene.plan()));
+    }
+}

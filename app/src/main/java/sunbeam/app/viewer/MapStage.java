@@ -1,0 +1,98 @@
+package sunbeam.app.viewer;
+
+import java.awt.image.BufferedImage;
+import java.util.List;
+import java.util.function.BooleanSupplier;
+import jrtr.RenderContext;
+import jrtr.Tile;
+import sunbeam.app.brdf.BrdfMapRenderer;
+import sunbeam.app.gpu.DiffractionMethod;
+import sunbeam.app.gpu.FullMethod;
+import sunbeam.app.gpu.MethodUse;
+import sunbeam.app.output.SrgbImage;
+import sunbeam.app.picture.AutoExposure;
+import sunbeam.app.picture.DisplayPass;
+import sunbeam.app.picture.LinearPicture;
+import sunbeam.app.scene.SceneData;
+import sunbeam.precompute.optics.Direction;
+import sunbeam.precompute.plan.Plan;
+import sunbeam.precompute.table.FourierTable;
+
+/** Draws the BRDF map beside the mesh, small first, interruptible at any tile. Uploads a table when a map needs it. */
+final class MapStage implements AutoCloseable {
+    static final int PREVIEW_SIZE = 48;
+    static final int SIZE = 192;
+
+    private final RenderContext context;
+    private final DisplayPass display;
+    private FourierTable uploaded;
+    private Plan plan;
+    private DiffractionMethod method;
+    private TileSide tileSide = TileSide.first();
+
+    MapStage(RenderContext context) {
+        this.context = context;
+        this.display = new DisplayPass(context);
+    }
+
+    /**
+     * Draws a map.
+     *
+     * @param interrupted asked after every tile
+     * @return null if it was interrupted
+     */
+    BufferedImage draw(SceneData data, Direction light, int size, BooleanSupplier interrupted) {
+        use(data);
+        try (BrdfMapRenderer renderer = new BrdfMapRenderer(context, method, size)) {
+            for (Tile block : Tile.cover(size, size, TileSide.LARGEST)) {
+                List<Tile> tiles = Tile.cover(block.width(), block.height(), tileSide.side());
+                for (Tile tile : tiles) {
+                    if (interrupted.getAsBoolean()) {
+                        return null;
+                    }
+                    long start = System.nanoTime();
+                    renderer.draw(
+                            light, new Tile(block.x() + tile.x(), block.y() + tile.y(), tile.width(), tile.height()));
+                    tileSide = tileSide.after(tile.pixels(), System.nanoTime() - start);
+                }
+            }
+            LinearPicture picture = renderer.picture();
+            double exposure = AutoExposure.of(picture, pixel -> isSpecular(pixel, size, light));
+            return SrgbImage.fromEncoded(size, size, display.srgb(picture, exposure));
+        }
+    }
+
+    // The same table object, not an equal one.
+    @SuppressWarnings("ReferenceEquality")
+    private void use(SceneData data) {
+        if (method != null && uploaded == data.table() && plan == data.plan()) {
+            return;
+        }
+        release();
+        method = FullMethod.create(context, data.plan(), data.table(), MethodUse.COLOUR, data.cie());
+        uploaded = data.table();
+        plan = data.plan();
+    }
+
+    // As in the command brdf-map: five deviations of the longest wavelength hold the specular peak.
+    private boolean isSpecular(int pixel, int size, Direction light) {
+        double x = (2.0 * (pixel % size) + 1) / size - 1;
+        int row = pixel / size;
+        double y = 1 - (2.0 * row + 1) / size;
+        return Math.hypot(x + light.x(), y + light.y()) < 5 * plan.window().sigmaFrequency() * 780e-9;
+    }
+
+    private void release() {
+        if (method != null) {
+            method.close();
+            method = null;
+            uploaded = null;
+        }
+    }
+
+    @Override
+    public void close() {
+        release();
+        display.close();
+    }
+}

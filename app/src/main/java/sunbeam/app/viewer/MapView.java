@@ -1,0 +1,82 @@
+package sunbeam.app.viewer;
+
+import java.awt.BasicStroke;
+import java.awt.Color;
+import java.awt.Dimension;
+import java.awt.Graphics;
+import java.awt.Graphics2D;
+import java.awt.RenderingHints;
+import java.awt.geom.Ellipse2D;
+import java.awt.image.BufferedImage;
+import java.util.Optional;
+import javax.swing.JComponent;
+import sunbeam.precompute.optics.Direction;
+
+/** The BRDF map for the light's direction, with the picked point's direction to the viewer marked in it. */
+final class MapView extends JComponent {
+    private static final int CAPTION = 18;
+
+    private BufferedImage map;
+    private transient Optional<Direction> marked = Optional.empty();
+    private String caption = "";
+
+    MapView() {
+        setPreferredSize(new Dimension(240, 216 + CAPTION));
+        setName("map");
+        setToolTipText("BRDF map: the colour towards each direction, x and y of unit vectors, no unit; the ring marks"
+                + " the picked pixel's direction to the viewer");
+    }
+
+    void show(BufferedImage image) {
+        map = image;
+        repaint();
+    }
+
+    /** @param direction to the viewer, tangent frame */
+    void mark(Optional<Direction> direction, String text) {
+        marked = direction;
+        caption = text;
+        repaint();
+    }
+
+    /** Nothing to show, and why. */
+    void clear(String text) {
+        map = null;
+        mark(Optional.empty(), text);
+    }
+
+    @Override
+    protected void paintComponent(Graphics plain) {
+        Graphics2D graphics = (Graphics2D) plain.create();
+        graphics.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
+        graphics.setRenderingHint(RenderingHints.KEY_INTERPOLATION, RenderingHints.VALUE_INTERPOLATION_BILINEAR);
+        graphics.setRenderingHint(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
+        int side = Math.max(1, Math.min(getWidth(), getHeight() - CAPTION));
+        int left = (getWidth() - side) / 2;
+        graphics.setColor(Color.BLACK);
+        graphics.fill(new Ellipse2D.Double(left, 0, side, side));
+        if (map != null) {
+            graphics.setClip(new Ellipse2D.Double(left, 0, side, side));
+            graphics.drawImage(map, left, 0, side, side, null);
+            graphics.setClip(null);
+            marked.filter(direction -> direction.z() > 0).ifPresent(direction -> paintMark(graphics, left, side));
+        }
+        graphics.setColor(getForeground());
+        graphics.setFont(getFont().deriveFont(11f));
+        int width = graphics.getFontMetrics().stringWidth(caption);
+        graphics.drawString(caption, Math.max(0, (getWidth() - width) / 2), getHeight() - 5);
+        graphics.dispose();
+    }
+
+    private void paintMark(Graphics2D graphics, int left, int side) {
+        Direction direction = marked.orElseThrow();
+        double x = left + 0.5 * side * (1 + direction.x());
+        double y = 0.5 * side * (1 - direction.y());
+        graphics.setStroke(new BasicStroke(3f));
+        graphics.setColor(Color.BLACK);
+        graphics.draw(new Ellipse2D.Double(x - 6, y - 6, 12, 12));
+        graphics.setStroke(new BasicStroke(1.5f));
+        graphics.setColor(Color.WHITE);
+        graphics.draw(new Ellipse2D.Double(x - 6, y - 6, 12, 12));
+    }
+}

@@ -1,0 +1,63 @@
+package sunbeam.app.viewer;
+
+import java.util.Locale;
+import org.joml.Vector3fc;
+import sunbeam.app.scene.Pick;
+import sunbeam.app.scene.Scene;
+import sunbeam.precompute.optics.Direction;
+
+/**
+ * A point of the skin that the user has picked, and the scene it was picked in.
+ *
+ * @param x column of the picture
+ * @param y row of the picture
+ */
+record PickedPoint(Scene scene, Pick pick, int x, int y) {
+
+    /** Whether the point is still where it was: nothing but light, exposure and weights has changed. */
+    boolean staysIn(Scene other) {
+        return scene.mesh().equals(other.mesh())
+                && scene.view().equals(other.view())
+                && scene.orientation().equals(other.orientation())
+                && scene.rotatePatch() == other.rotatePatch();
+    }
+
+    /** Towards a light, in the point's tangent frame. */
+    Direction light(Vector3fc towards) {
+        return new Direction(
+                pick.tangent().dot(towards),
+                pick.bitangent().dot(towards),
+                pick.normal().dot(towards));
+    }
+
+    /** The frame and the angles in words, one quantity a line. */
+    String describe(Vector3fc towards) {
+        Direction wi = light(towards);
+        Direction wr = pick.wr();
+        return String.join(
+                "\n",
+                format("pixel      (%d, %d)", x, y),
+                "tangent    " + vector(pick.tangent()),
+                "bitangent  " + vector(pick.bitangent()),
+                "normal     " + vector(pick.normal()),
+                format("light      theta %.1f°, phi %.1f°", theta(wi), phi(wi)),
+                format("viewer     theta %.1f°, phi %.1f°", theta(wr), phi(wr)),
+                format("u, v, w    %.3f, %.3f, %.3f", -wi.x() - wr.x(), -wi.y() - wr.y(), -wi.z() - wr.z()));
+    }
+
+    private static double theta(Direction direction) {
+        return Math.toDegrees(Math.acos(Math.max(-1, Math.min(1, direction.z()))));
+    }
+
+    private static double phi(Direction direction) {
+        return Math.toDegrees(Math.atan2(direction.y(), direction.x()));
+    }
+
+    private static String vector(Vector3fc vector) {
+        return format("(%.3f, %.3f, %.3f)", vector.x(), vector.y(), vector.z());
+    }
+
+    private static String format(String pattern, Object... values) {
+        return String.format(Locale.ROOT, pattern, values);
+    }
+}

@@ -1,0 +1,113 @@
+package sunbeam.app.viewer;
+
+import java.awt.BorderLayout;
+import java.awt.Color;
+import java.awt.Dimension;
+import java.awt.Graphics;
+import java.awt.Graphics2D;
+import java.awt.RenderingHints;
+import java.awt.image.BufferedImage;
+import java.util.Optional;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.SwingConstants;
+
+/** Shows the newest picture, or a line that says why there is none. */
+final class PictureView extends JComponent {
+    private final JLabel message = new JLabel("Loading ...", SwingConstants.CENTER);
+    private BufferedImage picture;
+    private boolean isFinal;
+    private transient Optional<LightCone> cone = Optional.empty();
+
+    PictureView() {
+        setLayout(new BorderLayout());
+        setOpaque(true);
+        setBackground(new Color(0x101418));
+        setPreferredSize(new Dimension(800, 600));
+        message.setForeground(new Color(0xc8d0d8));
+        add(message);
+        setName("picture");
+    }
+
+    /** Columns of the screen that a picture fills; 0 while the window is closed to nothing. */
+    int pictureWidth() {
+        return (int) Math.round(getWidth() * pixelScale());
+    }
+
+    int pictureHeight() {
+        return (int) Math.round(getHeight() * pixelScale());
+    }
+
+    /** Pixels of the screen per unit of Swing. */
+    double pixelScale() {
+        return getGraphicsConfiguration() == null
+                ? 1
+                : getGraphicsConfiguration().getDefaultTransform().getScaleX();
+    }
+
+    /** Says something in place of the picture. */
+    void showMessage(String text) {
+        message.setText("<html><div style='width:360px;text-align:center'>" + escaped(text) + "</div></html>");
+        message.setVisible(true);
+        picture = null;
+        isFinal = false;
+        repaint();
+    }
+
+    private static String escaped(String text) {
+        return text.replace("&", "&amp;").replace("<", "&lt;");
+    }
+
+    /** Shows a whole picture, enlarged if it is smaller than asked for. */
+    void showPicture(BufferedImage image, int width, int height, boolean complete) {
+        message.setVisible(false);
+        isFinal = complete;
+        if (complete) {
+            picture = image;
+        } else {
+            picture = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
+            Graphics2D graphics = picture.createGraphics();
+            graphics.setRenderingHint(RenderingHints.KEY_INTERPOLATION, RenderingHints.VALUE_INTERPOLATION_BILINEAR);
+            graphics.drawImage(image, 0, 0, width, height, null);
+            graphics.dispose();
+        }
+        repaint();
+    }
+
+    /** Lays a part of the final picture over the preview. */
+    void showTile(BufferedImage tile, int x, int y) {
+        if (picture == null || isFinal) {
+            return;
+        }
+        Graphics2D graphics = picture.createGraphics();
+        graphics.drawImage(tile, x, y, null);
+        graphics.dispose();
+        repaint();
+    }
+
+    /** What is shown, without the light's cone; not to be changed. Empty before the first picture. */
+    Optional<BufferedImage> picture() {
+        return Optional.ofNullable(picture);
+    }
+
+    /** Whether the picture is what {@code render} writes. */
+    boolean isFinal() {
+        return isFinal;
+    }
+
+    /** Shows or hides the light. */
+    void showCone(Optional<LightCone> value) {
+        cone = value;
+        repaint();
+    }
+
+    @Override
+    protected void paintComponent(Graphics graphics) {
+        graphics.setColor(getBackground());
+        graphics.fillRect(0, 0, getWidth(), getHeight());
+        if (picture != null) {
+            graphics.drawImage(picture, 0, 0, getWidth(), getHeight(), null);
+            cone.ifPresent(light -> light.paint((Graphics2D) graphics.create(), getWidth(), getHeight()));
+        }
+    }
+}

@@ -1,0 +1,27 @@
+package sunbeam.app.viewer;
+
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.OptionalInt;
+import sunbeam.precompute.plan.PlanRequest;
+
+/** The plan of moving pictures: the same surface and window, planned for an error that is seen only in comparison. */
+final class PreviewPlan {
+    private static final double TOLERANCE = 0.05;
+
+    private PreviewPlan() {}
+
+    static PlanRequest of(PlanRequest request) {
+        return new PlanRequest(
+                PlanRequest.Preset.NONE,
+                Math.max(TOLERANCE, request.tolerance()),
+                Optional.empty(),
+                OptionalInt.empty(),
+                OptionalInt.empty(),
+                Optional.empty(),
+                OptionalDouble.empty(),
+                Optional.of(request.windowOrigin()),
+                request.coherenceLength(),
+                request.average());
+    }
+}

@@ -1,0 +1,33 @@
+package sunbeam.app.viewer;
+
+import java.awt.image.BufferedImage;
+import jrtr.ContextInfo;
+
+/** Told by the render thread what it has done, on the render thread. The images are not touched again. */
+interface RenderListener {
+
+    /** OpenGL works. */
+    void opened(ContextInfo info);
+
+    /** Nothing more will be drawn, and why, in one line. */
+    void failed(String message);
+
+    /** A state could not be shown, and why; the last one stays. */
+    void refused(String message);
+
+    /**
+     * A whole picture, smaller than the window where it is a preview.
+     *
+     * @param state what it shows
+     * @param isFinal whether it is what {@code render} writes
+     * @param exposure factor that was applied
+     * @param nanoseconds that it took
+     */
+    void picture(ViewState state, BufferedImage image, boolean isFinal, double exposure, long nanoseconds);
+
+    /** A part of the final picture. */
+    void tile(ViewState state, BufferedImage image, int x, int y, double shareDone);
+
+    /** A BRDF map. */
+    void map(ViewState state, BufferedImage image, boolean isFinal);
+}

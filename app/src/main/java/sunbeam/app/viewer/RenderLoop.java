@@ -1,0 +1,176 @@
+package sunbeam.app.viewer;
+
+import java.awt.image.BufferedImage;
+import java.util.function.Consumer;
+import java.util.function.Supplier;
+import jrtr.Tile;
+import sunbeam.app.scene.Scene;
+import sunbeam.app.scene.ScenePicture;
+import sunbeam.precompute.plan.Plan;
+
+/**
+ * The render thread: shows the newest state at once in a preview that keeps to its time, and once nothing moves, refines
+ * it tile by tile to what {@code render} draws. A newer state interrupts it after the tile at hand.
+ */
+final class RenderLoop implements AutoCloseable {
+    // Pauses between two events of one drag are shorter.
+    private static final long STILL_MILLISECONDS = 150;
+
+    private final Inbox<ViewState, Consumer<GraphicsStage>> inbox = new Inbox<>();
+    private final Supplier<GraphicsStage> opening;
+    private final RenderListener listener;
+    private final Thread thread;
+    private PreviewScale scale = PreviewScale.first();
+    private TileSide tileSide = TileSide.first();
+    private Plan measured;
+
+    /** @param opening makes the stage, on the render thread */
+    RenderLoop(Supplier<GraphicsStage> opening, RenderListener listener) {
+        this.opening = opening;
+        this.listener = listener;
+        this.thread = new Thread(this::run, "render");
+        thread.setDaemon(true);
+    }
+
+    void start() {
+        thread.start();
+    }
+
+    /** Shows this from now on. */
+    void show(ViewState state) {
+        inbox.show(state);
+    }
+
+    /** Does something small on the render thread, at the next tile. */
+    void submit(Consumer<GraphicsStage> task) {
+        inbox.submit(task);
+    }
+
+    /** Ends after the tile at hand; does not wait for it. */
+    @Override
+    public void close() {
+        inbox.close();
+    }
+
+    /** Waits until the graphics card is given back. */
+    boolean awaitEnd(long milliseconds) throws InterruptedException {
+        thread.join(milliseconds);
+        return !thread.isAlive();
+    }
+
+    private void run() {
+        try (GraphicsStage stage = opening.get()) {
+            listener.opened(stage.info());
+            while (!inbox.isClosed()) {
+                inbox.await();
+                doTasks(stage);
+                inbox.state().ifPresent(state -> show(stage, state));
+            }
+        } catch (RuntimeException | LinkageError | OutOfMemoryError failure) {
+            listener.failed(Problems.message(failure));
+        } catch (InterruptedException failure) {
+            listener.failed("the render thread was interrupted");
+        }
+    }
+
+    private void doTasks(GraphicsStage stage) {
+        for (var task = inbox.task(); task.isPresent(); task = inbox.task()) {
+            task.get().accept(stage);
+        }
+    }
+
+    private void show(GraphicsStage stage, ViewState state) {
+        try {
+            stage.update(state);
+        } catch (RuntimeException failure) {
+            listener.refused(Problems.message(failure));
+            return;
+        }
+        double exposure = preview(stage, state);
+        if (isStill(stage)) {
+            boolean done = map(stage, state, false) && refine(stage, state, exposure) && map(stage, state, true);
+            if (!done && !inbox.isInterrupted()) {
+                throw new IllegalStateException("refinement ended early without a newer state");
+            }
+        }
+    }
+
+    private boolean isStill(GraphicsStage stage) {
+        try {
+            long end = System.nanoTime() + STILL_MILLISECONDS * 1_000_000;
+            while (inbox.staysStill(Math.max(0, (end - System.nanoTime()) / 1_000_000))) {
+                doTasks(stage);
+                if (System.nanoTime() >= end) {
+                    return true;
+                }
+            }
+            return false;
+        } catch (InterruptedException failure) {
+            Thread.currentThread().interrupt();
+            return false;
+        }
+    }
+
+    private double preview(GraphicsStage stage, ViewState state) {
+        long start = System.nanoTime();
+        Scene scene = state.coarse().scene();
+        ScenePicture picture = stage.preview(scale.reduced(state.width()), scale.reduced(state.height()));
+        double exposure = stage.exposure(scene, picture);
+        BufferedImage image = stage.image(scene, picture, exposure);
+        long taken = System.nanoTime() - start;
+        followTime(state.coarse().plan(), taken);
+        listener.picture(state, image, false, exposure, taken);
+        return exposure;
+    }
+
+    /** A plan's first frame is left out: the driver compiles its shaders then. */
+    private void followTime(Plan plan, long nanoseconds) {
+        if (plan.equals(measured)) {
+            scale = scale.after(nanoseconds);
+        } else {
+            scale = PreviewScale.first();
+        }
+        measured = plan;
+    }
+
+    /** Draws the final picture; false if it was interrupted. */
+    private boolean refine(GraphicsStage stage, ViewState state, double exposure) {
+        long start = System.nanoTime();
+        Scene scene = state.fine().scene();
+        ScenePicture whole = ScenePicture.empty(state.width(), state.height());
+        long done = 0;
+        for (Tile block : Tile.cover(state.width(), state.height(), TileSide.LARGEST)) {
+            for (Tile inner : Tile.cover(block.width(), block.height(), tileSide.side())) {
+                doTasks(stage);
+                if (inbox.isInterrupted()) {
+                    return false;
+                }
+                Tile tile = new Tile(block.x() + inner.x(), block.y() + inner.y(), inner.width(), inner.height());
+                long begun = System.nanoTime();
+                ScenePicture part = stage.part(state.width(), state.height(), tile);
+                tileSide = tileSide.after(tile.pixels(), System.nanoTime() - begun);
+                whole.put(part, tile.x(), tile.y());
+                done += tile.pixels();
+                double share = (double) done / ((double) state.width() * state.height());
+                listener.tile(state, stage.image(scene, part, exposure), tile.x(), tile.y(), share);
+            }
+        }
+        double finalExposure = stage.exposure(scene, whole);
+        BufferedImage image = stage.image(scene, whole, finalExposure);
+        listener.picture(state, image, true, finalExposure, System.nanoTime() - start);
+        return true;
+    }
+
+    private boolean map(GraphicsStage stage, ViewState state, boolean isFinal) {
+        if (state.mapLight().isEmpty()) {
+            return true;
+        }
+        int size = isFinal ? MapStage.SIZE : MapStage.PREVIEW_SIZE;
+        BufferedImage image = stage.map().draw(state.fine(), state.mapLight().get(), size, inbox::isInterrupted);
+        if (image == null) {
+            return false;
+        }
+        listener.map(state, image, isFinal);
+        return true;
+    }
+}

@@ -1,0 +1,39 @@
+package sunbeam.app.viewer;
+
+import java.util.function.BooleanSupplier;
+import sunbeam.app.scene.SceneData;
+import sunbeam.precompute.optics.Geometry;
+import sunbeam.precompute.plan.Average;
+import sunbeam.precompute.reference.ReferenceEvaluator;
+
+/** The spectrum of a picked point, by direct summation: no table and no expansion between it and the heights. */
+final class Spectrum {
+    private static final int COUNT = 81;
+    private static final double FIRST = 380e-9;
+    private static final double STEP = 5e-9;
+
+    private Spectrum() {}
+
+    /**
+     * Powers at 380, 385, ... 780 nm.
+     *
+     * @param outdated asked before every wavelength
+     * @return none where nobody waits for it any more
+     */
+    static double[] of(SceneData data, Geometry geometry, BooleanSupplier outdated) {
+        ReferenceEvaluator reference = new ReferenceEvaluator(
+                data.patch().heights(), data.plan().window(), data.plan().origin());
+        boolean coherent = data.plan().average() == Average.COHERENT;
+        double[] powers = new double[COUNT];
+        for (int i = 0; i < COUNT; i++) {
+            if (outdated.getAsBoolean()) {
+                return new double[0];
+            }
+            double wavelength = FIRST + i * STEP;
+            powers[i] = coherent
+                    ? reference.coherent(geometry, wavelength)
+                    : reference.powers(geometry, wavelength).ensemble();
+        }
+        return powers;
+    }
+}

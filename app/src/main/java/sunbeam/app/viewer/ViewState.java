@@ -1,0 +1,16 @@
+package sunbeam.app.viewer;
+
+import java.util.Optional;
+import sunbeam.app.scene.SceneData;
+import sunbeam.precompute.optics.Direction;
+
+/**
+ * What the window is to show.
+ *
+ * @param fine the scene with its full plan
+ * @param coarse the same scene with a plan for previews
+ * @param width pixels per row
+ * @param height rows
+ * @param mapLight towards the light of the BRDF map, tangent frame; empty while no map is shown
+ */
+record ViewState(SceneData fine, SceneData coarse, int width, int height, Optional<Direction> mapLight) {}

@@ -1,0 +1,122 @@
+package sunbeam.app.viewer;
+
+import java.util.Optional;
+import java.util.concurrent.atomic.AtomicLong;
+import java.util.function.BiFunction;
+import java.util.function.UnaryOperator;
+import sunbeam.app.scene.Scene;
+
+/**
+ * The scene that the user sees and changes. Belongs to the event thread. Changes that need loading are loaded in the
+ * background while the old parts stay on screen; if that fails, they stay for good.
+ */
+final class ViewerModel {
+    /** Told on the event thread. */
+    interface Listener {
+        /** There is something new to draw, or a control must follow. */
+        void changed();
+
+        /** Loading has begun or ended. */
+        void loading(boolean active);
+
+        /** Something could not be loaded. */
+        void problem(String message);
+    }
+
+    private final BiFunction<Scene, LoadedScene, LoadedScene> loading;
+    private final Background background;
+    private Listener listener;
+    private Scene wanted;
+    private LoadedScene loaded;
+    private final AtomicLong newestLoad = new AtomicLong();
+
+    /**
+     * @param scene to begin with
+     * @param loading loads a scene, given what is loaded (null at first); runs in the background
+     */
+    ViewerModel(Scene scene, BiFunction<Scene, LoadedScene, LoadedScene> loading, Background background) {
+        this.wanted = scene;
+        this.loading = loading;
+        this.background = background;
+    }
+
+    void setListener(Listener value) {
+        listener = value;
+    }
+
+    /** What the controls show. */
+    Scene scene() {
+        return wanted;
+    }
+
+    /** What can be drawn; empty until the first scene is loaded. */
+    Optional<LoadedScene> loaded() {
+        return Optional.ofNullable(loaded);
+    }
+
+    /** Loads the first scene. */
+    void start() {
+        load();
+    }
+
+    /** Goes over to another scene. */
+    void change(UnaryOperator<Scene> change) {
+        Scene next = change.apply(wanted);
+        boolean loads = loaded == null || !sameParts(next, wanted);
+        wanted = next;
+        if (loaded != null) {
+            loaded = loaded.with(withPartsOf(next, loaded.fine().scene()));
+        }
+        if (loads) {
+            load();
+        }
+        listener.changed();
+    }
+
+    private void load() {
+        long number = newestLoad.incrementAndGet();
+        Scene scene = wanted;
+        LoadedScene previous = loaded;
+        listener.loading(true);
+        background.run(
+                // A load that is out of date before it begins is left out.
+                () -> number == newestLoad.get() ? loading.apply(scene, previous) : null,
+                result -> accept(number, result),
+                message -> refuse(number, message));
+    }
+
+    private void accept(long number, LoadedScene result) {
+        if (number != newestLoad.get() || result == null) {
+            return;
+        }
+        loaded = result.with(withPartsOf(wanted, result.fine().scene()));
+        listener.loading(false);
+        listener.changed();
+    }
+
+    private void refuse(long number, String message) {
+        if (number == newestLoad.get()) {
+            if (loaded != null) {
+                wanted = withPartsOf(wanted, loaded.fine().scene());
+            }
+            listener.loading(false);
+            listener.changed();
+        }
+        listener.problem(message);
+    }
+
+    private static boolean sameParts(Scene one, Scene other) {
+        return one.mesh().equals(other.mesh())
+                && one.patch().equals(other.patch())
+                && one.texture().equals(other.texture())
+                && one.plan().equals(other.plan());
+    }
+
+    /** The one scene's light, camera and weights with the other's mesh, patch, texture and plan. */
+    private static Scene withPartsOf(Scene scene, Scene parts) {
+        return scene.withMesh(parts.mesh())
+                .withPatch(parts.patch())
+                .withTexture(parts.texture())
+                .withPlan(parts.plan());
+    }
+}

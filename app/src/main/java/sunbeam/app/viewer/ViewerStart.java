@@ -1,0 +1,57 @@
+package sunbeam.app.viewer;
+
+import com.formdev.flatlaf.FlatDarkLaf;
+import java.awt.GraphicsEnvironment;
+import java.lang.reflect.InvocationTargetException;
+import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.Consumer;
+import javax.swing.SwingUtilities;
+import jrtr.GraphicsException;
+import sunbeam.app.cli.Environment;
+import sunbeam.app.cli.Messages;
+import sunbeam.app.scene.Scene;
+import sunbeam.app.scene.SceneLoader;
+
+/** From a scene to a window. */
+final class ViewerStart {
+    // The tile at hand when the window closes takes no longer; the process ends without it otherwise.
+    private static final long PATIENCE_MILLISECONDS = 5000;
+
+    private ViewerStart() {}
+
+    /**
+     * Shows a scene and waits until its window is closed.
+     *
+     * @param warning told what the user should know of the files
+     * @throws GraphicsException if there is no screen
+     */
+    static void show(Scene scene, Environment environment, Consumer<String> warning) throws InterruptedException {
+        if (GraphicsEnvironment.isHeadless()) {
+            throw new GraphicsException("the viewer needs a screen: start it on a desktop, or set DISPLAY");
+        }
+        Viewer viewer = open(scene, environment, warning);
+        viewer.awaitEnd(PATIENCE_MILLISECONDS);
+    }
+
+    /** Shows a scene and returns. */
+    static Viewer open(Scene scene, Environment environment, Consumer<String> warning) throws InterruptedException {
+        AtomicReference<Viewer> viewer = new AtomicReference<>();
+        SceneLoader loader = new SceneLoader(environment, line -> {
+            warning.accept(Messages.warning(line));
+            viewer.get().message(line);
+        });
+        try {
+            SwingUtilities.invokeAndWait(() -> {
+                FlatDarkLaf.setup();
+                viewer.set(new Viewer(
+                        scene, (next, previous) -> LoadedScene.load(loader, next, previous), GraphicsStage::new));
+                viewer.get().start();
+            });
+        } catch (InvocationTargetException failure) {
+            throw failure.getCause() instanceof RuntimeException cause
+                    ? cause
+                    : new IllegalStateException(failure.getCause());
+        }
+        return viewer.get();
+    }
+}

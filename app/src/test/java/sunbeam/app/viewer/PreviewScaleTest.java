@@ -1,0 +1,65 @@
+package sunbeam.app.viewer;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.junit.jupiter.api.Test;
+
+final class PreviewScaleTest {
+    private static final double BUDGET = PreviewScale.BUDGET_NANOSECONDS;
+    private static final int FRAMES = 60;
+
+    private static long frame(PreviewScale scale, double fixed, double full) {
+        return (long) (fixed + full / scale.divisor() / scale.divisor());
+    }
+
+    private static PreviewScale settled(double fixed, double full) {
+        PreviewScale scale = PreviewScale.first();
+        for (int i = 0; i < FRAMES; i++) {
+            scale = scale.after(frame(scale, fixed, full));
+        }
+        return scale;
+    }
+
+    @Test
+    void aFastMethodIsDrawnInFullResolution() {
+        assertThat(settled(5e6, 10e6).divisor()).isEqualTo(1);
+    }
+
+    @Test
+    void everyMethodSettlesWithinTheBudget() {
+        for (double full = 1e6; full < 500 * BUDGET; full *= 1.7) {
+            PreviewScale scale = settled(5e6, full);
+            // The fixed time is only known as well as the fastest frame shows it: a third may come on top.
+            assertThat((double) frame(scale, 5e6, full))
+                    .as("full picture of %s ns", full)
+                    .isLessThanOrEqualTo(4 / 3.0 * BUDGET);
+        }
+    }
+
+    @Test
+    void aSlowMeshDoesNotCostTheLastPixel() {
+        assertThat(settled(150e6, 100e6).divisor()).isLessThanOrEqualTo(4);
+    }
+
+    @Test
+    void oneSlowFrameCoarsensTheVeryNext() {
+        PreviewScale slow = new PreviewScale(1, 0).after(4 * PreviewScale.BUDGET_NANOSECONDS);
+        assertThat(slow.divisor()).isEqualTo(2);
+    }
+
+    @Test
+    void aSettledScaleMovesByOneStepAtMost() {
+        for (double full = 1e6; full < 1e12; full *= 1.3) {
+            PreviewScale scale = settled(5e6, full);
+            int next = scale.after(frame(scale, 5e6, full)).divisor();
+            // Neighbouring divisors are at most a factor of 2 apart, from 1 to 2.
+            assertThat(next).as("full picture of %s ns", full).isBetween(scale.divisor() / 2, 2 * scale.divisor());
+        }
+    }
+
+    @Test
+    void aPreviewOfATinyWindowHasAPixel() {
+        assertThat(new PreviewScale(32, 0).reduced(1)).isEqualTo(1);
+        assertThat(new PreviewScale(3, 0).reduced(10)).isEqualTo(4);
+    }
+}

@@ -1,0 +1,33 @@
+package sunbeam.precompute.color;
+
+/**
+ * A colour in CIE 1976 L*a*b* (ISO/CIE 11664-4) against the white of D65.
+ *
+ * @param lightness L*, 100 for white; more for what is brighter
+ * @param a a*, green to red
+ * @param b b*, blue to yellow
+ */
+public record CieLab(double lightness, double a, double b) {
+    /** X, Y, Z of D65 for the 2-degree observer (CIE 15:2018, table 3), Y = 1. */
+    private static final double[] WHITE = {0.95047, 1, 1.08883};
+
+    // Where the cube root passes into its tangent.
+    private static final double DELTA = 6.0 / 29;
+
+    /** From linear X, Y, Z, with Y = 1 for white. */
+    public static CieLab ofXyz(double x, double y, double z) {
+        double fx = response(x / WHITE[0]);
+        double fy = response(y / WHITE[1]);
+        double fz = response(z / WHITE[2]);
+        return new CieLab(116 * fy - 16, 500 * (fx - fy), 200 * (fy - fz));
+    }
+
+    private static double response(double ratio) {
+        return ratio > DELTA * DELTA * DELTA ? Math.cbrt(ratio) : ratio / (3 * DELTA * DELTA) + 4.0 / 29;
+    }
+
+    /** C*, the distance from grey. */
+    public double chroma() {
+        return Math.hypot(a, b);
+    }
+}

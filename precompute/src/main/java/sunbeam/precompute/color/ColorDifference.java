@@ -1,0 +1,100 @@
+package sunbeam.precompute.color;
+
+/**
+ * CIEDE2000 with all weights 1 (ISO/CIE 11664-6; G. Sharma, W. Wu, E. Dalal, "The CIEDE2000 color-difference formula:
+ * implementation notes, supplementary test data, and mathematical observations", Color Research and Application 30
+ * (2005), whose numbers of equations are given). About 1 can just be seen.
+ */
+public final class ColorDifference {
+    private static final double POWER_25_TO_7 = Math.pow(25, 7);
+
+    private ColorDifference() {}
+
+    /** The difference of two colours, at least 0, the same in both directions. */
+    public static double ciede2000(CieLab first, CieLab second) {
+        double stretch = stretch(0.5 * (first.chroma() + second.chroma()));
+        double a1 = stretch * first.a();
+        double a2 = stretch * second.a();
+        double c1 = Math.hypot(a1, first.b());
+        double c2 = Math.hypot(a2, second.b());
+        double h1 = hue(a1, first.b());
+        double h2 = hue(a2, second.b());
+        boolean grey = c1 * c2 == 0;
+        double hueStep = grey ? 0 : turnOf(h2 - h1);
+
+        // (8), (9), (11)
+        double lightnessDifference = second.lightness() - first.lightness();
+        double chromaDifference = c2 - c1;
+        double hueDifference = 2 * Math.sqrt(c1 * c2) * Math.sin(Math.toRadians(0.5 * hueStep));
+        // (12) to (14); the mean hue lies midway on the shorter way round.
+        double lightness = 0.5 * (first.lightness() + second.lightness());
+        double chroma = 0.5 * (c1 + c2);
+        double hue = grey ? h1 + h2 : within360(h1 + 0.5 * hueStep);
+
+        double term = chromaDifference / chromaScale(chroma);
+        double hueTerm = hueDifference / hueScale(chroma, hue);
+        return Math.sqrt(square(lightnessDifference / lightnessScale(lightness))
+                + square(term)
+                + square(hueTerm)
+                + rotation(chroma, hue) * term * hueTerm);
+    }
+
+    /** 1 + G, (4) and (5): greys are drawn apart along a*. */
+    private static double stretch(double meanChroma) {
+        return 1.5 - 0.5 * saturation(meanChroma);
+    }
+
+    private static double saturation(double chroma) {
+        double power = Math.pow(chroma, 7);
+        return Math.sqrt(power / (power + POWER_25_TO_7));
+    }
+
+    /** Degrees in 0..360, (7). */
+    private static double hue(double a, double b) {
+        return a == 0 && b == 0 ? 0 : within360(Math.toDegrees(Math.atan2(b, a)));
+    }
+
+    private static double within360(double degrees) {
+        return degrees < 0 ? degrees + 360 : degrees >= 360 ? degrees - 360 : degrees;
+    }
+
+    /** The shorter way round, -180..180, (10). */
+    private static double turnOf(double degrees) {
+        return degrees > 180 ? degrees - 360 : degrees < -180 ? degrees + 360 : degrees;
+    }
+
+    /** S_L, (16). */
+    private static double lightnessScale(double lightness) {
+        double fromMiddle = square(lightness - 50);
+        return 1 + 0.015 * fromMiddle / Math.sqrt(20 + fromMiddle);
+    }
+
+    /** S_C, (17). */
+    private static double chromaScale(double chroma) {
+        return 1 + 0.045 * chroma;
+    }
+
+    /** S_H with T, (15) and (18). */
+    private static double hueScale(double chroma, double hue) {
+        double t = 1
+                - 0.17 * cosine(hue - 30)
+                + 0.24 * cosine(2 * hue)
+                + 0.32 * cosine(3 * hue + 6)
+                - 0.20 * cosine(4 * hue - 63);
+        return 1 + 0.015 * chroma * t;
+    }
+
+    /** R_T, (19) to (21): blue's ellipses are tilted. */
+    private static double rotation(double chroma, double hue) {
+        double degrees = 30 * Math.exp(-square((hue - 275) / 25));
+        return -2 * saturation(chroma) * Math.sin(Math.toRadians(2 * degrees));
+    }
+
+    private static double cosine(double degrees) {
+        return Math.cos(Math.toRadians(degrees));
+    }
+
+    private static double square(double value) {
+        return value * value;
+    }
+}

@@ -1,0 +1,58 @@
+package sunbeam.acceptance;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** Directions that cannot be used: each is told in one line with file, place, value and remedy. */
+class BadDirectionsTest {
+    @TempDir
+    Path root;
+
+    private Workplace workplace;
+
+    @BeforeEach
+    void layOut() throws IOException {
+        workplace = Workplace.in(root);
+    }
+
+    @Test
+    void aListThatIsNotThere() throws Exception {
+        Complaint.assertThatIt(
+                reflectance(), Complaint.UNUSABLE_INPUT, "cannot read in.csv: there is no such file; check the name");
+        assertThat(workplace.files()).isEmpty();
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "theta_i,phi_i,theta_r|0,0,0|it has no column phi_r",
+                "theta_i,phi_i,theta_r,phi_r|0,0,95,0|line 2, column theta_r: 95.0 must lie in 0..89.999 degrees",
+                "theta_i,phi_i,theta_r,phi_r|-1,0,0,0|line 2, column theta_i: -1.0 must lie in 0..89.999 degrees",
+                "theta_i,phi_i,theta_r,phi_r|0,north,0,0|line 2, column phi_i: 'north' is not a finite number",
+                "theta_i,phi_i,theta_r,phi_r,wavelength|0,0,0,0,5.5e-7|column wavelength: 5.5E-7 must lie in 380..780 nm",
+                "theta_i,phi_i,theta_r,phi_r,wavelength|0,0,0,0|line 2: 4 fields, but the header has 5",
+                "theta_i;phi_i;theta_r;phi_r|0;0;0;0|separate columns by commas"
+            })
+    void aListWithAMistake(String header, String row, String words) throws Exception {
+        Files.writeString(workplace.resolve("in.csv"), header + "\n" + row + "\n");
+
+        Complaint.assertThatIt(reflectance(), Complaint.UNUSABLE_INPUT, "in.csv", words);
+
+        assertThat(workplace.files()).containsExactly("in.csv");
+    }
+
+    private SunbeamResult reflectance() throws IOException, InterruptedException {
+        return workplace
+                .command("reflectance", "--patch", "blaze", "--directions", "in.csv", "--output", "out.csv")
+                .run();
+    }
+}

@@ -1,0 +1,43 @@
+package sunbeam.acceptance;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Path;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** Command lines that cannot be meant: refused before anything is computed. */
+class BadOptionsTest {
+    @TempDir
+    Path root;
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            quoteCharacter = '"',
+            value = {
+                "brdf-map --size 0|--size 0 is out of range; give 1 to",
+                "brdf-map --size 100000|--size 100000 is out of range; give 1 to",
+                "brdf-map --theta-i 90|--theta-i 90.0 is out of range; give 0 to 89.9",
+                "brdf-map --exposure -2|--exposure '-2' is neither auto nor a positive number",
+                "brdf-map --terms 0|--terms 0 is out of range; give 1 to",
+                "brdf-map --radius 99|--radius 99 is out of range; give 0 to",
+                "brdf-map --wavelength-step 0nm|--wavelength-step 0 m is out of range; give",
+                "brdf-map --coherence-length 1m|--coherence-length 1 m is out of range; give",
+                "brdf-map --preset these|'--preset': expected one of [THESIS]",
+                "brdf-map --output map.png --linear map.png|--linear map.png is the picture's own name; give it another",
+                "brdf-mop|unknown command 'brdf-mop' (did you mean brdf-map",
+                "brdf-map --sise 8|unknown option '--sise' (did you mean --size",
+                "reflectance --directions in.csv|missing required option: '--output"
+            })
+    void areRefusedWithTheOptionItsValueAndWhatWouldDo(String commandLine, String words) throws Exception {
+        Workplace workplace = Workplace.in(root);
+
+        SunbeamResult result = workplace.command(commandLine.split(" ", -1)).run();
+
+        Complaint.assertThatIt(result, Complaint.USAGE, words);
+        assertThat(workplace.files()).isEmpty();
+        assertThat(workplace.tables()).isEmpty();
+    }
+}

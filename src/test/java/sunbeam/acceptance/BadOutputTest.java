@@ -1,0 +1,117 @@
+package sunbeam.acceptance;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assumptions.assumeFalse;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.attribute.PosixFilePermissions;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** Places that take no output: told in one line, and nothing is left there. */
+class BadOutputTest {
+    @TempDir
+    Path root;
+
+    private Workplace workplace;
+
+    @BeforeEach
+    void layOut() throws IOException {
+        workplace = Workplace.in(root);
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "brdf-map --size 8 --output, map.png",
+        "precompute --output, table.h5",
+        "reflectance --directions in.csv --output, out.csv"
+    })
+    void aFolderThatTakesNoFiles(String commandLine, String name) throws Exception {
+        assumeTrue(Files.isDirectory(Path.of("/proc")), "skipped: no /proc, where nobody may make files");
+        writeDirections();
+
+        Complaint.assertThatIt(run(commandLine + " /proc/" + name), Complaint.CANNOT_WRITE, "/proc/" + name);
+    }
+
+    @Test
+    void aFolderThatIsWriteProtected() throws Exception {
+        Path folder = Files.createDirectory(workplace.resolve("locked"));
+        Files.setPosixFilePermissions(folder, PosixFilePermissions.fromString("r-xr-xr-x"));
+        assumeFalse(Files.isWritable(folder), "skipped: this user may write to every folder");
+
+        Complaint.assertThatIt(
+                run("brdf-map --size 8 --output locked/map.png"),
+                Complaint.CANNOT_WRITE,
+                "locked/map.png: permission denied; choose a folder that you may write to");
+    }
+
+    @Test
+    void aFolderThatIsNotThere() throws Exception {
+        Complaint.assertThatIt(
+                run("brdf-map --size 8 --output maps/map.png"),
+                Complaint.CANNOT_WRITE,
+                "cannot write maps/map.png",
+                "does not exist; create it first");
+        assertThat(workplace.files()).isEmpty();
+    }
+
+    @Test
+    void aFolderInPlaceOfAFile() throws Exception {
+        Complaint.assertThatIt(
+                run("brdf-map --size 8 --output ."), Complaint.CANNOT_WRITE, "it is a folder; name a file in it");
+        assertThat(workplace.files()).isEmpty();
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "brdf-map --size 8 --output",
+        "brdf-map --size 8 --output map.png --linear",
+        "reflectance --directions in.csv --output"
+    })
+    void aFullDisk(String commandLine) throws Exception {
+        assumeTrue(Files.exists(Path.of("/dev/full")), "skipped: no /dev/full, the disk that is always full");
+        writeDirections();
+
+        Complaint.assertThatIt(
+                run(commandLine + " /dev/full"),
+                Complaint.CANNOT_WRITE,
+                "cannot write /dev/full: No space left on device; free some space or choose another folder");
+        assertThat(workplace.files()).containsExactly("in.csv");
+    }
+
+    /** The system refuses to let a file grow beyond 8 MB: the picture fits, the 12 MB of linear colours do not. */
+    @Test
+    void aDiskThatFillsUpWhileTheSecondFileIsWritten() throws Exception {
+        Path launcher = root.resolve("limited");
+        Files.writeString(
+                launcher,
+                "#!/bin/sh\nulimit -f 16384\nexec '" + Sunbeam.repository().resolve("sunbeam")
+                        + "' \"$@\"\n"); // blocks of 512 bytes
+        assertThat(launcher.toFile().setExecutable(true)).isTrue();
+        String commandLine =
+                "brdf-map --patch blaze --size 1024 --terms 1 --radius 0 --wavelength-step 200nm --output a.png --linear a.npy";
+
+        SunbeamResult result = workplace
+                .equip(Sunbeam.launcher(launcher, commandLine.split(" ", -1)))
+                .run();
+
+        Complaint.assertThatIt(result, Complaint.CANNOT_WRITE, "cannot write a.npy: File too large; choose another");
+        assertThat(workplace.files()).isEmpty();
+    }
+
+    private void writeDirections() throws IOException {
+        Files.writeString(workplace.resolve("in.csv"), "theta_i,phi_i,theta_r,phi_r,wavelength\n0,0,10,180,550\n");
+    }
+
+    private SunbeamResult run(String commandLine) throws IOException, InterruptedException {
+        return workplace
+                .command((commandLine + " --patch blaze").split(" ", -1))
+                .run();
+    }
+}

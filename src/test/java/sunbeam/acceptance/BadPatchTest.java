@@ -1,0 +1,148 @@
+package sunbeam.acceptance;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assumptions.assumeFalse;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.attribute.PosixFilePermissions;
+import java.util.Arrays;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** Surfaces that cannot be used: each is told in one line with file or option, value and remedy. */
+class BadPatchTest {
+    @TempDir
+    Path root;
+
+    private Workplace workplace;
+
+    @BeforeEach
+    void layOut() throws IOException {
+        workplace = Workplace.in(root);
+        Images.grey(workplace.resolve("scan.png"), 16, 16, (column, row) -> 13 * column + row);
+    }
+
+    @Test
+    void aFileThatIsNotThere() throws Exception {
+        complains("--patch nowhere.png --width 65um --max-height 375nm", "\"nowhere.png\": no such file; give a");
+    }
+
+    @Test
+    void aNameThatIsNeitherFileNorBuiltIn() throws Exception {
+        complains("--patch blase", "\"blase\": no such file; give a built-in patch (blaze, sinusoid,");
+    }
+
+    @Test
+    void aFolder() throws Exception {
+        complains("--patch . --width 65um --max-height 375nm", ". is a folder; name the image");
+    }
+
+    @Test
+    void aFileThatMayNotBeRead() throws Exception {
+        Path scan = workplace.resolve("scan.png");
+        Files.setPosixFilePermissions(scan, PosixFilePermissions.fromString("---------"));
+        assumeFalse(Files.isReadable(scan), "skipped: this user may read every file");
+
+        complains("--patch scan.png --width 65um --max-height 375nm", "scan.png", "make it readable");
+    }
+
+    @Test
+    void aFileThatIsNoImage() throws Exception {
+        Files.writeString(workplace.resolve("notes.png"), "heights: see the other file\n");
+
+        complains("--patch notes.png --width 65um --max-height 375nm", "notes.png is not a PNG, TIFF or BMP", "export");
+    }
+
+    @Test
+    void anImageThatBreaksOff() throws Exception {
+        byte[] whole = Files.readAllBytes(workplace.resolve("scan.png"));
+        Files.write(workplace.resolve("half.png"), Arrays.copyOf(whole, whole.length / 2));
+
+        complains("--patch half.png --width 65um --max-height 375nm", "half.png is damaged", "export the scan again");
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "'', without scale; add for example --width 65um and --max-height 375nm",
+        "--width 65um, without scale; add for example --max-height 375nm",
+        "--max-height 375nm, without scale; add for example --width 65um"
+    })
+    void anImageWithoutScale(String options, String words) throws Exception {
+        complains("--patch scan.png " + options, "scan.png is an image " + words);
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "--width 0um --max-height 375nm, '--width is 0 m, but must be positive; give a length between'",
+        "--width -65um --max-height 375nm, '--width is -65 um, but must be positive; give a length between'",
+        "--width 65m --max-height 375nm, '--width is 65 m, which is absurd; give a length between'",
+        "--width 65 --max-height 375nm, '--width: \"65\" has no unit; write'",
+        "--width wide --max-height 375nm, '--width: \"wide\" is no length; write'",
+        "--width NaNum --max-height 375nm, '--width: \"NaNum\" is no length; write'",
+        "--width 65um --height 0um --max-height 375nm, '--height is 0 m, but must be positive; give'",
+        "--width 65um --max-height 0nm, '--max-height is 0 m, but must be positive; give'",
+        "--width 65um --max-height -1nm, '--max-height is -1 nm, but must be positive; give'",
+        "--width 65um --max-height 375m, '--max-height is 375 m, which is absurd; give'"
+    })
+    void aScaleThatCannotBe(String options, String words) throws Exception {
+        complains("--patch scan.png " + options, words);
+    }
+
+    @Test
+    void heightsThatAreAllMissing() throws Exception {
+        Images.floats(workplace.resolve("nothing.tif"), 8, Float.NaN);
+
+        complains(
+                "--patch nothing.tif --width 65um --max-height 375nm",
+                "nothing.tif: all 64 samples are missing",
+                "export the scan again");
+    }
+
+    @Test
+    void aSinglePixel() throws Exception {
+        Images.grey(workplace.resolve("one.png"), 1, 1, (column, row) -> 7);
+
+        complains("--patch one.png --width 65um --max-height 375nm", "one.png has 1 x 1 samples", "give at least");
+    }
+
+    @Test
+    void aHeaderThatPromisesGigabytes() throws Exception {
+        PngFile.writeWithHeaderOf(workplace.resolve("huge.png"), 40_000, 40_000);
+
+        complains("--patch huge.png --width 65um --max-height 375nm", "huge.png has 40000 x 40000 samples", "crop");
+    }
+
+    @Test
+    void aDescriptorOfAMissingImage() throws Exception {
+        Files.writeString(
+                workplace.resolve("lost.json"),
+                "{\"heights\": \"lost.png\", \"width\": \"65 um\", \"maxHeight\": \"375 nm\"}");
+
+        complains("--patch lost.json", "lost.json, line 1", "there is no file lost.png; check the name");
+    }
+
+    @Test
+    void aDescriptorThatIsNoJson() throws Exception {
+        Files.writeString(workplace.resolve("broken.json"), "{\"heights\":");
+
+        complains("--patch broken.json", "broken.json, line 1: no valid JSON");
+    }
+
+    private void complains(String options, String... words) throws Exception {
+        var before = workplace.files();
+        String[] arguments = Stream.of(("brdf-map --size 8 " + options).split(" ", -1))
+                .filter(argument -> !argument.isEmpty())
+                .toArray(String[]::new);
+
+        Complaint.assertThatIt(workplace.command(arguments).run(), Complaint.UNUSABLE_INPUT, words);
+
+        assertThat(workplace.files()).as("files left").isEqualTo(before);
+        assertThat(workplace.tables()).as("tables left").isEmpty();
+    }
+}

@@ -1,0 +1,45 @@
+package sunbeam.acceptance;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Path;
+import java.time.Duration;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** A map that its user gives up. */
+class BrdfMapInterruptionTest {
+    @TempDir
+    Path root;
+
+    @ParameterizedTest
+    @CsvSource({"INT, 130", "TERM, 143"})
+    void leavesNothingAndSaysNothing(String signal, int exitCode) throws Exception {
+        Workplace workplace = Workplace.in(root);
+        Sunbeam hours = workplace.command(
+                "brdf-map", "--patch", "blaze", "--size", "8192", "--output", "a.png", "--linear", "a.npy");
+
+        try (RunningSunbeam running = hours.start()) {
+            awaitDrawing(workplace);
+            running.signal(signal);
+            SunbeamResult result = running.end(Duration.ofSeconds(30));
+
+            assertThat(result.exitCode()).as("%s", result).isEqualTo(exitCode);
+            assertThat(result.stdout()).isEmpty();
+            assertThat(result.stderr()).isEmpty();
+        }
+        assertThat(workplace.files()).isEmpty();
+        assertThat(workplace.tables()).allMatch(table -> table.toString().endsWith(".h5"));
+    }
+
+    /** Tables are in the cache before the drawing begins, which lasts for hours. */
+    private static void awaitDrawing(Workplace workplace) throws Exception {
+        long deadline = System.nanoTime() + Duration.ofSeconds(60).toNanos();
+        while (workplace.tables().stream().noneMatch(table -> table.toString().endsWith(".h5"))) {
+            assertThat(System.nanoTime()).as("time until there is a table").isLessThan(deadline);
+            Thread.sleep(50);
+        }
+        Thread.sleep(1000);
+    }
+}

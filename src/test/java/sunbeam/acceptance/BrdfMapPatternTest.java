@@ -1,0 +1,87 @@
+package sunbeam.acceptance;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Where the light goes, lit along the normal: the signs of all conventions at once, on built-in and measured patches. */
+class BrdfMapPatternTest {
+    // Odd, so that one row of pixels lies on y = 0 and one column on x = 0, where gratings send their light.
+    private static final int SIDE = 49;
+
+    @TempDir
+    static Path root;
+
+    private static Workplace workplace;
+
+    @BeforeAll
+    static void layOut() throws IOException {
+        workplace = Workplace.in(root);
+    }
+
+    /** A ramp that rises towards +x tilts the mirror towards -x. Without the sign the light would be on the right. */
+    @ParameterizedTest
+    @ValueSource(strings = {"blaze", "shared blaze"})
+    void theBlazedGratingSendsItsLightToTheLeft(String patch) throws Exception {
+        NpyImage map = map(patch);
+
+        double left = map.luminance(azimuth -> Math.abs(azimuth) > 90);
+        double right = map.luminance(azimuth -> Math.abs(azimuth) < 90);
+
+        // In scalar theory sinc^2(k w H / 2 pi - m) of the light: over 0.9 for m = +1 near 500 nm, under 0.1 elsewhere.
+        assertThat(left).isGreaterThan(5 * right);
+        assertThat(map.luminance(azimuth -> Math.abs(azimuth) < 1 || Math.abs(azimuth) > 179))
+                .as("on the horizontal")
+                .isGreaterThan(0.99 * (left + right));
+    }
+
+    /** The fingers of Elaphe stand in rows along x (design and thesis: colours along the horizontal). */
+    @ParameterizedTest
+    @ValueSource(strings = {"elaphe-like", "shared elaphe"})
+    void elapheHasItsColoursAlongTheHorizontal(String patch) throws Exception {
+        // 0.79 and 0.82 measured; light without a preferred azimuth would have 0.17.
+        assertThat(share(map(patch), 0, 15)).isGreaterThan(0.6);
+    }
+
+    /** The rows of Xenopeltis lie densely above each other (design and thesis: colours above and below). */
+    @ParameterizedTest
+    @ValueSource(strings = {"xenopeltis-like", "shared xenopeltis"})
+    void xenopeltisHasMostOfItsColoursNearTheVertical(String patch) throws Exception {
+        NpyImage map = map(patch);
+
+        // 0.38 and 0.40 measured; light without a preferred azimuth would have 0.17.
+        assertThat(share(map, 75, 90)).isGreaterThan(0.3).isGreaterThan(share(map, 0, 15));
+    }
+
+    /** Power's share whose direction lies within some angles of the x axis, folded into the first quadrant. */
+    private static double share(NpyImage map, double from, double to) {
+        double part = map.luminance(azimuth -> {
+            double folded = Math.min(Math.abs(azimuth), 180 - Math.abs(azimuth));
+            return folded >= from && folded <= to;
+        });
+        return part / map.luminance(azimuth -> true);
+    }
+
+    /** Fewer wavelengths than usual: where light goes shows after a few. */
+    private static NpyImage map(String patch) throws Exception {
+        String source = patch.startsWith("shared ")
+                ? SharedData.patch(patch.substring("shared ".length())).toString()
+                : patch;
+        String name = patch.replace(' ', '-');
+        Sunbeam start = workplace.command(
+                "brdf-map",
+                "--patch=" + source,
+                "--size=" + SIDE,
+                "--wavelength-step=40nm",
+                "--output=" + name + ".png",
+                "--linear=" + name + ".npy");
+        SunbeamResult result = start.run();
+        assertThat(result.exitCode()).as("%s", result).isZero();
+        return NpyImage.read(workplace.resolve(name + ".npy"), SIDE);
+    }
+}

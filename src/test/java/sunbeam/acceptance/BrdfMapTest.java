@@ -1,0 +1,115 @@
+package sunbeam.acceptance;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import javax.imageio.ImageIO;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** What {@code brdf-map} writes, and where. */
+class BrdfMapTest {
+    @TempDir
+    Path root;
+
+    private Workplace workplace;
+
+    @BeforeEach
+    void layOut() throws IOException {
+        workplace = Workplace.in(root);
+    }
+
+    @Test
+    void withoutAnyChoiceItDrawsTheDefaultPatchAndSaysWhere() throws Exception {
+        SunbeamResult result = workplace.succeed("brdf-map", "--size", "48");
+
+        assertThat(result.stdout()).isEqualTo("brdf-elaphe-like.png\n");
+        assertThat(result.stderr()).isEmpty();
+        assertThat(workplace.files()).containsExactly("brdf-elaphe-like.png");
+        var picture = ImageIO.read(workplace.resolve("brdf-elaphe-like.png").toFile());
+        assertThat(picture.getWidth()).isEqualTo(48);
+        assertThat(picture.getHeight()).isEqualTo(48);
+        assertThat(workplace.tables()).hasSize(1);
+    }
+
+    @Test
+    void theLinearMapHasItsDocumentedShapeAndNoNumbersOutsideTheDisc() throws Exception {
+        int side = 33;
+        SunbeamResult result = blaze("--size", "33", "--output", "map.png", "--linear", "map.npy");
+
+        assertThat(result.stdout()).isEqualTo("map.png\nmap.npy\n");
+        NpyImage map = NpyImage.read(workplace.resolve("map.npy"), side);
+        assertThat(map.header()).contains("'descr': '<f4'", "'fortran_order': False", "'shape': (33, 33, 3)");
+        assertThat(map.values()).hasSize(side * side * 3);
+        for (int row = 0; row < side; row++) {
+            for (int column = 0; column < side; column++) {
+                for (int channel = 0; channel < 3; channel++) {
+                    float value = map.at(row, column, channel);
+                    assertThat(Float.isFinite(value))
+                            .as("row %d, column %d: %s", row, column, value)
+                            .isEqualTo(map.inDisc(row, column));
+                    assertThat(value < 0).isFalse();
+                }
+            }
+        }
+    }
+
+    @Test
+    void thePictureSaysHowItWasMadeAndTheLinearColoursKnowNoExposure() throws Exception {
+        blaze("--size", "9", "--theta-i", "20", "--exposure", "2.5", "--output", "dim.png", "--linear", "dim.npy");
+        blaze("--size", "9", "--theta-i", "20", "--exposure", "1e6", "--output", "lit.png", "--linear", "lit.npy");
+
+        assertThat(PngFile.text(workplace.resolve("dim.png")))
+                .containsEntry("Title", "BRDF map of blaze")
+                .containsEntry("Method", "full")
+                .containsEntry("Exposure", "2.5")
+                .containsKeys("Software", "Patch", "Plan", "Renderer")
+                .hasEntrySatisfying("Light", light -> assertThat(light).startsWith("theta 20.0, phi 0.0"));
+        assertThat(workplace.resolve("lit.npy")).hasSameBinaryContentAs(workplace.resolve("dim.npy"));
+        assertThat(brightness("lit.png")).isGreaterThan(brightness("dim.png"));
+    }
+
+    @Test
+    void aNamedFileIsOverwrittenOnlyByForce() throws Exception {
+        Path file = workplace.resolve("map.png");
+        Files.writeString(file, "precious");
+
+        Complaint.assertThatIt(
+                workplace
+                        .command("brdf-map", "--patch", "blaze", "--size", "8", "--output", "map.png")
+                        .run(),
+                Complaint.CANNOT_WRITE,
+                "cannot write map.png: it exists; add --force to overwrite it, or choose another name");
+        assertThat(file).hasContent("precious");
+
+        blaze("--size", "8", "--output", "map.png", "--force");
+        assertThat(ImageIO.read(file.toFile()).getWidth()).isEqualTo(8);
+    }
+
+    @Test
+    void aNameThatSunbeamChoosesGetsANumberWhereItIsTaken() throws Exception {
+        blaze("--size", "8");
+
+        assertThat(blaze("--size", "8").stdout()).isEqualTo("brdf-blaze-2.png\n");
+        assertThat(workplace.files()).containsExactly("brdf-blaze-2.png", "brdf-blaze.png");
+    }
+
+    private SunbeamResult blaze(String... options) throws IOException, InterruptedException {
+        String[] arguments = new String[options.length + 3];
+        System.arraycopy(new String[] {"brdf-map", "--patch", "blaze"}, 0, arguments, 0, 3);
+        System.arraycopy(options, 0, arguments, 3, options.length);
+        return workplace.succeed(arguments);
+    }
+
+    private long brightness(String name) throws IOException {
+        var image = ImageIO.read(workplace.resolve(name).toFile());
+        long sum = 0;
+        for (int i = 0; i < image.getWidth() * image.getHeight(); i++) {
+            sum += image.getRGB(i % image.getWidth(), i / image.getWidth()) & 0xff;
+        }
+        return sum;
+    }
+}

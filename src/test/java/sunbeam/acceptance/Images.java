@@ -1,0 +1,45 @@
+package sunbeam.acceptance;
+
+import java.awt.color.ColorSpace;
+import java.awt.image.BufferedImage;
+import java.awt.image.ComponentColorModel;
+import java.awt.image.DataBuffer;
+import java.awt.image.DataBufferFloat;
+import java.awt.image.PixelInterleavedSampleModel;
+import java.awt.image.Raster;
+import java.awt.image.WritableRaster;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.function.IntBinaryOperator;
+import javax.imageio.ImageIO;
+
+/** Height maps as image files. */
+final class Images {
+    private Images() {}
+
+    /** An 8-bit grey PNG whose value at a column and row is given. */
+    static Path grey(Path file, int columns, int rows, IntBinaryOperator value) throws IOException {
+        BufferedImage image = new BufferedImage(columns, rows, BufferedImage.TYPE_BYTE_GRAY);
+        for (int row = 0; row < rows; row++) {
+            for (int column = 0; column < columns; column++) {
+                image.getRaster().setSample(column, row, 0, value.applyAsInt(column, row));
+            }
+        }
+        ImageIO.write(image, "png", file.toFile());
+        return file;
+    }
+
+    /** A square TIFF of 32-bit floats, all the same. */
+    static Path floats(Path file, int side, float value) throws IOException {
+        float[] samples = new float[side * side];
+        Arrays.fill(samples, value);
+        ComponentColorModel model = new ComponentColorModel(
+                ColorSpace.getInstance(ColorSpace.CS_GRAY), false, false, BufferedImage.OPAQUE, DataBuffer.TYPE_FLOAT);
+        PixelInterleavedSampleModel layout =
+                new PixelInterleavedSampleModel(DataBuffer.TYPE_FLOAT, side, side, 1, side, new int[] {0});
+        WritableRaster raster = Raster.createWritableRaster(layout, new DataBufferFloat(samples, samples.length), null);
+        ImageIO.write(new BufferedImage(model, raster, false, null), "tiff", file.toFile());
+        return file;
+    }
+}

@@ -1,0 +1,182 @@
+package sunbeam.acceptance;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import org.apache.commons.math3.special.BesselJ;
+import org.assertj.core.data.Percentage;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** The interface by which anybody checks Sunbeam, on surfaces that every machine has. */
+class ReflectanceTest {
+    private static final List<String> SPECTRAL = List.of("theta_i", "phi_i", "theta_r", "phi_r", "wavelength");
+    private static final double WAVELENGTH_NM = 550;
+    private static final double WINDOW_SIGMA = 65e-6 / 4;
+
+    @TempDir
+    Path root;
+
+    private Workplace workplace;
+
+    @BeforeEach
+    void layOut() throws IOException {
+        workplace = Workplace.in(root);
+    }
+
+    /** Orders of a sinusoid of 100 nm amplitude and 2.5 um period, J_m(k w A)^2, to the left for positive m. */
+    @ParameterizedTest
+    @CsvSource({
+        "reference, 1e-9", // direct sums in double precision; 12 digits in the file
+        "full, 1e-4" // float32 in the shader, and a plan for 1e-3 or better
+    })
+    void aSinusoidHasBesselsOrders(String method, double tolerance) throws Exception {
+        List<double[]> rows = new ArrayList<>();
+        for (int order = -2; order <= 2; order++) {
+            double sine = order * WAVELENGTH_NM / 2500;
+            rows.add(
+                    new double[] {0, 0, Math.toDegrees(Math.asin(Math.abs(sine))), order > 0 ? 180 : 0, WAVELENGTH_NM});
+        }
+
+        CsvFile results = reflectance("sinusoid", new CsvFile(SPECTRAL, rows), "--method", method);
+
+        assertThat(results.header())
+                .containsExactly(
+                        "theta_i", "phi_i", "theta_r", "phi_r", "wavelength", "power", "power_ensemble", "rho", "brdf");
+        for (int row = 0; row < rows.size(); row++) {
+            double minusW = 1 + Math.cos(Math.toRadians(rows.get(row)[2]));
+            double phase = 2 * Math.PI / (WAVELENGTH_NM * 1e-9) * minusW * 100e-9;
+            double expected = Math.pow(BesselJ.value(Math.abs(row - 2), phase), 2);
+            Percentage allowed = Percentage.withPercentage(100 * tolerance);
+            assertThat(results.at(row, "power")).as("order %d", row - 2).isCloseTo(expected, allowed);
+            assertThat(results.at(row, "power_ensemble"))
+                    .as("order %d", row - 2)
+                    .isCloseTo(expected, allowed);
+        }
+    }
+
+    /** Two programs in one: sums over the surface in double precision, and tables with a shader in single. */
+    @ParameterizedTest
+    @CsvSource({"elaphe-like, coherent", "elaphe-like, ensemble", "blaze, coherent"})
+    void shaderAndReferenceAgree(String patch, String average) throws Exception {
+        CsvFile directions = new CsvFile(
+                SPECTRAL,
+                List.of(
+                        new double[] {20, 0, 31, 180, 460},
+                        new double[] {0, 0, 12.7, 180, 550},
+                        new double[] {35, 40, 10, 300, 640},
+                        new double[] {5, 90, 25, 265, 400}));
+
+        CsvFile exact = reflectance(patch, directions, "--method", "reference", "--average", average);
+        // Seven bins each way hold all of the window's spectrum but 1e-7, 40 terms all of a relief of 300 nm.
+        CsvFile drawn = reflectance(
+                patch,
+                directions,
+                "--average",
+                average,
+                "--expansion",
+                "taylor",
+                "--terms",
+                "40",
+                "--radius",
+                "3",
+                "--anchor",
+                "nearest");
+
+        String chosen = average.equals("ensemble") ? "power_ensemble" : "power";
+        for (int row = 0; row < directions.size(); row++) {
+            for (String column : List.of("power", "power_ensemble", "rho", "brdf")) {
+                double value = exact.at(row, column);
+                // Float32 rounds amplitudes of 1e-7; below a power of 1e-9 nothing else is left.
+                assertThat(drawn.at(row, column) - value)
+                        .as("row %d, %s", row, column)
+                        .isCloseTo(0, within(1e-4 * value + 1e-12 * value / exact.at(row, chosen) + 1e-13));
+            }
+            double gain = exact.at(row, "rho") / exact.at(row, chosen);
+            assertThat(drawn.at(row, "rho") / drawn.at(row, chosen)).isCloseTo(gain, Percentage.withPercentage(0.01));
+        }
+    }
+
+    /** A flat mirror, seen where it reflects: relative radiance 1, the colour of D65, and brdf = R(0) 4 pi sigma^2/lambda^2. */
+    @ParameterizedTest
+    @CsvSource({"reference, 1e-6", "full, 1e-4"})
+    void aFlatMirrorIsWhite(String method, double tolerance) throws Exception {
+        Images.grey(workplace.resolve("flat.png"), 16, 16, (column, row) -> 100);
+        String[] flat = {"--width", "4um", "--max-height", "100nm", "--method", method};
+        Percentage allowed = Percentage.withPercentage(100 * tolerance);
+        double fresnel = Math.pow(0.5 / 2.5, 2);
+        double wavelength = WAVELENGTH_NM * 1e-9;
+
+        CsvFile spectral =
+                reflectance("flat.png", new CsvFile(SPECTRAL, List.of(new double[] {0, 0, 0, 0, WAVELENGTH_NM})), flat);
+        CsvFile colour =
+                reflectance("flat.png", new CsvFile(SPECTRAL.subList(0, 4), List.of(new double[] {0, 0, 0, 0})), flat);
+
+        assertThat(spectral.at(0, "power")).isCloseTo(1, allowed);
+        assertThat(spectral.at(0, "power_ensemble")).isCloseTo(1, allowed);
+        assertThat(spectral.at(0, "rho")).isCloseTo(1, allowed);
+        assertThat(spectral.at(0, "brdf"))
+                .isCloseTo(fresnel * 4 * Math.PI * WINDOW_SIGMA * WINDOW_SIGMA / (wavelength * wavelength), allowed);
+        assertThat(colour.header()).containsExactly("theta_i", "phi_i", "theta_r", "phi_r", "X", "Y", "Z", "gain");
+        // D65's white by CIE 15, to its four digits; the tables end at 380 and 780 nm.
+        assertThat(colour.at(0, "X")).isCloseTo(0.9505, within(3e-4));
+        assertThat(colour.at(0, "Y")).isCloseTo(1, allowed);
+        assertThat(colour.at(0, "Z")).isCloseTo(1.0891, within(3e-4));
+        assertThat(colour.at(0, "gain")).isCloseTo(1, allowed);
+    }
+
+    @Test
+    void otherColumnsAreIgnoredAndAngleColumnsMayStandInAnyOrder() throws Exception {
+        Files.writeString(
+                workplace.resolve("in.csv"),
+                "note,wavelength,phi_r,theta_r,phi_i,theta_i\nfirst order,550,180,12.709,0,0\n");
+
+        SunbeamResult result = workplace.succeed(
+                "reflectance",
+                "--patch",
+                "blaze",
+                "--method",
+                "reference",
+                "--directions",
+                "in.csv",
+                "--output",
+                "out.csv");
+
+        assertThat(result.stdout()).isEqualTo("out.csv\n");
+        assertThat(result.stderr()).isEmpty();
+        CsvFile results = CsvFile.read(workplace.resolve("out.csv"));
+        assertThat(results.size()).isEqualTo(1);
+        assertThat(results.at(0, "theta_r")).isEqualTo(12.709);
+        // sinc^2(k w H / 2 pi - 1) of the ramp: 0.9 or more, with H = 250 nm
+        assertThat(results.at(0, "power")).isGreaterThan(0.9);
+    }
+
+    @Test
+    void resultsAreOverwrittenOnlyByForce() throws Exception {
+        Path file = workplace.resolve("out.csv");
+        Files.writeString(file, "precious");
+        Files.writeString(workplace.resolve("in.csv"), "theta_i,phi_i,theta_r,phi_r,wavelength\n0,0,1,0,550\n");
+        String commandLine = "reflectance --patch blaze --method reference --directions in.csv --output out.csv";
+
+        Complaint.assertThatIt(
+                workplace.command(commandLine.split(" ", -1)).run(),
+                Complaint.CANNOT_WRITE,
+                "cannot write out.csv: it exists; add --force to overwrite it, or choose another name");
+        assertThat(file).hasContent("precious");
+
+        workplace.succeed((commandLine + " --force").split(" ", -1));
+        assertThat(CsvFile.read(file).size()).isEqualTo(1);
+    }
+
+    private CsvFile reflectance(String patch, CsvFile directions, String... options) throws Exception {
+        return Reflectance.of(workplace, patch, directions, options);
+    }
+}

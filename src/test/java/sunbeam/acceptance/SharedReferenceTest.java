@@ -1,0 +1,67 @@
+package sunbeam.acceptance;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** {@code reflectance --method reference} against an independent program's direct sums, on measured patches. */
+class SharedReferenceTest {
+    @TempDir
+    static Path root;
+
+    private static Workplace workplace;
+
+    @BeforeAll
+    static void layOut() throws IOException {
+        workplace = Workplace.in(root);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"blaze", "elaphe", "xenopeltis"})
+    void everyPowerIsTheSame(String patch) throws Exception {
+        CsvFile exact = SharedData.reference("power", patch);
+
+        CsvFile ours = reference(patch, exact);
+
+        for (int row = 0; row < exact.size(); row++) {
+            for (String column : List.of("power", "power_ensemble", "rho", "brdf")) {
+                double value = exact.at(row, column);
+                // Files hold 12 digits; both programs' rounding is 2e-15 / sqrt(power), which counts below 1e-12.
+                assertThat(ours.at(row, column))
+                        .as("row %d, %s", row, column)
+                        .isCloseTo(value, within(Math.max(1e-9 * value, 1e-20)));
+            }
+        }
+    }
+
+    /** All rows of the small patch, two of each large one, which take ten seconds a row. */
+    @ParameterizedTest
+    @CsvSource({"blaze, 8", "elaphe, 2", "xenopeltis, 2"})
+    void coloursAreTheSame(String patch, int rows) throws Exception {
+        CsvFile exact = SharedData.reference("xyz", patch).head(rows);
+
+        CsvFile ours = reference(patch, exact);
+
+        for (int row = 0; row < exact.size(); row++) {
+            for (String column : List.of("X", "Y", "Z")) {
+                double value = exact.at(row, column);
+                // The values given are good to 1e-4 where orders are sharp, ours are finer.
+                assertThat(ours.at(row, column))
+                        .as("row %d, %s", row, column)
+                        .isCloseTo(value, within(Math.max(2e-4 * value, 1e-20)));
+            }
+        }
+    }
+
+    private static CsvFile reference(String patch, CsvFile directions) throws Exception {
+        return Reflectance.of(workplace, SharedData.patch(patch).toString(), directions, "--method", "reference");
+    }
+}

@@ -1,0 +1,144 @@
+package sunbeam.acceptance;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.List;
+import java.util.stream.IntStream;
+import org.assertj.core.data.Percentage;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** How far the thesis's choices lie from exact values on measured patches, and that it is its choices, not the shader. */
+class ThesisPresetTest {
+    // Below, float32 in the expansion's terms and bins is not small against the power any more.
+    private static final double LEAST_POWER = 1e-9;
+
+    @TempDir
+    static Path root;
+
+    private static Workplace workplace;
+
+    @BeforeAll
+    static void layOut() throws IOException {
+        workplace = Workplace.in(root);
+    }
+
+    /**
+     * The floor-anchored 3 x 3 neighbourhood misses what lies more than one bin above the frequency: 4 to 16 % are
+     * predicted. Measured medians: 6.8 % (Elaphe), 5.9 % (Xenopeltis).
+     */
+    @ParameterizedTest
+    @ValueSource(strings = {"elaphe", "xenopeltis"})
+    void itsColoursAreOffByFourToSixteenPercent(String patch) throws Exception {
+        CsvFile exact = SharedData.reference("xyz", patch);
+
+        CsvFile ours = reflectance(patch, exact, "--preset", "thesis", "--window-origin", "centre");
+
+        double[] errors = IntStream.range(0, exact.size())
+                .mapToDouble(row -> List.of("X", "Y", "Z").stream()
+                        .mapToDouble(column -> Math.abs(ours.at(row, column) / exact.at(row, column) - 1))
+                        .max()
+                        .orElseThrow())
+                .toArray();
+        assertThat(median(errors)).isBetween(0.04, 0.16);
+    }
+
+    /**
+     * At a single wavelength the power between orders is speckle, which does not average out: medians of 14.9 % and
+     * 18.5 % are measured. The ensemble's weights are squares, so that it loses 1 % and 2 % only.
+     */
+    @ParameterizedTest
+    @CsvSource({"elaphe, 0.10, 0.20, 0.005, 0.02", "xenopeltis, 0.13, 0.25, 0.01, 0.04"})
+    void atOneWavelengthItsErrorIsThatOfTheNeighbourhood(
+            String patch, double least, double most, double leastEnsemble, double mostEnsemble) throws Exception {
+        CsvFile exact = SharedData.reference("power", patch);
+
+        CsvFile ours = reflectance(patch, exact, "--preset", "thesis", "--window-origin", "centre");
+
+        assertThat(median(errors(exact, ours, "power"))).isBetween(least, most);
+        assertThat(median(errors(exact, ours, "power_ensemble"))).isBetween(leastEnsemble, mostEnsemble);
+    }
+
+    /** The same nine bins, added by other code in double precision without an expansion. */
+    @Test
+    void itIsTheSumOfNineBinsByDefinition() throws Exception {
+        NineBins definition = new NineBins(SharedData.present("patches/elaphe.png"), 65e-6, 375e-9);
+        CsvFile directions = SharedData.reference("power", "elaphe").head(12);
+
+        CsvFile ours = reflectance("elaphe", directions, "--preset", "thesis", "--window-origin", "centre");
+
+        for (int row = 0; row < directions.size(); row++) {
+            double[] uvw = uvw(directions, row);
+            double expected = definition.power(uvw[0], uvw[1], uvw[2], directions.at(row, "wavelength") * 1e-9);
+            // 37 terms leave 1e-7 of a relief of 375 nm; float32 takes 6e-5 at the most (measured on 48 rows).
+            assertThat(ours.at(row, "power")).as("row %d", row).isCloseTo(expected, Percentage.withPercentage(0.02));
+        }
+    }
+
+    /** With the nearest bin in the middle of seven by seven and enough terms nothing but float32 is left. */
+    @ParameterizedTest
+    @CsvSource({"blaze, coherent", "elaphe, coherent", "elaphe, ensemble"})
+    void withAWiderNeighbourhoodTheErrorIsGone(String patch, String average) throws Exception {
+        CsvFile exact = SharedData.reference("power", patch);
+        String options = "--window-origin centre --radius 3 --anchor nearest --expansion taylor --terms 50 --average ";
+
+        CsvFile ours = reflectance(patch, exact, (options + average).split(" ", -1));
+
+        for (String column : List.of("power", "power_ensemble")) {
+            double[] errors = errors(exact, ours, column);
+            assertThat(median(errors)).as("median of %s", column).isLessThan(2e-5);
+            assertThat(errors[(int) (0.95 * (errors.length - 1))])
+                    .as("95 %% of %s", column)
+                    .isLessThan(1e-4);
+            // Float32 rounds f = u / lambda to 6e-8, which three deviations from an order of blaze (f = 2.4e6 / m) is
+            // amplified by 2 f |f - f_j| / sigma_f^2 = 1500 to 0.9e-4.
+            assertThat(errors[errors.length - 1]).as("largest of %s", column).isLessThan(2e-4);
+        }
+        String chosen = average.equals("ensemble") ? "power_ensemble" : "power";
+        for (int row = 0; row < exact.size(); row++) {
+            double gain = exact.at(row, "rho") / exact.at(row, "power");
+            // Both are float32.
+            assertThat(ours.at(row, "rho")).isCloseTo(gain * ours.at(row, chosen), within(1e-5 * ours.at(row, "rho")));
+        }
+    }
+
+    /** Relative errors of a column where there is power to speak of, ascending. */
+    private static double[] errors(CsvFile exact, CsvFile ours, String column) {
+        return IntStream.range(0, exact.size())
+                .filter(row -> exact.at(row, column) > LEAST_POWER)
+                .mapToDouble(row -> Math.abs(ours.at(row, column) / exact.at(row, column) - 1))
+                .sorted()
+                .toArray();
+    }
+
+    private static double median(double[] values) {
+        double[] sorted = values.clone();
+        Arrays.sort(sorted);
+        int middle = sorted.length / 2;
+        return sorted.length % 2 == 1 ? sorted[middle] : 0.5 * (sorted[middle - 1] + sorted[middle]);
+    }
+
+    private static double[] uvw(CsvFile directions, int row) {
+        double[] uvw = new double[3];
+        for (String end : List.of("i", "r")) {
+            double theta = Math.toRadians(directions.at(row, "theta_" + end));
+            double phi = Math.toRadians(directions.at(row, "phi_" + end));
+            uvw[0] -= Math.sin(theta) * Math.cos(phi);
+            uvw[1] -= Math.sin(theta) * Math.sin(phi);
+            uvw[2] -= Math.cos(theta);
+        }
+        return uvw;
+    }
+
+    private static CsvFile reflectance(String patch, CsvFile directions, String... options) throws Exception {
+        return Reflectance.of(workplace, SharedData.patch(patch).toString(), directions, options);
+    }
+}
