@@ -1,5 +1,6 @@
 package sunbeam.precompute.plan;
 
+import java.util.List;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.WavelengthNodes;
 import sunbeam.precompute.expansion.ChebyshevExpansion;
@@ -19,17 +20,45 @@ public final class Planner {
     private final HeightMap map;
     private final HeightLevels heights;
     private final CieTable cie;
+    private final long heapLimit;
 
+    /** A planner for this process's heap. */
     public Planner(HeightMap map, HeightLevels heights, CieTable cie) {
+        this(map, heights, cie, Runtime.getRuntime().maxMemory());
+    }
+
+    /**
+     * A planner.
+     *
+     * @param heapLimit the most that Java's heap may take, bytes
+     */
+    public Planner(HeightMap map, HeightLevels heights, CieTable cie, long heapLimit) {
         this.map = map;
         this.heights = heights;
         this.cie = cie;
+        this.heapLimit = heapLimit;
     }
 
-    /** The plan. */
+    /**
+     * The plan: the fastest that keeps the tolerance and fits into memory.
+     *
+     * @throws PlanException when none does, or when what is fixed makes no sense together
+     */
     public Plan plan(PlanRequest request, VisibleRange range) {
+        PlanChecks.check(request, map);
         Tolerances tolerances = new Tolerances(request.tolerance());
-        Sampling sampling = sampling(request, range, tolerances);
+        Plan plan = null;
+        for (Sampling sampling : samplings(request, range, tolerances)) {
+            plan = plan(request, range, tolerances, sampling);
+            if (memory(plan).fits(heapLimit)) {
+                break;
+            }
+        }
+        memory(plan).require(heapLimit, plan);
+        return plan;
+    }
+
+    private Plan plan(PlanRequest request, VisibleRange range, Tolerances tolerances, Sampling sampling) {
         return new Plan(
                 request.isThesis() ? Double.NaN : tolerances.value(),
                 range,
@@ -42,12 +71,18 @@ public final class Planner {
                 sampling);
     }
 
-    private Sampling sampling(PlanRequest request, VisibleRange range, Tolerances tolerances) {
-        if (request.isThesis() || request.fixesBins()) {
-            return bins(request, tolerances);
-        }
-        SamplingPlanner planner = new SamplingPlanner(map, heights, request.window(), range, tolerances);
-        return planner.choose();
+    private MemoryNeed memory(Plan plan) {
+        int terms = plan.expansion().terms();
+        MemoryNeed table = MemoryNeed.ofBins(map.rows(), terms, plan.bandX(), plan.bandY());
+        return plan.sampling() instanceof Sampling.Grid grid
+                ? MemoryNeed.ofGrid(grid, plan.window().sigmaFrequency(), plan.range(), table, terms)
+                : table;
+    }
+
+    private List<Sampling> samplings(PlanRequest request, VisibleRange range, Tolerances tolerances) {
+        return request.isThesis() || request.fixesBins()
+                ? List.of(bins(request, tolerances))
+                : new SamplingPlanner(map, heights, request.window(), range, tolerances).choices();
     }
 
     private Sampling bins(PlanRequest request, Tolerances tolerances) {
@@ -55,6 +90,7 @@ public final class Planner {
         double sigmaBins = request.window().sigmaFrequency() * Math.max(map.width(), map.height());
         int radius = request.radius()
                 .orElseGet(() -> thesis ? 1 : SamplingPlanner.neighbourhoodRadius(sigmaBins, tolerances));
+        PlanChecks.checkRadius(radius, sigmaBins);
         Neighbourhood.Anchor anchor =
                 request.anchor().orElse(thesis ? Neighbourhood.Anchor.FLOOR : Neighbourhood.Anchor.NEAREST);
         double step = request.wavelengthStep().orElse(thesis ? THESIS_WAVELENGTH_STEP : 1e-9);
@@ -66,6 +102,9 @@ public final class Planner {
         // One more bin, because float32 may round a frequency into the next one.
         if (sampling instanceof Sampling.Bins bins) {
             return bins.neighbourhood().radius() + 1;
+        }
+        if (sampling instanceof Sampling.Rays rays) {
+            return rays.neighbourhood().radius() + 1;
         }
         return sampling instanceof Sampling.Grid
                 ? (int) Math.ceil(SamplingPlanner.GAUSS_REACH * request.window().sigmaFrequency() * period) + 1
@@ -81,13 +120,13 @@ public final class Planner {
         if (request.terms().isPresent() || thesis) {
             int terms = request.terms().orElse(THESIS_TERMS);
             return switch (kind) {
-                case TAYLOR -> new TaylorExpansion(scale, terms, maximum);
+                case TAYLOR -> PlanChecks.withinFloatRange(new TaylorExpansion(scale, terms, maximum));
                 case CHEBYSHEV -> new ChebyshevExpansion(scale, terms, maximum);
                 case LOWRANK -> LowRankExpansion.ofTerms(heights, scale, minimum, maximum, terms);
             };
         }
         return switch (kind) {
-            case TAYLOR -> TaylorExpansion.within(scale, maximum, tolerance);
+            case TAYLOR -> PlanChecks.accurate(TaylorExpansion.within(scale, maximum, tolerance), request.tolerance());
             case CHEBYSHEV -> ChebyshevExpansion.within(scale, maximum, tolerance);
             case LOWRANK -> LowRankExpansion.within(heights, scale, minimum, maximum, tolerance);
         };

@@ -19,7 +19,7 @@ public record Tolerances(double value) {
      * efficiencies differ by many powers of ten.
      */
     double expansion(Sampling sampling) {
-        return (sampling instanceof Sampling.Orders ? 0.02 : 0.1) * value;
+        return (sampling instanceof Sampling.Grid ? 0.1 : 0.02) * value;
     }
 
     /** Relative error of an amplitude by interpolation; the power has twice that, and its weak spots more. */
