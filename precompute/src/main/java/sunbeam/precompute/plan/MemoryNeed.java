@@ -34,14 +34,14 @@ record MemoryNeed(long heapBytes, long textureBytes, long longestSide) {
         long bins = (long) bandX.count() * bandY.count();
         long table = TERM_BYTES * terms * bins;
         // A band of two real terms is transformed as one that is symmetric, up to twice as wide each way.
-        long transform = COMPLEX_BYTES
-                * (long) bandX.symmetric().count()
-                * (rows + bandY.symmetric().count());
+        long lines = (long) rows + bandY.symmetric().count();
+        long transform = COMPLEX_BYTES * lines * bandX.symmetric().count();
         return new MemoryNeed(table + transform, table, Math.max(bandX.count(), bandY.count()));
     }
 
     /** The same table resampled; see sunbeam.app.gpu.GridTextures. */
-    static MemoryNeed ofGrid(Sampling.Grid grid, double sigmaFrequency, VisibleRange range, MemoryNeed table, int terms) {
+    static MemoryNeed ofGrid(
+            Sampling.Grid grid, double sigmaFrequency, VisibleRange range, MemoryNeed table, int terms) {
         int taps = grid.interpolation().taps();
         // The ensemble's Gaussian is narrower by sqrt(2) and its fields, about twice the terms, are real: four a texel,
         // where two complex terms share one.
@@ -52,7 +52,7 @@ record MemoryNeed(long heapBytes, long textureBytes, long longestSide) {
         AxisGrid nodesY = range.gridY(grid.nodeStep(), 1);
         long width = Math.max(nodesX.count(), nodesY.count());
         long height = Math.max(pointX.count(), pointY.count());
-        long layers = (terms + 1) / 2;
+        long layers = (terms + 1L) / 2;
         // Single wavelengths take both averages on both axes; colours take two sets of rays.
         long points = layers * pointX.count() * pointY.count() * 3 / 2;
         long rays = 2 * layers * width * height;

@@ -16,18 +16,20 @@ final class PlanChecks {
     /** Choices that contradict each other or the patch. */
     static void check(PlanRequest request, HeightMap map) {
         if (request.anchor().isPresent() && request.radius().isEmpty() && !request.isThesis()) {
-            throw new PlanException("anchor %s is the middle of a neighbourhood of bins, but no radius is given; add for example --radius 3, or leave --anchor out"
-                    .formatted(request.anchor().get().toString().toLowerCase(Locale.ROOT)));
+            throw new PlanException(
+                    "anchor %s is the middle of a neighbourhood of bins, but no radius is given; add for example --radius 3, or leave --anchor out"
+                            .formatted(request.anchor().get().toString().toLowerCase(Locale.ROOT)));
         }
         double pitch = Math.max(map.columns() > 1 ? map.pitchX() : 0, map.rows() > 1 ? map.pitchY() : 0);
         double coherenceLength = request.window().coherenceLength();
         if (coherenceLength < FEWEST_SAMPLES * pitch) {
-            throw new PlanException("a coherence length of %s is less than %.1f samples of the patch, which are %s apart; give %s or more"
-                    .formatted(
-                            Lengths.format(coherenceLength),
-                            FEWEST_SAMPLES,
-                            Lengths.format(pitch),
-                            Lengths.format(FEWEST_SAMPLES * pitch)));
+            throw new PlanException(
+                    "a coherence length of %s is less than %.1f samples of the patch, which are %s apart; give %s or more"
+                            .formatted(
+                                    Lengths.format(coherenceLength),
+                                    FEWEST_SAMPLES,
+                                    Lengths.format(pitch),
+                                    Lengths.format(FEWEST_SAMPLES * pitch)));
         }
     }
 

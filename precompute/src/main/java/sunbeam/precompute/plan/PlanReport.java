@@ -39,7 +39,8 @@ public final class PlanReport {
     private String sampling() {
         Sampling sampling = plan.sampling();
         if (sampling instanceof Sampling.Bins bins) {
-            return neighbourhood(bins.neighbourhood()) + " at " + bins.wavelengths().count() + " wavelengths";
+            return neighbourhood(bins.neighbourhood()) + " at "
+                    + bins.wavelengths().count() + " wavelengths";
         }
         if (sampling instanceof Sampling.Rays rays) {
             return "%s at %d to %d wavelengths"

@@ -22,8 +22,8 @@ final class SamplingPlanner {
     private static final double LARGEST_CENTRE = 0.25;
     // Steps of the wavelength per period of the interference between top and bottom of the relief.
     private static final double NODES_PER_FRINGE = 6;
-    // Where the window's spectrum is narrower, in bins, its flanks lie bare between orders. Interpolation errs by a share
-    // of the order's middle, which is exp(0.5^2 / sigma^2) times as much of the power half a bin aside: 5 times at 0.4.
+    // Where the window's spectrum is narrower, in bins, its flanks lie bare between orders. Interpolation errs by a
+    // share of the order's middle, which is exp(0.5^2 / sigma^2) times the power half a bin aside: 5 times at 0.4.
     private static final double RESOLVED_SIGMA_BINS = 0.4;
 
     private final HeightMap map;
@@ -85,8 +85,7 @@ final class SamplingPlanner {
     private Sampling grid() {
         InterpolationDesign design = InterpolationDesign.within(tolerances.interpolation());
         // Columns are crossed at up to sqrt(2) of their distance. The power of a lone order along the ray is a Gaussian
-        // of
-        // deviation sigma / sqrt(2), for which the trapezoid rule errs by 2 exp(-2 (pi deviation / step)^2).
+        // of deviation sigma / sqrt(2), for which the trapezoid rule errs by 2 exp(-2 (pi deviation / step)^2).
         double perStep = Math.sqrt(2 / (Math.PI * Math.PI) * Math.log(2 / tolerances.wavelengths()));
         double step = window.sigmaFrequency() / perStep;
         double centre = new Sampling.Grid(design, step, 1, fewestNodes()).centreReach();

@@ -64,8 +64,7 @@ public record VisibleRange(
     }
 
     private static AxisGrid grid(double low, double high, double step, int margin) {
-        return AxisGrid.covering(
-                low / wavelengthTowards(low, -1), high / wavelengthTowards(high, 1), step, margin);
+        return AxisGrid.covering(low / wavelengthTowards(low, -1), high / wavelengthTowards(high, 1), step, margin);
     }
 
     /** The wavelength at which u / lambda reaches farthest towards one side. */
@@ -74,8 +73,7 @@ public record VisibleRange(
     }
 
     private static Band band(double low, double high, double period, int margin) {
-        return Band.covering(
-                low / wavelengthTowards(low, -1), high / wavelengthTowards(high, 1), period, margin);
+        return Band.covering(low / wavelengthTowards(low, -1), high / wavelengthTowards(high, 1), period, margin);
     }
 
     /** Largest of |u| and |v|. */
