@@ -94,18 +94,20 @@ record MemoryNeed(long heapBytes, long textureBytes, long longestSide) {
         }
         if (textureBytes > MOST_TEXTURE_BYTES) {
             throw new PlanException("%s need %s of textures, more than the %s that Sunbeam takes%s"
-                    .formatted(what, gigabytes(textureBytes), gigabytes(MOST_TEXTURE_BYTES), remedy));
+                    .formatted(what, inWords(textureBytes), inWords(MOST_TEXTURE_BYTES), remedy));
         }
         throw new PlanException("%s need %s of memory, but Java's heap may take %s%s or SUNBEAM_JAVA_OPTIONS=-Xmx%dm"
                 .formatted(
                         what,
-                        gigabytes(heapBytes),
-                        gigabytes(heapLimit),
+                        inWords(heapBytes),
+                        inWords(heapLimit),
                         remedy,
                         (long) (heapBytes / USABLE_HEAP / (1 << 20)) + 1));
     }
 
-    private static String gigabytes(long bytes) {
-        return String.format(Locale.ROOT, "%.1f GB", bytes * 1e-9);
+    private static String inWords(long bytes) {
+        return bytes < 1_000_000_000
+                ? String.format(Locale.ROOT, "%.0f MB", bytes * 1e-6)
+                : String.format(Locale.ROOT, "%.1f GB", bytes * 1e-9);
     }
 }

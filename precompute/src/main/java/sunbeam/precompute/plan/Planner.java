@@ -16,6 +16,8 @@ import sunbeam.precompute.patch.HeightMap;
 public final class Planner {
     private static final int THESIS_TERMS = 37;
     private static final double THESIS_WAVELENGTH_STEP = 5e-9;
+    private static final double COARSEST_WAVELENGTH_STEP = 1e-9;
+    private static final double FINEST_WAVELENGTH_STEP = 0.05e-9;
 
     private final HeightMap map;
     private final HeightLevels heights;
@@ -58,6 +60,11 @@ public final class Planner {
         return plan;
     }
 
+    /** What the user fixed of a plan that breaks its tolerance, one line each. */
+    public List<String> warnings(Plan plan) {
+        return new PlanWarnings(plan, map).lines();
+    }
+
     private Plan plan(PlanRequest request, VisibleRange range, Tolerances tolerances, Sampling sampling) {
         return new Plan(
                 request.isThesis() ? Double.NaN : tolerances.value(),
@@ -81,11 +88,11 @@ public final class Planner {
 
     private List<Sampling> samplings(PlanRequest request, VisibleRange range, Tolerances tolerances) {
         return request.isThesis() || request.fixesBins()
-                ? List.of(bins(request, tolerances))
+                ? List.of(bins(request, range, tolerances))
                 : new SamplingPlanner(map, heights, request.window(), range, tolerances).choices();
     }
 
-    private Sampling bins(PlanRequest request, Tolerances tolerances) {
+    private Sampling bins(PlanRequest request, VisibleRange range, Tolerances tolerances) {
         boolean thesis = request.isThesis();
         double sigmaBins = request.window().sigmaFrequency() * Math.max(map.width(), map.height());
         int radius = request.radius()
@@ -93,8 +100,15 @@ public final class Planner {
         PlanChecks.checkRadius(radius, sigmaBins);
         Neighbourhood.Anchor anchor =
                 request.anchor().orElse(thesis ? Neighbourhood.Anchor.FLOOR : Neighbourhood.Anchor.NEAREST);
-        double step = request.wavelengthStep().orElse(thesis ? THESIS_WAVELENGTH_STEP : 1e-9);
+        double step = request.wavelengthStep()
+                .orElseGet(() -> thesis ? THESIS_WAVELENGTH_STEP : wavelengthStep(request, range, tolerances));
         return new Sampling.Bins(new Neighbourhood(radius, anchor), WavelengthNodes.uniform(cie, step));
+    }
+
+    /** Fine enough for the sharpest order, for the colour matching functions, and for textures' longest side. */
+    private static double wavelengthStep(PlanRequest request, VisibleRange range, Tolerances tolerances) {
+        double orders = PlanWarnings.coarsestWavelengthStep(request.window(), range, tolerances.value());
+        return Math.max(FINEST_WAVELENGTH_STEP, Math.min(COARSEST_WAVELENGTH_STEP, orders));
     }
 
     /** Bins beyond the visible ones that the window brings into view. */

@@ -76,6 +76,13 @@ public record VisibleRange(
         return Band.covering(low / wavelengthTowards(low, -1), high / wavelengthTowards(high, 1), period, margin);
     }
 
+    /** Longest (u, v): no two directions of the hemisphere have a longer one than 2. */
+    public double longestUv() {
+        double u = Math.max(Math.abs(minimumU), Math.abs(maximumU));
+        double v = Math.max(Math.abs(minimumV), Math.abs(maximumV));
+        return Math.min(2, Math.hypot(u, v));
+    }
+
     /** Largest of |u| and |v|. */
     public double maximumComponent() {
         return Math.max(
