@@ -69,7 +69,7 @@ public final class Planner {
         return new Plan(
                 request.isThesis() ? Double.NaN : tolerances.value(),
                 range,
-                expansion(request, range, tolerances.expansion(sampling)),
+                expansion(request, range, tolerances.expansion()),
                 range.bandX(map.width(), margin(sampling, request, map.width())),
                 range.bandY(map.height(), margin(sampling, request, map.height())),
                 request.window(),
