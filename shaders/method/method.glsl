@@ -5,7 +5,7 @@
 #include "include/wavelengths.glsl"
 #include "include/window.glsl"
 
-#if METHOD == METHOD_FULL_BINS || METHOD == METHOD_FULL_ORDERS || METHOD == METHOD_NMM || METHOD == METHOD_NMM_THESIS
+#if METHOD == METHOD_FULL_BINS || METHOD == METHOD_FULL_RAYS || METHOD == METHOD_FULL_ORDERS || METHOD == METHOD_NMM || METHOD == METHOD_NMM_THESIS
 #include "method/neighbourhood.glsl"
 #endif
 
@@ -15,6 +15,8 @@
 
 #if METHOD == METHOD_FULL_BINS
 #include "method/full_bins.glsl"
+#elif METHOD == METHOD_FULL_RAYS
+#include "method/full_rays.glsl"
 #elif METHOD == METHOD_FULL_ORDERS
 #include "method/full_orders.glsl"
 #elif METHOD == METHOD_FULL_GRID

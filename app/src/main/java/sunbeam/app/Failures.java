@@ -17,6 +17,7 @@ import sunbeam.app.input.InputException;
 import sunbeam.app.mesh.MeshException;
 import sunbeam.app.output.OutputException;
 import sunbeam.precompute.patch.PatchException;
+import sunbeam.precompute.plan.PlanException;
 import sunbeam.precompute.table.TableException;
 
 /** What a failure says to the user and to scripts: one line on standard error and an exit code, chosen by its type. */
@@ -25,6 +26,7 @@ final class Failures {
     private static final Map<Class<? extends Throwable>, ExitCode> CODES = Map.ofEntries(
             Map.entry(ParameterException.class, ExitCode.USAGE),
             Map.entry(UsageException.class, ExitCode.USAGE),
+            Map.entry(PlanException.class, ExitCode.USAGE),
             Map.entry(PatchException.class, ExitCode.UNUSABLE_INPUT),
             Map.entry(TableException.class, ExitCode.UNUSABLE_INPUT),
             Map.entry(InputException.class, ExitCode.UNUSABLE_INPUT),

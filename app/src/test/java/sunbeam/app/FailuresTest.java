@@ -17,6 +17,7 @@ import sunbeam.app.cli.UsageException;
 import sunbeam.app.input.InputException;
 import sunbeam.app.output.OutputException;
 import sunbeam.precompute.patch.PatchException;
+import sunbeam.precompute.plan.PlanException;
 import sunbeam.precompute.table.TableException;
 
 final class FailuresTest {
@@ -29,6 +30,7 @@ final class FailuresTest {
     static Stream<Arguments> failures() {
         return Stream.of(
                 Arguments.of(new UsageException("what"), 2),
+                Arguments.of(new PlanException("what"), 2),
                 Arguments.of(new PatchException("what"), 4),
                 Arguments.of(new TableException("what"), 4),
                 Arguments.of(new InputException("what"), 4),

@@ -110,7 +110,7 @@ public final class BrdfMapCommand implements Callable<Integer> {
         }
         double fixedExposure = parseExposure();
         MethodRequest methodRequest = methodOptions.request();
-        PlanRequest request = planOptions.request();
+        PlanRequest request = planOptions.request(methodRequest.kind());
         Direction wi = light.direction();
         PrintWriter err = specification.commandLine().getErr();
         DiffractionSetup setup = new DiffractionSetup(patchOptions, environment, err);

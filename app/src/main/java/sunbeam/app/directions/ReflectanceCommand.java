@@ -67,7 +67,7 @@ public final class ReflectanceCommand implements Callable<Integer> {
     @Override
     public Integer call() {
         MethodRequest method = methodOptions.request();
-        PlanRequest request = planOptions.request();
+        PlanRequest request = planOptions.request(method.kind());
         DirectionList list = DirectionList.read(directions);
         AtomicFile.checkWritable(output, force.overwrite());
         DiffractionSetup setup = new DiffractionSetup(

@@ -19,8 +19,8 @@ import sunbeam.precompute.table.FourierTable;
 import sunbeam.precompute.table.WindowPhase;
 
 /**
- * Method {@code full} over neighbourhoods of DFT bins, at fixed wavelengths (shaders/method/full_bins.glsl) or around the
- * middles of orders (full_orders.glsl).
+ * Method {@code full} over neighbourhoods of DFT bins: at fixed wavelengths (shaders/method/full_bins.glsl), in equal
+ * steps along each direction's ray (full_rays.glsl) or around the middles of orders (full_orders.glsl).
  */
 final class BinsMethod implements DiffractionMethod {
     private final Plan plan;
@@ -65,16 +65,24 @@ final class BinsMethod implements DiffractionMethod {
     }
 
     private Neighbourhood neighbourhood() {
-        return plan.sampling() instanceof Sampling.Bins bins
-                ? bins.neighbourhood()
+        if (plan.sampling() instanceof Sampling.Bins bins) {
+            return bins.neighbourhood();
+        }
+        return plan.sampling() instanceof Sampling.Rays rays
+                ? rays.neighbourhood()
                 : new Neighbourhood(0, Neighbourhood.Anchor.NEAREST);
+    }
+
+    private String shader() {
+        if (plan.sampling() instanceof Sampling.Bins) {
+            return "METHOD_FULL_BINS";
+        }
+        return plan.sampling() instanceof Sampling.Rays ? "METHOD_FULL_RAYS" : "METHOD_FULL_ORDERS";
     }
 
     @Override
     public Map<String, String> defines() {
-        boolean orders = plan.sampling() instanceof Sampling.Orders;
-        Map<String, String> defines =
-                MethodDefines.of(orders ? "METHOD_FULL_ORDERS" : "METHOD_FULL_BINS", plan.average());
+        Map<String, String> defines = MethodDefines.of(shader(), plan.average());
         defines.put("EXPANSION", table.coefficients() == null ? "EXPANSION_TAYLOR" : "EXPANSION_SAMPLED");
         defines.put("ANCHOR_FLOOR", "0");
         defines.put("ANCHOR_NEAREST", "1");
@@ -101,6 +109,10 @@ final class BinsMethod implements DiffractionMethod {
         }
         if (plan.sampling() instanceof Sampling.Bins bins) {
             program.set("wavelengthCount", bins.wavelengths().count());
+        } else if (plan.sampling() instanceof Sampling.Rays rays) {
+            program.set("rayNodeStep", (float) rays.nodeStep());
+            program.set("rayFewestNodes", rays.fewestNodes());
+            program.set("cieWhite", Textures.cieWhite(cie));
         } else if (plan.sampling() instanceof Sampling.Orders orders) {
             program.set("orderReach", (float) orders.reach());
             program.set("orderNodeSpacing", (float) orders.nodeSpacing());

@@ -7,7 +7,6 @@ import jrtr.FloatTextureSpec;
 import jrtr.ShaderProgram;
 import org.joml.Vector2f;
 import org.joml.Vector4f;
-import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.expansion.CoefficientTable;
 import sunbeam.precompute.plan.Plan;
 import sunbeam.precompute.plan.Sampling;
@@ -61,8 +60,8 @@ final class GridTextures {
 
     /** The grid on which both axes are interpolated. */
     void addPoint(Textures textures, VisibleRange range) {
-        pointX = samples(range.minimumU(), range.maximumU());
-        pointY = samples(range.minimumV(), range.maximumV());
+        pointX = range.gridX(step, taps());
+        pointY = range.gridY(step, taps());
         GridResampler resampler = new GridResampler(
                 AxisResampler.forInterpolation(
                         pointX, table.bandX(), table.patch().width(), sampling.interpolation()),
@@ -76,10 +75,10 @@ final class GridTextures {
     /** The grids whose columns (along x) and rows (along y) the rays cross; the latter transposed. */
     void addRays(Textures textures) {
         VisibleRange range = plan.range();
-        AxisGrid nodesX = nodes(range.minimumU(), range.maximumU());
-        AxisGrid nodesY = nodes(range.minimumV(), range.maximumV());
-        AxisGrid samplesX = samples(range.minimumU(), range.maximumU());
-        AxisGrid samplesY = samples(range.minimumV(), range.maximumV());
+        AxisGrid nodesX = range.gridX(sampling.nodeStep(), 1);
+        AxisGrid nodesY = range.gridY(sampling.nodeStep(), 1);
+        AxisGrid samplesX = range.gridX(step, taps());
+        AxisGrid samplesY = range.gridY(step, taps());
         int width = Math.max(nodesX.count(), nodesY.count());
         int height = Math.max(samplesX.count(), samplesY.count());
         FloatTexture texture =
@@ -99,19 +98,8 @@ final class GridTextures {
         raysFirst = new Vector4f(nodesX.first(), samplesY.first(), nodesY.first(), samplesX.first());
     }
 
-    private AxisGrid samples(double low, double high) {
-        return visible(low, high, step, sampling.interpolation().taps());
-    }
-
-    private AxisGrid nodes(double low, double high) {
-        return visible(low, high, sampling.nodeStep(), 1);
-    }
-
-    private static AxisGrid visible(double low, double high, double step, int margin) {
-        double shortest = CieTable.MINIMUM_WAVELENGTH;
-        double longest = CieTable.MAXIMUM_WAVELENGTH;
-        return AxisGrid.covering(
-                low / (low < 0 ? shortest : longest), high / (high < 0 ? longest : shortest), step, margin);
+    private int taps() {
+        return sampling.interpolation().taps();
     }
 
     private void upload(FloatTexture texture, int firstLayer, GridResampler resampler, boolean transposed) {

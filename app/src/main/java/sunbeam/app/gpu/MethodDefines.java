@@ -18,6 +18,7 @@ final class MethodDefines {
         defines.put("METHOD_NMM_THESIS", "4");
         defines.put("METHOD_PQ", "5");
         defines.put("METHOD_GEM", "6");
+        defines.put("METHOD_FULL_RAYS", "7");
         defines.put("METHOD", method);
         defines.put("AVERAGE_COHERENT", "0");
         defines.put("AVERAGE_ENSEMBLE", "1");

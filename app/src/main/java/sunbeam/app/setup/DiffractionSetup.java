@@ -1,6 +1,7 @@
 package sunbeam.app.setup;
 
 import java.io.PrintWriter;
+import java.util.List;
 import java.util.function.Consumer;
 import sunbeam.app.cache.TableStore;
 import sunbeam.app.cli.Environment;
@@ -77,6 +78,11 @@ public final class DiffractionSetup {
     /** Plans for the directions that can occur. */
     public Plan plan(PlanRequest request, VisibleRange range) {
         return new Planner(patch.heights(), heights, cie).plan(request, range);
+    }
+
+    /** What the user fixed of a plan that breaks its tolerance, one line each. */
+    public List<String> warnings(Plan plan) {
+        return new Planner(patch.heights(), heights, cie).warnings(plan);
     }
 
     /** The table that a plan needs, made now. */

@@ -96,6 +96,11 @@ public final class MethodFactory {
         };
     }
 
+    /** What the user fixed that breaks the tolerance, one line each. */
+    public List<String> warnings() {
+        return method.kind() == MethodKind.FULL ? setup.warnings(plan) : List.of();
+    }
+
     /** Several lines: each choice and its reason. */
     public List<String> reasons() {
         if (plan != null) {

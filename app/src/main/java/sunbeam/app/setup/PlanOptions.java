@@ -8,7 +8,9 @@ import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import picocli.CommandLine.Option;
 import sunbeam.app.cli.LengthConverter;
+import sunbeam.app.cli.Messages;
 import sunbeam.app.cli.UsageException;
+import sunbeam.app.gpu.MethodKind;
 import sunbeam.precompute.expansion.ExpansionKind;
 import sunbeam.precompute.optics.WindowOrigin;
 import sunbeam.precompute.plan.Average;
@@ -34,10 +36,9 @@ public final class PlanOptions {
     @Option(
             names = "--tolerance",
             paramLabel = "ERROR",
-            defaultValue = "1e-3",
-            description = "Relative error of power and colour that the plan is made for, 1e-5 to 1. Default:"
-                    + " ${DEFAULT-VALUE}. Options below override parts of the plan.")
-    private double tolerance;
+            description = "Relative error of power and colour that the plan is made for, 1e-5 to 1. Default: 1e-3."
+                    + " Options below override parts of the plan.")
+    private Double tolerance;
 
     @Option(
             names = "--expansion",
@@ -100,13 +101,14 @@ public final class PlanOptions {
      */
     public PlanRequest request() {
         checkTolerance();
+        checkPreset();
         checkRange("--terms", terms, 1, MOST_TERMS);
         checkRange("--radius", radius, 0, Neighbourhood.MAXIMUM_RADIUS);
         checkLength("--wavelength-step", wavelengthStep, 1e-12, 200e-9);
         checkLength("--coherence-length", coherenceLength, 100e-9, 10e-3);
         return new PlanRequest(
                 preset == Preset.THESIS ? PlanRequest.Preset.THESIS : PlanRequest.Preset.NONE,
-                tolerance,
+                tolerance(),
                 Optional.ofNullable(expansion),
                 terms == null ? OptionalInt.empty() : OptionalInt.of(terms),
                 radius == null ? OptionalInt.empty() : OptionalInt.of(radius),
@@ -117,15 +119,45 @@ public final class PlanOptions {
                 Optional.ofNullable(average));
     }
 
+    private double tolerance() {
+        return tolerance == null ? Tolerances.STANDARD : tolerance;
+    }
+
+    /**
+     * The request, checked, for a method that may make none of these choices.
+     *
+     * @throws UsageException for a value that cannot be used, or that does not belong to the method
+     */
+    public PlanRequest request(MethodKind method) {
+        if (method == MethodKind.REFERENCE || method == MethodKind.GEM) {
+            rejectGiven("--tolerance", tolerance, method);
+            rejectGiven("--expansion", expansion, method);
+            rejectGiven("--terms", terms, method);
+            rejectGiven("--radius", radius, method);
+            rejectGiven("--anchor", anchor, method);
+            rejectGiven("--wavelength-step", wavelengthStep, method);
+        }
+        return request();
+    }
+
+    private static void rejectGiven(String option, Object value, MethodKind method) {
+        if (value != null) {
+            throw new UsageException("%s is about Fourier tables, which --method %s does not use; leave it out"
+                    .formatted(option, method.label()));
+        }
+    }
+
     /** Prints the plan, with reasons where they are asked for. */
     public void print(Plan plan, PrintWriter out) {
         PlanReport report = new PlanReport(plan);
         print(report.summary(), report.reasons(), out);
     }
 
-    /** Prints a method's plan, with reasons where they are asked for. */
+    /** Prints a method's plan, with reasons where they are asked for, and what breaks its tolerance. */
     public void print(MethodFactory method, PrintWriter out) {
         print(method.summary(), method.reasons(), out);
+        method.warnings().forEach(line -> out.println(Messages.warning(line)));
+        out.flush();
     }
 
     private void print(String summary, List<String> reasons, PrintWriter out) {
@@ -138,7 +170,7 @@ public final class PlanOptions {
 
     /** The options that were given, for metadata. */
     public String describe() {
-        StringBuilder text = new StringBuilder(preset == null ? "tolerance " + tolerance : "preset thesis");
+        StringBuilder text = new StringBuilder(preset == null ? "tolerance " + tolerance() : "preset thesis");
         append(text, "expansion", expansion);
         append(text, "terms", terms);
         append(text, "radius", radius);
@@ -157,14 +189,29 @@ public final class PlanOptions {
     }
 
     private void checkTolerance() {
-        if (!(tolerance > 0 && tolerance <= Tolerances.COARSEST)) {
-            throw new UsageException("--tolerance " + tolerance + " is out of range; give " + Tolerances.FINEST + " to "
-                    + Tolerances.COARSEST);
+        double value = tolerance();
+        if (!(value > 0 && value <= Tolerances.COARSEST)) {
+            throw new UsageException("--tolerance %s is out of range; give %s to %s, for example 1e-3"
+                    .formatted(shown(value), shown(Tolerances.FINEST), shown(Tolerances.COARSEST)));
         }
-        if (tolerance < Tolerances.FINEST) {
-            throw new UsageException("--tolerance " + tolerance + " is finer than float32 can reach; give "
-                    + Tolerances.FINEST + " or more, or evaluate directions with 'reflectance --method reference'");
+        if (value < Tolerances.FINEST) {
+            throw new UsageException(
+                    "--tolerance %s is finer than float32 can reach, which is %s; give that or more, or evaluate directions with 'reflectance --method reference'"
+                            .formatted(shown(value), shown(Tolerances.FINEST)));
         }
+    }
+
+    private void checkPreset() {
+        if (preset != null && tolerance != null) {
+            throw new UsageException(
+                    "--tolerance %s contradicts --preset %s, whose choices keep no tolerance; leave one of them out"
+                            .formatted(shown(tolerance), preset.toString().toLowerCase(Locale.ROOT)));
+        }
+    }
+
+    /** As people write it: 1e-5, not 1.0E-5. */
+    private static String shown(double value) {
+        return Double.toString(value).replaceFirst("\\.0(E|$)", "$1").replace('E', 'e');
     }
 
     private static void checkRange(String option, Integer value, int low, int high) {

@@ -88,7 +88,8 @@ final class Comparison {
     /** Errors of the colours as vectors, where there is any power. */
     Errors colourErrors(List<Geometry> geometries) {
         List<float[]> computed = colours(geometries);
-        ReferenceColor color = new ReferenceColor(reference, request.window(), cie);
+        ReferenceColor color =
+                new ReferenceColor(reference, request.window(), cie, ReferenceColor.Quadrature.INTEGRATED);
         double[] errors = IntStream.range(0, geometries.size())
                 .parallel()
                 .mapToDouble(i -> relative(computed.get(i), color.xyz(geometries.get(i), ensemble())))

@@ -25,6 +25,13 @@ final class Directions {
                 .toList();
     }
 
+    /** Both directions anywhere in the hemisphere and any visible wavelength. */
+    List<Query> queries(int count) {
+        return anywhere(count).stream()
+                .map(geometry -> new Query(geometry, 380e-9 + 400e-9 * random.nextDouble()))
+                .toList();
+    }
+
     /** Light of one direction, views evenly in the disc. */
     List<Geometry> views(Direction light, int count) {
         return IntStream.range(0, count)

@@ -1,5 +1,6 @@
 package sunbeam.precompute.expansion;
 
+import java.util.Arrays;
 import org.apache.commons.math3.complex.Complex;
 
 /** T_n = s^n, c_n = zeta^n / n! (thesis eq. 2.44), with heights scaled to [-1, 1]. */
@@ -32,6 +33,11 @@ public record TaylorExpansion(HeightScale scale, int terms, double maximumPhase)
             values[n] = values[n - 1] * zeta / n;
         }
         return values;
+    }
+
+    /** The largest coefficient: what cancels to leave a sum of magnitude 1. */
+    public double largestTerm(double zeta) {
+        return Arrays.stream(coefficients(zeta)).max().orElseThrow();
     }
 
     /** Lagrange's remainder with M = 1, because the argument is imaginary (the thesis's eq. 2.51 takes e^zeta). */

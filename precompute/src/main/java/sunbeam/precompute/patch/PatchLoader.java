@@ -154,6 +154,7 @@ public final class PatchLoader {
             warnings.add("all heights are equal: the patch is a flat mirror");
         }
         SamplingCheck.pitch(heights).ifPresent(warnings::add);
+        SlopeCheck.slopes(heights).ifPresent(warnings::add);
         return new Patch(name, heights, source + ", levelling " + chosen.label(), warnings);
     }
 

@@ -39,13 +39,12 @@ public final class PlanReport {
     private String sampling() {
         Sampling sampling = plan.sampling();
         if (sampling instanceof Sampling.Bins bins) {
-            int side = 2 * bins.neighbourhood().radius() + 1;
-            return "%d x %d bins around the %s one at %d wavelengths"
-                    .formatted(
-                            side,
-                            side,
-                            bins.neighbourhood().anchor() == Neighbourhood.Anchor.FLOOR ? "floored" : "nearest",
-                            bins.wavelengths().count());
+            return neighbourhood(bins.neighbourhood()) + " at "
+                    + bins.wavelengths().count() + " wavelengths";
+        }
+        if (sampling instanceof Sampling.Rays rays) {
+            return "%s at %d to %d wavelengths"
+                    .formatted(neighbourhood(rays.neighbourhood()), rays.fewestNodes(), mostNodes(rays));
         }
         if (sampling instanceof Sampling.Grid grid) {
             return "grid with %d taps, %d to %d wavelengths"
@@ -57,6 +56,19 @@ public final class PlanReport {
 
     private static int orderNodes(Sampling.Orders orders) {
         return 2 * (int) Math.ceil(orders.reach() / orders.nodeSpacing()) + 1;
+    }
+
+    private static String neighbourhood(Neighbourhood neighbourhood) {
+        int side = 2 * neighbourhood.radius() + 1;
+        String middle = neighbourhood.anchor() == Neighbourhood.Anchor.FLOOR ? "floored" : "nearest";
+        return side + " x " + side + " bins around the " + middle + " one";
+    }
+
+    private int mostNodes(Sampling.Rays rays) {
+        VisibleRange range = plan.range();
+        double longest = Math.sqrt(2) * range.maximumComponent();
+        double waveNumbers = 1 / CieTable.MINIMUM_WAVELENGTH - 1 / CieTable.MAXIMUM_WAVELENGTH;
+        return Math.max(rays.fewestNodes(), (int) Math.ceil(longest * waveNumbers / rays.nodeStep()) + 1);
     }
 
     /** Columns that the longest ray crosses. */
@@ -127,6 +139,14 @@ public final class PlanReport {
                             orders.nodeSpacing(),
                             Lengths.format(orders.largestStep()),
                             orders.specularNodes()));
+        }
+        if (sampling instanceof Sampling.Rays rays) {
+            return List.of(
+                    "spectrum: the window's is so narrow that its flanks lie bare between orders, or a grid would not fit"
+                            + " into memory; " + neighbourhood(rays.neighbourhood()) + " are summed",
+                    format(
+                            "wavelengths: in steps of %.4g cycles per metre along the ray (u, v) / lambda, %d or more",
+                            rays.nodeStep(), rays.fewestNodes()));
         }
         return List.of("spectrum and wavelengths: " + sampling() + ", as asked for");
     }

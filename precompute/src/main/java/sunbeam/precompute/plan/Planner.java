@@ -1,5 +1,6 @@
 package sunbeam.precompute.plan;
 
+import java.util.List;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.WavelengthNodes;
 import sunbeam.precompute.expansion.ChebyshevExpansion;
@@ -15,25 +16,60 @@ import sunbeam.precompute.patch.HeightMap;
 public final class Planner {
     private static final int THESIS_TERMS = 37;
     private static final double THESIS_WAVELENGTH_STEP = 5e-9;
+    private static final double COARSEST_WAVELENGTH_STEP = 1e-9;
+    private static final double FINEST_WAVELENGTH_STEP = 0.05e-9;
 
     private final HeightMap map;
     private final HeightLevels heights;
     private final CieTable cie;
+    private final long heapLimit;
 
+    /** A planner for this process's heap. */
     public Planner(HeightMap map, HeightLevels heights, CieTable cie) {
+        this(map, heights, cie, Runtime.getRuntime().maxMemory());
+    }
+
+    /**
+     * A planner.
+     *
+     * @param heapLimit the most that Java's heap may take, bytes
+     */
+    public Planner(HeightMap map, HeightLevels heights, CieTable cie, long heapLimit) {
         this.map = map;
         this.heights = heights;
         this.cie = cie;
+        this.heapLimit = heapLimit;
     }
 
-    /** The plan. */
+    /**
+     * The plan: the fastest that keeps the tolerance and fits into memory.
+     *
+     * @throws PlanException when none does, or when what is fixed makes no sense together
+     */
     public Plan plan(PlanRequest request, VisibleRange range) {
+        PlanChecks.check(request, map);
         Tolerances tolerances = new Tolerances(request.tolerance());
-        Sampling sampling = sampling(request, range, tolerances);
+        Plan plan = null;
+        for (Sampling sampling : samplings(request, range, tolerances)) {
+            plan = plan(request, range, tolerances, sampling);
+            if (memory(plan).fits(heapLimit)) {
+                break;
+            }
+        }
+        memory(plan).require(heapLimit, plan);
+        return plan;
+    }
+
+    /** What the user fixed of a plan that breaks its tolerance, one line each. */
+    public List<String> warnings(Plan plan) {
+        return new PlanWarnings(plan, map).lines();
+    }
+
+    private Plan plan(PlanRequest request, VisibleRange range, Tolerances tolerances, Sampling sampling) {
         return new Plan(
                 request.isThesis() ? Double.NaN : tolerances.value(),
                 range,
-                expansion(request, range, tolerances.expansion(sampling)),
+                expansion(request, range, tolerances.expansion()),
                 range.bandX(map.width(), margin(sampling, request, map.width())),
                 range.bandY(map.height(), margin(sampling, request, map.height())),
                 request.window(),
@@ -42,23 +78,37 @@ public final class Planner {
                 sampling);
     }
 
-    private Sampling sampling(PlanRequest request, VisibleRange range, Tolerances tolerances) {
-        if (request.isThesis() || request.fixesBins()) {
-            return bins(request, tolerances);
-        }
-        SamplingPlanner planner = new SamplingPlanner(map, heights, request.window(), range, tolerances);
-        return planner.choose();
+    private MemoryNeed memory(Plan plan) {
+        int terms = plan.expansion().terms();
+        MemoryNeed table = MemoryNeed.ofBins(map.rows(), terms, plan.bandX(), plan.bandY());
+        return plan.sampling() instanceof Sampling.Grid grid
+                ? MemoryNeed.ofGrid(grid, plan.window().sigmaFrequency(), plan.range(), table, terms)
+                : table;
     }
 
-    private Sampling bins(PlanRequest request, Tolerances tolerances) {
+    private List<Sampling> samplings(PlanRequest request, VisibleRange range, Tolerances tolerances) {
+        return request.isThesis() || request.fixesBins()
+                ? List.of(bins(request, range, tolerances))
+                : new SamplingPlanner(map, heights, request.window(), range, tolerances).choices();
+    }
+
+    private Sampling bins(PlanRequest request, VisibleRange range, Tolerances tolerances) {
         boolean thesis = request.isThesis();
         double sigmaBins = request.window().sigmaFrequency() * Math.max(map.width(), map.height());
         int radius = request.radius()
                 .orElseGet(() -> thesis ? 1 : SamplingPlanner.neighbourhoodRadius(sigmaBins, tolerances));
+        PlanChecks.checkRadius(radius, sigmaBins);
         Neighbourhood.Anchor anchor =
                 request.anchor().orElse(thesis ? Neighbourhood.Anchor.FLOOR : Neighbourhood.Anchor.NEAREST);
-        double step = request.wavelengthStep().orElse(thesis ? THESIS_WAVELENGTH_STEP : 1e-9);
+        double step = request.wavelengthStep()
+                .orElseGet(() -> thesis ? THESIS_WAVELENGTH_STEP : wavelengthStep(request, range, tolerances));
         return new Sampling.Bins(new Neighbourhood(radius, anchor), WavelengthNodes.uniform(cie, step));
+    }
+
+    /** Fine enough for the sharpest order, for the colour matching functions, and for textures' longest side. */
+    private static double wavelengthStep(PlanRequest request, VisibleRange range, Tolerances tolerances) {
+        double orders = PlanWarnings.coarsestWavelengthStep(request.window(), range, tolerances.value());
+        return Math.max(FINEST_WAVELENGTH_STEP, Math.min(COARSEST_WAVELENGTH_STEP, orders));
     }
 
     /** Bins beyond the visible ones that the window brings into view. */
@@ -66,6 +116,9 @@ public final class Planner {
         // One more bin, because float32 may round a frequency into the next one.
         if (sampling instanceof Sampling.Bins bins) {
             return bins.neighbourhood().radius() + 1;
+        }
+        if (sampling instanceof Sampling.Rays rays) {
+            return rays.neighbourhood().radius() + 1;
         }
         return sampling instanceof Sampling.Grid
                 ? (int) Math.ceil(SamplingPlanner.GAUSS_REACH * request.window().sigmaFrequency() * period) + 1
@@ -81,13 +134,13 @@ public final class Planner {
         if (request.terms().isPresent() || thesis) {
             int terms = request.terms().orElse(THESIS_TERMS);
             return switch (kind) {
-                case TAYLOR -> new TaylorExpansion(scale, terms, maximum);
+                case TAYLOR -> PlanChecks.withinFloatRange(new TaylorExpansion(scale, terms, maximum));
                 case CHEBYSHEV -> new ChebyshevExpansion(scale, terms, maximum);
                 case LOWRANK -> LowRankExpansion.ofTerms(heights, scale, minimum, maximum, terms);
             };
         }
         return switch (kind) {
-            case TAYLOR -> TaylorExpansion.within(scale, maximum, tolerance);
+            case TAYLOR -> PlanChecks.accurate(TaylorExpansion.within(scale, maximum, tolerance), request.tolerance());
             case CHEBYSHEV -> ChebyshevExpansion.within(scale, maximum, tolerance);
             case LOWRANK -> LowRankExpansion.within(heights, scale, minimum, maximum, tolerance);
         };

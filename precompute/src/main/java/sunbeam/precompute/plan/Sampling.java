@@ -23,6 +23,16 @@ public sealed interface Sampling {
     record Orders(double reach, double nodeSpacing, double largestStep, int specularNodes) implements Sampling {}
 
     /**
+     * Sums a neighbourhood of bins, at wavelengths in equal steps along the ray f = (u, v) / lambda: for orders that the
+     * window neither resolves nor blurs, and for windows so large that a grid would not fit into memory.
+     *
+     * @param neighbourhood the bins
+     * @param nodeStep distance of the wavelengths along the ray, cycles per metre
+     * @param fewestNodes wavelengths of directions whose ray is shorter than so many steps
+     */
+    record Rays(Neighbourhood neighbourhood, double nodeStep, int fewestNodes) implements Sampling {}
+
+    /**
      * Interpolates spectra that were windowed and resampled beforehand. Wavelengths lie where the ray f = (u, v) / lambda
      * crosses the columns of a grid, so that only one axis is left to interpolate.
      *

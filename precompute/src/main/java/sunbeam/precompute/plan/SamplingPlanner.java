@@ -1,5 +1,7 @@
 package sunbeam.precompute.plan;
 
+import java.util.ArrayList;
+import java.util.List;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.patch.HeightLevels;
@@ -20,6 +22,9 @@ final class SamplingPlanner {
     private static final double LARGEST_CENTRE = 0.25;
     // Steps of the wavelength per period of the interference between top and bottom of the relief.
     private static final double NODES_PER_FRINGE = 6;
+    // Where the window's spectrum is narrower, in bins, its flanks lie bare between orders. Interpolation errs by a
+    // share of the order's middle, which is exp(0.5^2 / sigma^2) times the power half a bin aside: 5 times at 0.4.
+    private static final double RESOLVED_SIGMA_BINS = 0.4;
 
     private final HeightMap map;
     private final HeightLevels heights;
@@ -39,15 +44,34 @@ final class SamplingPlanner {
     /** Bins on each side of the nearest that matter: at its edge, half a bin further, the Gaussian is the tolerance. */
     static int neighbourhoodRadius(double sigmaBins, Tolerances tolerances) {
         double reach = sigmaBins * Math.sqrt(2 * Math.log(1 / (0.1 * tolerances.value())));
-        return (int) Math.min(Neighbourhood.MAXIMUM_RADIUS, Math.max(0, Math.ceil(reach - 0.5)));
+        return (int) Math.max(0, Math.ceil(reach - 0.5));
     }
 
-    Sampling choose() {
+    /** The ways that keep the tolerance, the fastest first; later ones take less memory. */
+    List<Sampling> choices() {
         // The next order is at least half a bin away. Its amplitude there must be lost in the nearest one's, and in the
         // valley between orders nothing is left to see.
         double sigmaBins = window.sigmaFrequency() * Math.max(map.width(), map.height());
         double neighbour = Math.exp(-0.5 * Math.pow(0.5 / sigmaBins, 2));
-        return neighbour < 1e-3 * tolerances.value() ? orders() : grid();
+        if (neighbour < 1e-3 * tolerances.value()) {
+            return List.of(orders());
+        }
+        List<Sampling> choices = new ArrayList<>();
+        if (window.sigmaFrequency() * Math.min(map.width(), map.height()) >= RESOLVED_SIGMA_BINS) {
+            choices.add(grid());
+        }
+        // Half way between two orders both count alike.
+        int radius = Math.max(1, neighbourhoodRadius(sigmaBins, tolerances));
+        if (radius <= Neighbourhood.MAXIMUM_RADIUS) {
+            choices.add(rays(radius));
+        }
+        return choices.isEmpty() ? List.of(grid()) : choices;
+    }
+
+    private Sampling rays(int radius) {
+        // The trapezoid rule along the ray, as in grid(), but with the ray's own steps.
+        double step = Math.PI * window.sigmaFrequency() / Math.sqrt(Math.log(2 / tolerances.wavelengths()));
+        return new Sampling.Rays(new Neighbourhood(radius, Neighbourhood.Anchor.NEAREST), step, fewestNodes());
     }
 
     private Sampling orders() {
@@ -61,8 +85,7 @@ final class SamplingPlanner {
     private Sampling grid() {
         InterpolationDesign design = InterpolationDesign.within(tolerances.interpolation());
         // Columns are crossed at up to sqrt(2) of their distance. The power of a lone order along the ray is a Gaussian
-        // of
-        // deviation sigma / sqrt(2), for which the trapezoid rule errs by 2 exp(-2 (pi deviation / step)^2).
+        // of deviation sigma / sqrt(2), for which the trapezoid rule errs by 2 exp(-2 (pi deviation / step)^2).
         double perStep = Math.sqrt(2 / (Math.PI * Math.PI) * Math.log(2 / tolerances.wavelengths()));
         double step = window.sigmaFrequency() / perStep;
         double centre = new Sampling.Grid(design, step, 1, fewestNodes()).centreReach();

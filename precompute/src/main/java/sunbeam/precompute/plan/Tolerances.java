@@ -14,17 +14,17 @@ public record Tolerances(double value) {
     public static final double STANDARD = 1e-3;
 
     /**
-     * Root mean square error of the expansion over the surface. A weak order sees more of it than the mean, because what
-     * is left out falls off more slowly with frequency than what is kept; more so the lone orders of a grating, whose
-     * efficiencies differ by many powers of ten.
+     * Root mean square error of the expansion over the surface. Weak directions see more of it than the mean, because
+     * what is left out falls off more slowly with frequency than what is kept: beside the bright directions of a smooth
+     * surface, around a grain of dust, in the lone orders of a grating.
      */
-    double expansion(Sampling sampling) {
-        return (sampling instanceof Sampling.Orders ? 0.02 : 0.1) * value;
+    double expansion() {
+        return 0.02 * value;
     }
 
     /** Relative error of an amplitude by interpolation; the power has twice that, and its weak spots more. */
     double interpolation() {
-        return 0.25 * value;
+        return 0.15 * value;
     }
 
     /** Relative error of the trapezoid rule over wavelengths for a lone order. */

@@ -4,6 +4,7 @@ import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.fourier.Band;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.Geometry;
+import sunbeam.precompute.resample.AxisGrid;
 
 /**
  * The (u, v, w) that a scene can reach, as intervals: nothing outside is computed or stored.
@@ -52,11 +53,34 @@ public record VisibleRange(
         return band(minimumV, maximumV, period, margin);
     }
 
+    /** Samples along x of the frequencies that can be seen at 380 nm or longer, and a margin on both sides. */
+    public AxisGrid gridX(double step, int margin) {
+        return grid(minimumU, maximumU, step, margin);
+    }
+
+    /** Samples along y of the frequencies that can be seen at 380 nm or longer, and a margin on both sides. */
+    public AxisGrid gridY(double step, int margin) {
+        return grid(minimumV, maximumV, step, margin);
+    }
+
+    private static AxisGrid grid(double low, double high, double step, int margin) {
+        return AxisGrid.covering(low / wavelengthTowards(low, -1), high / wavelengthTowards(high, 1), step, margin);
+    }
+
+    /** The wavelength at which u / lambda reaches farthest towards one side. */
+    private static double wavelengthTowards(double u, int side) {
+        return side * u > 0 ? CieTable.MINIMUM_WAVELENGTH : CieTable.MAXIMUM_WAVELENGTH;
+    }
+
     private static Band band(double low, double high, double period, int margin) {
-        double shortest = CieTable.MINIMUM_WAVELENGTH;
-        double longest = CieTable.MAXIMUM_WAVELENGTH;
-        return Band.covering(
-                low / (low < 0 ? shortest : longest), high / (high < 0 ? longest : shortest), period, margin);
+        return Band.covering(low / wavelengthTowards(low, -1), high / wavelengthTowards(high, 1), period, margin);
+    }
+
+    /** Longest (u, v): no two directions of the hemisphere have a longer one than 2. */
+    public double longestUv() {
+        double u = Math.max(Math.abs(minimumU), Math.abs(maximumU));
+        double v = Math.max(Math.abs(minimumV), Math.abs(maximumV));
+        return Math.min(2, Math.hypot(u, v));
     }
 
     /** Largest of |u| and |v|. */

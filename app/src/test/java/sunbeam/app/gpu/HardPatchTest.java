@@ -1,0 +1,86 @@
+package sunbeam.app.gpu;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static sunbeam.app.gpu.Requests.TOLERANCE;
+
+import jrtr.RenderContext;
+import jrtr.gl.RenderContexts;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.patch.MissingSamples;
+import sunbeam.precompute.patch.SamplingCheck;
+import sunbeam.precompute.plan.Average;
+
+/** Patches of odd shapes and with faults. The tolerance holds for all of them, against the same samples. */
+@NeedsDisplay
+class HardPatchTest {
+    private static RenderContext context;
+
+    @BeforeAll
+    static void open() {
+        context = RenderContexts.offscreen();
+    }
+
+    @AfterAll
+    static void close() {
+        context.close();
+    }
+
+    private static void assertKept(HeightMap map, double coherenceLength, String what) {
+        new Comparison(context, map, Requests.of(coherenceLength, Average.COHERENT))
+                .powerErrors(new Directions(21).queries(100))
+                .assertWithin(TOLERANCE, what);
+    }
+
+    @ParameterizedTest
+    @CsvSource({"61, 53", "64, 27", "127, 1", "1, 64", "2, 2"})
+    void sidesOddEvenPrimeAndSingle(int columns, int rows) {
+        HeightMap map = Surface.noise(columns, rows, 60e-9, 300e-9, 12);
+
+        // Of the longer side, so that every direction sees something.
+        assertKept(map, 0.5 * Math.max(map.width(), map.height()) + 300e-9, columns + " x " + rows);
+    }
+
+    @Test
+    void pixelsThatAreNotSquare() {
+        HeightMap square = Surface.noise(64, 40, 30e-9, 300e-9, 13);
+        assertKept(new HeightMap(64, 40, 30e-9, 90e-9, square.toArray()), 2e-6, "30 nm x 90 nm");
+    }
+
+    @Test
+    void oneSpikeOfDust() {
+        HeightMap skin = Surface.waves(64, 64, 50e-9, 100e-9);
+        double[] heights = skin.toArray();
+        heights[20 * 64 + 30] = 3e-6;
+        assertKept(new HeightMap(64, 64, 50e-9, 50e-9, heights), 3e-6, "dust");
+    }
+
+    @Test
+    void eightBits() {
+        double step = 375e-9 / 255;
+        HeightMap skin = Surface.noise(64, 64, 50e-9, 375e-9, 14);
+        assertKept(skin.map(height -> step * Math.rint(height / step)), 3e-6, "8 bits");
+    }
+
+    @Test
+    void missingSamplesOnceFilled() {
+        double[] heights = Surface.noise(64, 64, 50e-9, 375e-9, 15).toArray();
+        for (int i = 0; i < heights.length; i += 17) {
+            heights[i] = Double.NaN;
+        }
+        HeightMap filled = MissingSamples.fill(new HeightMap(64, 64, 50e-9, 50e-9, heights))
+                .heights();
+        assertKept(filled, 3e-6, "filled");
+    }
+
+    @Test
+    void samplesTooCoarseAreComputedAsTheyAreAndTold() {
+        HeightMap coarse = Surface.noise(32, 32, 150e-9, 300e-9, 16);
+        assertThat(SamplingCheck.pitch(coarse)).isPresent();
+        assertKept(coarse, 3e-6, "coarse");
+    }
+}

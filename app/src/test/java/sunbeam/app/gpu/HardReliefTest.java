@@ -1,0 +1,89 @@
+package sunbeam.app.gpu;
+
+import static sunbeam.app.gpu.Requests.TOLERANCE;
+
+import java.util.List;
+import java.util.Optional;
+import jrtr.RenderContext;
+import jrtr.gl.RenderContexts;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import sunbeam.app.directions.DirectionsRenderer.Query;
+import sunbeam.precompute.expansion.ExpansionKind;
+import sunbeam.precompute.optics.WindowOrigin;
+import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.plan.Average;
+
+/** Heights that are hard to expand: the tolerance is kept on the GPU, in float32, by the plan's own choices. */
+@NeedsDisplay
+class HardReliefTest {
+    private static final double PITCH = 50e-9;
+    /** Of the patches of 64 samples, 3.2 um wide: as many bins as sunlight's window has on a measured skin. */
+    private static final double WINDOW = 3.2e-6;
+
+    private static RenderContext context;
+
+    @BeforeAll
+    static void open() {
+        context = RenderContexts.offscreen();
+    }
+
+    @AfterAll
+    static void close() {
+        context.close();
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "819e-9, COHERENT",
+        "819e-9, ENSEMBLE",
+        "2e-6, COHERENT",
+        "2e-6, ENSEMBLE",
+        "5e-6, COHERENT",
+        "5e-6, ENSEMBLE"
+    })
+    void reliefOfManyWavelengths(double relief, Average average) {
+        HeightMap map = Surface.noise(64, 64, PITCH, relief, 3);
+
+        new Comparison(context, map, Requests.of(WINDOW, average))
+                .powerErrors(new Directions(1).queries(200))
+                .assertWithin(TOLERANCE, "power");
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {819e-9, 2e-6, 5e-6})
+    void coloursOfReliefOfManyWavelengths(double relief) {
+        HeightMap map = Surface.noise(64, 64, PITCH, relief, 4);
+
+        new Comparison(context, map, Requests.of(WINDOW, Average.COHERENT))
+                .colourErrors(new Directions(2).anywhere(20))
+                .assertWithin(TOLERANCE, "XYZ");
+    }
+
+    @ParameterizedTest
+    @EnumSource(
+            value = ExpansionKind.class,
+            names = {"CHEBYSHEV", "TAYLOR"})
+    void theOtherExpansionsKeepTheToleranceToo(ExpansionKind kind) {
+        HeightMap map = Surface.noise(64, 64, PITCH, 250e-9, 5);
+
+        new Comparison(context, map, Requests.of(WINDOW, Average.COHERENT, WindowOrigin.CENTRE, Optional.of(kind)))
+                .powerErrors(new Directions(3).queries(100))
+                .assertWithin(TOLERANCE, kind.label());
+    }
+
+    @Test
+    void aScanThatSitsAMillimetreAboveZero() {
+        HeightMap raised = Surface.noise(64, 64, PITCH, 819e-9, 6).map(height -> height + 1e-3);
+        List<Query> queries = new Directions(4).queries(100);
+
+        new Comparison(context, raised, Requests.of(WINDOW, Average.COHERENT))
+                .powerErrors(queries)
+                .assertWithin(TOLERANCE, "offset");
+    }
+}

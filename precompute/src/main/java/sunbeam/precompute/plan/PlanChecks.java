@@ -1,0 +1,83 @@
+package sunbeam.precompute.plan;
+
+import java.util.Locale;
+import sunbeam.precompute.expansion.TaylorExpansion;
+import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.units.Lengths;
+
+/** Refuses what cannot be right, with the numbers that say why. */
+final class PlanChecks {
+    // A Gaussian of deviation s sampled at a pitch p has replicas of its spectrum of exp(-2 pi^2 s^2 / p^2) times its
+    // height half way between: 1e-4 at s = 0.7 p, which is a coherence length of 2.8 p.
+    private static final double FEWEST_SAMPLES = 2.8;
+
+    private PlanChecks() {}
+
+    /** Choices that contradict each other or the patch. */
+    static void check(PlanRequest request, HeightMap map) {
+        if (request.anchor().isPresent() && request.radius().isEmpty() && !request.isThesis()) {
+            throw new PlanException(
+                    "anchor %s is the middle of a neighbourhood of bins, but no radius is given; add for example --radius 3, or leave --anchor out"
+                            .formatted(request.anchor().get().toString().toLowerCase(Locale.ROOT)));
+        }
+        double pitch = Math.max(map.columns() > 1 ? map.pitchX() : 0, map.rows() > 1 ? map.pitchY() : 0);
+        double coherenceLength = request.window().coherenceLength();
+        if (coherenceLength < FEWEST_SAMPLES * pitch) {
+            throw new PlanException(
+                    "a coherence length of %s is less than %.1f samples of the patch, which are %s apart; give %s or more"
+                            .formatted(
+                                    Lengths.format(coherenceLength),
+                                    FEWEST_SAMPLES,
+                                    Lengths.format(pitch),
+                                    Lengths.format(FEWEST_SAMPLES * pitch)));
+        }
+    }
+
+    /** A radius that was planned must not be cut short; one that was given is small enough already. */
+    static void checkRadius(int radius, double sigmaBins) {
+        if (radius > Neighbourhood.MAXIMUM_RADIUS) {
+            throw new PlanException(String.format(
+                    Locale.ROOT,
+                    "the window's spectrum is %.1f DFT bins wide and takes a neighbourhood of radius %d, but at most %d can"
+                            + " be summed; leave out --wavelength-step (the plan then interpolates a grid), give a"
+                            + " larger --coherence-length, or fix a smaller --radius",
+                    sigmaBins,
+                    radius,
+                    Neighbourhood.MAXIMUM_RADIUS));
+        }
+    }
+
+    /** Taylor's terms reach e^phase before they cancel, and float32 has seven digits. */
+    static TaylorExpansion accurate(TaylorExpansion expansion, double tolerance) {
+        double phase = expansion.maximumPhase();
+        double reachable = Math.ulp(1f) * expansion.largestTerm(phase);
+        if (reachable > tolerance) {
+            throw new PlanException(String.format(
+                    Locale.ROOT,
+                    "expansion taylor reaches only %.1g in float32 at this relief (%s, phases up to %.1f), not the"
+                            + " tolerance %s; use lowrank or chebyshev",
+                    reachable,
+                    Lengths.format(2 * expansion.scale().halfRange()),
+                    phase,
+                    tolerance));
+        }
+        return expansion;
+    }
+
+    /** A number of terms that was given may be inaccurate, but not overflow. */
+    static TaylorExpansion withinFloatRange(TaylorExpansion expansion) {
+        double phase = expansion.maximumPhase();
+        double largest = expansion.largestTerm(phase);
+        // Squared, as a power.
+        if (largest * largest > Float.MAX_VALUE) {
+            throw new PlanException(String.format(
+                    Locale.ROOT,
+                    "expansion taylor with %d terms leaves the range of float32 at this relief (%s, phases up to %.1f);"
+                            + " use lowrank or chebyshev",
+                    expansion.terms(),
+                    Lengths.format(2 * expansion.scale().halfRange()),
+                    phase));
+        }
+        return expansion;
+    }
+}

@@ -1,0 +1,60 @@
+package sunbeam.precompute.patch;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.junit.jupiter.api.Test;
+import sunbeam.precompute.Surfaces;
+
+class SlopeCheckTest {
+    private static final double PITCH = 50e-9;
+
+    @Test
+    void isSilentOnSlopesUpToThirtyDegrees() {
+        assertThat(SlopeCheck.slopes(ramp(29.9))).isEmpty();
+        assertThat(SlopeCheck.slopes(new HeightMap(1, 1, PITCH, PITCH, new double[1])))
+                .isEmpty();
+    }
+
+    @Test
+    void namesTheShareAndTheSteepestSlope() {
+        // Left half flat, right half at 40 degrees: 31 of 63 steps climb.
+        double rise = Math.tan(Math.toRadians(40));
+        HeightMap half = Surfaces.of(64, 8, PITCH, (x, y) -> rise * Math.max(0, x - 32 * PITCH));
+
+        assertThat(SlopeCheck.slopes(half).orElseThrow())
+                .contains("49.2 % of the surface", "steeper than 30 degrees", "the steepest 40 degrees");
+    }
+
+    @Test
+    void takesTheSteepestDirectionAcrossBothAxes() {
+        // 25 degrees along each axis are 33 along the diagonal.
+        double rise = Math.tan(Math.toRadians(25));
+        HeightMap tilted = Surfaces.of(8, 8, PITCH, (x, y) -> rise * (x + y));
+
+        assertThat(SlopeCheck.slopes(tilted).orElseThrow()).contains("100.0 %", "the steepest 33 degrees");
+    }
+
+    @Test
+    void looksAlongTheOnlyAxisOfAProfile() {
+        double rise = Math.tan(Math.toRadians(60));
+
+        assertThat(SlopeCheck.slopes(Surfaces.of(8, 1, PITCH, (x, y) -> rise * x))
+                        .orElseThrow())
+                .contains("60 degrees");
+        assertThat(SlopeCheck.slopes(Surfaces.of(1, 8, PITCH, (x, y) -> rise * y))
+                        .orElseThrow())
+                .contains("60 degrees");
+    }
+
+    @Test
+    void forgivesTheWallOfAGratingAndTheSeam() {
+        // One wall in 127 steps, and the jump from the ramp's end to its start that is not looked at.
+        assertThat(SlopeCheck.slopes(Surfaces.of(128, 1, PITCH, (x, y) -> x < 64 * PITCH ? 0 : 1e-6)))
+                .isEmpty();
+    }
+
+    private static HeightMap ramp(double degrees) {
+        double rise = Math.tan(Math.toRadians(degrees));
+        return Surfaces.of(16, 16, PITCH, (x, y) -> rise * x);
+    }
+}

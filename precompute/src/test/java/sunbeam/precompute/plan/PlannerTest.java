@@ -1,0 +1,206 @@
+package sunbeam.precompute.plan;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.OptionalInt;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import sunbeam.precompute.Surfaces;
+import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.expansion.ExpansionKind;
+import sunbeam.precompute.optics.Direction;
+import sunbeam.precompute.patch.HeightLevels;
+import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.plan.PlanRequest.Preset;
+
+class PlannerTest {
+    private static final double PITCH = 50e-9;
+    private static final long MUCH_MEMORY = 64L << 30;
+    private static final VisibleRange MAP = VisibleRange.of(new Direction(0, 0, 1));
+    private static final CieTable CIE = CieTable.load();
+
+    @Test
+    void ordersThatTheWindowResolvesAreLookedAtOneByOne() {
+        // 3.2 um under a window of 65 um: 0.03 bins.
+        Plan plan = planner(64, 400e-9).plan(request(Optional.empty(), 0, OptionalInt.empty(), 65e-6, 0), MAP);
+
+        assertThat(plan.sampling()).isInstanceOf(Sampling.Orders.class);
+    }
+
+    @Test
+    void ordersThatTheWindowBlursAreResampled() {
+        // 3.2 um under a window of 3.2 um: 0.64 bins, as the measured skins under sunlight's window.
+        Plan plan = planner(64, 400e-9).plan(request(Optional.empty(), 0, OptionalInt.empty(), 3.2e-6, 0), MAP);
+
+        assertThat(plan.sampling()).isInstanceOf(Sampling.Grid.class);
+    }
+
+    @Test
+    void ordersThatTheWindowNeitherResolvesNorBlursAreSummed() {
+        // 3.2 um under a window of 10 um: 0.2 bins.
+        Plan plan = planner(64, 400e-9).plan(request(Optional.empty(), 0, OptionalInt.empty(), 10e-6, 0), MAP);
+
+        assertThat(plan.sampling()).isInstanceOf(Sampling.Rays.class);
+    }
+
+    @Test
+    void theThesisStaysAsItIs() {
+        Plan plan = planner(64, 400e-9).plan(PlanRequest.of(Preset.THESIS), MAP);
+
+        Sampling.Bins bins = (Sampling.Bins) plan.sampling();
+        assertThat(bins.neighbourhood()).isEqualTo(new Neighbourhood(1, Neighbourhood.Anchor.FLOOR));
+        assertThat(bins.wavelengths().count())
+                .as("380..780 nm in steps of 5 nm")
+                .isEqualTo(81);
+        assertThat(plan.expansion().terms()).isEqualTo(37);
+        assertThat(plan.expansion().kind()).isEqualTo(ExpansionKind.TAYLOR);
+    }
+
+    @Test
+    void anAnchorNeedsANeighbourhood() {
+        PlanRequest request = new PlanRequest(
+                Preset.NONE,
+                1e-3,
+                Optional.empty(),
+                OptionalInt.empty(),
+                OptionalInt.empty(),
+                Optional.of(Neighbourhood.Anchor.FLOOR),
+                OptionalDouble.empty(),
+                Optional.empty(),
+                OptionalDouble.empty(),
+                Optional.empty());
+
+        assertThatThrownBy(() -> planner(64, 400e-9).plan(request, MAP))
+                .isInstanceOf(PlanException.class)
+                .hasMessageContaining("anchor floor")
+                .hasMessageContaining("--radius 3");
+    }
+
+    @Test
+    void aWindowNeedsSamples() {
+        assertThatThrownBy(() ->
+                        planner(64, 400e-9).plan(request(Optional.empty(), 0, OptionalInt.empty(), 120e-9, 0), MAP))
+                .isInstanceOf(PlanException.class)
+                .hasMessageContaining("coherence length of 120 nm")
+                .hasMessageContaining("give 140 nm or more");
+    }
+
+    @Test
+    void taylorIsRefusedWhereItCancelsInFloat32() {
+        Optional<ExpansionKind> taylor = Optional.of(ExpansionKind.TAYLOR);
+
+        assertThat(planner(64, 250e-9)
+                        .plan(request(taylor, 0, OptionalInt.empty(), 65e-6, 0), MAP)
+                        .expansion()
+                        .terms())
+                .as("design, section 4: 16 for the blaze at 1e-3; here the share of the expansion is 2e-5")
+                .isBetween(16, 24);
+        assertThatThrownBy(() -> planner(64, 2e-6).plan(request(taylor, 0, OptionalInt.empty(), 65e-6, 0), MAP))
+                .isInstanceOf(PlanException.class)
+                .hasMessageContaining("taylor reaches only")
+                .hasMessageContaining("use lowrank or chebyshev");
+        assertThatThrownBy(() -> planner(64, 5e-6).plan(request(taylor, 37, OptionalInt.empty(), 65e-6, 0), MAP))
+                .isInstanceOf(PlanException.class)
+                .hasMessageContaining("taylor with 37 terms leaves the range of float32");
+    }
+
+    @Test
+    void aWindowTooNarrowForANeighbourhoodIsToldBefore() {
+        // 51.2 um under 1 um: 33 bins wide.
+        PlanRequest request = new PlanRequest(
+                Preset.NONE,
+                1e-3,
+                Optional.empty(),
+                OptionalInt.empty(),
+                OptionalInt.empty(),
+                Optional.empty(),
+                OptionalDouble.of(5e-9),
+                Optional.empty(),
+                OptionalDouble.of(1e-6),
+                Optional.empty());
+
+        assertThatThrownBy(() -> planner(1024, 100e-9).plan(request, MAP))
+                .isInstanceOf(PlanException.class)
+                .hasMessageContaining("32.6 DFT bins wide")
+                .hasMessageContaining("leave out --wavelength-step");
+    }
+
+    @ParameterizedTest
+    @ValueSource(longs = {32L << 20, 8L << 20})
+    void whatDoesNotFitIntoMemoryIsToldWithTheNeed(long heap) {
+        HeightMap map = Surfaces.random(1024, 1024, PITCH, 800e-9, 1);
+        Planner planner = new Planner(map, HeightLevels.of(map), CIE, heap);
+
+        assertThatThrownBy(() -> planner.plan(PlanRequest.of(Preset.NONE), VisibleRange.all()))
+                .isInstanceOf(PlanException.class)
+                .hasMessageContaining("a coherence length of 65 um and")
+                .hasMessageContaining("MB of memory, but Java's heap may take " + Math.round(heap * 1e-6) + " MB")
+                .hasMessageContaining("SUNBEAM_JAVA_OPTIONS=-Xmx");
+    }
+
+    @Test
+    void aPlannedPlanBreaksNoPromise() {
+        for (double coherenceLength : new double[] {1e-6, 3.2e-6, 10e-6, 65e-6, 1e-3}) {
+            assertThat(warnings(request(Optional.empty(), 0, OptionalInt.empty(), coherenceLength, 0)))
+                    .as("coherence length %s", coherenceLength)
+                    .isEmpty();
+        }
+        assertThat(warnings(request(Optional.of(ExpansionKind.CHEBYSHEV), 0, OptionalInt.of(3), 3.2e-6, 0)))
+                .isEmpty();
+        assertThat(warnings(PlanRequest.of(Preset.THESIS))).isEmpty();
+    }
+
+    @Test
+    void whatBreaksTheToleranceIsNamed() {
+        assertThat(warnings(request(Optional.empty(), 2, OptionalInt.empty(), 3.2e-6, 0)))
+                .singleElement()
+                .asString()
+                .contains("2 lowrank terms leave an error of", "more than the tolerance 0.001");
+        // 0.64 bins: exp(-x^2 / (2 0.64^2)) = 1e-4 at x = 2.7 bins, less half a bin, rounded up.
+        assertThat(warnings(request(Optional.empty(), 0, OptionalInt.of(0), 3.2e-6, 0)))
+                .singleElement()
+                .asString()
+                .contains("radius 0 cuts", "0.64 DFT bins wide", "--radius 3");
+        assertThat(warnings(request(Optional.empty(), 0, OptionalInt.empty(), 65e-6, 5e-9)))
+                .singleElement()
+                .asString()
+                .as("3.14 x 0.707 nm x sqrt(2 / ln(2000)) at |(u, v)| = sqrt(2)")
+                .contains("wavelengths 5 nm apart", "--wavelength-step 1.1nm");
+    }
+
+    private static List<String> warnings(PlanRequest request) {
+        Planner planner = planner(64, 400e-9);
+        return planner.warnings(planner.plan(request, MAP));
+    }
+
+    private static Planner planner(int side, double relief) {
+        HeightMap map = Surfaces.of(
+                side, side, PITCH, (x, y) -> relief / 2 * Math.sin(2 * Math.PI * (3 * x + y) / (side * PITCH)));
+        return new Planner(map, HeightLevels.of(map), CIE, MUCH_MEMORY);
+    }
+
+    /** Zero or empty for what is not fixed. */
+    private static PlanRequest request(
+            Optional<ExpansionKind> expansion,
+            int terms,
+            OptionalInt radius,
+            double coherenceLength,
+            double wavelengthStep) {
+        return new PlanRequest(
+                Preset.NONE,
+                1e-3,
+                expansion,
+                terms == 0 ? OptionalInt.empty() : OptionalInt.of(terms),
+                radius,
+                Optional.empty(),
+                wavelengthStep == 0 ? OptionalDouble.empty() : OptionalDouble.of(wavelengthStep),
+                Optional.empty(),
+                OptionalDouble.of(coherenceLength),
+                Optional.empty());
+    }
+}
