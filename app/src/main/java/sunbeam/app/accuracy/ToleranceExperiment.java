@@ -20,7 +20,7 @@ final class ToleranceExperiment implements Experiment {
         ErrorCurve.Builder power = new ErrorCurve.Builder("power");
         ErrorCurve.Builder color = new ErrorCurve.Builder("XYZ");
         for (double tolerance : TOLERANCES) {
-            double[][] errors = errors(subject, Subject.withTolerance(tolerance));
+            double[][] errors = errors(subject, Requests.withTolerance(tolerance));
             power.add(tolerance, errors[0]);
             color.add(tolerance, errors[1]);
         }
@@ -37,7 +37,7 @@ final class ToleranceExperiment implements Experiment {
                 List.of(
                         ErrorCurve.point("thesis power", place, ErrorStatistics.of(thesis[0])),
                         ErrorCurve.point("thesis XYZ", place, ErrorStatistics.of(thesis[1]))),
-                true);
+                ErrorFigure.Style.AGAINST_TOLERANCE);
     }
 
     /** Errors of power, errors of X, Y, Z. */

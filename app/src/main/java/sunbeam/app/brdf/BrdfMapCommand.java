@@ -4,6 +4,7 @@ import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.Callable;
 import jrtr.RenderContext;
 import jrtr.gl.RenderContexts;
@@ -12,8 +13,11 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
+import sunbeam.app.accuracy.Certificate;
+import sunbeam.app.accuracy.Certifier;
 import sunbeam.app.cli.Environment;
 import sunbeam.app.cli.ExitCode;
+import sunbeam.app.cli.Messages;
 import sunbeam.app.cli.Numbers;
 import sunbeam.app.cli.UsageException;
 import sunbeam.app.gpu.DiffractionMethod;
@@ -35,9 +39,13 @@ import sunbeam.app.setup.LightOptions;
 import sunbeam.app.setup.PatchOptions;
 import sunbeam.app.setup.PlanOptions;
 import sunbeam.precompute.optics.Direction;
+import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.Plan;
 import sunbeam.precompute.plan.PlanReport;
 import sunbeam.precompute.plan.VisibleRange;
+import sunbeam.precompute.reference.ReferenceColor;
+import sunbeam.precompute.reference.ReferenceColor.Quadrature;
+import sunbeam.precompute.reference.ReferenceEvaluator;
 
 /** {@code sunbeam brdf-map}: from a height map to the picture of its BRDF. */
 @Command(
@@ -48,6 +56,8 @@ import sunbeam.precompute.plan.VisibleRange;
                 + " centre.")
 public final class BrdfMapCommand implements Callable<Integer> {
     private static final int LARGEST = 8192;
+    private static final int MOST_CERTIFIED = 100_000;
+    private static final long CERTIFICATE_SEED = 1;
 
     private final Environment environment;
 
@@ -91,6 +101,14 @@ public final class BrdfMapCommand implements Callable<Integer> {
                     + " relative radiance rho before exposure, NaN outside the disc.")
     private Path linear;
 
+    @Option(
+            names = "--certify",
+            paramLabel = "N",
+            description = "Evaluate N random pixels of this very map with the exact reference and state its error:"
+                    + " median, 95th percentile and maximum relative error of XYZ, and CIEDE2000. Exit code 3 when the"
+                    + " median exceeds --tolerance or the 95th percentile three times it.")
+    private Integer certify;
+
     @Spec
     private CommandSpec specification;
 
@@ -102,6 +120,9 @@ public final class BrdfMapCommand implements Callable<Integer> {
     public Integer call() {
         if (size < 1 || size > LARGEST) {
             throw new UsageException("--size " + size + " is out of range; give 1 to " + LARGEST);
+        }
+        if (certify != null && (certify < 1 || certify > MOST_CERTIFIED)) {
+            throw new UsageException("--certify " + certify + " is out of range; give 1 to " + MOST_CERTIFIED);
         }
         double fixedExposure = parseExposure();
         Direction wi = light.direction();
@@ -118,6 +139,7 @@ public final class BrdfMapCommand implements Callable<Integer> {
         Plan plan = setup.plan(planOptions.request(), VisibleRange.of(wi));
         PrintWriter out = specification.commandLine().getOut();
         planOptions.print(plan, out);
+        Optional<Certificate> certificate;
         try (RenderContext context = RenderContexts.offscreen();
                 DiffractionMethod method =
                         FullMethod.create(context, plan, setup.table(plan), MethodUse.COLOUR, setup.cie());
@@ -125,7 +147,9 @@ public final class BrdfMapCommand implements Callable<Integer> {
                 DisplayPass display = new DisplayPass(context)) {
             LinearPicture map = render(renderer, wi);
             double factor = fixedExposure > 0 ? fixedExposure : AutoExposure.of(map, specular(wi, plan));
+            certificate = certificate(setup, plan, wi, map, factor);
             Map<String, String> text = describe(setup, plan, factor, context);
+            certificate.ifPresent(stated -> text.put("Certificate", stated.summary()));
             PngWriter.write(picture, overwrite, SrgbImage.fromEncoded(size, size, display.srgb(map, factor)), text);
             if (linear != null) {
                 NpyWriter.write(linear, overwrite, map.xyz(), size, size, 3);
@@ -135,7 +159,7 @@ public final class BrdfMapCommand implements Callable<Integer> {
         if (linear != null) {
             out.println(linear);
         }
-        return ExitCode.OK.code();
+        return certificate.map(this::judge).orElse(ExitCode.OK).code();
     }
 
     private double parseExposure() {
@@ -158,12 +182,32 @@ public final class BrdfMapCommand implements Callable<Integer> {
     // The specular peak is as wide as the window's spectrum; five deviations of the longest wavelength hold all of it.
     private AutoExposure.Specular specular(Direction wi, Plan plan) {
         double radius = 5 * plan.window().sigmaFrequency() * 780e-9;
-        return pixel -> {
-            double x = (2.0 * (pixel % size) + 1) / size - 1;
-            int row = pixel / size;
-            double y = 1 - (2.0 * row + 1) / size;
-            return Math.hypot(x + wi.x(), y + wi.y()) < radius;
-        };
+        DiscDirections directions = new DiscDirections(size, wi);
+        return pixel -> directions.nearSpecular(pixel, radius);
+    }
+
+    /** Compares random pixels with the reference where that is asked for. */
+    private Optional<Certificate> certificate(
+            DiffractionSetup setup, Plan plan, Direction wi, LinearPicture map, double factor) {
+        if (certify == null) {
+            return Optional.empty();
+        }
+        ReferenceEvaluator evaluator = new ReferenceEvaluator(setup.patch().heights(), plan.window(), plan.origin());
+        ReferenceColor color = new ReferenceColor(evaluator, plan.window(), setup.cie(), Quadrature.INTEGRATED);
+        DiscDirections directions = new DiscDirections(size, wi);
+        double tolerance = planOptions.request().tolerance();
+        return Optional.of(new Certifier(color, plan.average() == Average.ENSEMBLE, directions::at)
+                .certify(map, certify, CERTIFICATE_SEED, factor, tolerance));
+    }
+
+    /** Prints what the certificate says, and whether it will do. */
+    private ExitCode judge(Certificate certificate) {
+        specification.commandLine().getOut().println("certificate: " + certificate.summary());
+        if (!certificate.missed()) {
+            return ExitCode.OK;
+        }
+        specification.commandLine().getErr().println(Messages.error(certificate.complaint()));
+        return ExitCode.TOLERANCE_MISSED;
     }
 
     private Map<String, String> describe(DiffractionSetup setup, Plan plan, double factor, RenderContext context) {
