@@ -2,7 +2,6 @@ package sunbeam.app.accuracy;
 
 import java.io.IOException;
 import java.io.PrintWriter;
-import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -38,7 +37,7 @@ import sunbeam.precompute.patch.PatchRequest;
                 + " into a folder.")
 public final class AccuracyCommand implements Callable<Integer> {
     private static final List<String> DEFAULT_PATCHES = List.of("blaze", "elaphe-like", "xenopeltis-like");
-    private static final SampleCounts USUAL = new SampleCounts(200, 40, 3);
+    private static final SampleCounts USUAL = new SampleCounts(200, 32, 3);
     private static final SampleCounts QUICK = new SampleCounts(40, 8, 3);
 
     private final Environment environment;
@@ -87,7 +86,7 @@ public final class AccuracyCommand implements Callable<Integer> {
                 Subject subject = new Subject(patch.getKey(), context, setup, counts);
                 for (Experiment experiment : Experiments.all()) {
                     ErrorFigure figure = experiment.run(subject);
-                    report.add(subject, figure);
+                    report.add(subject.name(), figure);
                     out.println(figure.title());
                     out.flush();
                 }
@@ -119,8 +118,6 @@ public final class AccuracyCommand implements Callable<Integer> {
         } catch (IOException failure) {
             throw new OutputException(
                     "cannot make the folder " + output + ": " + failure.getMessage() + "; choose another", failure);
-        } catch (UncheckedIOException failure) {
-            throw new OutputException("cannot make the folder " + output + "; choose another", failure);
         }
     }
 }

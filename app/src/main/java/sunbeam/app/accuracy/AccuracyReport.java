@@ -5,7 +5,6 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import sunbeam.app.accuracy.ReferenceSamples.SampleCounts;
 import sunbeam.app.output.AtomicFile;
@@ -22,52 +21,27 @@ final class AccuracyReport {
         this.overwrite = overwrite;
     }
 
+    /** The page. */
     Path file() {
         return folder.resolve("README.md");
     }
 
-    /** Tells before the work begins whether its report can be written. */
+    /** Tells before the work begins whether the page can be written. */
     void checkWritable() {
         AtomicFile.checkWritable(file(), overwrite);
     }
 
     /** Writes a figure's plot and table, and keeps it for the page. */
-    void add(Subject subject, ErrorFigure figure) {
-        String stem = stem(subject.name(), figure);
+    void add(String patch, ErrorFigure figure) {
+        String stem = AccuracyPage.stem(patch, figure);
         figure.writeTable(folder.resolve(stem + ".csv"), overwrite);
         figure.writePlot(folder.resolve(stem + ".png"), overwrite);
-        figures.computeIfAbsent(subject.name(), name -> new ArrayList<>()).add(figure);
+        figures.computeIfAbsent(patch, name -> new ArrayList<>()).add(figure);
     }
 
-    private static String stem(String patch, ErrorFigure figure) {
-        return patch + "-" + figure.key();
-    }
-
+    /** Writes the page. */
     void write(SampleCounts counts, String renderer) {
-        StringBuilder page = new StringBuilder();
-        for (Map.Entry<String, List<ErrorFigure>> patch : figures.entrySet()) {
-            for (ErrorFigure figure : patch.getValue()) {
-                if (figure.key().equals("tolerance")) {
-                    for (ErrorCurve curve : figure.curves()) {
-                        for (int i = 0; i < curve.x().size(); i++) {
-                            ErrorStatistics errors = curve.errors().get(i);
-                            page.append(String.format(
-                                    Locale.ROOT,
-                                    "| %s | %s | %.0e | %s | %s |%n",
-                                    patch.getKey(),
-                                    curve.name(),
-                                    curve.x().get(i),
-                                    errors,
-                                    errors.meets(curve.x().get(i)) ? "met" : "MISSED"));
-                        }
-                    }
-                    for (ErrorCurve curve : figure.thesis()) {
-                        page.append(patch.getKey() + " " + curve.name() + " " + curve.errors() + "\n");
-                    }
-                }
-            }
-        }
-        byte[] bytes = page.toString().getBytes(StandardCharsets.UTF_8);
-        AtomicFile.write(file(), overwrite, stream -> stream.write(bytes));
+        String page = new AccuracyPage(figures, counts, renderer).text();
+        AtomicFile.write(file(), overwrite, stream -> stream.write(page.getBytes(StandardCharsets.UTF_8)));
     }
 }

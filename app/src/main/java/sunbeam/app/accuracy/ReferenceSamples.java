@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.function.Function;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
+import sunbeam.app.certificate.RelativeError;
 import sunbeam.app.directions.DirectionsRenderer.Query;
 import sunbeam.app.progress.Progress;
 import sunbeam.precompute.color.CieTable;
@@ -21,9 +22,6 @@ import sunbeam.precompute.reference.ReferenceEvaluator;
  * for, then kept.
  */
 public final class ReferenceSamples {
-    /** Power, and largest of X, Y, Z of power, below which a direction is left out. */
-    public static final double FLOOR = 1e-9;
-
     // Of a grating nearly all directions are dark; a patch that is dark everywhere must come to an end.
     private static final int MOST_TRIES_PER_SAMPLE = 2000;
     private static final int BATCH = 64;
@@ -78,12 +76,12 @@ public final class ReferenceSamples {
 
     private Power power(Query query) {
         double power = evaluator.coherent(query.geometry(), query.wavelength());
-        return power > FLOOR ? new Power(query, power) : null;
+        return power > RelativeError.FLOOR ? new Power(query, power) : null;
     }
 
     private static Color color(ReferenceColor color, Query query) {
         double[] xyz = color.xyz(query.geometry(), false);
-        return RelativeError.largest(xyz) > FLOOR ? new Color(query, xyz) : null;
+        return RelativeError.largest(xyz) > RelativeError.FLOOR ? new Color(query, xyz) : null;
     }
 
     private <T> List<T> draw(String label, int count, long seed, Function<Query, T> evaluate) {

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.stream.Stream;
 import sunbeam.app.accuracy.ReferenceSamples.Color;
 import sunbeam.app.accuracy.ReferenceSamples.Power;
+import sunbeam.app.certificate.ErrorStatistics;
 import sunbeam.app.directions.DirectionsRenderer.Query;
 import sunbeam.app.plot.Plot.Axis;
 import sunbeam.precompute.plan.Plan;
@@ -20,7 +21,7 @@ final class ToleranceExperiment implements Experiment {
         ErrorCurve.Builder power = new ErrorCurve.Builder("power");
         ErrorCurve.Builder color = new ErrorCurve.Builder("XYZ");
         for (double tolerance : TOLERANCES) {
-            double[][] errors = errors(subject, Subject.withTolerance(tolerance));
+            double[][] errors = errors(subject, Requests.withTolerance(tolerance));
             power.add(tolerance, errors[0]);
             color.add(tolerance, errors[1]);
         }
@@ -37,7 +38,7 @@ final class ToleranceExperiment implements Experiment {
                 List.of(
                         ErrorCurve.point("thesis power", place, ErrorStatistics.of(thesis[0])),
                         ErrorCurve.point("thesis XYZ", place, ErrorStatistics.of(thesis[1]))),
-                true);
+                ErrorFigure.Style.AGAINST_TOLERANCE);
     }
 
     /** Errors of power, errors of X, Y, Z. */

@@ -1,7 +1,10 @@
-package sunbeam.app.accuracy;
+package sunbeam.app.certificate;
 
 /** Errors relative to the exact value. */
 public final class RelativeError {
+    /** Power, and largest of X, Y, Z of power, below which an error relative to it means nothing. */
+    public static final double FLOOR = 1e-9;
+
     private RelativeError() {}
 
     /** Of a power. */
@@ -18,7 +21,7 @@ public final class RelativeError {
     }
 
     /** The largest difference in X, Y or Z; NaN if one of them is. */
-    static double difference(double[] xyz, double[] exact) {
+    public static double difference(double[] xyz, double[] exact) {
         double result = 0;
         for (int c = 0; c < 3; c++) {
             result = Math.max(result, Math.abs(xyz[c] - exact[c]));
@@ -27,7 +30,7 @@ public final class RelativeError {
     }
 
     /** The largest of X, Y and Z. */
-    static double largest(double[] xyz) {
+    public static double largest(double[] xyz) {
         return Math.max(xyz[0], Math.max(xyz[1], xyz[2]));
     }
 }
