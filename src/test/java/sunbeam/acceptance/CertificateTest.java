@@ -15,17 +15,7 @@ final class CertificateTest {
 
     /** An odd size has a row of pixels in the plane v = 0, where the grating's orders lie; elsewhere it is dark. */
     private SunbeamResult map(String... options) throws Exception {
-        String[] common = {
-            "brdf-map",
-            "--patch",
-            "blaze",
-            "--size",
-            "33",
-            "--output",
-            "map.png",
-            "--certify",
-            "40"
-        };
+        String[] common = {"brdf-map", "--patch", "blaze", "--size", "33", "--output", "map.png", "--certify", "40"};
         String[] all = new String[common.length + options.length];
         System.arraycopy(common, 0, all, 0, common.length);
         System.arraycopy(options, 0, all, common.length, options.length);
