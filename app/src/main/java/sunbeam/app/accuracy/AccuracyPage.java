@@ -3,6 +3,7 @@ package sunbeam.app.accuracy;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.function.BiConsumer;
 import sunbeam.app.accuracy.ReferenceSamples.SampleCounts;
 import sunbeam.app.certificate.ErrorStatistics;
 import sunbeam.app.certificate.RelativeError;
@@ -14,11 +15,11 @@ import sunbeam.app.certificate.RelativeError;
  * @param counts how many directions were asked for
  * @param renderer that drew, as OpenGL names it
  */
-record AccuracyPage(Map<String, List<ErrorFigure>> figures, SampleCounts counts, String renderer) {
+record AccuracyPage(Map<String, List<Figure>> figures, SampleCounts counts, String renderer) {
     private static final String INTRODUCTION = """
             # Accuracy
 
-            How wrong method `full` is, against the exact `reference` (direct sums in double precision), and what each of
+            How wrong Sunbeam is, above all method `full`, against the exact `reference` (direct sums in double precision), and what each of
             its choices has to do with it. Made by `./sunbeam accuracy` on %s.
 
             Directions are random (seed %d): half of them uniform on the hemisphere, for light and view alike, half aimed at
@@ -39,6 +40,22 @@ record AccuracyPage(Map<String, List<ErrorFigure>> figures, SampleCounts counts,
             |---|---|---|---|---|---|---|---|
             """;
 
+    private static final String METHODS = """
+
+            ## Where each method stands
+
+            Error of X, Y, Z against `reference` (Gaussian window) on the same directions, and time per pixel of a BRDF map lit
+            from the normal, from the same plan; the median of three frames after one. Times are of one run, but on a
+            machine that others may use: the ratio to the thesis's shader is what counts. `nmm` takes one wavelength per
+            diffraction order; it is meant for patches of one period, on larger ones the orders overlap. `pq` replaces the
+            Gaussian window by replicas with sharp edges, whose light falls between the orders differently: its error here is
+            that of the model, and on what it stands for it is exact to its wavelength steps
+            (`brdf-map --method pq --certify N`). `gem` knows a grating's spacing and nothing else.
+
+            | patch | method | median | 95th percentile | us per pixel | times faster | approximates something else |
+            |---|---|---|---|---|---|---|
+            """;
+
     private static final String REMARKS = """
 
             ## Patch by patch
@@ -50,25 +67,52 @@ record AccuracyPage(Map<String, List<ErrorFigure>> figures, SampleCounts counts,
             """;
 
     /** Name of a figure's files without extension. */
-    static String stem(String patch, ErrorFigure figure) {
+    static String stem(String patch, Figure figure) {
         return patch + "-" + figure.key();
     }
 
     String text() {
         StringBuilder page = new StringBuilder(
                 INTRODUCTION.formatted(renderer, counts.seed(), RelativeError.FLOOR, counts.powers(), counts.colors()));
-        figures.forEach((patch, all) -> all.stream()
-                .filter(figure -> figure.style() == ErrorFigure.Style.AGAINST_TOLERANCE)
-                .forEach(figure -> addTolerances(page, patch, figure)));
+        each(ErrorFigure.class, (patch, figure) -> {
+            if (figure.style() == ErrorFigure.Style.AGAINST_TOLERANCE) {
+                addTolerances(page, patch, figure);
+            }
+        });
+        page.append(METHODS);
+        each(MethodsFigure.class, (patch, figure) -> addMethods(page, patch, figure));
         page.append(REMARKS);
         figures.forEach((patch, all) -> {
             page.append("\n### ").append(patch).append("\n\n");
-            for (ErrorFigure figure : all) {
-                String stem = stem(patch, figure);
-                page.append("![%s](%s.png)\n([table](%s.csv))\n\n".formatted(figure.title(), stem, stem));
-            }
+            all.forEach(figure -> addFigure(page, patch, figure));
         });
         return page.toString().stripTrailing() + "\n";
+    }
+
+    private <F extends Figure> void each(Class<F> kind, BiConsumer<String, F> action) {
+        figures.forEach((patch, all) ->
+                all.stream().filter(kind::isInstance).map(kind::cast).forEach(figure -> action.accept(patch, figure)));
+    }
+
+    private static void addFigure(StringBuilder page, String patch, Figure figure) {
+        String stem = stem(patch, figure);
+        page.append("![%s](%s.png)\n([table](%s.csv))\n\n".formatted(figure.title(), stem, stem));
+        figure.remarks().forEach(remark -> page.append(remark).append("\n\n"));
+    }
+
+    private static void addMethods(StringBuilder page, String patch, MethodsFigure figure) {
+        for (MethodsFigure.Entry entry : figure.entries()) {
+            ErrorStatistics errors = entry.errors();
+            addRow(
+                    page,
+                    patch,
+                    entry.name(),
+                    number("%.1e", errors.median()),
+                    number("%.1e", errors.percentile95()),
+                    number("%.3g", entry.microseconds()),
+                    number("%.3g", figure.speed(entry)),
+                    entry.note());
+        }
     }
 
     private static void addTolerances(StringBuilder page, String patch, ErrorFigure figure) {
@@ -77,26 +121,29 @@ record AccuracyPage(Map<String, List<ErrorFigure>> figures, SampleCounts counts,
                 double tolerance = curve.x().get(i);
                 ErrorStatistics errors = curve.errors().get(i);
                 String verdict = errors.meets(tolerance) ? "kept" : "**missed**";
-                addRow(page, patch, curve.name(), number("%.0e", tolerance), errors, verdict);
+                addErrors(page, patch, curve.name(), ErrorFigure.number(tolerance), errors, verdict);
             }
         }
         for (ErrorCurve point : figure.thesis()) {
-            addRow(page, patch, point.name(), "", point.errors().get(0), "");
+            addErrors(page, patch, point.name(), "", point.errors().get(0), "");
         }
     }
 
-    private static void addRow(
+    private static void addErrors(
             StringBuilder page, String patch, String name, String tolerance, ErrorStatistics errors, String verdict) {
-        String[] cells = {
-            patch,
-            name,
-            tolerance,
-            Integer.toString(errors.count()),
-            number("%.1e", errors.median()),
-            number("%.1e", errors.percentile95()),
-            number("%.1e", errors.maximum()),
-            verdict
-        };
+        addRow(
+                page,
+                patch,
+                name,
+                tolerance,
+                Integer.toString(errors.count()),
+                number("%.1e", errors.median()),
+                number("%.1e", errors.percentile95()),
+                number("%.1e", errors.maximum()),
+                verdict);
+    }
+
+    private static void addRow(StringBuilder page, String... cells) {
         page.append("| ").append(String.join(" | ", cells)).append(" |\n");
     }
 

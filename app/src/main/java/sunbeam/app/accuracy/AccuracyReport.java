@@ -14,7 +14,7 @@ import sunbeam.app.output.Overwrite;
 final class AccuracyReport {
     private final Path folder;
     private final Overwrite overwrite;
-    private final Map<String, List<ErrorFigure>> figures = new LinkedHashMap<>();
+    private final Map<String, List<Figure>> figures = new LinkedHashMap<>();
 
     AccuracyReport(Path folder, Overwrite overwrite) {
         this.folder = folder;
@@ -32,7 +32,7 @@ final class AccuracyReport {
     }
 
     /** Writes a figure's plot and table, and keeps it for the page. */
-    void add(String patch, ErrorFigure figure) {
+    void add(String patch, Figure figure) {
         String stem = AccuracyPage.stem(patch, figure);
         figure.writeTable(folder.resolve(stem + ".csv"), overwrite);
         figure.writePlot(folder.resolve(stem + ".png"), overwrite);

@@ -4,6 +4,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.TreeSet;
 import java.util.function.ToDoubleFunction;
@@ -26,6 +27,7 @@ import sunbeam.app.plot.Plot.Frame;
  * @param curves drawn as lines
  * @param thesis the thesis's settings, drawn as points
  * @param style what is drawn of each curve
+ * @param remarks what could not be measured
  */
 public record ErrorFigure(
         String key,
@@ -35,7 +37,9 @@ public record ErrorFigure(
         String xColumn,
         List<ErrorCurve> curves,
         List<ErrorCurve> thesis,
-        Style style) {
+        Style style,
+        List<String> remarks)
+        implements Figure {
     private static final int WIDTH = 820;
     private static final int HEIGHT = 480;
     // Logarithms have no place for an error of 0, nor doubles digits below this.
@@ -51,7 +55,7 @@ public record ErrorFigure(
         AGAINST_TOLERANCE
     }
 
-    /** The plot as PNG. */
+    @Override
     public void writePlot(Path file, Overwrite overwrite) {
         Plot plot = new Plot(new Frame(title, x, Axis.logarithmic(y), WIDTH, HEIGHT));
         for (ErrorCurve curve : curves) {
@@ -68,12 +72,13 @@ public record ErrorFigure(
             plot.line("allowed, 95 %", tolerances, scaled(tolerances, ErrorStatistics.PERCENTILE_FACTOR));
         }
         for (ErrorCurve point : thesis) {
-            plot.points(point.name(), xOf(point), yOf(point, ErrorStatistics::median));
+            plot.rings(point.name(), xOf(point), yOf(point, ErrorStatistics::median));
         }
         plot.write(file, overwrite, Map.of("Title", title));
     }
 
-    /** One row for each value of what was varied; NaN where a curve has none. */
+    // One row for each value of what was varied; NaN where a curve has none.
+    @Override
     public void writeTable(Path file, Overwrite overwrite) {
         List<ErrorCurve> all = new ArrayList<>(curves);
         all.addAll(thesis);
@@ -112,6 +117,16 @@ public record ErrorFigure(
         return Arrays.stream(values).map(value -> factor * value).toArray();
     }
 
+    /** An error with a place on a logarithmic axis. */
+    static double drawable(double error) {
+        return Math.max(LEAST, Math.min(MOST, error));
+    }
+
+    /** A tolerance or error for people: 1e-3. */
+    static String number(double value) {
+        return String.format(Locale.ROOT, "%.0e", value).replace("e-0", "e-");
+    }
+
     private static double[] xOf(ErrorCurve curve) {
         return curve.x().stream().mapToDouble(Double::doubleValue).toArray();
     }
@@ -119,7 +134,7 @@ public record ErrorFigure(
     private static double[] yOf(ErrorCurve curve, ToDoubleFunction<ErrorStatistics> value) {
         return curve.errors().stream()
                 .mapToDouble(value)
-                .map(error -> Math.max(LEAST, Math.min(MOST, error)))
+                .map(ErrorFigure::drawable)
                 .toArray();
     }
 }

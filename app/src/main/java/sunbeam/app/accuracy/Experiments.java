@@ -8,6 +8,10 @@ final class Experiments {
 
     static List<Experiment> all() {
         return List.of(
-                new ToleranceExperiment(), new TermsExperiment(), new RadiusExperiment(), new WavelengthExperiment());
+                new ToleranceExperiment(),
+                new TermsExperiment(),
+                new RadiusExperiment(),
+                new WavelengthExperiment(),
+                new MethodsExperiment());
     }
 }

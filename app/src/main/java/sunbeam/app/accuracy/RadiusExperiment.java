@@ -14,6 +14,11 @@ final class RadiusExperiment implements Experiment {
     private static final int THESIS_RADIUS = 1;
 
     @Override
+    public int cost() {
+        return 10;
+    }
+
+    @Override
     public ErrorFigure run(Subject subject) {
         List<Power> powers = subject.samples().powers();
         Plan widest = plan(subject, powers, new Neighbourhood(LARGEST, Anchor.NEAREST));
@@ -28,7 +33,8 @@ final class RadiusExperiment implements Experiment {
                 "radius",
                 List.of(floor, nearest),
                 List.of(ErrorCurve.point("thesis", THESIS_RADIUS, floor.errors().get(THESIS_RADIUS))),
-                ErrorFigure.Style.MEDIANS);
+                ErrorFigure.Style.MEDIANS,
+                List.of());
     }
 
     private static ErrorCurve curve(String name, Anchor anchor, Subject subject, FourierTable table) {

@@ -2,6 +2,7 @@ package sunbeam.app.accuracy;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.LongConsumer;
 import jrtr.RenderContext;
 import sunbeam.app.accuracy.ReferenceSamples.SampleCounts;
 import sunbeam.app.certificate.RelativeError;
@@ -27,21 +28,43 @@ final class Subject {
     private final String name;
     private final RenderContext context;
     private final DiffractionSetup setup;
+    private final MethodMeter methods;
     private final ReferenceSamples centred;
     private final ReferenceSamples cornered;
 
-    Subject(String name, RenderContext context, DiffractionSetup setup, SampleCounts counts) {
+    /**
+     * Computes the exact samples, which takes its time.
+     *
+     * @param mapSize width and height of maps that are timed, pixels
+     * @param progress told how many exact colours are done, of {@link #cost}
+     */
+    Subject(
+            String name,
+            RenderContext context,
+            DiffractionSetup setup,
+            SampleCounts counts,
+            int mapSize,
+            LongConsumer progress) {
         this.name = name;
         this.context = context;
         this.setup = setup;
-        this.centred = samples(WindowOrigin.CENTRE, counts);
+        this.methods = new MethodMeter(context, this, mapSize);
+        this.centred = samples(WindowOrigin.CENTRE, counts, progress);
         // For one plan only, the thesis's, whose errors are large enough to be seen in fewer directions.
-        this.cornered =
-                samples(WindowOrigin.CORNER, new SampleCounts(counts.powers() / 2, counts.colors() / 2, counts.seed()));
+        this.cornered = samples(WindowOrigin.CORNER, half(counts), progress);
     }
 
-    private ReferenceSamples samples(WindowOrigin origin, SampleCounts counts) {
-        return new ReferenceSamples(setup.patch().heights(), WINDOW, origin, setup.cie(), counts);
+    /** Exact colours that a subject computes. */
+    static int cost(SampleCounts counts) {
+        return counts.colors() + half(counts).colors();
+    }
+
+    private static SampleCounts half(SampleCounts counts) {
+        return new SampleCounts(counts.powers() / 2, counts.colors() / 2, counts.seed());
+    }
+
+    private ReferenceSamples samples(WindowOrigin origin, SampleCounts counts, LongConsumer progress) {
+        return new ReferenceSamples(setup.patch().heights(), WINDOW, origin, setup.cie(), counts, progress);
     }
 
     String name() {
@@ -50,6 +73,11 @@ final class Subject {
 
     DiffractionSetup setup() {
         return setup;
+    }
+
+    /** Measures whole methods on this patch. */
+    MethodMeter methods() {
+        return methods;
     }
 
     ReferenceSamples samples() {

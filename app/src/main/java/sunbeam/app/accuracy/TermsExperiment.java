@@ -21,6 +21,11 @@ final class TermsExperiment implements Experiment {
     private static final int POINTS = 12;
 
     @Override
+    public int cost() {
+        return 60;
+    }
+
+    @Override
     public ErrorFigure run(Subject subject) {
         List<Power> powers = thinned(subject.samples().powers());
         List<Query> queries = powers.stream().map(Power::query).toList();
@@ -45,7 +50,8 @@ final class TermsExperiment implements Experiment {
                 "terms",
                 curves,
                 List.of(thesis(subject, powers, queries)),
-                ErrorFigure.Style.MEDIANS);
+                ErrorFigure.Style.MEDIANS,
+                List.of());
     }
 
     private static ErrorCurve thesis(Subject subject, List<Power> powers, List<Query> queries) {

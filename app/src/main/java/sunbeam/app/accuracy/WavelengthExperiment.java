@@ -13,6 +13,11 @@ final class WavelengthExperiment implements Experiment {
     private static final double THESIS_STEP_NM = 5;
 
     @Override
+    public int cost() {
+        return 20;
+    }
+
+    @Override
     public ErrorFigure run(Subject subject) {
         List<Color> colors = subject.samples().colors();
         List<Query> queries = colors.stream().map(Color::query).toList();
@@ -35,6 +40,7 @@ final class WavelengthExperiment implements Experiment {
                 List.of(curve),
                 List.of(ErrorCurve.point(
                         "thesis", THESIS_STEP_NM, curve.errors().get(thesis))),
-                ErrorFigure.Style.MEDIANS_AND_PERCENTILES);
+                ErrorFigure.Style.MEDIANS_AND_PERCENTILES,
+                List.of());
     }
 }
