@@ -26,6 +26,7 @@ import sunbeam.app.output.OutputException;
 import sunbeam.app.progress.Progress;
 import sunbeam.app.setup.DiffractionSetup;
 import sunbeam.app.setup.PatchOptions;
+import sunbeam.precompute.patch.HeightMap;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.patch.PatchRequest;
 
@@ -39,8 +40,8 @@ import sunbeam.precompute.patch.PatchRequest;
                 + " a patch; --quick, one.")
 public final class AccuracyCommand implements Callable<Integer> {
     private static final List<String> DEFAULT_PATCHES = List.of("blaze", "elaphe-like", "xenopeltis-like");
-    private static final SampleCounts USUAL = new SampleCounts(160, 24, 3);
-    private static final SampleCounts QUICK = new SampleCounts(40, 8, 3);
+    private static final SampleCounts USUAL = new SampleCounts(300, 32, 3);
+    private static final SampleCounts QUICK = new SampleCounts(120, 10, 3);
     private static final int USUAL_MAP = 128;
     private static final int QUICK_MAP = 64;
 
@@ -77,7 +78,9 @@ public final class AccuracyCommand implements Callable<Integer> {
     public Integer call() {
         SampleCounts counts = quick ? QUICK : USUAL;
         Map<String, Patch> named = load();
-        AccuracyReport report = new AccuracyReport(output, force.overwrite());
+        Map<String, HeightMap> heights = new LinkedHashMap<>();
+        named.forEach((name, patch) -> heights.put(name, patch.heights()));
+        AccuracyReport report = new AccuracyReport(output, force.overwrite(), heights);
         makeFolder();
         report.checkWritable();
         List<Experiment> experiments = Experiments.all();
@@ -94,8 +97,9 @@ public final class AccuracyCommand implements Callable<Integer> {
                     report.add(name, experiment.run(subject));
                     progress.step(experiment.cost());
                 }
+                // What is done by now, lest hours be lost.
+                report.write(counts, context.info().renderer());
             });
-            report.write(counts, context.info().renderer());
         }
         specification.commandLine().getOut().println(report.file());
         return ExitCode.OK.code();

@@ -9,14 +9,19 @@ import java.util.Map;
 import sunbeam.app.accuracy.ReferenceSamples.SampleCounts;
 import sunbeam.app.output.AtomicFile;
 import sunbeam.app.output.Overwrite;
+import sunbeam.precompute.patch.HeightMap;
 
 /** The figures of some patches as files: a plot and a table each, and a page that shows them all. */
 final class AccuracyReport {
     private final Path folder;
     private final Overwrite overwrite;
+    private final Map<String, HeightMap> patches;
+    private boolean written;
     private final Map<String, List<Figure>> figures = new LinkedHashMap<>();
 
-    AccuracyReport(Path folder, Overwrite overwrite) {
+    /** @param patches by name */
+    AccuracyReport(Path folder, Overwrite overwrite, Map<String, HeightMap> patches) {
+        this.patches = patches;
         this.folder = folder;
         this.overwrite = overwrite;
     }
@@ -39,9 +44,13 @@ final class AccuracyReport {
         figures.computeIfAbsent(patch, name -> new ArrayList<>()).add(figure);
     }
 
-    /** Writes the page. */
+    /** Writes the page, in place of an earlier one of this run. */
     void write(SampleCounts counts, String renderer) {
-        String page = new AccuracyPage(figures, counts, renderer).text();
-        AtomicFile.write(file(), overwrite, stream -> stream.write(page.getBytes(StandardCharsets.UTF_8)));
+        String page = new AccuracyPage(patches, figures, counts, renderer).text();
+        AtomicFile.write(
+                file(),
+                written ? Overwrite.REPLACE : overwrite,
+                stream -> stream.write(page.getBytes(StandardCharsets.UTF_8)));
+        written = true;
     }
 }

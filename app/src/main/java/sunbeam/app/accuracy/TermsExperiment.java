@@ -14,7 +14,7 @@ import sunbeam.precompute.table.FourierTable;
 /** How fast each expansion of exp(i k w h) converges, in double precision and in the shader's float32. */
 final class TermsExperiment implements Experiment {
     // Sums over the surface for every term and direction take their time: fewer directions will do.
-    private static final int MOST_DIRECTIONS = 60;
+    private static final int MOST_DIRECTIONS = 30;
     private static final int MOST_TERMS = 48;
     // It needs half as many as Chebyshev's, and each takes a transform of its own.
     private static final int MOST_LOWRANK_TERMS = 24;
@@ -45,7 +45,7 @@ final class TermsExperiment implements Experiment {
         return new ErrorFigure(
                 "terms",
                 subject.name() + ": error over number of terms",
-                Axis.linear("terms"),
+                Axis.linear("number of terms"),
                 "relative error of power (median)",
                 "terms",
                 curves,

@@ -3,17 +3,22 @@ package sunbeam.app.certificate;
 import java.util.Locale;
 
 /**
- * How far a picture is from the exact one, on random pixels of it.
+ * How far a picture or a table is from the exact one, on random places of it.
  *
- * @param pixels how many were evaluated
- * @param relative errors of X, Y, Z ({@link RelativeError#ofColor}) of those of them that are bright enough to be
- *     compared, {@link RelativeError.FLOOR}
+ * @param places how many and what were evaluated: 40 random pixels
+ * @param quantity what was compared: XYZ or power
+ * @param relative errors ({@link RelativeError}) of those of them that are bright enough to be compared
  * @param relativeL2 root of the summed squares of all differences by that of all exact values; bright pixels rule it
- * @param colorDifference CIEDE2000 of those compared, after the picture's exposure
+ * @param colorDifference CIEDE2000 of those compared, after the picture's exposure; of nothing for a table
  * @param tolerance what was asked for
  */
 public record Certificate(
-        int pixels, ErrorStatistics relative, double relativeL2, ErrorStatistics colorDifference, double tolerance) {
+        String places,
+        String quantity,
+        ErrorStatistics relative,
+        double relativeL2,
+        ErrorStatistics colorDifference,
+        double tolerance) {
 
     /** Whether the median exceeds the tolerance or the 95th percentile three times it. */
     public boolean missed() {
@@ -23,19 +28,25 @@ public record Certificate(
     /** One line with all figures. */
     public String summary() {
         if (relative.count() == 0) {
-            return "%d random pixels, all darker than %s: nothing to compare".formatted(pixels, floor());
+            return "%s, all darker than %s: nothing to compare".formatted(places, floor());
         }
-        return String.format(
+        String errors = String.format(
                 Locale.ROOT,
-                "%d random pixels, %d of them above %s: relative error of XYZ %s; relative L2 %.2g; CIEDE2000 median"
-                        + " %.2g, maximum %.2g",
-                pixels,
+                "%s, %d of them above %s: relative error of %s %s; relative L2 %.2g",
+                places,
                 relative.count(),
                 floor(),
+                quantity,
                 relative,
-                relativeL2,
-                colorDifference.median(),
-                colorDifference.maximum());
+                relativeL2);
+        return colorDifference.count() == 0
+                ? errors
+                : errors
+                        + String.format(
+                                Locale.ROOT,
+                                "; CIEDE2000 median %.2g, maximum %.2g",
+                                colorDifference.median(),
+                                colorDifference.maximum());
     }
 
     /** One line that says what was missed and what helps. */

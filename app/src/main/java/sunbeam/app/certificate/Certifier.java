@@ -7,8 +7,6 @@ import java.util.Random;
 import java.util.stream.IntStream;
 import sunbeam.app.picture.LinearPicture;
 import sunbeam.app.progress.Progress;
-import sunbeam.precompute.color.CieLab;
-import sunbeam.precompute.color.ColorDifference;
 import sunbeam.precompute.optics.Gain;
 import sunbeam.precompute.optics.Geometry;
 
@@ -29,33 +27,6 @@ public final class Certifier {
          * @param pixel counted row by row from the top left
          */
         Geometry at(int pixel);
-    }
-
-    /** One pixel's linear X, Y, Z of rho in the picture and by the reference, and its gain. */
-    private record Comparison(double[] drawn, double[] exact, double gain) {
-
-        /** Whether either has enough light; the gain, which is not finite at the horizon, does not count. */
-        boolean bright() {
-            // Written so that a NaN is looked at.
-            return !(Math.max(RelativeError.largest(drawn), RelativeError.largest(exact)) <= floor());
-        }
-
-        double floor() {
-            return RelativeError.FLOOR * gain;
-        }
-
-        /** Light where there should be none is measured by the floor. */
-        double relative() {
-            return RelativeError.difference(drawn, exact) / Math.max(floor(), RelativeError.largest(exact));
-        }
-
-        double colorDifference(double exposure) {
-            return ColorDifference.ciede2000(lab(drawn, exposure), lab(exact, exposure));
-        }
-
-        private static CieLab lab(double[] xyz, double exposure) {
-            return CieLab.ofXyz(exposure * xyz[0], exposure * xyz[1], exposure * xyz[2]);
-        }
     }
 
     /**
@@ -87,16 +58,14 @@ public final class Certifier {
                 progress.step(1);
             });
         }
-        List<Comparison> bright = IntStream.range(0, compared.length)
-                .mapToObj(i -> compared[i])
-                .filter(Comparison::bright)
-                .toList();
+        List<Comparison> all = List.of(compared);
         return new Certificate(
-                compared.length,
-                ErrorStatistics.of(
-                        bright.stream().mapToDouble(Comparison::relative).toArray()),
-                relativeL2(compared),
-                ErrorStatistics.of(bright.stream()
+                compared.length + " random pixels",
+                "XYZ",
+                Comparison.relative(all),
+                Comparison.relativeL2(all),
+                ErrorStatistics.of(all.stream()
+                        .filter(Comparison::bright)
                         .mapToDouble(pixel -> pixel.colorDifference(exposure))
                         .toArray()),
                 tolerance);
@@ -135,17 +104,5 @@ public final class Certifier {
     private static double[] drawn(LinearPicture picture, int pixel) {
         float[] xyz = picture.xyz();
         return new double[] {xyz[3 * pixel], xyz[3 * pixel + 1], xyz[3 * pixel + 2]};
-    }
-
-    private static double relativeL2(Comparison[] compared) {
-        double differences = 0;
-        double values = 0;
-        for (Comparison pixel : compared) {
-            for (int c = 0; c < 3; c++) {
-                differences += Math.pow(pixel.drawn()[c] - pixel.exact()[c], 2);
-                values += Math.pow(pixel.exact()[c], 2);
-            }
-        }
-        return values == 0 ? Double.NaN : Math.sqrt(differences / values);
     }
 }

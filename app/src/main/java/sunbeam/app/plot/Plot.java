@@ -98,7 +98,10 @@ public final class Plot {
         return add(Series.of(name, x, y, Form.POINTS));
     }
 
-    /** Adds points to be seen before all others, as black rings around what they may coincide with. */
+    /**
+     * Adds points to be seen before all others, as black rings around what they may coincide with; every
+     * series after the first as frames.
+     */
     public Plot rings(String name, double[] x, double[] y) {
         return add(Series.of(name, x, y, Form.RINGS));
     }
@@ -157,19 +160,27 @@ public final class Plot {
         }
     }
 
-    private static void addTo(XYChart chart, Series series, int index) {
+    private void addTo(XYChart chart, Series series, int index) {
         XYSeries drawn = chart.addSeries(series.name, series.x, series.y);
         boolean joined = series.form == Form.LINE || series.form == Form.LINE_WITH_POINTS;
         drawn.setXYSeriesRenderStyle(joined ? XYSeriesRenderStyle.Line : XYSeriesRenderStyle.Scatter);
         drawn.setMarker(
                 switch (series.form) {
                     case LINE -> SeriesMarkers.NONE;
-                    case RINGS -> new RingMarker();
+                    case RINGS -> new RingMarker(isFirstOfRings(series));
                     default -> PlotStyle.marker(index);
                 });
         if (series.form == Form.RINGS) {
             drawn.setMarkerColor(PlotStyle.INK);
         }
+    }
+
+    private boolean isFirstOfRings(Series series) {
+        return allSeries.stream()
+                .filter(other -> other.form == Form.RINGS)
+                .findFirst()
+                .filter(series::equals)
+                .isPresent();
     }
 
     /**
