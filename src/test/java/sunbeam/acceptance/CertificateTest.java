@@ -57,4 +57,40 @@ final class CertificateTest {
         assertThat(result.exitCode()).as(result::toString).isEqualTo(2);
         assertThat(result.stderr()).contains("--certify 0");
     }
+
+    /** Rows in and beside the first orders of a grating of 2.5 um. */
+    private SunbeamResult reflectance(String... options) throws Exception {
+        Files.writeString(
+                folder.resolve("in.csv"),
+                "theta_i,phi_i,theta_r,phi_r,wavelength\n0,0,12.7,0,550\n0,0,12.8,180,550\n0,0,0.1,90,500\n30,0,30,180,640\n",
+                StandardCharsets.UTF_8);
+        String[] common = {
+            "reflectance", "--patch", "sinusoid", "--directions", "in.csv", "--output", "out.csv", "--certify", "4"
+        };
+        String[] all = new String[common.length + options.length];
+        System.arraycopy(common, 0, all, 0, common.length);
+        System.arraycopy(options, 0, all, common.length, options.length);
+        return Sunbeam.command(all).in(folder).run();
+    }
+
+    @Test
+    void aTableStatesTheErrorOfItsPowers() throws Exception {
+        SunbeamResult result = reflectance();
+        assertThat(result.exitCode()).as(result::toString).isZero();
+        assertThat(result.stdout()).contains("certificate: 4 random rows").contains("relative error of power");
+    }
+
+    @Test
+    void aTableFromOneTermMissesItsTolerance() throws Exception {
+        SunbeamResult result = reflectance("--terms", "1");
+        assertThat(result.exitCode()).as(result::toString).isEqualTo(3);
+        assertThat(folder.resolve("out.csv")).exists();
+    }
+
+    @Test
+    void theReferenceIsNotComparedWithItself() throws Exception {
+        SunbeamResult result = reflectance("--method", "reference");
+        assertThat(result.exitCode()).as(result::toString).isEqualTo(2);
+        assertThat(result.stderr()).contains("--certify compares with --method reference");
+    }
 }
