@@ -2,7 +2,6 @@ package sunbeam.app.accuracy;
 
 import java.io.IOException;
 import java.io.PrintWriter;
-import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -24,22 +23,27 @@ import sunbeam.app.cli.Environment;
 import sunbeam.app.cli.ExitCode;
 import sunbeam.app.output.ForceOption;
 import sunbeam.app.output.OutputException;
+import sunbeam.app.progress.Progress;
 import sunbeam.app.setup.DiffractionSetup;
 import sunbeam.app.setup.PatchOptions;
+import sunbeam.precompute.patch.HeightMap;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.patch.PatchRequest;
 
-/** {@code sunbeam accuracy}: measures and plots how the error of method full depends on each of its choices. */
+/** {@code sunbeam accuracy}: measures and plots how the error depends on each choice of method full, and on the method. */
 @Command(
         name = "accuracy",
         description = "Measure and plot the error of method full against the exact reference: over the number of terms"
                 + " of each expansion, the neighbourhood, the wavelength step, and the tolerance, on random directions,"
-                + " half of them aimed at diffraction orders. Writes tables (CSV), plots (PNG) and a report (Markdown)"
-                + " into a folder.")
+                + " half of them aimed at diffraction orders; and of all methods over their time per pixel. Writes"
+                + " tables (CSV), plots (PNG) and a page that shows them (README.md) into a folder. Takes some minutes"
+                + " a patch; --quick, one.")
 public final class AccuracyCommand implements Callable<Integer> {
     private static final List<String> DEFAULT_PATCHES = List.of("blaze", "elaphe-like", "xenopeltis-like");
-    private static final SampleCounts USUAL = new SampleCounts(200, 40, 3);
-    private static final SampleCounts QUICK = new SampleCounts(40, 8, 3);
+    private static final SampleCounts USUAL = new SampleCounts(300, 32, 3);
+    private static final SampleCounts QUICK = new SampleCounts(120, 10, 3);
+    private static final int USUAL_MAP = 128;
+    private static final int QUICK_MAP = 64;
 
     private final Environment environment;
 
@@ -74,27 +78,30 @@ public final class AccuracyCommand implements Callable<Integer> {
     public Integer call() {
         SampleCounts counts = quick ? QUICK : USUAL;
         Map<String, Patch> named = load();
-        AccuracyReport report = new AccuracyReport(output, force.overwrite());
+        Map<String, HeightMap> heights = new LinkedHashMap<>();
+        named.forEach((name, patch) -> heights.put(name, patch.heights()));
+        AccuracyReport report = new AccuracyReport(output, force.overwrite(), heights);
         makeFolder();
         report.checkWritable();
-        PrintWriter out = specification.commandLine().getOut();
-        try (RenderContext context = RenderContexts.offscreen()) {
-            for (Map.Entry<String, Patch> patch : named.entrySet()) {
-                DiffractionSetup setup = new DiffractionSetup(
-                        patch.getValue(),
-                        environment,
-                        specification.commandLine().getErr());
-                Subject subject = new Subject(patch.getKey(), context, setup, counts);
-                for (Experiment experiment : Experiments.all()) {
-                    ErrorFigure figure = experiment.run(subject);
-                    report.add(subject, figure);
-                    out.println(figure.title());
-                    out.flush();
+        List<Experiment> experiments = Experiments.all();
+        int costEach = Subject.cost(counts)
+                + experiments.stream().mapToInt(Experiment::cost).sum();
+        try (RenderContext context = RenderContexts.offscreen();
+                Progress progress = Progress.start("Accuracy", (long) costEach * named.size())) {
+            named.forEach((name, patch) -> {
+                PrintWriter err = specification.commandLine().getErr();
+                DiffractionSetup setup = new DiffractionSetup(patch, environment, err);
+                Subject subject =
+                        new Subject(name, context, setup, counts, quick ? QUICK_MAP : USUAL_MAP, progress::step);
+                for (Experiment experiment : experiments) {
+                    report.add(name, experiment.run(subject));
+                    progress.step(experiment.cost());
                 }
-            }
-            report.write(counts, context.info().renderer());
+                // What is done by now, lest hours be lost.
+                report.write(counts, context.info().renderer());
+            });
         }
-        out.println(report.file());
+        specification.commandLine().getOut().println(report.file());
         return ExitCode.OK.code();
     }
 
@@ -119,8 +126,6 @@ public final class AccuracyCommand implements Callable<Integer> {
         } catch (IOException failure) {
             throw new OutputException(
                     "cannot make the folder " + output + ": " + failure.getMessage() + "; choose another", failure);
-        } catch (UncheckedIOException failure) {
-            throw new OutputException("cannot make the folder " + output + "; choose another", failure);
         }
     }
 }

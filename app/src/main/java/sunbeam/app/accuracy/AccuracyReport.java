@@ -5,69 +5,52 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import sunbeam.app.accuracy.ReferenceSamples.SampleCounts;
 import sunbeam.app.output.AtomicFile;
 import sunbeam.app.output.Overwrite;
+import sunbeam.precompute.patch.HeightMap;
 
 /** The figures of some patches as files: a plot and a table each, and a page that shows them all. */
 final class AccuracyReport {
     private final Path folder;
     private final Overwrite overwrite;
-    private final Map<String, List<ErrorFigure>> figures = new LinkedHashMap<>();
+    private final Map<String, HeightMap> patches;
+    private boolean written;
+    private final Map<String, List<Figure>> figures = new LinkedHashMap<>();
 
-    AccuracyReport(Path folder, Overwrite overwrite) {
+    /** @param patches by name */
+    AccuracyReport(Path folder, Overwrite overwrite, Map<String, HeightMap> patches) {
+        this.patches = patches;
         this.folder = folder;
         this.overwrite = overwrite;
     }
 
+    /** The page. */
     Path file() {
         return folder.resolve("README.md");
     }
 
-    /** Tells before the work begins whether its report can be written. */
+    /** Tells before the work begins whether the page can be written. */
     void checkWritable() {
         AtomicFile.checkWritable(file(), overwrite);
     }
 
     /** Writes a figure's plot and table, and keeps it for the page. */
-    void add(Subject subject, ErrorFigure figure) {
-        String stem = stem(subject.name(), figure);
+    void add(String patch, Figure figure) {
+        String stem = AccuracyPage.stem(patch, figure);
         figure.writeTable(folder.resolve(stem + ".csv"), overwrite);
         figure.writePlot(folder.resolve(stem + ".png"), overwrite);
-        figures.computeIfAbsent(subject.name(), name -> new ArrayList<>()).add(figure);
+        figures.computeIfAbsent(patch, name -> new ArrayList<>()).add(figure);
     }
 
-    private static String stem(String patch, ErrorFigure figure) {
-        return patch + "-" + figure.key();
-    }
-
+    /** Writes the page, in place of an earlier one of this run. */
     void write(SampleCounts counts, String renderer) {
-        StringBuilder page = new StringBuilder();
-        for (Map.Entry<String, List<ErrorFigure>> patch : figures.entrySet()) {
-            for (ErrorFigure figure : patch.getValue()) {
-                if (figure.key().equals("tolerance")) {
-                    for (ErrorCurve curve : figure.curves()) {
-                        for (int i = 0; i < curve.x().size(); i++) {
-                            ErrorStatistics errors = curve.errors().get(i);
-                            page.append(String.format(
-                                    Locale.ROOT,
-                                    "| %s | %s | %.0e | %s | %s |%n",
-                                    patch.getKey(),
-                                    curve.name(),
-                                    curve.x().get(i),
-                                    errors,
-                                    errors.meets(curve.x().get(i)) ? "met" : "MISSED"));
-                        }
-                    }
-                    for (ErrorCurve curve : figure.thesis()) {
-                        page.append(patch.getKey() + " " + curve.name() + " " + curve.errors() + "\n");
-                    }
-                }
-            }
-        }
-        byte[] bytes = page.toString().getBytes(StandardCharsets.UTF_8);
-        AtomicFile.write(file(), overwrite, stream -> stream.write(bytes));
+        String page = new AccuracyPage(patches, figures, counts, renderer).text();
+        AtomicFile.write(
+                file(),
+                written ? Overwrite.REPLACE : overwrite,
+                stream -> stream.write(page.getBytes(StandardCharsets.UTF_8)));
+        written = true;
     }
 }

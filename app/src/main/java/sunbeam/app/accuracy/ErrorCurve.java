@@ -2,6 +2,7 @@ package sunbeam.app.accuracy;
 
 import java.util.ArrayList;
 import java.util.List;
+import sunbeam.app.certificate.ErrorStatistics;
 
 /**
  * Errors over one quantity that was varied.

@@ -4,9 +4,11 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.TreeSet;
 import java.util.function.ToDoubleFunction;
+import sunbeam.app.certificate.ErrorStatistics;
 import sunbeam.app.output.AtomicFile;
 import sunbeam.app.output.CsvWriter;
 import sunbeam.app.output.Overwrite;
@@ -24,7 +26,8 @@ import sunbeam.app.plot.Plot.Frame;
  * @param xColumn what was varied, as a column's name
  * @param curves drawn as lines
  * @param thesis the thesis's settings, drawn as points
- * @param withPercentiles whether the 95th percentiles are drawn beside the medians
+ * @param style what is drawn of each curve
+ * @param remarks what could not be measured
  */
 public record ErrorFigure(
         String key,
@@ -34,7 +37,9 @@ public record ErrorFigure(
         String xColumn,
         List<ErrorCurve> curves,
         List<ErrorCurve> thesis,
-        boolean withPercentiles) {
+        Style style,
+        List<String> remarks)
+        implements Figure {
     private static final int WIDTH = 820;
     private static final int HEIGHT = 480;
     // Logarithms have no place for an error of 0, nor doubles digits below this.
@@ -42,24 +47,38 @@ public record ErrorFigure(
     // What has grown beyond all bounds is drawn at the top.
     private static final double MOST = 1e6;
 
-    /** The plot as PNG. */
+    /** What is drawn of each curve; tables have everything. */
+    public enum Style {
+        MEDIANS,
+        MEDIANS_AND_PERCENTILES,
+        /** Both, and what a tolerance on the x axis allows them to be. */
+        AGAINST_TOLERANCE
+    }
+
+    @Override
     public void writePlot(Path file, Overwrite overwrite) {
         Plot plot = new Plot(new Frame(title, x, Axis.logarithmic(y), WIDTH, HEIGHT));
         for (ErrorCurve curve : curves) {
-            if (withPercentiles) {
+            if (style != Style.MEDIANS) {
                 plot.lineWithPoints(curve.name() + ", median", xOf(curve), yOf(curve, ErrorStatistics::median));
                 plot.lineWithPoints(curve.name() + ", 95 %", xOf(curve), yOf(curve, ErrorStatistics::percentile95));
             } else {
                 plot.lineWithPoints(curve.name(), xOf(curve), yOf(curve, ErrorStatistics::median));
             }
         }
+        if (style == Style.AGAINST_TOLERANCE) {
+            double[] tolerances = xOf(curves.get(0));
+            plot.line("allowed, median", tolerances, tolerances);
+            plot.line("allowed, 95 %", tolerances, scaled(tolerances, ErrorStatistics.PERCENTILE_FACTOR));
+        }
         for (ErrorCurve point : thesis) {
-            plot.points(point.name(), xOf(point), yOf(point, ErrorStatistics::median));
+            plot.rings(point.name(), xOf(point), yOf(point, ErrorStatistics::median));
         }
         plot.write(file, overwrite, Map.of("Title", title));
     }
 
-    /** One row for each value of what was varied; NaN where a curve has none. */
+    // One row for each value of what was varied; NaN where a curve has none.
+    @Override
     public void writeTable(Path file, Overwrite overwrite) {
         List<ErrorCurve> all = new ArrayList<>(curves);
         all.addAll(thesis);
@@ -94,6 +113,20 @@ public record ErrorFigure(
         return cells;
     }
 
+    private static double[] scaled(double[] values, double factor) {
+        return Arrays.stream(values).map(value -> factor * value).toArray();
+    }
+
+    /** An error with a place on a logarithmic axis. */
+    static double drawable(double error) {
+        return Math.max(LEAST, Math.min(MOST, error));
+    }
+
+    /** A tolerance or error for people: 1e-3. */
+    static String number(double value) {
+        return String.format(Locale.ROOT, "%.0e", value).replace("e-0", "e-");
+    }
+
     private static double[] xOf(ErrorCurve curve) {
         return curve.x().stream().mapToDouble(Double::doubleValue).toArray();
     }
@@ -101,7 +134,7 @@ public record ErrorFigure(
     private static double[] yOf(ErrorCurve curve, ToDoubleFunction<ErrorStatistics> value) {
         return curve.errors().stream()
                 .mapToDouble(value)
-                .map(error -> Math.max(LEAST, Math.min(MOST, error)))
+                .map(ErrorFigure::drawable)
                 .toArray();
     }
 }

@@ -4,5 +4,8 @@ package sunbeam.app.accuracy;
 interface Experiment {
 
     /** The errors of one patch. */
-    ErrorFigure run(Subject subject);
+    Figure run(Subject subject);
+
+    /** About how long it takes, in units of the time of one exact colour. */
+    int cost();
 }

@@ -7,6 +7,11 @@ final class Experiments {
     private Experiments() {}
 
     static List<Experiment> all() {
-        return List.of(new ToleranceExperiment());
+        return List.of(
+                new ToleranceExperiment(),
+                new TermsExperiment(),
+                new RadiusExperiment(),
+                new WavelengthExperiment(),
+                new MethodsExperiment());
     }
 }

@@ -2,11 +2,10 @@ package sunbeam.app.accuracy;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
-import java.util.OptionalDouble;
-import java.util.OptionalInt;
+import java.util.function.LongConsumer;
 import jrtr.RenderContext;
 import sunbeam.app.accuracy.ReferenceSamples.SampleCounts;
+import sunbeam.app.certificate.RelativeError;
 import sunbeam.app.directions.DirectionsRenderer;
 import sunbeam.app.directions.DirectionsRenderer.Query;
 import sunbeam.app.gpu.DiffractionMethod;
@@ -29,21 +28,43 @@ final class Subject {
     private final String name;
     private final RenderContext context;
     private final DiffractionSetup setup;
-    private final SampleCounts counts;
+    private final MethodMeter methods;
     private final ReferenceSamples centred;
     private final ReferenceSamples cornered;
 
-    Subject(String name, RenderContext context, DiffractionSetup setup, SampleCounts counts) {
+    /**
+     * Computes the exact samples, which takes its time.
+     *
+     * @param mapSize width and height of maps that are timed, pixels
+     * @param progress told how many exact colours are done, of {@link #cost}
+     */
+    Subject(
+            String name,
+            RenderContext context,
+            DiffractionSetup setup,
+            SampleCounts counts,
+            int mapSize,
+            LongConsumer progress) {
         this.name = name;
         this.context = context;
         this.setup = setup;
-        this.counts = counts;
-        this.centred = samples(WindowOrigin.CENTRE);
-        this.cornered = samples(WindowOrigin.CORNER);
+        this.methods = new MethodMeter(context, this, mapSize);
+        this.centred = samples(WindowOrigin.CENTRE, counts, progress);
+        // For one plan only, the thesis's, whose errors are large enough to be seen in fewer directions.
+        this.cornered = samples(WindowOrigin.CORNER, half(counts), progress);
     }
 
-    private ReferenceSamples samples(WindowOrigin origin) {
-        return new ReferenceSamples(setup.patch().heights(), WINDOW, origin, setup.cie(), counts);
+    /** Exact colours that a subject computes. */
+    static int cost(SampleCounts counts) {
+        return counts.colors() + half(counts).colors();
+    }
+
+    private static SampleCounts half(SampleCounts counts) {
+        return new SampleCounts(counts.powers() / 2, counts.colors() / 2, counts.seed());
+    }
+
+    private ReferenceSamples samples(WindowOrigin origin, SampleCounts counts, LongConsumer progress) {
+        return new ReferenceSamples(setup.patch().heights(), WINDOW, origin, setup.cie(), counts, progress);
     }
 
     String name() {
@@ -54,6 +75,11 @@ final class Subject {
         return setup;
     }
 
+    /** Measures whole methods on this patch. */
+    MethodMeter methods() {
+        return methods;
+    }
+
     ReferenceSamples samples() {
         return centred;
     }
@@ -61,21 +87,6 @@ final class Subject {
     /** The thesis's window lies on the corner, and so must that of the exact values it is compared with. */
     ReferenceSamples samplesFor(PlanRequest request) {
         return request.windowOrigin() == WindowOrigin.CENTRE ? centred : cornered;
-    }
-
-    /** What a tolerance asks for, and nothing else. */
-    static PlanRequest withTolerance(double tolerance) {
-        return new PlanRequest(
-                PlanRequest.Preset.NONE,
-                tolerance,
-                Optional.empty(),
-                OptionalInt.empty(),
-                OptionalInt.empty(),
-                Optional.empty(),
-                OptionalDouble.empty(),
-                Optional.empty(),
-                OptionalDouble.empty(),
-                Optional.empty());
     }
 
     /** A plan for some directions. */

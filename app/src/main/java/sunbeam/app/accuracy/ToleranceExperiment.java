@@ -3,8 +3,10 @@ package sunbeam.app.accuracy;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
+import jrtr.GraphicsException;
 import sunbeam.app.accuracy.ReferenceSamples.Color;
 import sunbeam.app.accuracy.ReferenceSamples.Power;
+import sunbeam.app.certificate.ErrorStatistics;
 import sunbeam.app.directions.DirectionsRenderer.Query;
 import sunbeam.app.plot.Plot.Axis;
 import sunbeam.precompute.plan.Plan;
@@ -16,13 +18,24 @@ final class ToleranceExperiment implements Experiment {
     private static final double[] TOLERANCES = {1e-5, 1e-4, 1e-3, 1e-2, 1e-1};
 
     @Override
+    public int cost() {
+        return 20;
+    }
+
+    @Override
     public ErrorFigure run(Subject subject) {
         ErrorCurve.Builder power = new ErrorCurve.Builder("power");
         ErrorCurve.Builder color = new ErrorCurve.Builder("XYZ");
+        List<String> remarks = new ArrayList<>();
         for (double tolerance : TOLERANCES) {
-            double[][] errors = errors(subject, Subject.withTolerance(tolerance));
-            power.add(tolerance, errors[0]);
-            color.add(tolerance, errors[1]);
+            try {
+                double[][] errors = errors(subject, Requests.withTolerance(tolerance));
+                power.add(tolerance, errors[0]);
+                color.add(tolerance, errors[1]);
+            } catch (GraphicsException tooLarge) {
+                remarks.add("Tolerance " + ErrorFigure.number(tolerance) + " was not measured: " + tooLarge.getMessage()
+                        + ".");
+            }
         }
         double[][] thesis = errors(subject, PlanRequest.of(PlanRequest.Preset.THESIS));
         // It has no tolerance; its points stand where the coarsest one is.
@@ -37,7 +50,8 @@ final class ToleranceExperiment implements Experiment {
                 List.of(
                         ErrorCurve.point("thesis power", place, ErrorStatistics.of(thesis[0])),
                         ErrorCurve.point("thesis XYZ", place, ErrorStatistics.of(thesis[1]))),
-                true);
+                ErrorFigure.Style.AGAINST_TOLERANCE,
+                remarks);
     }
 
     /** Errors of power, errors of X, Y, Z. */

@@ -2,13 +2,10 @@ package sunbeam.app.benchmark;
 
 import java.io.PrintWriter;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.Callable;
-import jrtr.GpuTime;
-import jrtr.GpuTimer;
 import jrtr.RenderContext;
 import jrtr.gl.RenderContexts;
 import picocli.CommandLine.Command;
@@ -16,7 +13,6 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
-import sunbeam.app.brdf.BrdfMapRenderer;
 import sunbeam.app.cli.Environment;
 import sunbeam.app.cli.ExitCode;
 import sunbeam.app.cli.UsageException;
@@ -122,27 +118,16 @@ public final class BenchmarkCommand implements Callable<Integer> {
         long start = System.nanoTime();
         Optional<FourierTable> table = contender.method().plan().map(setup::freshTable);
         long tableReady = System.nanoTime();
-        try (DiffractionMethod method = contender.method().create(context, MethodUse.COLOUR, table);
-                BrdfMapRenderer renderer = new BrdfMapRenderer(context, method, size);
-                GpuTimer timer = context.createTimer()) {
-            context.finish();
+        try (DiffractionMethod method = contender.method().create(context, MethodUse.COLOUR, table)) {
             double uploadSeconds = (System.nanoTime() - tableReady) * 1e-9;
-            timer.measure(() -> renderer.draw(wi, pixels -> {}));
-            double[] seconds = new double[frames];
-            GpuTime.Source clock = GpuTime.Source.WALL_CLOCK;
-            for (int i = 0; i < frames; i++) {
-                GpuTime time = timer.measure(() -> renderer.draw(wi, pixels -> {}));
-                seconds[i] = time.seconds();
-                clock = time.source();
-            }
-            Arrays.sort(seconds);
+            FrameTimer.Timing timing = new FrameTimer(context, size, frames).time(method, wi);
             return new FrameTime(
                     contender,
                     (tableReady - start) * 1e-9,
-                    uploadSeconds,
-                    seconds[frames / 2],
-                    renderer.coveredPixels(),
-                    clock == GpuTime.Source.TIMER_QUERY ? "timer query" : "wall clock");
+                    uploadSeconds + timing.setupSeconds(),
+                    timing.seconds(),
+                    timing.coveredPixels(),
+                    timing.clock());
         }
     }
 

@@ -5,6 +5,7 @@ import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.Callable;
 import jrtr.RenderContext;
 import jrtr.gl.RenderContexts;
@@ -13,6 +14,10 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
+import sunbeam.app.certificate.Certificate;
+import sunbeam.app.certificate.Certifier;
+import sunbeam.app.certificate.CertifyOption;
+import sunbeam.app.certificate.ExactColor;
 import sunbeam.app.cli.Environment;
 import sunbeam.app.cli.ExitCode;
 import sunbeam.app.cli.Numbers;
@@ -66,6 +71,9 @@ public final class BrdfMapCommand implements Callable<Integer> {
     private MethodOptions methodOptions;
 
     @Mixin
+    private CertifyOption certify;
+
+    @Mixin
     private ForceOption force;
 
     @Option(
@@ -108,6 +116,7 @@ public final class BrdfMapCommand implements Callable<Integer> {
         if (size < 1 || size > LARGEST) {
             throw new UsageException("--size " + size + " is out of range; give 1 to " + LARGEST);
         }
+        certify.count();
         double fixedExposure = parseExposure();
         MethodRequest methodRequest = methodOptions.request();
         PlanRequest request = planOptions.request(methodRequest.kind());
@@ -126,15 +135,21 @@ public final class BrdfMapCommand implements Callable<Integer> {
         MethodFactory factory = new MethodFactory(setup, methodRequest, request, VisibleRange.of(wi));
         PrintWriter out = specification.commandLine().getOut();
         planOptions.print(factory, err);
+        Optional<Certificate> certificate;
         try (RenderContext context = RenderContexts.offscreen();
                 DiffractionMethod method = factory.create(context, MethodUse.COLOUR);
                 BrdfMapRenderer renderer = new BrdfMapRenderer(context, method, size);
                 DisplayPass display = new DisplayPass(context)) {
             LinearPicture map = render(renderer, wi);
+            DiscDirections directions = new DiscDirections(size, wi);
             double factor = fixedExposure > 0
                     ? fixedExposure
-                    : AutoExposure.of(map, new SpecularDisc(size, wi, method.specularReach()));
+                    : AutoExposure.of(map, directions.specular(method.specularReach()));
+            certificate = certify.certificate(
+                    count -> new Certifier(ExactColor.of(setup, methodRequest, request), directions::at)
+                            .certify(map, count, CertifyOption.SEED, factor, request.tolerance()));
             Map<String, String> text = describe(setup, methodRequest, factory.summary(), factor, context);
+            certificate.ifPresent(stated -> text.put("Certificate", stated.summary()));
             BufferedImage image = SrgbImage.fromEncoded(size, size, display.srgb(map, factor));
             write(picture, stream -> PngWriter.write(stream, image, text), map);
         }
@@ -142,7 +157,10 @@ public final class BrdfMapCommand implements Callable<Integer> {
         if (linear != null) {
             out.println(linear);
         }
-        return ExitCode.OK.code();
+        return certificate
+                .map(stated -> CertifyOption.judge(stated, out, err))
+                .orElse(ExitCode.OK)
+                .code();
     }
 
     private void checkDifferent(Path picture) {

@@ -4,14 +4,18 @@ import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
+import sunbeam.app.certificate.Certificate;
+import sunbeam.app.certificate.CertifyOption;
 import sunbeam.app.cli.Environment;
 import sunbeam.app.cli.ExitCode;
+import sunbeam.app.cli.UsageException;
 import sunbeam.app.gpu.MethodKind;
 import sunbeam.app.output.AtomicFile;
 import sunbeam.app.output.CsvWriter;
@@ -49,6 +53,9 @@ public final class ReflectanceCommand implements Callable<Integer> {
     private MethodOptions methodOptions;
 
     @Mixin
+    private CertifyOption certify;
+
+    @Mixin
     private ForceOption force;
 
     @Option(names = "--directions", paramLabel = "IN.csv", required = true, description = "The directions.")
@@ -68,14 +75,25 @@ public final class ReflectanceCommand implements Callable<Integer> {
     public Integer call() {
         MethodRequest method = methodOptions.request();
         PlanRequest request = planOptions.request(method.kind());
+        if (certify.count().isPresent() && method.kind() == MethodKind.REFERENCE) {
+            throw new UsageException("--certify compares with --method reference; leave out one of them");
+        }
         DirectionList list = DirectionList.read(directions);
         AtomicFile.checkWritable(output, force.overwrite());
         DiffractionSetup setup = new DiffractionSetup(
                 patchOptions, environment, specification.commandLine().getErr());
         PrintWriter out = specification.commandLine().getOut();
-        write(list, evaluate(setup, method, request, list));
+        List<double[]> results = evaluate(setup, method, request, list);
+        Optional<Certificate> certificate = certify.certificate(count -> new ExactRows(setup, method, request, list)
+                .certifier(results)
+                .certify(list.size(), count, request.tolerance()));
+        write(list, results);
         out.println(output);
-        return ExitCode.OK.code();
+        return certificate
+                .map(stated -> CertifyOption.judge(
+                        stated, out, specification.commandLine().getErr()))
+                .orElse(ExitCode.OK)
+                .code();
     }
 
     private List<double[]> evaluate(

@@ -8,7 +8,7 @@ import java.util.Map;
 import jrtr.RenderContext;
 import jrtr.gl.RenderContexts;
 import sunbeam.app.brdf.BrdfMapRenderer;
-import sunbeam.app.brdf.SpecularDisc;
+import sunbeam.app.brdf.DiscDirections;
 import sunbeam.app.figures.Panel.MapPanel;
 import sunbeam.app.gpu.DiffractionMethod;
 import sunbeam.app.gpu.MethodUse;
@@ -91,7 +91,7 @@ final class MapDrawer implements AutoCloseable {
                 BrdfMapRenderer renderer = new BrdfMapRenderer(context, method, size);
                 Progress progress = Progress.start(panel.name(), (long) size * size)) {
             LinearPicture map = renderer.render(light, progress::step);
-            double exposure = AutoExposure.of(map, new SpecularDisc(size, light, method.specularReach()));
+            double exposure = AutoExposure.of(map, new DiscDirections(size, light).specular(method.specularReach()));
             return new DrawnMap(map, exposure, factory.summary());
         }
     }

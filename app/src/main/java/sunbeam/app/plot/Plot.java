@@ -31,7 +31,8 @@ public final class Plot {
     private enum Form {
         LINE,
         POINTS,
-        LINE_WITH_POINTS
+        LINE_WITH_POINTS,
+        RINGS
     }
 
     private record Series(String name, List<Double> x, List<Double> y, Form form) {
@@ -98,6 +99,14 @@ public final class Plot {
     }
 
     /**
+     * Adds points to be seen before all others, as black rings around what they may coincide with; every
+     * series after the first as frames.
+     */
+    public Plot rings(String name, double[] x, double[] y) {
+        return add(Series.of(name, x, y, Form.RINGS));
+    }
+
+    /**
      * The picture.
      *
      * @throws IllegalStateException when there is no series
@@ -151,11 +160,27 @@ public final class Plot {
         }
     }
 
-    private static void addTo(XYChart chart, Series series, int index) {
+    private void addTo(XYChart chart, Series series, int index) {
         XYSeries drawn = chart.addSeries(series.name, series.x, series.y);
-        drawn.setXYSeriesRenderStyle(
-                series.form == Form.POINTS ? XYSeriesRenderStyle.Scatter : XYSeriesRenderStyle.Line);
-        drawn.setMarker(series.form == Form.LINE ? SeriesMarkers.NONE : PlotStyle.marker(index));
+        boolean joined = series.form == Form.LINE || series.form == Form.LINE_WITH_POINTS;
+        drawn.setXYSeriesRenderStyle(joined ? XYSeriesRenderStyle.Line : XYSeriesRenderStyle.Scatter);
+        drawn.setMarker(
+                switch (series.form) {
+                    case LINE -> SeriesMarkers.NONE;
+                    case RINGS -> new RingMarker(isFirstOfRings(series));
+                    default -> PlotStyle.marker(index);
+                });
+        if (series.form == Form.RINGS) {
+            drawn.setMarkerColor(PlotStyle.INK);
+        }
+    }
+
+    private boolean isFirstOfRings(Series series) {
+        return allSeries.stream()
+                .filter(other -> other.form == Form.RINGS)
+                .findFirst()
+                .filter(series::equals)
+                .isPresent();
     }
 
     /**

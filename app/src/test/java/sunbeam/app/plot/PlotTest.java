@@ -19,6 +19,7 @@ import sunbeam.app.plot.Plot.Frame;
 final class PlotTest {
     private static final int BLUE = 0xff0072b2;
     private static final int VERMILION = 0xffd55e00;
+    private static final int RING = 0xff222222;
 
     @TempDir
     private Path folder;
@@ -53,6 +54,32 @@ final class PlotTest {
         assertThat(image.getHeight()).isEqualTo(600);
         assertThat(image.getRGB(0, 0)).isEqualTo(0xffffffff);
         assertThat(colours(image)).contains(BLUE, VERMILION);
+    }
+
+    @Test
+    void ringsAreBlackAndLeaveWhatTheySurroundInSight() {
+        double[] place = {20};
+        double[] error = {1e-2};
+        Frame frame = new Frame("t", Axis.linear("x"), Axis.logarithmic("y"));
+        double[] x = {1, 20, 40};
+        double[] y = {1, 1e-2, 1e-4};
+        BufferedImage without =
+                new Plot(frame).points("a", x, y).points("b", place, error).draw();
+        BufferedImage with =
+                new Plot(frame).points("a", x, y).rings("b", place, error).draw();
+        // The mark in the middle, 8 pixels wide, is covered by a mark but not by a ring.
+        assertThat(count(with, BLUE)).isGreaterThan(count(without, BLUE));
+        assertThat(count(with, RING)).isGreaterThan(count(without, RING));
+    }
+
+    private static int count(BufferedImage image, int colour) {
+        int count = 0;
+        for (int y = 0; y < image.getHeight(); y++) {
+            for (int x = 0; x < image.getWidth(); x++) {
+                count += image.getRGB(x, y) == colour ? 1 : 0;
+            }
+        }
+        return count;
     }
 
     @Test

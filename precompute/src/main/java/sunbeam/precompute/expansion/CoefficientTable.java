@@ -1,5 +1,6 @@
 package sunbeam.precompute.expansion;
 
+import java.util.Arrays;
 import java.util.function.DoubleFunction;
 import java.util.stream.IntStream;
 
@@ -35,6 +36,11 @@ public record CoefficientTable(double minimumPhase, double maximumPhase, float[]
             }
         });
         return new CoefficientTable(low, high, values);
+    }
+
+    /** The table with fewer terms. */
+    public CoefficientTable firstTerms(int count) {
+        return new CoefficientTable(minimumPhase, maximumPhase, Arrays.copyOf(values, count));
     }
 
     public int samples() {

@@ -1,5 +1,6 @@
 package sunbeam.precompute.table;
 
+import java.util.Arrays;
 import sunbeam.precompute.expansion.CoefficientTable;
 import sunbeam.precompute.expansion.ExpansionKind;
 import sunbeam.precompute.expansion.HeightScale;
@@ -42,6 +43,19 @@ public record FourierTable(
 
     public int terms() {
         return real.length;
+    }
+
+    /** The table of the same expansion with fewer terms, which share this one's arrays. */
+    public FourierTable firstTerms(int count) {
+        return new FourierTable(
+                patch,
+                kind,
+                scale,
+                bandX,
+                bandY,
+                Arrays.copyOf(real, count),
+                Arrays.copyOf(imaginary, count),
+                coefficients == null ? null : coefficients.firstTerms(count));
     }
 
     /** Bytes that the terms take in memory and, nearly, in a file. */

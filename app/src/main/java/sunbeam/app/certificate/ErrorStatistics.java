@@ -1,4 +1,4 @@
-package sunbeam.app.accuracy;
+package sunbeam.app.certificate;
 
 import java.util.Arrays;
 import java.util.Locale;

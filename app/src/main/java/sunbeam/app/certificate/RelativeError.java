@@ -1,7 +1,10 @@
-package sunbeam.app.accuracy;
+package sunbeam.app.certificate;
 
 /** Errors relative to the exact value. */
 public final class RelativeError {
+    /** Power, and largest of X, Y, Z of power, below which an error relative to it means nothing. */
+    public static final double FLOOR = 1e-9;
+
     private RelativeError() {}
 
     /** Of a power. */
@@ -18,16 +21,20 @@ public final class RelativeError {
     }
 
     /** The largest difference in X, Y or Z; NaN if one of them is. */
-    static double difference(double[] xyz, double[] exact) {
+    public static double difference(double[] values, double[] exact) {
         double result = 0;
-        for (int c = 0; c < 3; c++) {
-            result = Math.max(result, Math.abs(xyz[c] - exact[c]));
+        for (int c = 0; c < exact.length; c++) {
+            result = Math.max(result, Math.abs(values[c] - exact[c]));
         }
         return result;
     }
 
     /** The largest of X, Y and Z. */
-    static double largest(double[] xyz) {
-        return Math.max(xyz[0], Math.max(xyz[1], xyz[2]));
+    public static double largest(double[] values) {
+        double result = values[0];
+        for (double value : values) {
+            result = Math.max(result, value);
+        }
+        return result;
     }
 }

@@ -1,0 +1,106 @@
+package sunbeam.app.accuracy;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import jrtr.RenderContext;
+import sunbeam.app.accuracy.MethodsFigure.Entry;
+import sunbeam.app.accuracy.ReferenceSamples.Color;
+import sunbeam.app.benchmark.FrameTimer;
+import sunbeam.app.certificate.ErrorStatistics;
+import sunbeam.app.certificate.RelativeError;
+import sunbeam.app.directions.DirectionsRenderer;
+import sunbeam.app.directions.DirectionsRenderer.Query;
+import sunbeam.app.gpu.DiffractionMethod;
+import sunbeam.app.gpu.MethodKind;
+import sunbeam.app.gpu.MethodUse;
+import sunbeam.app.setup.DiffractionSetup;
+import sunbeam.app.setup.MethodFactory;
+import sunbeam.app.setup.MethodRequest;
+import sunbeam.precompute.optics.Direction;
+import sunbeam.precompute.optics.Geometry;
+import sunbeam.precompute.plan.PlanRequest;
+import sunbeam.precompute.plan.VisibleRange;
+import sunbeam.precompute.table.FourierTable;
+
+/** Measures error and time of methods on one patch: both of the very same textures and shaders' plan. */
+final class MethodMeter {
+    private static final Direction NORMAL = new Direction(0, 0, 1);
+    private static final int FRAMES = 3;
+
+    private final RenderContext context;
+    private final Subject subject;
+    private final int mapSize;
+
+    /** @param mapSize width and height of the BRDF maps that are timed, pixels */
+    MethodMeter(RenderContext context, Subject subject, int mapSize) {
+        this.context = context;
+        this.subject = subject;
+        this.mapSize = mapSize;
+    }
+
+    /**
+     * Measures one method.
+     *
+     * @param note what it approximates, see {@link Entry}
+     */
+    Entry measure(String name, MethodRequest method, PlanRequest request, String note) {
+        List<Color> colors = subject.samplesFor(request).colors();
+        List<Query> queries = colors.stream().map(Color::query).toList();
+        DiffractionSetup setup = subject.setup();
+        MethodFactory factory = new MethodFactory(setup, method, request, range(queries));
+        Optional<FourierTable> table = factory.plan().map(setup::freshTable);
+        try (DiffractionMethod drawn = factory.create(context, MethodUse.COLOUR, table)) {
+            double[][] xyz = evaluate(drawn, queries);
+            if (method.kind() == MethodKind.GEM) {
+                scale(xyz, colors);
+            }
+            FrameTimer.Timing timing = new FrameTimer(context, mapSize, FRAMES).time(drawn, NORMAL);
+            return new Entry(name, errors(xyz, colors), timing.microsecondsPerPixel(), note);
+        }
+    }
+
+    /** What is evaluated, and all of a map lit from the normal. */
+    private static VisibleRange range(List<Query> queries) {
+        List<Geometry> geometries =
+                new ArrayList<>(queries.stream().map(Query::geometry).toList());
+        Stream.of(
+                        NORMAL,
+                        Direction.ofDisc(1, 0),
+                        Direction.ofDisc(-1, 0),
+                        Direction.ofDisc(0, 1),
+                        Direction.ofDisc(0, -1))
+                .forEach(view -> geometries.add(new Geometry(NORMAL, view)));
+        return VisibleRange.of(geometries);
+    }
+
+    private double[][] evaluate(DiffractionMethod method, List<Query> queries) {
+        try (DirectionsRenderer renderer = new DirectionsRenderer(context, method, false)) {
+            return renderer.evaluate(queries, done -> {}).stream()
+                    .map(rgba -> new double[] {rgba[0], rgba[1], rgba[2]})
+                    .toArray(double[][]::new);
+        }
+    }
+
+    private static ErrorStatistics errors(double[][] xyz, List<Color> colors) {
+        return ErrorStatistics.of(IntStream.range(0, xyz.length)
+                .mapToDouble(i -> RelativeError.ofColor(xyz[i], colors.get(i).xyz()))
+                .toArray());
+    }
+
+    /** Multiplies colours that have no scale by the one factor that makes half of them too bright, half too dark. */
+    private static void scale(double[][] xyz, List<Color> colors) {
+        double[] ratios = IntStream.range(0, xyz.length)
+                .filter(i -> xyz[i][1] > 0)
+                .mapToDouble(i -> colors.get(i).xyz()[1] / xyz[i][1])
+                .sorted()
+                .toArray();
+        double factor = ratios.length == 0 ? 1 : ratios[ratios.length / 2];
+        for (double[] color : xyz) {
+            Arrays.setAll(color, c -> factor * color[c]);
+        }
+    }
+}

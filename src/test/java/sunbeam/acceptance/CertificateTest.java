@@ -1,0 +1,96 @@
+package sunbeam.acceptance;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** {@code --certify} on pictures that the real shaders draw. */
+final class CertificateTest {
+    @TempDir
+    private Path folder;
+
+    /** An odd size has a row of pixels in the plane v = 0, where the grating's orders lie; elsewhere it is dark. */
+    private SunbeamResult map(String... options) throws Exception {
+        String[] common = {"brdf-map", "--patch", "blaze", "--size", "33", "--output", "map.png", "--certify", "40"};
+        String[] all = new String[common.length + options.length];
+        System.arraycopy(common, 0, all, 0, common.length);
+        System.arraycopy(options, 0, all, common.length, options.length);
+        return Sunbeam.command(all).in(folder).run();
+    }
+
+    @Test
+    void aPlannedPictureKeepsItsToleranceAndSaysSo() throws Exception {
+        SunbeamResult result = map("--tolerance", "1e-2");
+        assertThat(result.exitCode()).as(result::toString).isZero();
+        assertThat(result.stdout()).contains("certificate: 40 random pixels");
+        String png = Files.readString(folder.resolve("map.png"), StandardCharsets.ISO_8859_1);
+        assertThat(png).contains("Certificate").contains("relative error of XYZ median");
+    }
+
+    @Test
+    void aPictureFromOneTermMissesItsToleranceInOneLine() throws Exception {
+        SunbeamResult result = map("--expansion", "taylor", "--terms", "1");
+        assertThat(result.exitCode()).as(result::toString).isEqualTo(3);
+        assertThat(result.stderr().lines().filter(line -> line.contains("missed")))
+                .as(result::toString)
+                .hasSize(1);
+        assertThat(folder.resolve("map.png")).exists();
+    }
+
+    @Test
+    void theThesissPictureIsJudgedByTheToleranceToo() throws Exception {
+        SunbeamResult result = map("--preset", "thesis");
+        assertThat(result.stdout()).as(result::toString).contains("certificate: 40 random pixels");
+        // 5 nm steps and the corner's window: error of several percent (docs/accuracy).
+        assertThat(result.exitCode()).as(result::toString).isEqualTo(3);
+    }
+
+    @Test
+    void aCertificateOfNoPixelsIsRefused() throws Exception {
+        SunbeamResult result = Sunbeam.command("brdf-map", "--size", "32", "--certify", "0")
+                .in(folder)
+                .run();
+        assertThat(result.exitCode()).as(result::toString).isEqualTo(2);
+        assertThat(result.stderr()).contains("--certify 0");
+    }
+
+    /** Rows in and beside the first orders of a grating of 2.5 um. */
+    private SunbeamResult reflectance(String... options) throws Exception {
+        Files.writeString(
+                folder.resolve("in.csv"),
+                "theta_i,phi_i,theta_r,phi_r,wavelength\n0,0,12.7,0,550\n0,0,12.8,180,550\n0,0,0.1,90,500\n30,0,30,180,640\n",
+                StandardCharsets.UTF_8);
+        String[] common = {
+            "reflectance", "--patch", "sinusoid", "--directions", "in.csv", "--output", "out.csv", "--certify", "4"
+        };
+        String[] all = new String[common.length + options.length];
+        System.arraycopy(common, 0, all, 0, common.length);
+        System.arraycopy(options, 0, all, common.length, options.length);
+        return Sunbeam.command(all).in(folder).run();
+    }
+
+    @Test
+    void aTableStatesTheErrorOfItsPowers() throws Exception {
+        SunbeamResult result = reflectance();
+        assertThat(result.exitCode()).as(result::toString).isZero();
+        assertThat(result.stdout()).contains("certificate: 4 random rows").contains("relative error of power");
+    }
+
+    @Test
+    void aTableFromOneTermMissesItsTolerance() throws Exception {
+        SunbeamResult result = reflectance("--terms", "1");
+        assertThat(result.exitCode()).as(result::toString).isEqualTo(3);
+        assertThat(folder.resolve("out.csv")).exists();
+    }
+
+    @Test
+    void theReferenceIsNotComparedWithItself() throws Exception {
+        SunbeamResult result = reflectance("--method", "reference");
+        assertThat(result.exitCode()).as(result::toString).isEqualTo(2);
+        assertThat(result.stderr()).contains("--certify compares with --method reference");
+    }
+}
