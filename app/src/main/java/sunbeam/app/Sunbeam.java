@@ -83,6 +83,9 @@ public final class Sunbeam {
     private static void describe(CommandLine commandLine) {
         CommandSpec specification = commandLine.getCommandSpec();
         specification.usageMessage().abbreviateSynopsis(true);
+        if (specification.usageMessage().header().length > 0) {
+            specification.usageMessage().synopsisHeading("%nUsage: ");
+        }
         specification.usageMessage().exitCodeListHeading("%nExit codes:%n").exitCodeList(ExitCode.table());
         commandLine.getSubcommands().values().forEach(Sunbeam::describe);
     }

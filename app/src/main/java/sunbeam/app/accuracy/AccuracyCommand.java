@@ -33,6 +33,7 @@ import sunbeam.precompute.patch.PatchRequest;
 /** {@code sunbeam accuracy}: measures and plots how the error depends on each choice of method full, and on the method. */
 @Command(
         name = "accuracy",
+        header = "Measure and plot errors, and errors over time.",
         description = "Measure and plot the error of method full against the exact reference: over the number of terms"
                 + " of each expansion, the neighbourhood, the wavelength step, and the tolerance, on random directions,"
                 + " half of them aimed at diffraction orders; and of all methods over their time per pixel. Writes"

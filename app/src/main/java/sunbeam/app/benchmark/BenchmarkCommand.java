@@ -35,6 +35,7 @@ import sunbeam.precompute.table.FourierTable;
 /** {@code sunbeam benchmark}: time per frame of a BRDF map, as a ratio to the thesis's shader in the same run. */
 @Command(
         name = "benchmark",
+        header = "Time a BRDF map against the thesis's shader.",
         description =
                 "Time the drawing of a BRDF map and give it as a ratio to the thesis's shader (full --preset thesis),"
                         + " timed in the same run: an absolute time on a shared machine means nothing. The median of some frames"

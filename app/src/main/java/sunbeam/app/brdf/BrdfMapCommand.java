@@ -49,6 +49,7 @@ import sunbeam.precompute.plan.VisibleRange;
 /** {@code sunbeam brdf-map}: from a height map to the picture of its BRDF. */
 @Command(
         name = "brdf-map",
+        header = "Draw the BRDF map of a surface as a PNG.",
         description = "Draw the BRDF map of a surface: the colour that each direction of the hemisphere sees when light"
                 + " comes from one direction. The pixel at (x, y) of the unit disc shows the direction (x, y,"
                 + " sqrt(1 - x^2 - y^2)), +x right, +y up; the specular reflection of light from the normal lies in the"

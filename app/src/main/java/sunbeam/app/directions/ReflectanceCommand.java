@@ -32,6 +32,7 @@ import sunbeam.precompute.plan.VisibleRange;
 /** {@code sunbeam reflectance}: numbers for a list of directions, the interface by which anybody can check Sunbeam. */
 @Command(
         name = "reflectance",
+        header = "Evaluate a list of directions: CSV in, CSV out.",
         description = "Evaluate a list of directions. The input is a CSV file with a header and the columns theta_i,"
                 + " phi_i, theta_r, phi_r in degrees and, for one wavelength a row, wavelength in nm; other columns are"
                 + " ignored. The output repeats these columns and adds power, power_ensemble, rho and brdf (1/sr,"

@@ -14,6 +14,7 @@ import sunbeam.app.cli.ExitCode;
 /** {@code sunbeam doctor}: says whether rendering works here, and what to do where it does not. */
 @Command(
         name = "doctor",
+        header = "Check whether rendering works on this machine.",
         description = "Tell whether rendering works on this machine: Java, memory, display, OpenGL, cache folder.%n"
                 + "Each line begins with ok or FAIL; below a FAIL stands what to do.%n"
                 + "The exit code says whether rendering works: 0 if it does, 5 if not.")

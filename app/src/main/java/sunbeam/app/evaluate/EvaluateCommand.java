@@ -32,6 +32,7 @@ import sunbeam.precompute.plan.PlanRequest;
 /** {@code sunbeam evaluate}: a patch's period from its response, as in the thesis's chapter 4. */
 @Command(
         name = "evaluate",
+        header = "Measure a patch's period by the light it diffracts.",
         description = "Measure a patch's period by the light it diffracts: compute the response over wavelengths and"
                 + " angles in the plane of incidence, follow the ridge of the first order, and fit the grating equation."
                 + " Writes the matrix (.csv and .npy), the figures (.json) and a plot (.png). See"

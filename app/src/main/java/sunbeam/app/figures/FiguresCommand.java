@@ -29,6 +29,7 @@ import sunbeam.app.output.Overwrite;
 /** {@code sunbeam figures}: the thesis's result figures as one folder. */
 @Command(
         name = "figures",
+        header = "Draw the thesis's result figures as one folder with a page.",
         description = "Draw the result figures of the thesis as one folder: BRDF maps per patch (5.3), method (5.4),"
                 + " wavelength step (5.5, 5.6), full against pq (5.7 to 5.9), per coherence window (5.10), number of"
                 + " terms (5.11, 5.12) and angle of incidence (5.13); the evaluation by the grating equation (4.9 to"

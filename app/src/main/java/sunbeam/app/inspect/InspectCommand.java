@@ -24,6 +24,7 @@ import sunbeam.precompute.patch.Patch;
 /** {@code sunbeam inspect}: what a patch shows before any light meets it. */
 @Command(
         name = "inspect",
+        header = "Look at a height map: relief, slopes, periods, plan.",
         description = "Look at a patch before rendering it: size, relief, roughness, slopes, histogram, power spectrum"
                 + " with its dominant periods and directions, whether the sampling is fine enough, and the plan for"
                 + " the default tolerance; as text and as one picture.")

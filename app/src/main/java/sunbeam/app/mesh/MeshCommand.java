@@ -19,6 +19,7 @@ import sunbeam.app.output.Overwrite;
 /** {@code sunbeam mesh}: writes a mesh that scenes can use, or that other programs can change. */
 @Command(
         name = "mesh",
+        header = "Generate or check a mesh.",
         description =
                 "Generate a mesh, or check one, and write it as Wavefront OBJ: metres, z up, with normals and with"
                         + " texture coordinates whose u gives the direction of the nanostructure.")

@@ -31,6 +31,7 @@ import sunbeam.precompute.plan.PlanReport;
 /** {@code sunbeam render}: a scene as a picture, or moving, without a window. */
 @Command(
         name = "render",
+        header = "Draw a scene without a window: picture or animation.",
         description = "Draw a scene: a mesh with a nanostructured skin, its camera and its light. One PNG, or with"
                 + " --light-sweep or --turntable a folder of numbered PNGs and an animation of them. Ctrl-C keeps"
                 + " the frames that are finished; --resume goes on.")

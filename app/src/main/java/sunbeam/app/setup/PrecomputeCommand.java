@@ -21,6 +21,7 @@ import sunbeam.precompute.table.TableFile;
 /** {@code sunbeam precompute}: the Fourier tables of a patch as a file for other programs. */
 @Command(
         name = "precompute",
+        header = "Write the Fourier tables of a patch as HDF5.",
         description =
                 "Write the Fourier tables of a patch to one HDF5 file: the DFT of every term T_n(h) of the expansion"
                         + " of exp(i k w h), complex float32, cropped to what any pair of directions can see. The file says what"

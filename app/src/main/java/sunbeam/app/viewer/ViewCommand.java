@@ -14,6 +14,7 @@ import sunbeam.app.scene.Scenes;
 /** {@code sunbeam view}: the window. */
 @Command(
         name = "view",
+        header = "Open the interactive viewer.",
         description = "Show a scene in a window: drag to turn the model, drag with the right button to move the light."
                 + " While something moves, the picture is a preview; once still, it is refined to what 'render' writes."
                 + " F1 lists the mouse and the keys; see also docs/viewer.md.")
