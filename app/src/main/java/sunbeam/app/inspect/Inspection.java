@@ -28,10 +28,10 @@ import sunbeam.precompute.units.Lengths;
  * @param statistics of its heights and slopes
  * @param periodicity what repeats in it
  * @param spectrum that the periodicity rests on
- * @param plan for the default tolerance and any pair of directions, in words
+ * @param plan for the default tolerance and any pair of directions
  */
 record Inspection(
-        Patch patch, HeightStatistics statistics, Periodicity periodicity, HeightSpectrum spectrum, String plan) {
+        Patch patch, HeightStatistics statistics, Periodicity periodicity, HeightSpectrum spectrum, PlanReport plan) {
     /** Regularities that are told of. */
     static final int PEAKS = 6;
 
@@ -42,10 +42,10 @@ record Inspection(
         return new Inspection(patch, HeightStatistics.of(map), periodicity, finder.spectrum(periodicity), plan(map));
     }
 
-    private static String plan(HeightMap map) {
+    private static PlanReport plan(HeightMap map) {
         Planner planner = new Planner(map, HeightLevels.of(map), CieTable.load());
         PlanRequest standard = PlanRequest.of(PlanRequest.Preset.NONE);
-        return new PlanReport(planner.plan(standard, VisibleRange.all())).summary();
+        return new PlanReport(planner.plan(standard, VisibleRange.all()));
     }
 
     /** The strongest regularities. */
@@ -69,7 +69,8 @@ record Inspection(
                 "relief %s, roughness %s rms".formatted(rounded(statistics.relief()), rounded(statistics.rms()))));
         lines.add(line("slopes", slopes()));
         lines.addAll(periods());
-        lines.add(line("plan", plan));
+        lines.add(line("plan", plan.summary()));
+        lines.add(line("cost", plan.cost(map.rows())));
         return lines;
     }
 

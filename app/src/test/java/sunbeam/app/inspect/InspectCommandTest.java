@@ -55,9 +55,10 @@ final class InspectCommandTest {
                 .contains("51.2 um x 51.2 um, 1024 x 1024 samples")
                 .contains("relief 110 nm")
                 .contains("fine enough for light of 380 nm")
-                .contains("steeper than 45 degrees")
+                .contains("steeper than 30 degrees")
                 .contains("1600.0 nm in direction   0.0 degrees")
                 .contains("plan ")
+                .containsPattern("cost +textures of at most [0-9.e+]+ MB; up to [0-9]+ texture reads a pixel")
                 .endsWith(picture() + System.lineSeparator());
         BufferedImage sheet = ImageIO.read(new File(picture()));
         assertThat(sheet.getWidth()).isGreaterThan(1000);

@@ -1,6 +1,7 @@
 package sunbeam.precompute.analysis;
 
 import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.patch.SlopeCheck;
 
 /**
  * Heights and slopes of a patch in numbers.
@@ -17,7 +18,7 @@ public record HeightStatistics(double relief, double rms, double largestSlope, d
      * Above this angle the scalar theory's picture fails: light meets a facet more than once, and one height per
      * position, lit from above, no longer tells its path.
      */
-    public static final double STEEP_DEGREES = 45;
+    public static final double STEEP_DEGREES = SlopeCheck.STEEPEST;
 
     /** Measures a map without missing samples. */
     public static HeightStatistics of(HeightMap map) {
@@ -29,7 +30,7 @@ public record HeightStatistics(double relief, double rms, double largestSlope, d
         for (double slope : slopes) {
             sum += slope;
             largest = Math.max(largest, slope);
-            // 1e-9: a slope of exactly 45 degrees is not steeper for its rounding.
+            // 1e-9: a slope of exactly so many degrees is not steeper for its rounding.
             steeper += slope > steep * (1 + 1e-9) ? 1 : 0;
         }
         return new HeightStatistics(

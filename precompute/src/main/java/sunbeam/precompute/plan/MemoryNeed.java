@@ -25,12 +25,17 @@ record MemoryNeed(long heapBytes, long textureBytes, long longestSide) {
     private static final long COMPLEX_BYTES = 2 * Double.BYTES;
     private static final long TEXEL_BYTES = 4 * Float.BYTES;
 
-    /**
-     * A Fourier table and its textures.
-     *
-     * @param rows of the patch
-     */
-    static MemoryNeed ofBins(int rows, int terms, Band bandX, Band bandY) {
+    /** @param rows of the patch */
+    static MemoryNeed of(Plan plan, int rows) {
+        int terms = plan.expansion().terms();
+        MemoryNeed table = ofBins(rows, terms, plan.bandX(), plan.bandY());
+        return plan.sampling() instanceof Sampling.Grid grid
+                ? ofGrid(grid, plan.window().sigmaFrequency(), plan.range(), table, terms)
+                : table;
+    }
+
+    /** A Fourier table and its textures. */
+    private static MemoryNeed ofBins(int rows, int terms, Band bandX, Band bandY) {
         long bins = (long) bandX.count() * bandY.count();
         long table = TERM_BYTES * terms * bins;
         // A band of two real terms is transformed as one that is symmetric, up to twice as wide each way.
@@ -40,7 +45,7 @@ record MemoryNeed(long heapBytes, long textureBytes, long longestSide) {
     }
 
     /** The same table resampled; see sunbeam.app.gpu.GridTextures. */
-    static MemoryNeed ofGrid(
+    private static MemoryNeed ofGrid(
             Sampling.Grid grid, double sigmaFrequency, VisibleRange range, MemoryNeed table, int terms) {
         int taps = grid.interpolation().taps();
         // The ensemble's Gaussian is narrower by sqrt(2) and its fields, about twice the terms, are real: four a texel,

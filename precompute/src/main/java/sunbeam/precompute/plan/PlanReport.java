@@ -12,6 +12,9 @@ import sunbeam.precompute.units.Lengths;
 
 /** A plan in words. */
 public final class PlanReport {
+    // 81 wavelengths, 3 x 3 bins, 37 terms.
+    private static final int THESIS_READS = 81 * 9 * 37;
+
     private final Plan plan;
 
     public PlanReport(Plan plan) {
@@ -76,6 +79,41 @@ public final class PlanReport {
         double waveNumbers = 1 / CieTable.MINIMUM_WAVELENGTH - 1 / CieTable.MAXIMUM_WAVELENGTH;
         return Math.max(grid.fewestNodes(), (int)
                 Math.ceil(plan.range().maximumComponent() * waveNumbers / (grid.largestStride() * grid.nodeStep())));
+    }
+
+    /**
+     * One line: memory on the graphics card and texture reads of the pixel that takes most, beside those of the thesis's
+     * shader.
+     *
+     * @param patchRows of the height map
+     */
+    public String cost(int patchRows) {
+        return format(
+                "textures of at most %.3g MB; up to %d texture reads a pixel (the thesis's shader: %d)",
+                MemoryNeed.of(plan, patchRows).textureBytes() * 1e-6, reads(), THESIS_READS);
+    }
+
+    private long reads() {
+        long terms = plan.expansion().terms();
+        Sampling sampling = plan.sampling();
+        if (sampling instanceof Sampling.Bins bins) {
+            return bins.wavelengths().count() * binReads(bins.neighbourhood());
+        }
+        if (sampling instanceof Sampling.Rays rays) {
+            return mostNodes(rays) * binReads(rays.neighbourhood());
+        }
+        if (sampling instanceof Sampling.Grid grid) {
+            // Two complex terms share a texel.
+            return (terms + 1) / 2 * mostNodes(grid) * grid.interpolation().taps();
+        }
+        // A ray from the middle passes at most half of the orders each way.
+        long passed = ((long) plan.bandX().count() + plan.bandY().count()) / 2;
+        return passed * orderNodes((Sampling.Orders) sampling) * terms;
+    }
+
+    private long binReads(Neighbourhood neighbourhood) {
+        long side = 2L * neighbourhood.radius() + 1;
+        return side * side * plan.expansion().terms();
     }
 
     /** Several lines: each choice and its reason. */

@@ -52,11 +52,11 @@ public final class Planner {
         Plan plan = null;
         for (Sampling sampling : samplings(request, range, tolerances)) {
             plan = plan(request, range, tolerances, sampling);
-            if (memory(plan).fits(heapLimit)) {
+            if (MemoryNeed.of(plan, map.rows()).fits(heapLimit)) {
                 break;
             }
         }
-        memory(plan).require(heapLimit, plan);
+        MemoryNeed.of(plan, map.rows()).require(heapLimit, plan);
         return plan;
     }
 
@@ -76,14 +76,6 @@ public final class Planner {
                 request.windowOrigin(),
                 request.average().orElse(Average.COHERENT),
                 sampling);
-    }
-
-    private MemoryNeed memory(Plan plan) {
-        int terms = plan.expansion().terms();
-        MemoryNeed table = MemoryNeed.ofBins(map.rows(), terms, plan.bandX(), plan.bandY());
-        return plan.sampling() instanceof Sampling.Grid grid
-                ? MemoryNeed.ofGrid(grid, plan.window().sigmaFrequency(), plan.range(), table, terms)
-                : table;
     }
 
     private List<Sampling> samplings(PlanRequest request, VisibleRange range, Tolerances tolerances) {

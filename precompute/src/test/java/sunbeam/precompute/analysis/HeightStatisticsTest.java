@@ -36,7 +36,7 @@ final class HeightStatisticsTest {
     }
 
     @Test
-    void whatIsSteeperThan45DegreesIsCounted() {
+    void whatIsSteeperThan30DegreesIsCounted() {
         // A quarter of the intervals rises by 1.5 times the pitch, the rest falls by half of it.
         HeightMap map = Surfaces.of(
                 41, 1, PITCH, (x, y) -> PITCH * new double[] {0, 1.5, 1, 0.5}[(int) Math.rint(x / PITCH) % 4]);
@@ -44,8 +44,9 @@ final class HeightStatisticsTest {
     }
 
     @Test
-    void aSlopeOfExactly45DegreesIsNotSteeper() {
-        assertThat(HeightStatistics.of(Surfaces.of(50, 1, PITCH, (x, y) -> x)).steepShare())
+    void aSlopeOfExactly30DegreesIsNotSteeper() {
+        assertThat(HeightStatistics.of(Surfaces.of(50, 1, PITCH, (x, y) -> x / Math.sqrt(3)))
+                        .steepShare())
                 .isZero();
     }
 
