@@ -18,7 +18,6 @@ import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneData;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.Geometry;
-import sunbeam.precompute.plan.PlanReport;
 
 /** The viewer: window, scene and render thread put together. Belongs to the event thread. */
 final class Viewer {
@@ -271,7 +270,7 @@ final class Viewer {
             followLight();
             model.loaded()
                     .ifPresent(loaded ->
-                            window.status().plan(new PlanReport(loaded.fine().plan()).summary()));
+                            window.status().plan(loaded.fine().method().summary()));
             show();
         }
 
