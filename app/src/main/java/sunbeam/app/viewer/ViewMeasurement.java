@@ -18,8 +18,9 @@ import javax.swing.Timer;
  */
 final class ViewMeasurement implements FrameObserver {
     private static final int EVENT_MILLISECONDS = 16;
-    // Not measured: the first frames are as coarse as any method may need.
-    private static final long WARM_UP_NANOSECONDS = 3_000_000_000L;
+    // Not measured: the first frames are as coarse as any method may need. As long as what is measured, but at most
+    // this.
+    private static final long LONGEST_WARM_UP_NANOSECONDS = 3_000_000_000L;
 
     private final Viewer viewer;
     private final long nanoseconds;
@@ -54,7 +55,7 @@ final class ViewMeasurement implements FrameObserver {
 
     private void begin() {
         viewer.observe(this);
-        start = System.nanoTime() + WARM_UP_NANOSECONDS;
+        start = System.nanoTime() + Math.min(nanoseconds, LONGEST_WARM_UP_NANOSECONDS);
         send(MouseEvent.MOUSE_PRESSED, 0);
         hand.start();
     }

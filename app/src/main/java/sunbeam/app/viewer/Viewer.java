@@ -91,6 +91,10 @@ final class Viewer {
         return files;
     }
 
+    PointInspector inspector() {
+        return inspector;
+    }
+
     /** For waiting until something is to be seen. */
     FirstPicture firstPicture() {
         return firstPicture;

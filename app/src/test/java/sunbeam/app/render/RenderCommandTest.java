@@ -126,6 +126,14 @@ class RenderCommandTest {
         assertThat(render(output, "--supersample", "0")).isEqualTo(ExitCode.USAGE.code());
         assertThat(render(output, "--turntable", "2", "--light-sweep", "0:1")).isEqualTo(ExitCode.USAGE.code());
         assertThat(render(output, "--exposure", "-1")).isEqualTo(ExitCode.USAGE.code());
+        assertThat(render(output, "--method", "pq"))
+                .as("pq has no ensemble average")
+                .isEqualTo(ExitCode.USAGE.code());
+        assertThat(err.toString()).contains("--average coherent");
+        assertThat(render(output, "--method", "full", "--spacing", "1um")).isEqualTo(ExitCode.USAGE.code());
+        assertThat(render(output, "--replicas", "2")).isEqualTo(ExitCode.USAGE.code());
+        assertThat(render(output, "--method", "gem", "--patch", "elaphe-like")).isEqualTo(ExitCode.USAGE.code());
+        assertThat(err.toString()).contains("--spacing 1um");
         assertThat(run("render", scene.toString(), "--size", "0x5")).isEqualTo(ExitCode.USAGE.code());
         assertThat(run("render", "elafe")).isEqualTo(ExitCode.UNUSABLE_INPUT.code());
         assertThat(output).doesNotExist();
