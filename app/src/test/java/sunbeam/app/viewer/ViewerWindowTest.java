@@ -81,7 +81,7 @@ final class ViewerWindowTest {
                 .withPatch(PatchRequest.of("blaze"))
                 .withPlan(PlanChange.tolerance(elaphe.plan(), 0.05))
                 .withTexture("none")
-                .withBlend(new Blend(1, 0.5, 0.9, 0.1))
+                .withBlend(new Blend(30, 0.5, 0.9, 0.1))
                 .withLight(new SceneLight(new Vector3f(0.3f, 0.25f, 0.9f), 1));
     }
 
@@ -187,10 +187,11 @@ final class ViewerWindowTest {
                 control("method", JComboBox.class).setSelectedItem(choice);
                 return null;
             });
+            await(() -> onEvents(() ->
+                    MethodChoice.of(viewer.model().loaded().orElseThrow().fine().scene()) == choice));
             awaitFinal();
-            assertThat(onEvents(() -> MethodChoice.of(viewer.model().scene()))).isEqualTo(choice);
-            assertThat(different(full, picture(), false)).as(choice.toString()).isPositive();
         }
+        assertThat(different(full, picture(), false)).as("gem is another model").isPositive();
         onEvents(() -> {
             JTextField spacing = control("spacing", JTextField.class);
             spacing.setText("2 parsec");
