@@ -6,6 +6,7 @@ import java.awt.Insets;
 import java.util.Locale;
 import java.util.OptionalDouble;
 import java.util.function.Consumer;
+import java.util.function.DoubleConsumer;
 import java.util.function.Function;
 import javax.swing.BorderFactory;
 import javax.swing.JCheckBox;
@@ -36,6 +37,7 @@ final class ControlPanel extends JPanel {
     private final JComboBox<String> patch = new JComboBox<>();
     private final JComboBox<MethodChoice> method = new JComboBox<>(MethodChoice.values());
     private final JTextField spacing = new JTextField("1um", 8);
+    private JLabel spacingCaption;
     private final JComboBox<String> tolerance = new JComboBox<>(new String[] {"0.05", "0.01", "0.001", "1.0E-4"});
     private final JTextField coherence = new JTextField(8);
     private final JComboBox<String> average = new JComboBox<>(new String[] {"coherent", "ensemble"});
@@ -61,9 +63,12 @@ final class ControlPanel extends JPanel {
                 Math::toDegrees,
                 value -> format("%.0f°", Math.toDegrees(value)),
                 value -> change(scene -> scene.withRotatePatch(value)));
-        exposure = stops("exposure", value -> change(scene -> scene.withExposure(OptionalDouble.of(value))));
+        exposure = stops("exposure", -60, 60, value -> change(scene -> scene.withExposure(OptionalDouble.of(value))));
         diffraction = stops(
-                "diffraction", value -> blend(old -> new Blend(value, old.texture(), old.diffuse(), old.ambient())));
+                "diffraction",
+                -20,
+                80,
+                value -> blend(old -> new Blend(value, old.texture(), old.diffuse(), old.ambient())));
         texture = new LabelledSlider(
                 "texture",
                 0,
@@ -76,11 +81,12 @@ final class ControlPanel extends JPanel {
         listen();
     }
 
-    private static LabelledSlider stops(String name, java.util.function.DoubleConsumer changed) {
+    /** @param low in quarters of a stop, as is high: four double the factor */
+    private static LabelledSlider stops(String name, int low, int high, DoubleConsumer changed) {
         return new LabelledSlider(
                 name,
-                -60,
-                60,
+                low,
+                high,
                 step -> Math.pow(2, step / 4),
                 factor -> 4 * Math.log(Math.max(1e-9, factor)) / Math.log(2),
                 factor -> format("%.3g", factor),
@@ -96,7 +102,10 @@ final class ControlPanel extends JPanel {
                 method,
                 "full: all wavelengths; nmm: one per order; pq: replicas with sharp edges; gem: lines alone. thesis: 37"
                         + " Taylor terms, 5 nm. No unit; see docs/methods.md");
-        add("Lines", spacing, "For gem: distance of the grating's lines, a length such as 1um; Enter takes it over");
+        spacingCaption = add(
+                "Lines",
+                spacing,
+                "For gem: distance of the grating's lines, a length such as 1um; Enter takes it over");
         add(
                 "Tolerance",
                 tolerance,
@@ -109,7 +118,10 @@ final class ControlPanel extends JPanel {
         add("Rotation", rotation, "Turns the nanostructure in the tangent plane, degrees");
         add("Exposure", automatic, "Chooses the factor from the picture; no unit");
         add("", exposure, "Factor of the linear colours, no unit; a step of 4 doubles it");
-        add("Diffraction", diffraction, "Weight of the diffracted light, a factor without unit");
+        add(
+                "Diffraction",
+                diffraction,
+                "Weight of the diffracted light, a factor without unit; a step of 4 doubles it. For gem about 0.5");
         add("Texture", texture, "Weight of the body's texture, a factor without unit");
         mesh.setName("mesh");
         patch.setName("patch");
@@ -119,7 +131,7 @@ final class ControlPanel extends JPanel {
         spacing.setName("spacing");
     }
 
-    private void add(String caption, JComponent control, String tip) {
+    private JLabel add(String caption, JComponent control, String tip) {
         control.setToolTipText(tip);
         JLabel label = new JLabel(caption);
         label.setToolTipText(tip);
@@ -134,6 +146,7 @@ final class ControlPanel extends JPanel {
         place.insets = new Insets(3, 0, 3, 0);
         place.fill = GridBagConstraints.HORIZONTAL;
         add(control, place);
+        return label;
     }
 
     private void listen() {
@@ -245,7 +258,8 @@ final class ControlPanel extends JPanel {
         MethodChoice choice = MethodChoice.of(scene);
         method.setSelectedItem(choice);
         scene.method().spacing().ifPresent(metres -> spacing.setText(Lengths.format(metres)));
-        spacing.setEnabled(choice.hasSpacing());
+        spacing.setVisible(choice.hasSpacing());
+        spacingCaption.setVisible(choice.hasSpacing());
         tolerance.setSelectedItem(Double.toString(scene.plan().tolerance()));
         tolerance.setEnabled(choice.hasTolerance());
         average.setEnabled(choice.hasAverages());
