@@ -5,7 +5,6 @@ import java.util.Map;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneData;
 import sunbeam.app.scene.SceneWriter;
-import sunbeam.precompute.plan.PlanReport;
 
 /** What a picture says of itself in its text chunks. */
 final class FrameText {
@@ -23,8 +22,8 @@ final class FrameText {
         text.put("Title", scene.title().isEmpty() ? "Scene" : scene.title());
         text.put("Scene", SceneWriter.describe(scene));
         text.put("Patch", data.patch().source());
-        text.put("Method", "full");
-        text.put("Plan", new PlanReport(data.plan()).summary());
+        text.put("Method", scene.method().describe());
+        text.put("Plan", data.method().summary());
         text.put("Size", size + ", " + supersample * supersample + " samples per pixel");
         text.put("Exposure", Double.toString(exposure));
         text.put("Renderer", renderer);

@@ -41,8 +41,9 @@ final class GifAnimation {
             writer.prepareWriteSequence(null);
             for (int i = 0; i < frames.size(); i++) {
                 BufferedImage image = palette.apply(read(frames.get(i)), colors);
-                IIOMetadata metadata = writer.getDefaultImageMetadata(
-                        ImageTypeSpecifier.createFromRenderedImage(image), writer.getDefaultWriteParam());
+                // Not createFromRenderedImage, which takes Java's standard colours for those of any indexed image.
+                IIOMetadata metadata =
+                        writer.getDefaultImageMetadata(new ImageTypeSpecifier(image), writer.getDefaultWriteParam());
                 describe(metadata, hundredths, i == 0);
                 writer.writeToSequence(new IIOImage(image, null, metadata), null);
             }

@@ -26,7 +26,6 @@ import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneData;
 import sunbeam.app.scene.SceneLoader;
 import sunbeam.app.scene.Scenes;
-import sunbeam.precompute.plan.PlanReport;
 
 /** {@code sunbeam render}: a scene as a picture, or moving, without a window. */
 @Command(
@@ -105,7 +104,7 @@ public final class RenderCommand implements Callable<Integer> {
                 })
                 .load(scene);
         PrintWriter out = specification.commandLine().getOut();
-        err.println("plan: " + new PlanReport(data.plan()).summary());
+        err.println("plan: " + data.method().summary());
         err.flush();
         try (RenderContext context = RenderContexts.offscreen();
                 FrameSequence frames = new FrameSequence(context, data, size, supersample)) {

@@ -3,6 +3,7 @@ package sunbeam.app.render;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import sunbeam.app.cli.AngleConverter;
 import sunbeam.app.cli.LengthConverter;
@@ -54,6 +55,9 @@ public final class SceneOverrides {
             description = "Colours of the body: elaphe, xenopeltis, none, or an image file.")
     private String texture;
 
+    @Mixin
+    private MethodOverrides method;
+
     @Option(names = "--tolerance", paramLabel = "ERROR", description = "Relative error of the diffracted colour.")
     private Double tolerance;
 
@@ -95,7 +99,7 @@ public final class SceneOverrides {
      * @throws UsageException for a value that cannot be used
      */
     Scene apply(Scene scene) {
-        Scene result = scene.withPlan(plan(scene.plan())).withBlend(blend(scene.blend()));
+        Scene result = method.apply(scene, plan(scene.plan())).withBlend(blend(scene.blend()));
         result = mesh == null ? result : result.withMesh(name(mesh, BuiltInMeshes.names()));
         result = texture == null ? result : result.withTexture(name(texture, BodyTextures.names()));
         result = rotatePatch == null ? result : result.withRotatePatch(rotatePatch);

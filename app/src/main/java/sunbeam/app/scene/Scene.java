@@ -3,6 +3,8 @@ package sunbeam.app.scene;
 import java.util.OptionalDouble;
 import org.joml.Quaternionf;
 import org.joml.Quaternionfc;
+import sunbeam.app.gpu.MethodKind;
+import sunbeam.app.setup.MethodRequest;
 import sunbeam.precompute.patch.PatchRequest;
 import sunbeam.precompute.plan.PlanRequest;
 
@@ -17,6 +19,7 @@ import sunbeam.precompute.plan.PlanRequest;
  * @param orientation turns the mesh about the centre of its bounding sphere; unit length
  * @param light the light
  * @param texture the body's colours: a built-in texture, {@code none} or an absolute image file
+ * @param method how diffraction is computed: full, nmm, pq or gem
  * @param plan what is fixed of the method's plan
  * @param rotatePatch turns the nanostructure in the tangent plane, radians, counter-clockwise seen from outside
  * @param exposure factor of the linear picture, above 0; empty to choose it from the picture
@@ -31,6 +34,7 @@ public record Scene(
         Quaternionfc orientation,
         SceneLight light,
         String texture,
+        MethodRequest method,
         PlanRequest plan,
         double rotatePatch,
         OptionalDouble exposure,
@@ -43,6 +47,10 @@ public record Scene(
             throw new IllegalArgumentException("orientation " + orientation + " has not the length 1");
         }
         orientation = new Quaternionf(orientation);
+        if (method.kind() == MethodKind.REFERENCE) {
+            throw new IllegalArgumentException(
+                    "method reference evaluates single directions; for a mesh use full, nmm, pq or gem");
+        }
         if (!Double.isFinite(rotatePatch)) {
             throw new IllegalArgumentException("rotation of the patch by " + rotatePatch + " is no angle");
         }
@@ -54,66 +62,216 @@ public record Scene(
     /** The same with another mesh. */
     public Scene withMesh(String value) {
         return new Scene(
-                title, value, patch, view, orientation, light, texture, plan, rotatePatch, exposure, blend, background);
+                title,
+                value,
+                patch,
+                view,
+                orientation,
+                light,
+                texture,
+                method,
+                plan,
+                rotatePatch,
+                exposure,
+                blend,
+                background);
     }
 
     /** The same with another patch. */
     public Scene withPatch(PatchRequest value) {
         return new Scene(
-                title, mesh, value, view, orientation, light, texture, plan, rotatePatch, exposure, blend, background);
+                title,
+                mesh,
+                value,
+                view,
+                orientation,
+                light,
+                texture,
+                method,
+                plan,
+                rotatePatch,
+                exposure,
+                blend,
+                background);
     }
 
     /** The same from elsewhere. */
     public Scene withView(Viewpoint value) {
         return new Scene(
-                title, mesh, patch, value, orientation, light, texture, plan, rotatePatch, exposure, blend, background);
+                title,
+                mesh,
+                patch,
+                value,
+                orientation,
+                light,
+                texture,
+                method,
+                plan,
+                rotatePatch,
+                exposure,
+                blend,
+                background);
     }
 
     /** The same with the mesh turned differently. */
     public Scene withOrientation(Quaternionfc value) {
         return new Scene(
-                title, mesh, patch, view, value, light, texture, plan, rotatePatch, exposure, blend, background);
+                title,
+                mesh,
+                patch,
+                view,
+                value,
+                light,
+                texture,
+                method,
+                plan,
+                rotatePatch,
+                exposure,
+                blend,
+                background);
     }
 
     /** The same under another light. */
     public Scene withLight(SceneLight value) {
         return new Scene(
-                title, mesh, patch, view, orientation, value, texture, plan, rotatePatch, exposure, blend, background);
+                title,
+                mesh,
+                patch,
+                view,
+                orientation,
+                value,
+                texture,
+                method,
+                plan,
+                rotatePatch,
+                exposure,
+                blend,
+                background);
     }
 
     /** The same with another texture. */
     public Scene withTexture(String value) {
         return new Scene(
-                title, mesh, patch, view, orientation, light, value, plan, rotatePatch, exposure, blend, background);
+                title,
+                mesh,
+                patch,
+                view,
+                orientation,
+                light,
+                value,
+                method,
+                plan,
+                rotatePatch,
+                exposure,
+                blend,
+                background);
+    }
+
+    /** The same with another method and the plan that goes with it. */
+    public Scene withMethod(MethodRequest method, PlanRequest plan) {
+        return new Scene(
+                title,
+                mesh,
+                patch,
+                view,
+                orientation,
+                light,
+                texture,
+                method,
+                plan,
+                rotatePatch,
+                exposure,
+                blend,
+                background);
     }
 
     /** The same with another plan. */
     public Scene withPlan(PlanRequest value) {
         return new Scene(
-                title, mesh, patch, view, orientation, light, texture, value, rotatePatch, exposure, blend, background);
+                title,
+                mesh,
+                patch,
+                view,
+                orientation,
+                light,
+                texture,
+                method,
+                value,
+                rotatePatch,
+                exposure,
+                blend,
+                background);
     }
 
     /** The same with the nanostructure turned differently, radians. */
     public Scene withRotatePatch(double value) {
         return new Scene(
-                title, mesh, patch, view, orientation, light, texture, plan, value, exposure, blend, background);
+                title,
+                mesh,
+                patch,
+                view,
+                orientation,
+                light,
+                texture,
+                method,
+                plan,
+                value,
+                exposure,
+                blend,
+                background);
     }
 
     /** The same with another exposure. */
     public Scene withExposure(OptionalDouble value) {
         return new Scene(
-                title, mesh, patch, view, orientation, light, texture, plan, rotatePatch, value, blend, background);
+                title,
+                mesh,
+                patch,
+                view,
+                orientation,
+                light,
+                texture,
+                method,
+                plan,
+                rotatePatch,
+                value,
+                blend,
+                background);
     }
 
     /** The same with other weights. */
     public Scene withBlend(Blend value) {
         return new Scene(
-                title, mesh, patch, view, orientation, light, texture, plan, rotatePatch, exposure, value, background);
+                title,
+                mesh,
+                patch,
+                view,
+                orientation,
+                light,
+                texture,
+                method,
+                plan,
+                rotatePatch,
+                exposure,
+                value,
+                background);
     }
 
     /** The same before another background. */
     public Scene withBackground(SceneColor value) {
         return new Scene(
-                title, mesh, patch, view, orientation, light, texture, plan, rotatePatch, exposure, blend, value);
+                title,
+                mesh,
+                patch,
+                view,
+                orientation,
+                light,
+                texture,
+                method,
+                plan,
+                rotatePatch,
+                exposure,
+                blend,
+                value);
     }
 }

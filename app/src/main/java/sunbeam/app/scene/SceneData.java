@@ -1,10 +1,10 @@
 package sunbeam.app.scene;
 
+import java.util.Optional;
 import sunbeam.app.mesh.Mesh;
+import sunbeam.app.setup.MethodFactory;
 import sunbeam.app.texture.BodyTexture;
-import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.patch.Patch;
-import sunbeam.precompute.plan.Plan;
 import sunbeam.precompute.table.FourierTable;
 
 /**
@@ -14,19 +14,19 @@ import sunbeam.precompute.table.FourierTable;
  * @param scene what was asked for
  * @param mesh its triangles
  * @param patch its nanostructure
- * @param plan how that is evaluated
- * @param table the Fourier table of the plan
- * @param cie colour matching functions
+ * @param method how that is evaluated, for every pair of directions
+ * @param table the Fourier table of the method's plan, for methods that have one
  * @param body its texture
  */
 public record SceneData(
-        Scene scene, Mesh mesh, Patch patch, Plan plan, FourierTable table, CieTable cie, BodyTexture body) {
+        Scene scene, Mesh mesh, Patch patch, MethodFactory method, Optional<FourierTable> table, BodyTexture body) {
 
     /** Whether another scene can be drawn with these parts: only light, camera, weights and the like differ. */
     public boolean suits(Scene other) {
         return scene.mesh().equals(other.mesh())
                 && scene.patch().equals(other.patch())
                 && scene.texture().equals(other.texture())
+                && scene.method().equals(other.method())
                 && scene.plan().equals(other.plan());
     }
 
@@ -38,9 +38,9 @@ public record SceneData(
     public SceneData with(Scene other) {
         if (!suits(other)) {
             throw new IllegalArgumentException(
-                    "a scene with another mesh, patch, texture or plan must be loaded by a SceneLoader");
+                    "a scene with another mesh, patch, texture, method or plan must be loaded by a SceneLoader");
         }
-        return new SceneData(other, mesh, patch, plan, table, cie, body);
+        return new SceneData(other, mesh, patch, method, table, body);
     }
 
     // The same object, not an equal one: comparing the values would take as long as loading them.
@@ -56,7 +56,7 @@ public record SceneData(
     }
 
     @SuppressWarnings("ReferenceEquality")
-    boolean sharesTable(SceneData other) {
-        return plan == other.plan && table == other.table;
+    boolean sharesMethod(SceneData other) {
+        return method == other.method;
     }
 }

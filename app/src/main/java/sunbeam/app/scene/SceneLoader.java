@@ -7,11 +7,11 @@ import sunbeam.app.mesh.Mesh;
 import sunbeam.app.mesh.MeshSource;
 import sunbeam.app.mesh.ReadMesh;
 import sunbeam.app.setup.DiffractionSetup;
+import sunbeam.app.setup.MethodFactory;
 import sunbeam.app.setup.PatchOptions;
 import sunbeam.app.texture.BodyTexture;
 import sunbeam.app.texture.BodyTextures;
 import sunbeam.precompute.patch.Patch;
-import sunbeam.precompute.plan.Plan;
 import sunbeam.precompute.plan.VisibleRange;
 
 /** Loads what a scene names. Needs no OpenGL and may run on any thread; may take seconds. */
@@ -31,6 +31,7 @@ public final class SceneLoader {
      * @throws sunbeam.app.mesh.MeshException if the mesh cannot be used
      * @throws sunbeam.precompute.patch.PatchException if the patch cannot be used
      * @throws sunbeam.app.input.InputException if the texture cannot be used
+     * @throws sunbeam.app.cli.UsageException if the method cannot be used with this patch or plan
      */
     public SceneData load(Scene scene) {
         Mesh mesh = mesh(scene);
@@ -45,9 +46,10 @@ public final class SceneLoader {
         BodyTexture body =
                 before.texture().equals(scene.texture()) ? previous.body() : BodyTextures.load(scene.texture());
         boolean samePatch = before.patch().equals(scene.patch());
-        if (samePatch && before.plan().equals(scene.plan())) {
-            return new SceneData(
-                    scene, mesh, previous.patch(), previous.plan(), previous.table(), previous.cie(), body);
+        boolean sameMethod =
+                before.method().equals(scene.method()) && before.plan().equals(scene.plan());
+        if (samePatch && sameMethod) {
+            return new SceneData(scene, mesh, previous.patch(), previous.method(), previous.table(), body);
         }
         return withTables(scene, mesh, body, samePatch ? previous.patch() : patch(scene));
     }
@@ -67,7 +69,7 @@ public final class SceneLoader {
     /** Light and camera may move at any time, so that the plan holds for every pair of directions. */
     private SceneData withTables(Scene scene, Mesh mesh, BodyTexture body, Patch patch) {
         DiffractionSetup setup = new DiffractionSetup(patch, environment, warning);
-        Plan plan = setup.plan(scene.plan(), VisibleRange.all());
-        return new SceneData(scene, mesh, patch, plan, setup.table(plan), setup.cie(), body);
+        MethodFactory method = new MethodFactory(setup, scene.method(), scene.plan(), VisibleRange.all());
+        return new SceneData(scene, mesh, patch, method, method.plan().map(setup::table), body);
     }
 }

@@ -1,23 +1,21 @@
 package sunbeam.app.scene;
 
-import java.util.Arrays;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
-import java.util.stream.Collectors;
+import sunbeam.app.gpu.MethodKind;
 import sunbeam.app.json.JsonObject;
-import sunbeam.app.json.JsonValue;
 import sunbeam.precompute.expansion.ExpansionKind;
 import sunbeam.precompute.optics.WindowOrigin;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.Neighbourhood;
 import sunbeam.precompute.plan.PlanRequest;
 import sunbeam.precompute.plan.Tolerances;
-import sunbeam.precompute.text.Quoted;
-import sunbeam.precompute.units.Lengths;
 
-/** The key {@code plan} of a scene. On a mesh the ensemble average is the default: a pixel sees many coherence areas. */
+/**
+ * The key {@code plan} of a scene but for the method. On a mesh the ensemble average is the default: a pixel sees many
+ * coherence areas. {@code pq} has none.
+ */
 final class ScenePlanReader {
     private static final int MOST_TERMS = 500;
 
@@ -27,8 +25,9 @@ final class ScenePlanReader {
         this.plan = plan;
     }
 
-    static PlanRequest read(Optional<JsonObject> plan) {
-        return plan.map(object -> new ScenePlanReader(object).read()).orElseGet(ScenePlanReader::standard);
+    /** @param kind the method that the plan is for */
+    static PlanRequest read(Optional<JsonObject> plan, MethodKind kind) {
+        return plan.map(object -> new ScenePlanReader(object).read(kind)).orElseGet(ScenePlanReader::standard);
     }
 
     /** What a scene without this key has. */
@@ -46,67 +45,41 @@ final class ScenePlanReader {
                 Optional.of(Average.ENSEMBLE));
     }
 
-    private PlanRequest read() {
-        checkMethod();
+    private PlanRequest read(MethodKind kind) {
         PlanRequest request = new PlanRequest(
-                word("preset", PlanRequest.Preset.class).orElse(PlanRequest.Preset.NONE),
+                SceneValues.word(plan, "preset", PlanRequest.Preset.class).orElse(PlanRequest.Preset.NONE),
                 plan.number("tolerance", Tolerances.FINEST, Tolerances.COARSEST).orElse(Tolerances.STANDARD),
-                word("expansion", ExpansionKind.class),
-                integer("terms", 1, MOST_TERMS),
-                integer("radius", 0, Neighbourhood.MAXIMUM_RADIUS),
-                word("anchor", Neighbourhood.Anchor.class),
-                length("wavelengthStep", 1e-12, 200e-9),
-                word("windowOrigin", WindowOrigin.class),
-                length("coherenceLength", 100e-9, 10e-3),
-                Optional.of(word("average", Average.class).orElse(Average.ENSEMBLE)));
+                SceneValues.word(plan, "expansion", ExpansionKind.class),
+                SceneValues.integer(plan, "terms", 1, MOST_TERMS),
+                SceneValues.integer(plan, "radius", 0, Neighbourhood.MAXIMUM_RADIUS),
+                SceneValues.word(plan, "anchor", Neighbourhood.Anchor.class),
+                SceneValues.length(plan, "wavelengthStep", 1e-12, 200e-9),
+                SceneValues.word(plan, "windowOrigin", WindowOrigin.class),
+                SceneValues.length(plan, "coherenceLength", 100e-9, 10e-3),
+                Optional.of(SceneValues.word(plan, "average", Average.class)
+                        .orElse(kind == MethodKind.PQ ? Average.COHERENT : Average.ENSEMBLE)));
+        if (kind == MethodKind.PQ) {
+            checkReplicas(request);
+        }
         plan.requireNoOthers();
         return request;
     }
 
-    private void checkMethod() {
-        plan.parsed("method", name -> {
-            if (!name.equals("full")) {
-                throw new IllegalArgumentException(Quoted.of(name) + " is no method for meshes; use full");
-            }
-            return name;
-        });
-    }
-
-    private <E extends Enum<E>> Optional<E> word(String key, Class<E> type) {
-        return plan.parsed(key, text -> {
-            for (E constant : type.getEnumConstants()) {
-                if (constant.name().toLowerCase(Locale.ROOT).equals(text.strip())) {
-                    return constant;
-                }
-            }
-            String names = Arrays.stream(type.getEnumConstants())
-                    .map(constant -> constant.name().toLowerCase(Locale.ROOT))
-                    .collect(Collectors.joining(", "));
-            throw new IllegalArgumentException(Quoted.of(text) + " is not one of " + names);
-        });
-    }
-
-    private OptionalInt integer(String key, int least, int most) {
-        Optional<JsonValue> value = plan.find(key);
-        if (value.isEmpty()) {
-            return OptionalInt.empty();
+    /** Replicas lie at one place and have sharp edges. */
+    private void checkReplicas(PlanRequest request) {
+        if (request.average().orElseThrow() == Average.ENSEMBLE) {
+            throw plan.complaint(
+                    "average",
+                    plan.required("average", "\"coherent\""),
+                    "ensemble is not for method pq, whose replicas lie at one place; write coherent, or use method full");
         }
-        double number = plan.number(key, value.get(), least, most);
-        if (number != Math.rint(number)) {
-            throw plan.complaint(key, value.get(), number + " is not a whole number");
-        }
-        return OptionalInt.of((int) number);
-    }
-
-    private OptionalDouble length(String key, double least, double most) {
-        Optional<Double> metres = plan.parsed(key, text -> {
-            double parsed = Lengths.parse(text);
-            if (!(parsed >= least && parsed <= most)) {
-                throw new IllegalArgumentException(Quoted.of(text) + " is out of range; give " + Lengths.format(least)
-                        + " to " + Lengths.format(most));
+        for (String key : new String[] {"radius", "anchor"}) {
+            if (plan.has(key)) {
+                throw plan.complaint(
+                        key,
+                        plan.required(key, ""),
+                        "is not for method pq, which has no neighbourhood of bins; remove it");
             }
-            return parsed;
-        });
-        return metres.isPresent() ? OptionalDouble.of(metres.get()) : OptionalDouble.empty();
+        }
     }
 }

@@ -6,6 +6,8 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
+import sunbeam.app.gpu.MethodKind;
+import sunbeam.app.setup.MethodRequest;
 import sunbeam.precompute.patch.PatchRequest;
 import sunbeam.precompute.plan.PlanRequest;
 
@@ -33,9 +35,14 @@ final class ScenePlanWriter {
         json.writeEndObject();
     }
 
-    void plan(PlanRequest plan) throws IOException {
+    void plan(MethodRequest method, PlanRequest plan) throws IOException {
         json.writeObjectFieldStart("plan");
-        json.writeStringField("method", "full");
+        json.writeStringField("method", method.kind().label());
+        if (method.kind() == MethodKind.PQ) {
+            word("interpolation", Optional.of(method.interpolation()));
+        }
+        integer("replicas", method.replicas());
+        length("spacing", boxed(method.spacing()));
         if (plan.isThesis()) {
             word("preset", Optional.of(plan.preset()));
         }

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import jrtr.scene.Camera;
 import org.joml.Quaternionf;
@@ -13,6 +14,7 @@ import sunbeam.app.json.JsonFile;
 import sunbeam.app.json.JsonObject;
 import sunbeam.app.json.JsonValue;
 import sunbeam.app.mesh.BuiltInMeshes;
+import sunbeam.app.setup.MethodRequest;
 import sunbeam.app.texture.BodyTextures;
 
 /** Reads scene files (docs/scenes.md): strict, with messages that name file, line and key. */
@@ -43,6 +45,8 @@ public final class SceneReader {
     }
 
     private Scene scene() {
+        Optional<JsonObject> plan = root.findObject("plan");
+        MethodRequest method = SceneMethodReader.read(plan);
         Scene scene = new Scene(
                 root.text("title").orElse(""),
                 source("mesh", "\"snake\"", BuiltInMeshes.names()),
@@ -51,7 +55,8 @@ public final class SceneReader {
                 orientation(),
                 light(root.object("light", "{ \"direction\": [0, 0, 1] }")),
                 source("texture", "\"elaphe\"", BodyTextures.names()),
-                ScenePlanReader.read(root.findObject("plan")),
+                method,
+                ScenePlanReader.read(plan, method.kind()),
                 root.parsed("rotatePatch", SceneUnits::angle).orElse(0.0),
                 exposure(),
                 blend(root.object("weights", "{ \"diffraction\": 20, \"texture\": 1 }")),

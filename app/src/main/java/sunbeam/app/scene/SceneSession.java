@@ -73,7 +73,7 @@ public final class SceneSession implements AutoCloseable {
     public void update(SceneData next) {
         VertexBuffer nextMesh = data != null && next.sharesMesh(data) ? mesh : null;
         ImageTexture nextBody = data != null && next.sharesBody(data) ? body : null;
-        SkinSurface nextSkin = data != null && next.sharesTable(data) ? skin : null;
+        SkinSurface nextSkin = data != null && next.sharesMethod(data) ? skin : null;
         try {
             nextMesh = nextMesh != null
                     ? nextMesh

@@ -77,7 +77,7 @@ public final class SceneWriter {
         json.writeNumberField("intensity", scene.light().intensity());
         json.writeEndObject();
         json.writeStringField("texture", names.of(scene.texture()));
-        new ScenePlanWriter(json).plan(scene.plan());
+        new ScenePlanWriter(json).plan(scene.method(), scene.plan());
         json.writeStringField("rotatePatch", SceneUnits.angleText(scene.rotatePatch()));
         if (scene.exposure().isPresent()) {
             json.writeNumberField("exposure", scene.exposure().getAsDouble());

@@ -8,7 +8,6 @@ import jrtr.ShaderProgram;
 import jrtr.Texture;
 import jrtr.scene.Material;
 import sunbeam.app.gpu.DiffractionMethod;
-import sunbeam.app.gpu.FullMethod;
 import sunbeam.app.gpu.MethodUse;
 import sunbeam.app.gpu.Shaders;
 
@@ -24,7 +23,7 @@ final class SkinSurface implements AutoCloseable {
 
     /** Resamples and uploads the tables, and compiles. */
     static SkinSurface create(RenderContext context, SceneData data) {
-        DiffractionMethod method = FullMethod.create(context, data.plan(), data.table(), MethodUse.COLOUR, data.cie());
+        DiffractionMethod method = data.method().create(context, MethodUse.COLOUR, data.table());
         try {
             ShaderProgram program = context.createMeshProgram(Shaders.library().load("mesh.frag", method.defines()));
             method.setUniforms(program);

@@ -12,9 +12,6 @@ import sunbeam.precompute.units.Lengths;
 
 /** Which method; to be used as a picocli mixin. */
 public final class MethodOptions {
-    private static final double SMALLEST_SPACING = 100e-9;
-    private static final double LARGEST_SPACING = 1e-3;
-
     @Option(
             names = "--method",
             paramLabel = "METHOD",
@@ -53,21 +50,30 @@ public final class MethodOptions {
      * @throws UsageException for a value that cannot be used, or that does not belong to the method
      */
     public MethodRequest request() {
-        rejectUnless(interpolation == null || method == MethodKind.PQ, "--interpolation", "pq");
-        rejectUnless(
-                replicas == null || method == MethodKind.PQ || method == MethodKind.REFERENCE,
-                "--replicas",
-                "pq or reference");
-        rejectUnless(spacing == null || method == MethodKind.GEM, "--spacing", "gem");
+        return request(method, interpolation, replicas, spacing);
+    }
+
+    /**
+     * A request, checked; what was not given is null.
+     *
+     * @throws UsageException for a value that cannot be used, or that does not belong to the method
+     */
+    public static MethodRequest request(
+            MethodKind method, PeriodInterpolation interpolation, Integer replicas, Double spacing) {
+        boolean repeats = method == MethodKind.PQ || method == MethodKind.REFERENCE;
+        rejectUnless(interpolation == null || method == MethodKind.PQ, "--interpolation", "pq", method);
+        rejectUnless(replicas == null || repeats, "--replicas", "pq or reference", method);
+        rejectUnless(spacing == null || method == MethodKind.GEM, "--spacing", "gem", method);
         if (replicas != null && (replicas < 1 || replicas > Replicas.MOST)) {
             throw new UsageException("--replicas " + replicas + " is out of range; give 1 to " + Replicas.MOST);
         }
-        if (spacing != null && !(spacing >= SMALLEST_SPACING && spacing <= LARGEST_SPACING)) {
+        if (spacing != null
+                && !(spacing >= MethodRequest.SMALLEST_SPACING && spacing <= MethodRequest.LARGEST_SPACING)) {
             throw new UsageException("--spacing %s is out of range; give %s to %s"
                     .formatted(
                             Lengths.format(spacing),
-                            Lengths.format(SMALLEST_SPACING),
-                            Lengths.format(LARGEST_SPACING)));
+                            Lengths.format(MethodRequest.SMALLEST_SPACING),
+                            Lengths.format(MethodRequest.LARGEST_SPACING)));
         }
         return new MethodRequest(
                 method,
@@ -76,7 +82,7 @@ public final class MethodOptions {
                 spacing == null ? OptionalDouble.empty() : OptionalDouble.of(spacing));
     }
 
-    private void rejectUnless(boolean fits, String option, String methods) {
+    private static void rejectUnless(boolean fits, String option, String methods, MethodKind method) {
         if (!fits) {
             throw new UsageException(
                     "%s belongs to --method %s, not %s; leave it out".formatted(option, methods, method.label()));

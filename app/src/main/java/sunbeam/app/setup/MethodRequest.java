@@ -19,6 +19,12 @@ import sunbeam.precompute.resample.PeriodInterpolation;
 public record MethodRequest(
         MethodKind kind, PeriodInterpolation interpolation, OptionalInt replicas, OptionalDouble spacing) {
 
+    /** Lines that lie closer diffract no visible light, metres. */
+    public static final double SMALLEST_SPACING = 100e-9;
+
+    /** Lines farther apart are no grating, metres. */
+    public static final double LARGEST_SPACING = 1e-3;
+
     /** A method with its defaults. */
     public static MethodRequest of(MethodKind kind) {
         return new MethodRequest(kind, PeriodInterpolation.SINC, OptionalInt.empty(), OptionalDouble.empty());

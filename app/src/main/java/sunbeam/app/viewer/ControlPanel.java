@@ -6,6 +6,7 @@ import java.awt.Insets;
 import java.util.Locale;
 import java.util.OptionalDouble;
 import java.util.function.Consumer;
+import java.util.function.DoubleConsumer;
 import java.util.function.Function;
 import javax.swing.BorderFactory;
 import javax.swing.JCheckBox;
@@ -16,6 +17,7 @@ import javax.swing.JPanel;
 import javax.swing.JTextField;
 import sunbeam.app.scene.Blend;
 import sunbeam.app.scene.Scene;
+import sunbeam.app.setup.MethodRequest;
 import sunbeam.precompute.patch.PatchRequest;
 import sunbeam.precompute.patch.builtin.BuiltInPatches;
 import sunbeam.precompute.plan.Average;
@@ -33,7 +35,9 @@ final class ControlPanel extends JPanel {
     private final transient Consumer<String> problem;
     private final JComboBox<String> mesh = new JComboBox<>(new String[] {"snake", "plane", "sphere", "cylinder"});
     private final JComboBox<String> patch = new JComboBox<>();
-    private final JComboBox<String> method = new JComboBox<>(new String[] {"full", "full, thesis"});
+    private final JComboBox<MethodChoice> method = new JComboBox<>(MethodChoice.values());
+    private final JTextField spacing = new JTextField("1um", 8);
+    private JLabel spacingCaption;
     private final JComboBox<String> tolerance = new JComboBox<>(new String[] {"0.05", "0.01", "0.001", "1.0E-4"});
     private final JTextField coherence = new JTextField(8);
     private final JComboBox<String> average = new JComboBox<>(new String[] {"coherent", "ensemble"});
@@ -59,9 +63,12 @@ final class ControlPanel extends JPanel {
                 Math::toDegrees,
                 value -> format("%.0f°", Math.toDegrees(value)),
                 value -> change(scene -> scene.withRotatePatch(value)));
-        exposure = stops("exposure", value -> change(scene -> scene.withExposure(OptionalDouble.of(value))));
+        exposure = stops("exposure", -60, 60, value -> change(scene -> scene.withExposure(OptionalDouble.of(value))));
         diffraction = stops(
-                "diffraction", value -> blend(old -> new Blend(value, old.texture(), old.diffuse(), old.ambient())));
+                "diffraction",
+                -20,
+                80,
+                value -> blend(old -> new Blend(value, old.texture(), old.diffuse(), old.ambient())));
         texture = new LabelledSlider(
                 "texture",
                 0,
@@ -74,11 +81,12 @@ final class ControlPanel extends JPanel {
         listen();
     }
 
-    private static LabelledSlider stops(String name, java.util.function.DoubleConsumer changed) {
+    /** @param low in quarters of a stop, as is high: four double the factor */
+    private static LabelledSlider stops(String name, int low, int high, DoubleConsumer changed) {
         return new LabelledSlider(
                 name,
-                -60,
-                60,
+                low,
+                high,
                 step -> Math.pow(2, step / 4),
                 factor -> 4 * Math.log(Math.max(1e-9, factor)) / Math.log(2),
                 factor -> format("%.3g", factor),
@@ -89,25 +97,41 @@ final class ControlPanel extends JPanel {
         setBorder(BorderFactory.createEmptyBorder(10, 12, 8, 12));
         add("Mesh", mesh, "The body that carries the nanostructure; no unit");
         add("Patch", patch, "The nanostructure's height map; no unit. Load others with Ctrl+L or by dropping a file");
-        add("Method", method, "full: planned from the tolerance. full, thesis: 37 Taylor terms, 5 nm. No unit");
+        add(
+                "Method",
+                method,
+                "full: all wavelengths; nmm: one per order; pq: replicas with sharp edges; gem: lines alone. thesis: 37"
+                        + " Taylor terms, 5 nm. No unit; see docs/methods.md");
+        spacingCaption = add(
+                "Lines",
+                spacing,
+                "For gem: distance of the grating's lines, a length such as 1um; Enter takes it over");
         add(
                 "Tolerance",
                 tolerance,
                 "Relative error of power and colour that the final picture is planned for, no unit");
-        add("Coherence", coherence, "Coherence length of the light, a length such as 65um (metres, mm, um, nm)");
+        add(
+                "Coherence",
+                coherence,
+                "Coherence length of the light, a length such as 65um (m, mm, um, nm); Enter takes it over");
         add("Average", average, "One coherence area with its speckle, or the mean over all of them; no unit");
         add("Rotation", rotation, "Turns the nanostructure in the tangent plane, degrees");
         add("Exposure", automatic, "Chooses the factor from the picture; no unit");
         add("", exposure, "Factor of the linear colours, no unit; a step of 4 doubles it");
-        add("Diffraction", diffraction, "Weight of the diffracted light, a factor without unit");
+        add(
+                "Diffraction",
+                diffraction,
+                "Weight of the diffracted light, a factor without unit; a step of 4 doubles it. For gem about 0.5");
         add("Texture", texture, "Weight of the body's texture, a factor without unit");
         mesh.setName("mesh");
         patch.setName("patch");
         tolerance.setEditable(true);
         coherence.setName("coherence");
+        method.setName("method");
+        spacing.setName("spacing");
     }
 
-    private void add(String caption, JComponent control, String tip) {
+    private JLabel add(String caption, JComponent control, String tip) {
         control.setToolTipText(tip);
         JLabel label = new JLabel(caption);
         label.setToolTipText(tip);
@@ -122,6 +146,7 @@ final class ControlPanel extends JPanel {
         place.insets = new Insets(3, 0, 3, 0);
         place.fill = GridBagConstraints.HORIZONTAL;
         add(control, place);
+        return label;
     }
 
     private void listen() {
@@ -131,10 +156,8 @@ final class ControlPanel extends JPanel {
                 change(scene -> scene.withPatch(PatchRequest.of(name)));
             }
         });
-        onChoice(
-                method,
-                name -> plan(old -> PlanChange.preset(
-                        old, name.equals("full") ? PlanRequest.Preset.NONE : PlanRequest.Preset.THESIS)));
+        method.addActionListener(event -> enterMethod());
+        spacing.addActionListener(event -> enterMethod());
         onChoice(
                 average,
                 name -> plan(
@@ -170,18 +193,38 @@ final class ControlPanel extends JPanel {
     }
 
     private void enterCoherence() {
-        String text = coherence.getText();
+        length(coherence, "coherence length", SHORTEST, LONGEST)
+                .ifPresentOrElse(metres -> plan(old -> PlanChange.coherenceLength(old, metres)), this::follow);
+    }
+
+    /** The method, and for gem the spacing of its lines. */
+    private void enterMethod() {
+        MethodChoice choice = (MethodChoice) method.getSelectedItem();
+        if (updating || choice == null) {
+            return;
+        }
+        if (choice.hasSpacing()) {
+            length(spacing, "spacing of the lines", MethodRequest.SMALLEST_SPACING, MethodRequest.LARGEST_SPACING)
+                    .ifPresentOrElse(metres -> change(scene -> choice.apply(scene, metres)), this::follow);
+        } else {
+            change(scene -> choice.apply(scene, 0));
+        }
+    }
+
+    /** What a text field says, in metres; or nothing, and the problem told. */
+    private OptionalDouble length(JTextField field, String name, double least, double most) {
+        String text = field.getText();
         try {
             double metres = Lengths.parse(text);
-            if (metres >= SHORTEST && metres <= LONGEST) {
-                plan(old -> PlanChange.coherenceLength(old, metres));
-                return;
+            if (metres >= least && metres <= most) {
+                return OptionalDouble.of(metres);
             }
-            problem.accept("coherence length " + text + " is out of range; give 100 nm to 10 mm");
+            problem.accept("%s %s is out of range; give %s to %s"
+                    .formatted(name, text, Lengths.format(least), Lengths.format(most)));
         } catch (LengthFormatException notALength) {
-            problem.accept("coherence length: " + notALength.getMessage());
+            problem.accept(name + ": " + notALength.getMessage());
         }
-        follow();
+        return OptionalDouble.empty();
     }
 
     private void plan(Function<PlanRequest, PlanRequest> change) {
@@ -212,9 +255,14 @@ final class ControlPanel extends JPanel {
         Scene scene = model.scene();
         select(mesh, scene.mesh());
         select(patch, scene.patch().patch());
-        method.setSelectedIndex(scene.plan().isThesis() ? 1 : 0);
+        MethodChoice choice = MethodChoice.of(scene);
+        method.setSelectedItem(choice);
+        scene.method().spacing().ifPresent(metres -> spacing.setText(Lengths.format(metres)));
+        spacing.setVisible(choice.hasSpacing());
+        spacingCaption.setVisible(choice.hasSpacing());
         tolerance.setSelectedItem(Double.toString(scene.plan().tolerance()));
-        tolerance.setEnabled(!scene.plan().isThesis());
+        tolerance.setEnabled(choice.hasTolerance());
+        average.setEnabled(choice.hasAverages());
         if (!coherence.isFocusOwner()) {
             coherence.setText(Lengths.format(scene.plan().window().coherenceLength()));
         }

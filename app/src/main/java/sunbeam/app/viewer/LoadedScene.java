@@ -31,6 +31,6 @@ record LoadedScene(SceneData fine, SceneData coarse) {
     }
 
     private static Scene coarse(Scene scene) {
-        return scene.withPlan(PreviewPlan.of(scene.plan()));
+        return scene.withPlan(PreviewPlan.of(scene.method().kind(), scene.plan()));
     }
 }

@@ -7,26 +7,23 @@ import jrtr.RenderContext;
 import jrtr.Tile;
 import sunbeam.app.brdf.BrdfMapRenderer;
 import sunbeam.app.gpu.DiffractionMethod;
-import sunbeam.app.gpu.FullMethod;
 import sunbeam.app.gpu.MethodUse;
 import sunbeam.app.output.SrgbImage;
 import sunbeam.app.picture.AutoExposure;
 import sunbeam.app.picture.DisplayPass;
 import sunbeam.app.picture.LinearPicture;
 import sunbeam.app.scene.SceneData;
+import sunbeam.app.setup.MethodFactory;
 import sunbeam.precompute.optics.Direction;
-import sunbeam.precompute.plan.Plan;
-import sunbeam.precompute.table.FourierTable;
 
-/** Draws the BRDF map beside the mesh, small first, interruptible at any tile. Uploads a table when a map needs it. */
+/** Draws the BRDF map beside the mesh, small first, interruptible at any tile. Uploads a method when a map needs it. */
 final class MapStage implements AutoCloseable {
     static final int PREVIEW_SIZE = 48;
     static final int SIZE = 192;
 
     private final RenderContext context;
     private final DisplayPass display;
-    private FourierTable uploaded;
-    private Plan plan;
+    private MethodFactory uploaded;
     private DiffractionMethod method;
     private TileSide tileSide = TileSide.first();
 
@@ -62,24 +59,23 @@ final class MapStage implements AutoCloseable {
         }
     }
 
-    // The same table object, not an equal one.
+    // The same object, not an equal one.
     @SuppressWarnings("ReferenceEquality")
     private void use(SceneData data) {
-        if (method != null && uploaded == data.table() && plan == data.plan()) {
+        if (method != null && uploaded == data.method()) {
             return;
         }
         release();
-        method = FullMethod.create(context, data.plan(), data.table(), MethodUse.COLOUR, data.cie());
-        uploaded = data.table();
-        plan = data.plan();
+        method = data.method().create(context, MethodUse.COLOUR, data.table());
+        uploaded = data.method();
     }
 
-    // As in the command brdf-map: five deviations of the longest wavelength hold the specular peak.
+    // As in the command brdf-map.
     private boolean isSpecular(int pixel, int size, Direction light) {
         double x = (2.0 * (pixel % size) + 1) / size - 1;
         int row = pixel / size;
         double y = 1 - (2.0 * row + 1) / size;
-        return Math.hypot(x + light.x(), y + light.y()) < 5 * plan.window().sigmaFrequency() * 780e-9;
+        return Math.hypot(x + light.x(), y + light.y()) < method.specularReach();
     }
 
     private void release() {

@@ -10,8 +10,11 @@ package sunbeam.app.viewer;
  * @param fixedNanoseconds upper bound of the fixed time: what the fastest frame took
  */
 public record PreviewScale(int divisor, double fixedNanoseconds) {
-    /** Ten frames a second, with time left for the window itself and for a frame that takes longer than the last. */
-    public static final long BUDGET_NANOSECONDS = 60_000_000;
+    /**
+     * Input that comes just after a frame has begun waits for two of them; with the window's own time that is below
+     * 100 ms.
+     */
+    public static final long BUDGET_NANOSECONDS = 40_000_000;
 
     private static final int[] DIVISORS = {1, 2, 3, 4, 6, 8, 12, 16, 24, 32};
     // A finer step must be foreseen to take less than this share of the budget, lest the scale swings to and fro.

@@ -6,7 +6,7 @@ import java.util.function.Supplier;
 import jrtr.Tile;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.ScenePicture;
-import sunbeam.precompute.plan.Plan;
+import sunbeam.app.setup.MethodFactory;
 
 /**
  * The render thread: shows the newest state at once in a preview that keeps to its time, and once nothing moves, refines
@@ -22,7 +22,7 @@ final class RenderLoop implements AutoCloseable {
     private final Thread thread;
     private PreviewScale scale = PreviewScale.first();
     private TileSide tileSide = TileSide.first();
-    private Plan measured;
+    private MethodFactory measured;
 
     /** @param opening makes the stage, on the render thread */
     RenderLoop(Supplier<GraphicsStage> opening, RenderListener listener) {
@@ -118,19 +118,20 @@ final class RenderLoop implements AutoCloseable {
         double exposure = stage.exposure(scene, picture);
         BufferedImage image = stage.image(scene, picture, exposure);
         long taken = System.nanoTime() - start;
-        followTime(state.coarse().plan(), taken);
+        followTime(state.coarse().method(), taken);
         listener.picture(state, image, false, exposure, taken);
         return exposure;
     }
 
-    /** A plan's first frame is left out: the driver compiles its shaders then. */
-    private void followTime(Plan plan, long nanoseconds) {
-        if (plan.equals(measured)) {
+    /** A method's first frame is left out: the driver compiles its shaders then. */
+    @SuppressWarnings("ReferenceEquality") // the same object as long as nothing is loaded anew
+    private void followTime(MethodFactory method, long nanoseconds) {
+        if (method == measured) {
             scale = scale.after(nanoseconds);
         } else {
             scale = PreviewScale.first();
         }
-        measured = plan;
+        measured = method;
     }
 
     /** Draws the final picture; false if it was interrupted. */

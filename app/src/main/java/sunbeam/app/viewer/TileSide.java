@@ -7,8 +7,8 @@ package sunbeam.app.viewer;
  * @param nanosecondsPerPixel of the costliest tiles lately
  */
 public record TileSide(double nanosecondsPerPixel) {
-    /** Longest time that a tile is meant to take. */
-    public static final long BUDGET_NANOSECONDS = 50_000_000;
+    /** Longest time that a tile is meant to take: input waits for it, and then for a preview. */
+    public static final long BUDGET_NANOSECONDS = 32_000_000;
 
     /** Tiles are cut from squares of this side. */
     public static final int LARGEST = 128;

@@ -2,12 +2,15 @@ package sunbeam.app.viewer;
 
 import java.io.PrintWriter;
 import java.util.concurrent.Callable;
+import java.util.function.Consumer;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 import sunbeam.app.cli.Environment;
 import sunbeam.app.cli.ExitCode;
+import sunbeam.app.cli.UsageException;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.Scenes;
 
@@ -19,6 +22,9 @@ import sunbeam.app.scene.Scenes;
                 + " While something moves, the picture is a preview; once still, it is refined to what 'render' writes."
                 + " F1 lists the mouse and the keys; see also docs/viewer.md.")
 public final class ViewCommand implements Callable<Integer> {
+    private static final double SHORTEST_MEASUREMENT = 1;
+    private static final double LONGEST_MEASUREMENT = 600;
+
     private final Environment environment;
 
     @Parameters(
@@ -27,6 +33,13 @@ public final class ViewCommand implements Callable<Integer> {
             defaultValue = "elaphe",
             description = "A built-in scene or a scene file (.json). Default: ${DEFAULT-VALUE}.")
     private String scene;
+
+    @Option(
+            names = "--measure",
+            paramLabel = "SECONDS",
+            description = "Drag the light to and fro for 1 to 600 seconds, print frames per second and the time from"
+                    + " input to screen, and close. Leave mouse and keyboard alone meanwhile.")
+    private Double measure;
 
     @Spec
     private CommandSpec specification;
@@ -37,12 +50,20 @@ public final class ViewCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws InterruptedException {
+        if (measure != null && !(measure >= SHORTEST_MEASUREMENT && measure <= LONGEST_MEASUREMENT)) {
+            throw new UsageException("--measure " + measure + " is out of range; give 1 to 600 seconds");
+        }
         Scene first = Scenes.load(scene);
         PrintWriter err = specification.commandLine().getErr();
-        ViewerStart.show(first, environment, line -> {
+        Consumer<String> warning = line -> {
             err.println(line);
             err.flush();
-        });
+        };
+        if (measure == null) {
+            ViewerStart.show(first, environment, warning);
+        } else {
+            specification.commandLine().getOut().println(ViewerStart.measure(first, environment, warning, measure));
+        }
         return ExitCode.OK.code();
     }
 }

@@ -7,35 +7,26 @@ import java.awt.event.WindowEvent;
 import java.awt.image.BufferedImage;
 import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
-import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.BiFunction;
 import java.util.function.Supplier;
 import javax.swing.SwingUtilities;
 import jrtr.ContextInfo;
-import org.joml.Vector3f;
-import sunbeam.app.scene.Pick;
 import sunbeam.app.scene.Scene;
-import sunbeam.app.scene.SceneData;
 import sunbeam.precompute.optics.Direction;
-import sunbeam.precompute.optics.Geometry;
-import sunbeam.precompute.plan.PlanReport;
 
 /** The viewer: window, scene and render thread put together. Belongs to the event thread. */
 final class Viewer {
-    // Light at the horizon leaves no radiance to divide by.
-    private static final double LOWEST_LIGHT = 0.01;
-
     private final ViewerModel model;
     private final ViewerWindow window;
     private final RenderLoop loop;
     private final FileActions files;
+    private final PointInspector inspector;
     private final Background loading = new Background("loading");
     private final Background writing = new Background("files");
-    private final Background measuring = new Background("spectrum");
     private final CountDownLatch closed = new CountDownLatch(1);
-    private final AtomicLong newestSpectrum = new AtomicLong();
+    private final FirstPicture firstPicture = new FirstPicture();
     private Scene asLoaded;
-    private Optional<PickedPoint> picked = Optional.empty();
+    private FrameObserver observer = FrameObserver.NONE;
     private boolean coneShown = true;
     private boolean mapShown = true;
     private boolean failed;
@@ -53,6 +44,7 @@ final class Viewer {
         asLoaded = scene;
         model = new ViewerModel(scene, loader, loading);
         window = new ViewerWindow(title(scene), model);
+        inspector = new PointInspector(window);
         loop = new RenderLoop(opening, new FromRenderThread());
         files = new FileActions(window, model, writing, this::open);
         KeyControls keys = new KeyControls(this, model, files);
@@ -99,6 +91,20 @@ final class Viewer {
         return files;
     }
 
+    PointInspector inspector() {
+        return inspector;
+    }
+
+    /** For waiting until something is to be seen. */
+    FirstPicture firstPicture() {
+        return firstPicture;
+    }
+
+    /** Has somebody watch what comes on screen. */
+    void observe(FrameObserver value) {
+        observer = value;
+    }
+
     /** Waits until the window is closed and the graphics card given back. Not on the event thread. */
     void awaitEnd(long millisecondsForGraphics) throws InterruptedException {
         closed.await();
@@ -121,11 +127,11 @@ final class Viewer {
     }
 
     private void end() {
-        newestSpectrum.incrementAndGet();
         loop.close();
         loading.close();
         writing.close();
-        measuring.close();
+        inspector.close();
+        firstPicture.cannotCome("the window was closed");
         closed.countDown();
     }
 
@@ -168,110 +174,57 @@ final class Viewer {
         }
         LoadedScene loaded = model.loaded().get();
         asked = new ViewState(loaded.fine(), loaded.coarse(), width, height, mapLight());
+        observer.asked(asked);
         loop.show(asked);
     }
 
-    /** At the picked point, or on a surface that faces the viewer. */
     private Optional<Direction> mapLight() {
         if (!mapShown) {
             return Optional.empty();
         }
-        Direction light = picked.map(point -> point.light(model.scene().light().towards()))
-                .orElseGet(() -> {
-                    Vector3f seen = lightSeen();
-                    return new Direction(seen.x, seen.y, seen.z);
-                });
-        if (light.z() < LOWEST_LIGHT) {
+        Optional<PickedPoint> picked = inspector.point();
+        Optional<Direction> light = MapLight.of(model.scene(), picked);
+        if (light.isEmpty()) {
             window.map().clear("the light is behind the skin here");
-            return Optional.empty();
+        } else {
+            window.map()
+                    .mark(
+                            picked.map(point -> point.pick().wr()),
+                            picked.isPresent() ? "BRDF at the picked point" : "BRDF of a skin that faces you");
         }
-        window.map()
-                .mark(
-                        picked.map(point -> point.pick().wr()),
-                        picked.isPresent() ? "BRDF at the picked point" : "BRDF of a skin that faces you");
-        return Optional.of(light);
-    }
-
-    private Vector3f lightSeen() {
-        return model.scene()
-                .view()
-                .camera()
-                .worldToCamera()
-                .transformDirection(model.scene().light().towards(), new Vector3f());
+        return light;
     }
 
     private void followLight() {
-        window.picture().showCone(coneShown ? Optional.of(new LightCone(lightSeen())) : Optional.empty());
-        picked.ifPresent(
-                point -> window.pick().show(point.describe(model.scene().light().towards())));
+        window.picture()
+                .showCone(coneShown ? Optional.of(new LightCone(MapLight.seen(model.scene()))) : Optional.empty());
+        inspector.showAngles(model.scene().light().towards());
     }
 
     private void pick(int x, int y) {
-        int width = window.picture().pictureWidth();
-        int height = window.picture().pictureHeight();
-        if (x < 0 || y < 0 || x >= width || y >= height || model.loaded().isEmpty()) {
-            return;
-        }
-        // What is being drawn, not what a load may bring.
-        Scene scene = model.loaded().get().fine().scene();
-        loop.submit(stage -> {
-            Optional<Pick> pick = stage.pick(x, y, width, height);
-            SwingUtilities.invokeLater(() -> picked(pick.map(found -> new PickedPoint(scene, found, x, y))));
-        });
+        model.loaded()
+                .ifPresent(loaded -> inspector.pick(loop, loaded.fine(), x, y, () -> {
+                    inspector.follow(model.scene());
+                    followLight();
+                    measure();
+                    show();
+                }));
     }
 
-    private void picked(Optional<PickedPoint> point) {
-        picked = point.filter(found -> found.staysIn(model.scene()));
-        if (picked.isEmpty()) {
-            window.pick().clear();
-        }
-        followLight();
-        measure();
-        show();
-    }
-
-    /** Colour and spectrum of the picked point, from the picture that has just become final. */
     private void measure() {
-        long number = newestSpectrum.incrementAndGet();
-        if (picked.isEmpty() || model.loaded().isEmpty()) {
-            return;
-        }
-        PickedPoint point = picked.get();
-        window.picture().picture().ifPresent(image -> {
-            if (point.x() < image.getWidth() && point.y() < image.getHeight()) {
-                window.pick().showColor(image.getRGB(point.x(), point.y()));
-            }
-        });
-        SceneData data = model.loaded().get().fine();
-        Direction wi = point.light(data.scene().light().towards());
-        if (wi.z() <= 0 || point.pick().wr().z() <= 0) {
-            window.pick().showSpectrum(new double[0]);
-            return;
-        }
-        Geometry geometry = new Geometry(wi, point.pick().wr());
-        measuring.run(
-                () -> Spectrum.of(data, geometry, () -> number != newestSpectrum.get()),
-                powers -> {
-                    if (number == newestSpectrum.get()) {
-                        window.pick().showSpectrum(powers);
-                    }
-                },
-                window.status()::message);
+        model.loaded().ifPresent(loaded -> inspector.measure(loaded.fine()));
     }
 
     /** The scene has changed. */
     private final class FromModel implements ViewerModel.Listener {
         @Override
         public void changed() {
-            if (picked.isPresent() && !picked.get().staysIn(model.scene())) {
-                picked = Optional.empty();
-                window.pick().clear();
-            }
+            inspector.follow(model.scene());
             window.controls().follow();
             followLight();
             model.loaded()
                     .ifPresent(loaded ->
-                            window.status().plan(new PlanReport(loaded.fine().plan()).summary()));
+                            window.status().plan(loaded.fine().method().summary()));
             show();
         }
 
@@ -284,6 +237,7 @@ final class Viewer {
         public void problem(String message) {
             window.status().message(message);
             if (model.loaded().isEmpty()) {
+                firstPicture.cannotCome(message);
                 window.picture().showMessage(message);
             }
         }
@@ -300,6 +254,7 @@ final class Viewer {
         public void failed(String message) {
             SwingUtilities.invokeLater(() -> {
                 failed = true;
+                firstPicture.cannotCome(message);
                 window.picture().showMessage("No picture: " + message);
                 window.status().message(message);
             });
@@ -313,6 +268,7 @@ final class Viewer {
         @Override
         public void picture(ViewState state, BufferedImage image, boolean isFinal, double exposure, long nanoseconds) {
             SwingUtilities.invokeLater(() -> {
+                firstPicture.came();
                 window.picture().showPicture(image, state.width(), state.height(), isFinal);
                 window.controls().exposureInUse(exposure);
                 if (isFinal) {
@@ -321,7 +277,10 @@ final class Viewer {
                     files.pictureIsFinal();
                     measure();
                 } else {
-                    window.status().preview((int) Math.ceil((double) state.width() / image.getWidth()), nanoseconds);
+                    int divisor = (int) Math.ceil((double) state.width() / image.getWidth());
+                    window.status().preview(divisor, nanoseconds);
+                    // Swing paints before whatever is queued now.
+                    SwingUtilities.invokeLater(() -> observer.shown(state, divisor));
                 }
             });
         }

@@ -26,11 +26,34 @@ final class ViewerStart {
      * @throws GraphicsException if there is no screen
      */
     static void show(Scene scene, Environment environment, Consumer<String> warning) throws InterruptedException {
+        requireScreen();
+        Viewer viewer = open(scene, environment, warning);
+        viewer.awaitEnd(PATIENCE_MILLISECONDS);
+    }
+
+    /**
+     * Shows a scene, drags its light about and closes the window.
+     *
+     * @return what was measured, in words
+     * @throws GraphicsException if there is no screen, or nothing can be drawn
+     */
+    static String measure(Scene scene, Environment environment, Consumer<String> warning, double seconds)
+            throws InterruptedException {
+        requireScreen();
+        Viewer viewer = open(scene, environment, warning);
+        try {
+            viewer.firstPicture().await();
+            return ViewMeasurement.of(viewer, seconds);
+        } finally {
+            SwingUtilities.invokeLater(viewer::quit);
+            viewer.awaitEnd(PATIENCE_MILLISECONDS);
+        }
+    }
+
+    private static void requireScreen() {
         if (GraphicsEnvironment.isHeadless()) {
             throw new GraphicsException("the viewer needs a screen: start it on a desktop, or set DISPLAY");
         }
-        Viewer viewer = open(scene, environment, warning);
-        viewer.awaitEnd(PATIENCE_MILLISECONDS);
     }
 
     /** Shows a scene and returns. */

@@ -2,6 +2,7 @@ package sunbeam.app.render;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.StringWriter;
@@ -114,9 +115,29 @@ class RenderCommandTest {
             reader.setInput(stream);
             assertThat(reader.getNumImages(true)).isEqualTo(3);
             assertThat(reader.getWidth(0)).isEqualTo(40);
+            for (int frame = 0; frame < 3; frame++) {
+                BufferedImage drawn = ImageIO.read(
+                        frames.resolve("frame-000" + (frame + 1) + ".png").toFile());
+                // 256 colours, each for cells of 8 of 256 steps a channel.
+                assertThat(meanDifference(reader.read(frame), drawn))
+                        .as("difference per channel of frame %d", frame)
+                        .isLessThan(8);
+            }
         }
         assertThat(Files.readAllBytes(frames.resolve("frame-0001.png")))
                 .isNotEqualTo(Files.readAllBytes(frames.resolve("frame-0003.png")));
+    }
+
+    private static double meanDifference(BufferedImage one, BufferedImage other) {
+        double sum = 0;
+        int[] a = one.getRGB(0, 0, one.getWidth(), one.getHeight(), null, 0, one.getWidth());
+        int[] b = other.getRGB(0, 0, other.getWidth(), other.getHeight(), null, 0, other.getWidth());
+        for (int i = 0; i < a.length; i++) {
+            for (int shift = 0; shift <= 16; shift += 8) {
+                sum += Math.abs((a[i] >> shift & 0xff) - (b[i] >> shift & 0xff)) / 3.0;
+            }
+        }
+        return sum / a.length;
     }
 
     @Test
@@ -126,6 +147,14 @@ class RenderCommandTest {
         assertThat(render(output, "--supersample", "0")).isEqualTo(ExitCode.USAGE.code());
         assertThat(render(output, "--turntable", "2", "--light-sweep", "0:1")).isEqualTo(ExitCode.USAGE.code());
         assertThat(render(output, "--exposure", "-1")).isEqualTo(ExitCode.USAGE.code());
+        assertThat(render(output, "--method", "pq"))
+                .as("pq has no ensemble average")
+                .isEqualTo(ExitCode.USAGE.code());
+        assertThat(err.toString()).contains("--average coherent");
+        assertThat(render(output, "--method", "full", "--spacing", "1um")).isEqualTo(ExitCode.USAGE.code());
+        assertThat(render(output, "--replicas", "2")).isEqualTo(ExitCode.USAGE.code());
+        assertThat(render(output, "--method", "gem", "--patch", "elaphe-like")).isEqualTo(ExitCode.USAGE.code());
+        assertThat(err.toString()).contains("--spacing 1um");
         assertThat(run("render", scene.toString(), "--size", "0x5")).isEqualTo(ExitCode.USAGE.code());
         assertThat(run("render", "elafe")).isEqualTo(ExitCode.UNUSABLE_INPUT.code());
         assertThat(output).doesNotExist();

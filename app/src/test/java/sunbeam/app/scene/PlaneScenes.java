@@ -7,6 +7,8 @@ import jrtr.scene.Camera;
 import org.joml.Quaternionf;
 import org.joml.Vector3f;
 import sunbeam.app.cli.Environment;
+import sunbeam.app.gpu.MethodKind;
+import sunbeam.app.setup.MethodRequest;
 import sunbeam.precompute.patch.PatchRequest;
 
 /** Scenes of the plane, which fills the picture's middle; its patch is small, so that tables are made in a moment. */
@@ -27,6 +29,7 @@ final class PlaneScenes {
                 new Quaternionf(),
                 new SceneLight(new Vector3f(-0.2f, 0.3f, 0.9f), 1),
                 "none",
+                MethodRequest.of(MethodKind.FULL),
                 ScenePlanReader.standard(),
                 0,
                 OptionalDouble.of(1),

@@ -11,6 +11,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.app.input.InputException;
 import sunbeam.app.output.OutputException;
 import sunbeam.app.output.Overwrite;
@@ -77,6 +78,13 @@ class SceneFileTest {
                     "elaphe",            | "/etc/passwd",     | line 6  | texture       | folder
                     "tolerance": 0.01    | "tolerance": 7     | line 7  | plan.tolerance | out of range
                     "tolerance": 0.01    | "method": "magic"  | line 7  | plan.method   | magic
+                    "tolerance": 0.01    | "method": "reference" | line 7 | plan.method | full, nmm, pq or gem
+                    "tolerance": 0.01    | "method": "pq", "average": "ensemble" | line 7 | plan.average | pq
+                    "tolerance": 0.01    | "method": "pq", "radius": 2 | line 7 | plan.radius | neighbourhood
+                    "tolerance": 0.01    | "method": "nmm", "replicas": 3 | line 7 | plan.replicas | belongs to method pq
+                    "tolerance": 0.01    | "spacing": "1 um"   | line 7  | plan.spacing  | belongs to method gem
+                    "tolerance": 0.01    | "method": "gem", "spacing": "1 cm" | line 7 | plan.spacing | out of range
+                    "tolerance": 0.01    | "method": "pq", "replicas": 1.5 | line 7 | plan.replicas | whole number
                     "exposure": 2        | "exposure": "two"  | line 9  | exposure      | auto
                     [0, 0, 2]            | [0, 0, 0]          | line 5  | light.direction | no direction
                     [0, 0, 2]            | [0, 0]             | line 5  | light.direction | 3 values
@@ -119,6 +127,21 @@ class SceneFileTest {
         SceneWriter.write(file, Overwrite.REFUSE, scene);
         assertThat(SceneReader.read(file)).isEqualTo(scene);
         assertThat(scene.title()).isNotEmpty();
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "\"method\": \"nmm\", \"preset\": \"thesis\"",
+                "\"method\": \"pq\", \"interpolation\": \"linear\", \"replicas\": 3",
+                "\"method\": \"gem\", \"spacing\": \"1.6 um\""
+            })
+    void methodsAreReadAndWrittenAlike(String method) throws IOException {
+        Scene scene = SceneReader.read(write(SCENE.replace("\"tolerance\": 0.01", method)));
+        Path copy = folder.resolve("copy.json");
+        SceneWriter.write(copy, Overwrite.REFUSE, scene);
+        assertThat(SceneReader.read(copy)).isEqualTo(scene);
+        assertThat(scene).isNotEqualTo(SceneReader.read(write(SCENE)));
     }
 
     @Test

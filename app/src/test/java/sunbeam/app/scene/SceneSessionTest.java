@@ -23,6 +23,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import sunbeam.app.cli.Environment;
+import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.optics.Gain;
 import sunbeam.precompute.optics.Geometry;
 import sunbeam.precompute.patch.PatchRequest;
@@ -69,10 +70,10 @@ class SceneSessionTest {
         ReferenceColor reference = new ReferenceColor(
                 new ReferenceEvaluator(
                         data.patch().heights(),
-                        data.plan().window(),
-                        data.plan().origin()),
-                data.plan().window(),
-                data.cie());
+                        data.scene().plan().window(),
+                        data.scene().plan().windowOrigin()),
+                data.scene().plan().window(),
+                CieTable.load());
         int[] byLuminance = IntStream.range(0, WIDTH * HEIGHT)
                 .boxed()
                 .sorted(Comparator.comparingDouble(i -> -picture.rgba()[4 * i + 1]))

@@ -23,7 +23,7 @@ final class TileSideTest {
     @Test
     void oneCostlyTileShrinksTheNext() {
         TileSide side = new TileSide(100).after(128 * 128, 128 * 128 * 10_000L);
-        assertThat(side.side()).isEqualTo(64);
+        assertThat(side.side()).isEqualTo(32);
     }
 
     @Test

@@ -1,21 +1,30 @@
 package sunbeam.app.viewer;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.junit.jupiter.api.Assumptions.assumeFalse;
 
+import java.awt.Component;
 import java.awt.Frame;
 import java.awt.GraphicsEnvironment;
 import java.awt.Point;
 import java.awt.Robot;
 import java.awt.event.InputEvent;
+import java.awt.event.KeyEvent;
 import java.awt.image.BufferedImage;
+import java.io.PrintWriter;
+import java.io.StringWriter;
 import java.nio.file.Path;
 import java.util.Map;
 import java.util.concurrent.Callable;
 import java.util.concurrent.FutureTask;
+import javax.imageio.ImageIO;
+import javax.swing.JComboBox;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JTextField;
 import javax.swing.SwingUtilities;
-import jrtr.RenderContext;
-import jrtr.gl.RenderContexts;
+import jrtr.GraphicsException;
 import jrtr.scene.Camera;
 import org.joml.Vector3f;
 import org.junit.jupiter.api.AfterEach;
@@ -23,14 +32,14 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import sunbeam.app.Sunbeam;
 import sunbeam.app.cli.Environment;
+import sunbeam.app.output.Overwrite;
 import sunbeam.app.scene.Blend;
+import sunbeam.app.scene.Pick;
 import sunbeam.app.scene.Scene;
-import sunbeam.app.scene.SceneData;
-import sunbeam.app.scene.SceneDisplay;
 import sunbeam.app.scene.SceneLight;
-import sunbeam.app.scene.ScenePicture;
-import sunbeam.app.scene.SceneSession;
+import sunbeam.app.scene.SceneWriter;
 import sunbeam.app.scene.Scenes;
 import sunbeam.app.scene.Viewpoint;
 import sunbeam.precompute.patch.PatchRequest;
@@ -54,8 +63,7 @@ final class ViewerWindowTest {
         assumeFalse(GraphicsEnvironment.isHeadless(), "no DISPLAY: windows cannot be tested");
         robot = new Robot();
         robot.setAutoDelay(10);
-        Environment environment = new Environment(Map.of("XDG_CACHE_HOME", folder.toString()), folder);
-        viewer = ViewerStart.open(scene(), environment, line -> {});
+        viewer = ViewerStart.open(scene(), environment(), line -> {});
         onEvents(() -> {
             viewer.window().setBounds(0, 0, 620, 420);
             viewer.toggleMap();
@@ -73,7 +81,7 @@ final class ViewerWindowTest {
                 .withPatch(PatchRequest.of("blaze"))
                 .withPlan(PlanChange.tolerance(elaphe.plan(), 0.05))
                 .withTexture("none")
-                .withBlend(new Blend(1, 0.5, 0.9, 0.1))
+                .withBlend(new Blend(30, 0.5, 0.9, 0.1))
                 .withLight(new SceneLight(new Vector3f(0.3f, 0.25f, 0.9f), 1));
     }
 
@@ -116,18 +124,120 @@ final class ViewerWindowTest {
     }
 
     @Test
-    void theFinalPictureIsWhatRenderDraws() throws Exception {
-        SceneData data = onEvents(() -> viewer.model().loaded().orElseThrow().fine());
+    void theFinalPictureIsWhatRenderWritesAlsoAfterTheLightHasMoved() throws Exception {
+        assertThat(picture().getWidth()).as("drawn in several tiles").isGreaterThan(2 * TileSide.LARGEST);
+        assertThat(different(picture(), rendered("before"), false)).isZero();
+        drag(InputEvent.BUTTON3_DOWN_MASK);
+        awaitFinal();
+        assertThat(different(picture(), rendered("after"), false)).isZero();
+    }
+
+    /** What the command render writes for the viewer's scene, saved as a file, in the picture's size. */
+    private BufferedImage rendered(String name) throws Exception {
         BufferedImage shown = picture();
-        try (RenderContext context = RenderContexts.offscreen();
-                SceneSession session = new SceneSession(context, data);
-                SceneDisplay display = new SceneDisplay(context)) {
-            ScenePicture picture = session.draw(shown.getWidth(), shown.getHeight());
-            double exposure = SceneDisplay.exposure(data.scene(), picture);
-            BufferedImage rendered =
-                    display.image(picture, exposure, data.scene().background());
-            assertThat(different(shown, rendered, false)).isZero();
+        Path sceneFile = folder.resolve(name + ".json");
+        SceneWriter.write(
+                sceneFile, Overwrite.REFUSE, onEvents(() -> viewer.model().scene()));
+        Path png = folder.resolve(name + ".png");
+        StringWriter err = new StringWriter();
+        int status = new Sunbeam(environment(), new PrintWriter(new StringWriter()), new PrintWriter(err))
+                .run(
+                        "render",
+                        sceneFile.toString(),
+                        "--size",
+                        shown.getWidth() + "x" + shown.getHeight(),
+                        "--output",
+                        png.toString());
+        assertThat(status).as(err.toString()).isZero();
+        return ImageIO.read(png.toFile());
+    }
+
+    @Test
+    void shiftDragMovesTheLightTooAndTheSkinStaysWhereItIs() throws Exception {
+        Pick before = doubleClick();
+        robot.keyPress(KeyEvent.VK_SHIFT);
+        drag(InputEvent.BUTTON1_DOWN_MASK);
+        robot.keyRelease(KeyEvent.VK_SHIFT);
+        awaitFinal();
+        Pick after = doubleClick();
+        assertThat(after.position()).isEqualTo(before.position());
+        assertThat(after.normal()).isEqualTo(before.normal());
+        assertThat(after.tangent()).isEqualTo(before.tangent());
+        assertThat(after.wi()).as("towards the light").isNotEqualTo(before.wi());
+    }
+
+    @Test
+    void wheelZoomsAndMiddleDragPans() throws Exception {
+        BufferedImage before = picture();
+        middle(0);
+        robot.mouseWheel(-3);
+        awaitFinal();
+        BufferedImage near = picture();
+        assertThat(shownPixels(near)).as("pixels of the model").isGreaterThan(shownPixels(before));
+        drag(InputEvent.BUTTON2_DOWN_MASK);
+        awaitFinal();
+        assertThat(different(near, picture(), true)).isPositive();
+    }
+
+    @Test
+    void methodsAreChosenInThePanelAndOneThatCannotBeUsedIsRefused() throws Exception {
+        BufferedImage full = picture();
+        for (MethodChoice choice : new MethodChoice[] {MethodChoice.NMM, MethodChoice.PQ_LINEAR, MethodChoice.GEM}) {
+            onEvents(() -> {
+                control("method", JComboBox.class).setSelectedItem(choice);
+                return null;
+            });
+            await(() -> onEvents(() ->
+                    MethodChoice.of(viewer.model().loaded().orElseThrow().fine().scene()) == choice));
+            awaitFinal();
         }
+        assertThat(different(full, picture(), false)).as("gem is another model").isPositive();
+        onEvents(() -> {
+            JTextField spacing = control("spacing", JTextField.class);
+            spacing.setText("2 parsec");
+            spacing.postActionEvent();
+            return null;
+        });
+        assertThat(onEvents(() -> viewer.window().status().text())).contains("spacing of the lines", "parsec");
+    }
+
+    @Test
+    void everyControlHasATooltip() throws Exception {
+        onEvents(() -> {
+            for (Component child : viewer.window().controls().getComponents()) {
+                assertThat(((JComponent) child).getToolTipText())
+                        .as("%s", child)
+                        .isNotBlank();
+            }
+            return null;
+        });
+    }
+
+    @Test
+    void withoutOpenGLALabelSaysWhy() throws Exception {
+        Viewer blind = onEvents(() -> {
+            Viewer made = new Viewer(scene(), (next, previous) -> null, () -> {
+                throw new GraphicsException("no OpenGL 3.3 here");
+            });
+            made.start();
+            return made;
+        });
+        assertThatThrownBy(() -> blind.firstPicture().await()).hasMessageContaining("no OpenGL 3.3 here");
+        onEvents(() -> {
+            JLabel label = (JLabel) blind.window().picture().getComponent(0);
+            assertThat(label.isVisible()).isTrue();
+            assertThat(label.getText()).contains("no OpenGL 3.3 here");
+            blind.quit();
+            return null;
+        });
+        blind.awaitEnd(PATIENCE_MILLISECONDS);
+    }
+
+    @Test
+    void aMeasurementDragsTheLightAndReports() throws Exception {
+        Scene before = onEvents(() -> viewer.model().scene());
+        assertThat(ViewMeasurement.of(viewer, 1)).contains("frames per second", "from input to screen");
+        assertThat(onEvents(() -> viewer.model().scene()).light()).isNotEqualTo(before.light());
     }
 
     @Test
@@ -182,12 +292,49 @@ final class ViewerWindowTest {
         assertThat(viewer.hasEnded()).isTrue();
     }
 
-    private void drag(int button) throws Exception {
+    /** Moves the mouse to a point of the picture's middle row and returns it. */
+    private Point middle(int right) throws Exception {
         PictureView view = viewer.window().picture();
         Point corner = onEvents(view::getLocationOnScreen);
-        int x = corner.x + view.getWidth() / 2;
-        int y = corner.y + view.getHeight() / 2;
-        robot.mouseMove(x, y);
+        Point point = new Point(corner.x + view.getWidth() / 2 + right, corner.y + view.getHeight() / 2);
+        robot.mouseMove(point.x, point.y);
+        return point;
+    }
+
+    /** Picks the point of the skin in the picture's middle. */
+    private Pick doubleClick() throws Exception {
+        // Far from the last click, or else this one is the third of a row.
+        middle(-80);
+        robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
+        robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
+        middle(0);
+        for (int click = 0; click < 2; click++) {
+            robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
+            robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
+        }
+        robot.waitForIdle();
+        awaitFinal();
+        await(() -> onEvents(() -> viewer.inspector().point().isPresent()));
+        return onEvents(() -> viewer.inspector().point().orElseThrow().pick());
+    }
+
+    private <T extends Component> T control(String name, Class<T> type) {
+        for (Component child : viewer.window().controls().getComponents()) {
+            if (name.equals(child.getName())) {
+                return type.cast(child);
+            }
+        }
+        throw new AssertionError("there is no control " + name);
+    }
+
+    private Environment environment() {
+        return new Environment(Map.of("XDG_CACHE_HOME", folder.toString()), folder);
+    }
+
+    private void drag(int button) throws Exception {
+        Point from = middle(0);
+        int x = from.x;
+        int y = from.y;
         robot.mousePress(button);
         for (int step = 1; step <= 8; step++) {
             robot.mouseMove(x + 5 * step, y - 4 * step);

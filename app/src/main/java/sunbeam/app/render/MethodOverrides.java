@@ -1,0 +1,58 @@
+package sunbeam.app.render;
+
+import picocli.CommandLine.Option;
+import sunbeam.app.cli.LengthConverter;
+import sunbeam.app.cli.UsageException;
+import sunbeam.app.gpu.MethodKind;
+import sunbeam.app.scene.Scene;
+import sunbeam.app.setup.MethodOptions;
+import sunbeam.app.setup.MethodRequest;
+import sunbeam.precompute.plan.Average;
+import sunbeam.precompute.plan.PlanRequest;
+import sunbeam.precompute.resample.PeriodInterpolation;
+
+/** A method that stands above the scene's; to be used as a picocli mixin. */
+public final class MethodOverrides {
+    @Option(names = "--method", paramLabel = "METHOD", description = "full, nmm, pq or gem; see docs/methods.md.")
+    private MethodKind kind;
+
+    @Option(names = "--interpolation", paramLabel = "KIND", description = "For --method pq: sinc (default) or linear.")
+    private PeriodInterpolation interpolation;
+
+    @Option(
+            names = "--replicas",
+            paramLabel = "Q",
+            description = "For --method pq: repeat the patch Q times along both axes.")
+    private Integer replicas;
+
+    @Option(
+            names = "--spacing",
+            paramLabel = "LENGTH",
+            converter = LengthConverter.class,
+            description = "For --method gem: distance of the grating's lines, which run along the patch's y.")
+    private Double spacing;
+
+    /**
+     * The scene with this method, where one is given, and a plan.
+     *
+     * @throws UsageException for a value that cannot be used, or that does not belong to the method
+     */
+    Scene apply(Scene scene, PlanRequest plan) {
+        if (kind == null) {
+            if (interpolation != null || replicas != null || spacing != null) {
+                throw new UsageException("--interpolation, --replicas and --spacing need --method");
+            }
+            return scene.withPlan(plan);
+        }
+        if (kind == MethodKind.REFERENCE) {
+            throw new UsageException(
+                    "--method reference evaluates single directions; use it with 'reflectance', and full here");
+        }
+        if (kind == MethodKind.PQ && plan.average().orElse(Average.COHERENT) == Average.ENSEMBLE) {
+            throw new UsageException("--method pq has no ensemble average, which the scene asks for; add"
+                    + " --average coherent, or use --method full");
+        }
+        MethodRequest request = MethodOptions.request(kind, interpolation, replicas, spacing);
+        return scene.withMethod(request, plan);
+    }
+}
