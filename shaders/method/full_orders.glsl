@@ -48,13 +48,18 @@ float endWeight(int i) {
 // Gregory's corrections of both ends, three nodes each, must not overlap.
 const int FEWEST_INTERVALS = 6;
 
+// Deviations of an order's power at which it is 1e-9 of its maximum: nothing that anybody sees.
+const float FLANK_REACH = 6.5;
+
 vec3 oneOrder(vec3 uvw, vec2 bin) {
     vec2 frequency = bin / tablePeriod;
     float squaredLength = dot(uvw.xy, uvw.xy);
     // Where the ray f = (u, v) / lambda passes closest to the bin.
     float middle = dot(frequency, uvw.xy) / squaredLength;
     float deviation = windowSigmaFrequency * inversesqrt(2.0 * squaredLength);
-    float halfWidth = orderReach * deviation;
+    // Of an order outside the band only a flank is seen, and it may be all there is to see.
+    bool inside = middle * LONGEST_WAVELENGTH > 1.0 && middle * SHORTEST_WAVELENGTH < 1.0;
+    float halfWidth = (inside ? orderReach : FLANK_REACH) * deviation;
     float low = max(middle - halfWidth, 1.0 / LONGEST_WAVELENGTH);
     float high = min(middle + halfWidth, 1.0 / SHORTEST_WAVELENGTH);
     if (high <= low) {
@@ -86,7 +91,7 @@ vec3 diffractedXyz(vec3 uvw) {
     bool alongX = abs(binsPerWaveNumber.x) >= abs(binsPerWaveNumber.y);
     float major = alongX ? binsPerWaveNumber.x : binsPerWaveNumber.y;
     float minor = alongX ? binsPerWaveNumber.y : binsPerWaveNumber.x;
-    float reach = orderReach * windowSigmaFrequency * max(tablePeriod.x, tablePeriod.y);
+    float reach = FLANK_REACH * windowSigmaFrequency * max(tablePeriod.x, tablePeriod.y);
     int first = max(1, int(ceil(abs(major) / LONGEST_WAVELENGTH - reach)));
     int last = int(floor(abs(major) / SHORTEST_WAVELENGTH + reach));
     vec3 xyz = vec3(0.0);
