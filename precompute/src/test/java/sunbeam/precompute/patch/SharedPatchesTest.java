@@ -40,7 +40,21 @@ class SharedPatchesTest {
         assertThat(heights.pitchY()).isEqualTo(heights.pitchX());
         // A few roundings of heights below 1 um.
         assertThat(heights.relief() - fullScale * (highest - lowest) / 255).isBetween(-1e-21, 1e-21);
-        assertThat(patch.warnings()).isEmpty();
+    }
+
+    @ParameterizedTest
+    @CsvSource({"elaphe, 8.2 %", "xenopeltis, 21.6 %"})
+    void snakeSkinsAreSteeperThanScalarTheoryLikes(String name, String share) {
+        assertThat(load(name).warnings())
+                .singleElement()
+                .asString()
+                .startsWith("slopes too steep for scalar theory: " + share);
+    }
+
+    @Test
+    void theBlazedPatchGivesNoCauseForWarnings() {
+        // Its fall is one column of 99, 1 % of the surface.
+        assertThat(load("blaze").warnings()).isEmpty();
     }
 
     @Test
