@@ -62,6 +62,19 @@ final class Directions {
         return queries;
     }
 
+    /**
+     * Light in the xz plane, and the view that sees a frequency.
+     *
+     * @param thetaDegrees angle of the light to the normal, towards +x
+     * @param fx u / lambda, cycles per metre
+     * @param fy v / lambda, cycles per metre
+     */
+    static Query seeing(double thetaDegrees, double fx, double fy, double wavelength) {
+        Direction light = Direction.ofDegrees(thetaDegrees, 0);
+        Direction view = Direction.ofDisc(-fx * wavelength - light.x(), -fy * wavelength - light.y());
+        return new Query(new Geometry(light, view), wavelength);
+    }
+
     private static double order(double frequency, double period) {
         return Math.rint(frequency * period) / period;
     }

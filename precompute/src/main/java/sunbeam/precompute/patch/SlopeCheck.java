@@ -15,7 +15,7 @@ public final class SlopeCheck {
     public static final double STEEPEST = 30;
 
     /** Largest share of steeper surface that passes without a word: the walls of a grating take less. */
-    public static final double LARGEST_SHARE = 0.05;
+    public static final double LARGEST_SHARE = 0.02;
 
     private SlopeCheck() {}
 

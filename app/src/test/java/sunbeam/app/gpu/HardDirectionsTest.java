@@ -1,0 +1,107 @@
+package sunbeam.app.gpu;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+import static sunbeam.app.gpu.Requests.TOLERANCE;
+
+import java.util.ArrayList;
+import java.util.List;
+import jrtr.RenderContext;
+import jrtr.gl.RenderContexts;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import sunbeam.app.directions.DirectionsRenderer.Query;
+import sunbeam.precompute.optics.CoherenceWindow;
+import sunbeam.precompute.optics.Direction;
+import sunbeam.precompute.optics.Gain;
+import sunbeam.precompute.optics.Geometry;
+import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.plan.Average;
+
+/** Directions and wavelengths at the edges of what there is, by each way that a plan can take. */
+@NeedsDisplay
+class HardDirectionsTest {
+    private static final HeightMap ROUGH = Surface.noise(64, 64, 50e-9, 400e-9, 51);
+
+    private static RenderContext context;
+
+    @BeforeAll
+    static void open() {
+        context = RenderContexts.offscreen();
+    }
+
+    @AfterAll
+    static void close() {
+        context.close();
+    }
+
+    private static Comparison comparison(double coherenceLength) {
+        return new Comparison(context, ROUGH, Requests.of(coherenceLength, Average.COHERENT));
+    }
+
+    /** Coherence lengths that lead to a grid, to rays and to single orders. */
+    @ParameterizedTest
+    @ValueSource(doubles = {3e-6, 10e-6, 65e-6})
+    void exactlySpecular(double coherenceLength) {
+        List<Query> queries = new ArrayList<>();
+        for (double theta = 0; theta <= 85; theta += 5) {
+            Geometry geometry = new Geometry(Direction.ofDegrees(theta, 30), Direction.ofDegrees(theta, 210));
+            queries.add(new Query(geometry, 500e-9));
+        }
+        Comparison comparison = comparison(coherenceLength);
+
+        comparison.powerErrors(queries).assertWithin(TOLERANCE, "power");
+        comparison.colourErrors(queries.stream().map(Query::geometry).toList()).assertWithin(TOLERANCE, "XYZ");
+    }
+
+    @Test
+    void bothEndsOfTheBand() {
+        Directions directions = new Directions(52);
+        for (double wavelength : new double[] {380e-9, 780e-9}) {
+            List<Query> queries = directions.anywhere(60).stream()
+                    .map(geometry -> new Query(geometry, wavelength))
+                    .toList();
+            comparison(3e-6).powerErrors(queries).assertWithin(TOLERANCE, "power at the band's end");
+        }
+    }
+
+    @Test
+    void grazingLightAndViewStayFinite() {
+        double coherenceLength = 3e-6;
+        CoherenceWindow window = CoherenceWindow.ofCoherenceLength(coherenceLength);
+        List<Query> queries = new ArrayList<>();
+        for (double phi = 0; phi < 360; phi += 15) {
+            // cos(89.9 degrees) = 1.7e-3, |w| = 3.5e-3; and one of both grazing only.
+            queries.add(
+                    new Query(new Geometry(Direction.ofDegrees(89.9, phi), Direction.ofDegrees(89.9, 100)), 450e-9));
+            queries.add(new Query(new Geometry(Direction.ofDegrees(89.9, phi), Direction.ofDegrees(20, 100)), 450e-9));
+            queries.add(new Query(new Geometry(Direction.ofDegrees(30, phi), Direction.ofDegrees(89.9, 100)), 450e-9));
+        }
+        Comparison comparison = comparison(coherenceLength);
+
+        List<float[]> computed = comparison.spectral(queries);
+
+        for (int i = 0; i < queries.size(); i++) {
+            float[] result = computed.get(i);
+            Geometry geometry = queries.get(i).geometry();
+            // The factors are sums and cosines of float32 directions: 89.9 degrees has a cosine right to 4e-5, squared.
+            double rho = Gain.relativeRadiance(geometry) * result[0];
+            double brdf = Gain.brdf(geometry, window, 450e-9) * result[0];
+            assertThat((double) result[2]).as("rho %d", i).isCloseTo(rho, within(TOLERANCE * rho));
+            assertThat((double) result[3]).as("brdf %d", i).isCloseTo(brdf, within(TOLERANCE * brdf));
+        }
+        comparison.powerErrors(grazing(queries, false)).assertWithin(TOLERANCE, "one direction grazing");
+        // Where w vanishes, so does the relief: phases of 0.02 leave 1e-4 of the light beside the specular direction,
+        // and an error of the expansion that is 2e-5 of the whole weighs a hundred times as much.
+        comparison.powerErrors(grazing(queries, true)).assertWithin(10 * TOLERANCE, "both directions grazing");
+    }
+
+    private static List<Query> grazing(List<Query> queries, boolean both) {
+        return queries.stream()
+                .filter(query -> (-query.geometry().w() < 0.01) == both)
+                .toList();
+    }
+}

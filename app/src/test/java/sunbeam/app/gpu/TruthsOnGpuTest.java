@@ -1,0 +1,153 @@
+package sunbeam.app.gpu;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+import static sunbeam.app.gpu.Requests.TOLERANCE;
+
+import java.util.ArrayList;
+import java.util.List;
+import jrtr.RenderContext;
+import jrtr.gl.RenderContexts;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import sunbeam.app.directions.DirectionsRenderer.Query;
+import sunbeam.precompute.optics.CoherenceWindow;
+import sunbeam.precompute.optics.Direction;
+import sunbeam.precompute.optics.Gain;
+import sunbeam.precompute.optics.Geometry;
+import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.plan.Average;
+
+/** What must hold for mirrors and for every surface, on the GPU. */
+@NeedsDisplay
+class TruthsOnGpuTest {
+    private static final double SUNLIGHT = CoherenceWindow.SUNLIGHT_COHERENCE_LENGTH;
+    private static final HeightMap FLAT = Surface.of(8, 6, 50e-9, (x, y) -> 1e-3);
+    private static final HeightMap ROUGH = Surface.noise(64, 48, 50e-9, 500e-9, 31);
+    private static final double ROUGH_WINDOW = 3e-6;
+
+    private static RenderContext context;
+
+    @BeforeAll
+    static void open() {
+        context = RenderContexts.offscreen();
+    }
+
+    @AfterAll
+    static void close() {
+        context.close();
+    }
+
+    private static Comparison flat(double coherenceLength) {
+        return new Comparison(context, FLAT, Requests.of(coherenceLength, Average.COHERENT));
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {1e-6, 65e-6, 1e-3})
+    void aFlatMirrorShowsTheWindowsSpectrum(double coherenceLength) {
+        double sigma = CoherenceWindow.ofCoherenceLength(coherenceLength).sigmaFrequency();
+        List<Query> queries = new ArrayList<>();
+        for (double deviations = 0; deviations <= 2.5; deviations += 0.5) {
+            queries.add(Directions.seeing(0, deviations * sigma, -0.5 * deviations * sigma, 550e-9));
+        }
+
+        List<float[]> computed = flat(coherenceLength).spectral(queries);
+
+        for (int i = 0; i < queries.size(); i++) {
+            double expected = Math.exp(-1.25 * 0.25 * i * i);
+            assertThat((double) computed.get(i)[0]).as("coherent").isCloseTo(expected, within(TOLERANCE * expected));
+            assertThat((double) computed.get(i)[1]).as("ensemble").isCloseTo(expected, within(TOLERANCE * expected));
+        }
+    }
+
+    @ParameterizedTest
+    @CsvSource({"0", "60"})
+    void aFlatMirrorReflectsExactlyItsReflectance(double thetaDegrees) {
+        CoherenceWindow window = CoherenceWindow.ofCoherenceLength(SUNLIGHT);
+        double wavelength = 550e-9;
+        Direction light = Direction.ofDegrees(thetaDegrees, 0);
+        // Trapezoid over a Gaussian of deviation sigma_f / sqrt(2): at a step of half of sigma_f its error is 1e-17.
+        double step = 0.5 * window.sigmaFrequency();
+        List<Query> queries = new ArrayList<>();
+        for (int i = -10; i <= 10; i++) {
+            for (int j = -10; j <= 10; j++) {
+                queries.add(Directions.seeing(thetaDegrees, i * step, j * step, wavelength));
+            }
+        }
+
+        double sum = flat(SUNLIGHT).spectral(queries).stream()
+                .mapToDouble(result -> result[3])
+                .sum();
+
+        // cos(theta_r) d omega = dx dy of the disc. What varies over the peak is second order in its width, 5e-3.
+        double reflected = sum * Math.pow(step * wavelength, 2);
+        assertThat(reflected / Gain.reflectance(light.z())).isCloseTo(1, within(TOLERANCE));
+    }
+
+    @Test
+    void aFlatMirrorIsWhiteInSpecularDirection() {
+        List<Geometry> specular = new ArrayList<>();
+        for (double theta : new double[] {0, 45, 89, 89.9}) {
+            specular.add(new Geometry(Direction.ofDegrees(theta, 0), Direction.ofDegrees(theta, 180)));
+        }
+        // CIE 15, D65 and the 2 degree observer.
+        double[] white = {0.95047, 1, 1.08883};
+
+        for (float[] xyz : flat(SUNLIGHT).colours(specular)) {
+            for (int c = 0; c < 3; c++) {
+                assertThat((double) xyz[c]).isCloseTo(white[c], within(TOLERANCE * white[c]));
+            }
+        }
+    }
+
+    @Test
+    void lightAndViewMayChangePlaces() {
+        List<Query> there = new Directions(41).queries(60);
+        List<Query> back = there.stream()
+                .map(query -> new Query(
+                        new Geometry(query.geometry().wr(), query.geometry().wi()), query.wavelength()))
+                .toList();
+        Comparison rough = new Comparison(context, ROUGH, Requests.of(ROUGH_WINDOW, Average.COHERENT));
+        List<float[]> forth = rough.spectral(there);
+        List<float[]> reversed = rough.spectral(back);
+
+        for (int i = 0; i < forth.size(); i++) {
+            // Sums of the same two directions in another order: float32 rounding of u and v, seen through steep flanks.
+            assertThat(reversed.get(i)[3]).as("brdf").isCloseTo(forth.get(i)[3], within(1e-3f * forth.get(i)[3]));
+        }
+    }
+
+    @Test
+    void theSurfaceUpsideDownAndTurnedLooksTheSame() {
+        // power(u, v, w) = power(-u, -v, -w), and -w at heights h is w at heights -h.
+        List<Query> queries = new Directions(42).queries(60);
+        List<Query> turned = queries.stream()
+                .map(query -> new Query(
+                        new Geometry(
+                                turned(query.geometry().wi()),
+                                turned(query.geometry().wr())),
+                        query.wavelength()))
+                .toList();
+        HeightMap upsideDown = ROUGH.map(height -> -height);
+
+        List<float[]> upright =
+                new Comparison(context, ROUGH, Requests.of(ROUGH_WINDOW, Average.COHERENT)).spectral(queries);
+        List<float[]> mirrored =
+                new Comparison(context, upsideDown, Requests.of(ROUGH_WINDOW, Average.COHERENT)).spectral(turned);
+
+        double[] errors = new double[upright.size()];
+        for (int i = 0; i < errors.length; i++) {
+            errors[i] = Math.abs(mirrored.get(i)[0] - upright.get(i)[0]) / upright.get(i)[0];
+        }
+        // Both are off by the tolerance at most.
+        Errors.of(errors).assertWithin(2 * TOLERANCE, "turned");
+    }
+
+    private static Direction turned(Direction direction) {
+        return new Direction(-direction.x(), -direction.y(), direction.z());
+    }
+}

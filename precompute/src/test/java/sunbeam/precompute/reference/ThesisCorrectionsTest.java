@@ -1,0 +1,185 @@
+package sunbeam.precompute.reference;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.Arrays;
+import org.apache.commons.math3.complex.Complex;
+import org.junit.jupiter.api.Test;
+import sunbeam.precompute.Surfaces;
+import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.color.WavelengthNodes;
+import sunbeam.precompute.optics.CoherenceWindow;
+import sunbeam.precompute.optics.Geometry;
+import sunbeam.precompute.optics.WindowOrigin;
+import sunbeam.precompute.patch.HeightMap;
+
+/** Corrections to the thesis that no other test shows; docs/thesis-corrections.md lists them all. */
+class ThesisCorrectionsTest {
+    private static final double WAVELENGTH = 500e-9;
+    private static final double ROUNDING = 1e-12;
+    private static final CieTable CIE = CieTable.load();
+
+    /** The windowed sum over one row of the surface, and the sum over its DFT bins with no factor but 1. */
+    @Test
+    void theWindowedSpectrumIsTheSumOverNormalisedBinsWithoutAFactorOfPi() {
+        int samples = 24;
+        double pitch = 100e-9;
+        CoherenceWindow window = new CoherenceWindow(1e-6);
+        HeightMap map = Surfaces.random(samples, 1, pitch, 200e-9, 8);
+        Geometry geometry = Geometries.seeing(12, 0.7e6, 0, WAVELENGTH);
+
+        Complex sum = Complex.ZERO;
+        for (int bin = -12; bin < 12; bin++) {
+            double distance = (0.7e6 - bin / map.width()) / window.sigmaFrequency();
+            sum = sum.add(dft(map, geometry.w(), bin).multiply(Math.exp(-0.5 * distance * distance)));
+        }
+
+        double exact = new ReferenceEvaluator(map, window, WindowOrigin.CORNER).coherent(geometry, WAVELENGTH);
+        // Eq. 2.55's factor would make it pi^2 times as bright, and a DFT without 1 / N 24^2 times. The window's
+        // samples
+        // repeat its spectrum; the next repetition's bins, 3 um^-1 away, are e^-170.
+        assertThat(squared(sum)).isCloseTo(exact, within(1e-9 * exact));
+    }
+
+    /** F_j with 1 / N and e^{+i}. */
+    private static Complex dft(HeightMap map, double w, int bin) {
+        int samples = map.columns();
+        Complex sum = Complex.ZERO;
+        for (int column = 0; column < samples; column++) {
+            double phase = 2 * Math.PI * (w * map.at(column, 0) / WAVELENGTH + (double) bin * column / samples);
+            sum = sum.add(new Complex(Math.cos(phase), Math.sin(phase)));
+        }
+        return sum.divide(samples);
+    }
+
+    private static double squared(Complex value) {
+        return value.getReal() * value.getReal() + value.getImaginary() * value.getImaginary();
+    }
+
+    @Test
+    void theGeometricSumOfNPlusOneReplicasEndsAtNPlusOne() {
+        int replicas = 7;
+        for (double phase = 0.1; phase < 6.2; phase += 0.37) {
+            Complex sum = Complex.ZERO;
+            for (int n = 0; n < replicas; n++) {
+                sum = sum.add(turn(-phase * n));
+            }
+            // Eq. 2.62 with N + 1 = replicas in the numerator's exponent; with N it would be one replica short.
+            Complex closed = Complex.ONE.subtract(turn(-phase * replicas)).divide(Complex.ONE.subtract(turn(-phase)));
+            assertThat(closed.subtract(sum).abs()).isLessThan(ROUNDING);
+            // What method pq computes instead, with no complex number left.
+            double array = Math.sin(replicas * phase / 2) / Math.sin(phase / 2);
+            assertThat(array * array).isCloseTo(squared(sum), within(ROUNDING * replicas * replicas));
+        }
+    }
+
+    @Test
+    void aProductOfComplexFactorsMixesTheirParts() {
+        Complex first = new Complex(0.3, -1.2);
+        Complex second = new Complex(0.7, 0.4);
+        Complex product = first.multiply(second);
+        // Eq. 2.73: p1 q2 + q1 p2.
+        assertThat(product.getImaginary())
+                .isCloseTo(
+                        first.getReal() * second.getImaginary() + first.getImaginary() * second.getReal(),
+                        within(ROUNDING));
+        assertThat(squared(product)).isCloseTo(squared(first) * squared(second), within(ROUNDING));
+    }
+
+    private static Complex turn(double angle) {
+        return new Complex(Math.cos(angle), Math.sin(angle));
+    }
+
+    /** Section 5.1: steps of 10 nm and more bring artefacts, finer ones do not. */
+    @Test
+    void coarseWavelengthStepsBringTheArtefactsAndFineOnesDoNot() {
+        double coarsest = medianError(10e-9);
+        double thesis = medianError(5e-9);
+
+        // Design section 4 has 4e-1, 3e-2 and 9e-5 for the blazed grating at 10, 5 and 1 nm.
+        assertThat(coarsest).isGreaterThan(0.1);
+        assertThat(thesis).isLessThan(0.3 * coarsest);
+        assertThat(medianError(1e-9)).isLessThan(1e-3);
+    }
+
+    /** Of X, Y, Z of a blazed grating under sunlight's window, seen anywhere in its plane, against steps of 0.05 nm. */
+    private static double medianError(double step) {
+        double[] errors = new double[36];
+        for (int i = 0; i < errors.length; i++) {
+            double u = 0.05 * (i + 1);
+            double[] exact = xyz(u, 0.05e-9);
+            double[] coarse = xyz(u, step);
+            double difference = 0;
+            double length = 0;
+            for (int c = 0; c < 3; c++) {
+                difference += Math.pow(coarse[c] - exact[c], 2);
+                length += exact[c] * exact[c];
+            }
+            errors[i] = Math.sqrt(difference / length);
+        }
+        Arrays.sort(errors);
+        return errors[errors.length / 2];
+    }
+
+    private static double[] xyz(double u, double step) {
+        WavelengthNodes nodes = WavelengthNodes.uniform(CIE, step);
+        double[] sum = new double[3];
+        for (int i = 0; i < nodes.count(); i++) {
+            double power = blazedPower(u, nodes.wavelengths()[i]);
+            for (int c = 0; c < 3; c++) {
+                sum[c] += power * nodes.weights()[i][c];
+            }
+        }
+        return sum;
+    }
+
+    /** Orders 0 to 12 of a ramp of 250 nm, 2.5 um long, at w = -1.5: sinc^2 times the window's Gaussian. */
+    private static double blazedPower(double u, double wavelength) {
+        CoherenceWindow sunlight = CoherenceWindow.ofCoherenceLength(CoherenceWindow.SUNLIGHT_COHERENCE_LENGTH);
+        double power = 0;
+        for (int order = 0; order <= 12; order++) {
+            double offset = Math.PI * (-1.5 * 250e-9 / wavelength + order);
+            double sinc = Math.abs(offset) < 1e-9 ? 1 : Math.sin(offset) / offset;
+            double distance = (u / wavelength - order / 2.5e-6) / sunlight.sigmaFrequency();
+            power += sinc * sinc * Math.exp(-distance * distance);
+        }
+        return power;
+    }
+
+    @Test
+    void chordsOfTheColourTableLieAboveItsFlanks() {
+        assertThat(worstChord(0.1)).as("where a function is bright").isBetween(1e-3, 2e-3);
+        assertThat(worstChord(1e-3)).as("about the minimum of xbar at 503 nm").isBetween(0.01, 0.03);
+    }
+
+    /** Of the chords that lie where a function is above a share of its maximum. */
+    private static double worstChord(double share) {
+        double worst = 0;
+        for (int c = 0; c < 3; c++) {
+            double largest = 0;
+            for (int nanometre = 380; nanometre <= 780; nanometre++) {
+                largest = Math.max(largest, CIE.at(nanometre * 1e-9, c));
+            }
+            for (int nanometre = 381; nanometre < 778; nanometre++) {
+                // Four whole nanometres within one of the 5 nm pieces of D65, whose corners are real.
+                boolean withinPiece = nanometre % 5 >= 1 && nanometre % 5 <= 3;
+                if (withinPiece && CIE.at(nanometre * 1e-9, c) > share * largest) {
+                    worst = Math.max(worst, chordExcess(nanometre, c));
+                }
+            }
+        }
+        return worst;
+    }
+
+    /** Half a nanometre above a whole one: the chord over the cubic through four neighbours, relative. */
+    private static double chordExcess(int nanometre, int channel) {
+        double[] value = new double[4];
+        for (int i = 0; i < 4; i++) {
+            value[i] = CIE.at((nanometre - 1 + i) * 1e-9, channel);
+        }
+        double chord = CIE.at((nanometre + 0.5) * 1e-9, channel);
+        double cubic = (9 * (value[1] + value[2]) - value[0] - value[3]) / 16;
+        return (chord - cubic) / cubic;
+    }
+}
