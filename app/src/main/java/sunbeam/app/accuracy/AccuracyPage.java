@@ -67,7 +67,7 @@ record AccuracyPage(
 
             Terms: power, the other choices exact (`double`: terms summed over the surface in double precision; `float32`:
             tables and shader, 7 x 7 bins). Taylor's terms grow before they shrink and cancel, which float32 cannot follow;
-            the low-rank basis is limited to 1e-10 by its singular values. Neighbourhood: power. Wavelength step: X, Y, Z with
+            the low-rank basis is limited to 1e-10 .. 1e-8 by its singular values. Neighbourhood: power. Wavelength step: X, Y, Z with
             7 x 7 bins. Every plot has its table (CSV: median, 95th percentile, maximum).
             """;
 
