@@ -24,7 +24,7 @@ final class CertificateTest {
 
     @Test
     void aPlannedPictureKeepsItsToleranceAndSaysSo() throws Exception {
-        SunbeamResult result = map("--tolerance", "1e-2");
+        SunbeamResult result = map("--tolerance", "1e-3");
         assertThat(result.exitCode()).as(result::toString).isZero();
         assertThat(result.stdout()).contains("certificate: 40 random pixels");
         String png = Files.readString(folder.resolve("map.png"), StandardCharsets.ISO_8859_1);

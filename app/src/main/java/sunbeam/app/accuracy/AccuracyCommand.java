@@ -29,6 +29,8 @@ import sunbeam.app.setup.PatchOptions;
 import sunbeam.precompute.patch.HeightMap;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.patch.PatchRequest;
+import sunbeam.precompute.patch.builtin.BuiltInPatches;
+import sunbeam.precompute.units.Lengths;
 
 /** {@code sunbeam accuracy}: measures and plots how the error depends on each choice of method full, and on the method. */
 @Command(
@@ -78,10 +80,9 @@ public final class AccuracyCommand implements Callable<Integer> {
     @Override
     public Integer call() {
         SampleCounts counts = quick ? QUICK : USUAL;
-        Map<String, Patch> named = load();
-        Map<String, HeightMap> heights = new LinkedHashMap<>();
-        named.forEach((name, patch) -> heights.put(name, patch.heights()));
-        AccuracyReport report = new AccuracyReport(output, force.overwrite(), heights);
+        Map<String, String> descriptions = new LinkedHashMap<>();
+        Map<String, Patch> named = load(descriptions);
+        AccuracyReport report = new AccuracyReport(output, force.overwrite(), descriptions);
         makeFolder();
         report.checkWritable();
         List<Experiment> experiments = Experiments.all();
@@ -107,7 +108,7 @@ public final class AccuracyCommand implements Callable<Integer> {
     }
 
     /** By names that differ, as files are named after them. */
-    private Map<String, Patch> load() {
+    private Map<String, Patch> load(Map<String, String> descriptions) {
         Map<String, Patch> named = new LinkedHashMap<>();
         Set<String> taken = new HashSet<>();
         for (String given : patches.isEmpty() ? DEFAULT_PATCHES : patches) {
@@ -117,8 +118,19 @@ public final class AccuracyCommand implements Callable<Integer> {
                 name = patch.name() + "-" + number;
             }
             named.put(name, patch);
+            descriptions.put(name, describe(given, patch.heights()));
         }
         return named;
+    }
+
+    /** Without the folder, which is nobody else's. */
+    private static String describe(String given, HeightMap map) {
+        String origin = BuiltInPatches.names().contains(given)
+                ? "built-in"
+                : Path.of(given).getFileName().toString();
+        return "%s, %d x %d samples, %s x %s"
+                .formatted(
+                        origin, map.columns(), map.rows(), Lengths.format(map.width()), Lengths.format(map.height()));
     }
 
     private void makeFolder() {

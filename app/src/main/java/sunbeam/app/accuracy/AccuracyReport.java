@@ -9,18 +9,17 @@ import java.util.Map;
 import sunbeam.app.accuracy.ReferenceSamples.SampleCounts;
 import sunbeam.app.output.AtomicFile;
 import sunbeam.app.output.Overwrite;
-import sunbeam.precompute.patch.HeightMap;
 
 /** The figures of some patches as files: a plot and a table each, and a page that shows them all. */
 final class AccuracyReport {
     private final Path folder;
     private final Overwrite overwrite;
-    private final Map<String, HeightMap> patches;
+    private final Map<String, String> patches;
     private boolean written;
     private final Map<String, List<Figure>> figures = new LinkedHashMap<>();
 
-    /** @param patches by name */
-    AccuracyReport(Path folder, Overwrite overwrite, Map<String, HeightMap> patches) {
+    /** @param patches by name: what they are */
+    AccuracyReport(Path folder, Overwrite overwrite, Map<String, String> patches) {
         this.patches = patches;
         this.folder = folder;
         this.overwrite = overwrite;

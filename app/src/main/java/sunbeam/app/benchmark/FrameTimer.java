@@ -21,13 +21,16 @@ public record FrameTimer(RenderContext context, int size, int frames) {
      * What a map took.
      *
      * @param seconds median over the frames
+     * @param fastestSeconds of one frame: what other work on the machine disturbed least
      * @param coveredPixels pixels of the disc
      * @param clock which clock said so
      * @param setupSeconds compilation of the shader, until the device was idle
      */
-    public record Timing(double seconds, int coveredPixels, String clock, double setupSeconds) {
-        public double microsecondsPerPixel() {
-            return 1e6 * seconds / coveredPixels;
+    public record Timing(double seconds, double fastestSeconds, int coveredPixels, String clock, double setupSeconds) {
+
+        /** Of the fastest frame. */
+        public double fastestMicrosecondsPerPixel() {
+            return 1e6 * fastestSeconds / coveredPixels;
         }
     }
 
@@ -49,6 +52,7 @@ public record FrameTimer(RenderContext context, int size, int frames) {
             Arrays.sort(seconds);
             return new Timing(
                     seconds[frames / 2],
+                    seconds[0],
                     renderer.coveredPixels(),
                     clock == GpuTime.Source.TIMER_QUERY ? "timer query" : "wall clock",
                     setupSeconds);

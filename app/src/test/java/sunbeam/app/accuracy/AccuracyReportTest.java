@@ -17,12 +17,10 @@ import sunbeam.app.certificate.ErrorStatistics;
 import sunbeam.app.output.OutputException;
 import sunbeam.app.output.Overwrite;
 import sunbeam.app.plot.Plot.Axis;
-import sunbeam.precompute.patch.HeightMap;
 
 final class AccuracyReportTest {
     private static final SampleCounts COUNTS = new SampleCounts(40, 10, 3);
-    private static final Map<String, HeightMap> PATCHES =
-            Map.of("ramp", new HeightMap(4, 2, 0.5e-6, 1e-6, new double[8]));
+    private static final Map<String, String> PATCHES = Map.of("ramp", "4 x 2 samples, 2 um x 2 um");
 
     @TempDir
     private Path folder;
