@@ -18,7 +18,7 @@ import sunbeam.precompute.plan.Average;
 
 /** Windows from a third of the patch to three hundred times it: whatever way the plan takes, it keeps the tolerance. */
 @NeedsDisplay
-class HardWindowTest {
+class HardCoherenceTest {
     private static final HeightMap WAVES = Surface.waves(64, 64, 50e-9, 400e-9);
     private static final HeightMap NOISE = Surface.noise(64, 64, 50e-9, 400e-9, 9);
 
