@@ -94,8 +94,7 @@ class BadOutputTest {
                 "#!/bin/sh\nulimit -f 16384\nexec '" + Sunbeam.repository().resolve("sunbeam")
                         + "' \"$@\"\n"); // blocks of 512 bytes
         assertThat(launcher.toFile().setExecutable(true)).isTrue();
-        String commandLine =
-                "brdf-map --patch blaze --size 1024 --terms 1 --radius 0 --wavelength-step 200nm --output a.png --linear a.npy";
+        String commandLine = "brdf-map --patch blaze --size 1024 --tolerance 0.1 --output a.png --linear a.npy";
 
         SunbeamResult result = workplace
                 .equip(Sunbeam.launcher(launcher, commandLine.split(" ", -1)))

@@ -11,7 +11,7 @@ import org.junit.jupiter.api.io.TempDir;
 
 /** The thesis's figures as a folder with a page. */
 class FiguresTest {
-    private static final String DRAW = "figures --only 5.3,4.9 --size 24 --output f";
+    private static final String DRAW = "figures --only 5.5,4.9 --size 24 --output f";
 
     @TempDir
     Path root;
@@ -30,16 +30,16 @@ class FiguresTest {
         assertThat(first.stdout()).isEqualTo("f/index.html\n");
         String page = Files.readString(workplace.resolve("f/index.html"));
         assertThat(page)
-                .contains("Figure 5.3", "5.3-elaphe-full-0.png", "low", "exposure", "Figure 4.9", "4.9-blaze.png")
+                .contains("Figure 5.5", "5.5-blaze-10nm.png", "differs by", "exposure", "Figure 4.9", "4.9-blaze.png")
                 .doesNotContain("Figure 5.10");
         assertThat(Files.readAllLines(workplace.resolve("f/table-4.1.csv")).get(1))
                 .startsWith("blaze,0.00,2500.");
-        FileTime written = Files.getLastModifiedTime(workplace.resolve("f/5.3-blaze-full-0.png"));
+        FileTime written = Files.getLastModifiedTime(workplace.resolve("f/5.5-blaze-full-0.png"));
 
         SunbeamResult second = workplace.succeed(DRAW.split(" ", -1));
 
         assertThat(second.stderr()).isEmpty();
-        assertThat(Files.getLastModifiedTime(workplace.resolve("f/5.3-blaze-full-0.png")))
+        assertThat(Files.getLastModifiedTime(workplace.resolve("f/5.5-blaze-full-0.png")))
                 .isEqualTo(written);
         assertThat(Files.readString(workplace.resolve("f/index.html"))).isEqualTo(page);
     }
@@ -54,12 +54,12 @@ class FiguresTest {
                 Complaint.CANNOT_WRITE,
                 "cannot write f/index.html: it exists and is no page of figures; add --force");
         Files.delete(folder.resolve("index.html"));
-        Files.writeString(folder.resolve("5.3-blaze-full-0.png"), "mine");
+        Files.writeString(folder.resolve("5.5-blaze-full-0.png"), "mine");
         Complaint.assertThatIt(
                 workplace.command(DRAW.split(" ", -1)).run(),
                 Complaint.CANNOT_WRITE,
-                "cannot write f/5.3-blaze-full-0.png: it exists, with other parameters; add --force");
-        assertThat(folder.resolve("5.3-blaze-full-0.png")).hasContent("mine");
+                "cannot write f/5.5-blaze-full-0.png: it exists, with other parameters; add --force");
+        assertThat(folder.resolve("5.5-blaze-full-0.png")).hasContent("mine");
         assertThat(folder).isDirectoryNotContaining(file -> file.toString().endsWith(".part"));
     }
 

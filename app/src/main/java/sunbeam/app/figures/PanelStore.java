@@ -30,7 +30,9 @@ final class PanelStore {
 
     /** The texts of a panel's picture where it is there. */
     Optional<Map<String, String>> finished(Panel panel) {
-        return PictureParameters.find(panel.file(folder), hash(panel));
+        Path file = panel.file(folder);
+        // Without a file there is no need to load the patch.
+        return Files.exists(file) ? PictureParameters.find(file, hash(panel)) : Optional.empty();
     }
 
     /**
