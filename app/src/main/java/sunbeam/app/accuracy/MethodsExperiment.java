@@ -12,6 +12,7 @@ import sunbeam.precompute.analysis.PeriodFinder;
 import sunbeam.precompute.analysis.Periodicity;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.plan.PlanException;
 import sunbeam.precompute.plan.PlanRequest;
 import sunbeam.precompute.plan.Tolerances;
 import sunbeam.precompute.resample.PeriodInterpolation;
@@ -38,7 +39,7 @@ final class MethodsExperiment implements Experiment {
             try {
                 entries.add(
                         subject.methods().measure(name, full(), Requests.withTolerance(tolerance), MethodsFigure.FULL));
-            } catch (GraphicsException tooLarge) {
+            } catch (GraphicsException | PlanException tooLarge) {
                 remarks.add(name + " was not measured: " + tooLarge.getMessage() + ".");
             }
         }

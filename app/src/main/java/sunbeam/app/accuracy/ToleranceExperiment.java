@@ -10,6 +10,7 @@ import sunbeam.app.certificate.ErrorStatistics;
 import sunbeam.app.directions.DirectionsRenderer.Query;
 import sunbeam.app.plot.Plot.Axis;
 import sunbeam.precompute.plan.Plan;
+import sunbeam.precompute.plan.PlanException;
 import sunbeam.precompute.plan.PlanRequest;
 import sunbeam.precompute.table.FourierTable;
 
@@ -32,7 +33,7 @@ final class ToleranceExperiment implements Experiment {
                 double[][] errors = errors(subject, Requests.withTolerance(tolerance));
                 power.add(tolerance, errors[0]);
                 color.add(tolerance, errors[1]);
-            } catch (GraphicsException tooLarge) {
+            } catch (GraphicsException | PlanException tooLarge) {
                 remarks.add("Tolerance " + ErrorFigure.number(tolerance) + " was not measured: " + tooLarge.getMessage()
                         + ".");
             }

@@ -1,0 +1,189 @@
+package sunbeam.app.viewer;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assumptions.assumeFalse;
+
+import java.awt.Component;
+import java.awt.GraphicsEnvironment;
+import java.awt.Point;
+import java.awt.Robot;
+import java.awt.event.InputEvent;
+import java.awt.image.BufferedImage;
+import java.nio.file.Path;
+import java.util.Map;
+import java.util.concurrent.Callable;
+import java.util.concurrent.FutureTask;
+import javax.swing.SwingUtilities;
+import jrtr.scene.Camera;
+import org.joml.Vector3f;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import sunbeam.app.cli.Environment;
+import sunbeam.app.scene.Blend;
+import sunbeam.app.scene.Pick;
+import sunbeam.app.scene.Scene;
+import sunbeam.app.scene.SceneLight;
+import sunbeam.app.scene.Scenes;
+import sunbeam.app.scene.Viewpoint;
+import sunbeam.precompute.patch.PatchRequest;
+
+/** A viewer in a real window, and a robot's hands. */
+@Timeout(120)
+abstract class ViewerInAWindow {
+    static final long PATIENCE_MILLISECONDS = 60_000;
+
+    // Far enough to see all of the cylinder with background around it.
+    private static final float EYE = 0.8f;
+
+    @TempDir
+    Path folder;
+
+    Viewer viewer;
+    Robot robot;
+
+    @BeforeEach
+    void open() throws Exception {
+        assumeFalse(GraphicsEnvironment.isHeadless(), "no DISPLAY: windows cannot be tested");
+        robot = new Robot();
+        robot.setAutoDelay(10);
+        viewer = ViewerStart.open(scene(), environment(), line -> {});
+        onEvents(() -> {
+            viewer.window().setBounds(0, 0, 620, 420);
+            viewer.toggleMap();
+            return null;
+        });
+        awaitFinal();
+    }
+
+    /** A cylinder of a coarse grating: a silhouette that turns, and a method that takes milliseconds. */
+    static Scene scene() {
+        Scene elaphe = Scenes.load("elaphe");
+        Camera camera = new Camera(new Vector3f(0, -EYE, 0.7f * EYE), new Vector3f(0, 0, 0.1f), new Vector3f(0, 0, 1));
+        return elaphe.withMesh("cylinder")
+                .withView(new Viewpoint(camera, Math.toRadians(30)))
+                .withPatch(PatchRequest.of("blaze"))
+                .withPlan(PlanChange.tolerance(elaphe.plan(), 0.05))
+                .withTexture("none")
+                .withBlend(new Blend(30, 0.5, 0.9, 0.1))
+                .withLight(new SceneLight(new Vector3f(0.3f, 0.25f, 0.9f), 1));
+    }
+
+    @AfterEach
+    void close() throws Exception {
+        if (viewer != null) {
+            onEvents(() -> {
+                viewer.quit();
+                return null;
+            });
+            viewer.awaitEnd(PATIENCE_MILLISECONDS);
+        }
+    }
+
+    /** Moves the mouse to a point of the picture's middle row and returns it. */
+    Point middle(int right) throws Exception {
+        PictureView view = viewer.window().picture();
+        Point corner = onEvents(view::getLocationOnScreen);
+        Point point = new Point(corner.x + view.getWidth() / 2 + right, corner.y + view.getHeight() / 2);
+        robot.mouseMove(point.x, point.y);
+        return point;
+    }
+
+    /** Picks the point of the skin in the picture's middle. */
+    Pick doubleClick() throws Exception {
+        // Far from the last click, or else this one is the third of a row.
+        middle(-80);
+        robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
+        robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
+        middle(0);
+        for (int click = 0; click < 2; click++) {
+            robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
+            robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
+        }
+        robot.waitForIdle();
+        awaitFinal();
+        await(() -> onEvents(() -> viewer.inspector().point().isPresent()));
+        return onEvents(() -> viewer.inspector().point().orElseThrow().pick());
+    }
+
+    <T extends Component> T control(String name, Class<T> type) {
+        for (Component child : viewer.window().controls().getComponents()) {
+            if (name.equals(child.getName())) {
+                return type.cast(child);
+            }
+        }
+        throw new AssertionError("there is no control " + name);
+    }
+
+    Environment environment() {
+        return new Environment(Map.of("XDG_CACHE_HOME", folder.toString()), folder);
+    }
+
+    void drag(int button) throws Exception {
+        Point from = middle(0);
+        int x = from.x;
+        int y = from.y;
+        robot.mousePress(button);
+        for (int step = 1; step <= 8; step++) {
+            robot.mouseMove(x + 5 * step, y - 4 * step);
+        }
+        robot.mouseRelease(button);
+        robot.waitForIdle();
+    }
+
+    void awaitFinal() throws Exception {
+        // A change that has just been made needs a moment to be taken up: the loop waits 150 ms for more of them.
+        robot.delay(100);
+        await(() -> onEvents(() -> {
+            PictureView view = viewer.window().picture();
+            return view.isFinal()
+                    && viewer.isSettled()
+                    && view.picture().orElseThrow().getWidth() == view.pictureWidth();
+        }));
+    }
+
+    static void await(Callable<Boolean> condition) throws Exception {
+        long end = System.currentTimeMillis() + PATIENCE_MILLISECONDS;
+        while (!condition.call()) {
+            assertThat(System.currentTimeMillis()).as("waited too long").isLessThan(end);
+            Thread.sleep(20);
+        }
+    }
+
+    BufferedImage picture() throws Exception {
+        return onEvents(() -> viewer.window().picture().picture().orElseThrow());
+    }
+
+    /** Pixels that differ, in colour or in whether they show the background. */
+    static int different(BufferedImage one, BufferedImage other, boolean silhouette) {
+        assertThat(other.getWidth()).isEqualTo(one.getWidth());
+        assertThat(other.getHeight()).isEqualTo(one.getHeight());
+        int background = 0xff000000 | scene().background().rgb();
+        int count = 0;
+        for (int y = 0; y < one.getHeight(); y++) {
+            for (int x = 0; x < one.getWidth(); x++) {
+                int a = one.getRGB(x, y);
+                int b = other.getRGB(x, y);
+                boolean differs = silhouette ? (a == background) != (b == background) : a != b;
+                count += differs ? 1 : 0;
+            }
+        }
+        return count;
+    }
+
+    static int shownPixels(BufferedImage image) {
+        BufferedImage empty = new BufferedImage(image.getWidth(), image.getHeight(), BufferedImage.TYPE_INT_RGB);
+        int background = scene().background().rgb();
+        for (int i = 0; i < empty.getWidth() * empty.getHeight(); i++) {
+            empty.setRGB(i % empty.getWidth(), i / empty.getWidth(), background);
+        }
+        return different(image, empty, true);
+    }
+
+    static <T> T onEvents(Callable<T> work) throws Exception {
+        FutureTask<T> task = new FutureTask<>(work);
+        SwingUtilities.invokeLater(task);
+        return task.get();
+    }
+}

@@ -1,0 +1,132 @@
+package sunbeam.app.viewer;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.awt.Component;
+import java.awt.Frame;
+import java.awt.image.BufferedImage;
+import java.nio.file.Path;
+import javax.swing.JComboBox;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JTextField;
+import jrtr.GraphicsException;
+import org.junit.jupiter.api.Test;
+import sunbeam.app.scene.Scene;
+
+/** The viewer's panel, its trouble and its end, in a real window. */
+final class ViewerLifeWindowTest extends ViewerInAWindow {
+    @Test
+    void withoutOpenGLALabelSaysWhy() throws Exception {
+        Viewer blind = onEvents(() -> {
+            Viewer made = new Viewer(scene(), (next, previous) -> null, () -> {
+                throw new GraphicsException("no OpenGL 3.3 here");
+            });
+            made.start();
+            return made;
+        });
+        assertThatThrownBy(() -> blind.firstPicture().await()).hasMessageContaining("no OpenGL 3.3 here");
+        onEvents(() -> {
+            JLabel label = (JLabel) blind.window().picture().getComponent(0);
+            assertThat(label.isVisible()).isTrue();
+            assertThat(label.getText()).contains("no OpenGL 3.3 here");
+            blind.quit();
+            return null;
+        });
+        blind.awaitEnd(PATIENCE_MILLISECONDS);
+    }
+
+    @Test
+    void aMeasurementDragsTheLightAndReports() throws Exception {
+        Scene before = onEvents(() -> viewer.model().scene());
+        assertThat(ViewMeasurement.of(viewer, 1)).contains("frames per second", "from input to screen");
+        assertThat(onEvents(() -> viewer.model().scene()).light()).isNotEqualTo(before.light());
+    }
+
+    @Test
+    void aPatchThatFailsToLoadLeavesTheOldOneAndSaysWhy() throws Exception {
+        Path missing = folder.resolve("missing.json");
+        onEvents(() -> {
+            viewer.files().loadPatch(missing);
+            return null;
+        });
+        await(() -> onEvents(() -> viewer.model().scene().patch().patch().equals("blaze")));
+        awaitFinal();
+        assertThat(onEvents(() -> viewer.window().status().text())).contains("missing.json");
+    }
+
+    @Test
+    void aWindowOfNoSizeAndAMinimisedOneComeBack() throws Exception {
+        onEvents(() -> {
+            viewer.window().setMinimumSize(null);
+            viewer.window().setSize(1, 1);
+            return null;
+        });
+        robot.delay(300);
+        onEvents(() -> {
+            viewer.window().setExtendedState(Frame.ICONIFIED);
+            return null;
+        });
+        robot.delay(200);
+        onEvents(() -> {
+            viewer.window().setExtendedState(Frame.NORMAL);
+            viewer.window().setSize(560, 380);
+            return null;
+        });
+        robot.delay(300);
+        awaitFinal();
+        assertThat(picture().getWidth())
+                .isEqualTo(onEvents(() -> viewer.window().picture().getWidth()));
+    }
+
+    @Test
+    void closedDuringAComputationItEndsAtTheNextTile() throws Exception {
+        onEvents(() -> {
+            viewer.window().setSize(1100, 800);
+            viewer.model().change(scene -> scene.withPlan(PlanChange.tolerance(scene.plan(), 1e-4)));
+            return null;
+        });
+        robot.delay(400);
+        onEvents(() -> {
+            viewer.quit();
+            return null;
+        });
+        viewer.awaitEnd(PATIENCE_MILLISECONDS);
+        assertThat(viewer.hasEnded()).isTrue();
+    }
+
+    @Test
+    void everyControlHasATooltip() throws Exception {
+        onEvents(() -> {
+            for (Component child : viewer.window().controls().getComponents()) {
+                assertThat(((JComponent) child).getToolTipText())
+                        .as("%s", child)
+                        .isNotBlank();
+            }
+            return null;
+        });
+    }
+
+    @Test
+    void methodsAreChosenInThePanelAndOneThatCannotBeUsedIsRefused() throws Exception {
+        BufferedImage full = picture();
+        for (MethodChoice choice : new MethodChoice[] {MethodChoice.NMM, MethodChoice.PQ_LINEAR, MethodChoice.GEM}) {
+            onEvents(() -> {
+                control("method", JComboBox.class).setSelectedItem(choice);
+                return null;
+            });
+            await(() -> onEvents(() ->
+                    MethodChoice.of(viewer.model().loaded().orElseThrow().fine().scene()) == choice));
+            awaitFinal();
+        }
+        assertThat(different(full, picture(), false)).as("gem is another model").isPositive();
+        onEvents(() -> {
+            JTextField spacing = control("spacing", JTextField.class);
+            spacing.setText("2 parsec");
+            spacing.postActionEvent();
+            return null;
+        });
+        assertThat(onEvents(() -> viewer.window().status().text())).contains("spacing of the lines", "parsec");
+    }
+}
