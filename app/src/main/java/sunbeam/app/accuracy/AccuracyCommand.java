@@ -46,7 +46,7 @@ public final class AccuracyCommand implements Callable<Integer> {
     private static final SampleCounts USUAL = new SampleCounts(300, 32, 3);
     private static final SampleCounts QUICK = new SampleCounts(120, 10, 3);
     private static final int USUAL_MAP = 128;
-    private static final int QUICK_MAP = 64;
+    private static final int QUICK_MAP = 128;
 
     private final Environment environment;
 

@@ -50,9 +50,8 @@ record AccuracyPage(
             ## Where each method stands
 
             Error of X, Y, Z against `reference` (Gaussian window) on the same directions, and time per pixel of a BRDF map lit
-            from the normal, from the same plan: the fastest of five frames after one, since other work on the machine only adds.
-            Where there is much of it, times still err by a factor; `./sunbeam benchmark` on an idle machine tells more. `nmm` takes one wavelength per
-            diffraction order; it is meant for patches of one period, on larger ones the orders overlap. `pq` replaces the
+            from the normal, with the plan that such a map needs: the fastest of three frames after one, since other work on
+            the machine only adds. `./sunbeam benchmark` times larger maps. `nmm` takes one wavelength per diffraction order; it is meant for patches of one period, on larger ones the orders overlap. `pq` replaces the
             Gaussian window by replicas with sharp edges, whose light falls between the orders differently: its error here is
             that of the model. Against the exact sum over the replicas, which `brdf-map --method pq --certify N` takes, `sinc` errs
             by 1e-4 and less; `linear` loses light between the bins of the DFT (docs/methods.md). `gem` knows a grating's spacing and nothing else.

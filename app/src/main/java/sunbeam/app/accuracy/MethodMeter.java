@@ -1,11 +1,9 @@
 package sunbeam.app.accuracy;
 
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
-import java.util.stream.Stream;
 import jrtr.RenderContext;
 import sunbeam.app.accuracy.MethodsFigure.Entry;
 import sunbeam.app.accuracy.ReferenceSamples.Color;
@@ -21,15 +19,14 @@ import sunbeam.app.setup.DiffractionSetup;
 import sunbeam.app.setup.MethodFactory;
 import sunbeam.app.setup.MethodRequest;
 import sunbeam.precompute.optics.Direction;
-import sunbeam.precompute.optics.Geometry;
 import sunbeam.precompute.plan.PlanRequest;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.table.FourierTable;
 
-/** Measures error and time of methods on one patch: both of the very same textures and shaders' plan. */
+/** Measures error and time of methods on one patch, each with a plan for what is drawn. */
 final class MethodMeter {
     private static final Direction NORMAL = new Direction(0, 0, 1);
-    private static final int FRAMES = 5;
+    private static final int FRAMES = 3;
 
     private final RenderContext context;
     private final Subject subject;
@@ -51,30 +48,31 @@ final class MethodMeter {
         List<Color> colors = subject.samplesFor(request).colors();
         List<Query> queries = colors.stream().map(Color::query).toList();
         DiffractionSetup setup = subject.setup();
-        MethodFactory factory = new MethodFactory(setup, method, request, range(queries));
+        MethodFactory factory = new MethodFactory(
+                setup,
+                method,
+                request,
+                VisibleRange.of(queries.stream().map(Query::geometry).toList()));
         Optional<FourierTable> table = factory.plan().map(setup::freshTable);
+        ErrorStatistics errors;
         try (DiffractionMethod drawn = factory.create(context, MethodUse.COLOUR, table)) {
             double[][] xyz = evaluate(drawn, queries);
             if (method.kind() == MethodKind.GEM) {
                 scale(xyz, colors);
             }
-            FrameTimer.Timing timing = new FrameTimer(context, mapSize, FRAMES).time(drawn, NORMAL);
-            return new Entry(name, errors(xyz, colors), timing.fastestMicrosecondsPerPixel(), note);
+            errors = errors(xyz, colors);
         }
+        return new Entry(name, errors, time(method, request), note);
     }
 
-    /** What is evaluated, and all of a map lit from the normal. */
-    private static VisibleRange range(List<Query> queries) {
-        List<Geometry> geometries =
-                new ArrayList<>(queries.stream().map(Query::geometry).toList());
-        Stream.of(
-                        NORMAL,
-                        Direction.ofDisc(1, 0),
-                        Direction.ofDisc(-1, 0),
-                        Direction.ofDisc(0, 1),
-                        Direction.ofDisc(0, -1))
-                .forEach(view -> geometries.add(new Geometry(NORMAL, view)));
-        return VisibleRange.of(geometries);
+    /** Time per pixel of a map lit from the normal, microseconds, by a plan for that map: what a scene would draw with. */
+    private double time(MethodRequest method, PlanRequest request) {
+        DiffractionSetup setup = subject.setup();
+        MethodFactory factory = new MethodFactory(setup, method, request, VisibleRange.of(NORMAL));
+        Optional<FourierTable> table = factory.plan().map(setup::freshTable);
+        try (DiffractionMethod drawn = factory.create(context, MethodUse.COLOUR, table)) {
+            return new FrameTimer(context, mapSize, FRAMES).time(drawn, NORMAL).fastestMicrosecondsPerPixel();
+        }
     }
 
     private double[][] evaluate(DiffractionMethod method, List<Query> queries) {
