@@ -10,7 +10,8 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Machines that cannot draw. (Neither a display nor Xvfb: {@link LauncherScreenTest}; shaders: jrtr's tests.) */
+/** Machines that cannot draw. (Neither a display nor Xvfb: {@link LauncherScreenTest}; shaders: {@link
+ * BrokenShaderTest}.) */
 class NoGraphicsTest {
     @TempDir
     Path root;

@@ -65,6 +65,12 @@ public final class Sunbeam {
         return this;
     }
 
+    /** Lets another program start it, one that takes a command line as its last arguments. */
+    Sunbeam startedBy(List<String> program) {
+        commandLine.addAll(0, program);
+        return this;
+    }
+
     /** Sets an environment variable. */
     public Sunbeam with(String variable, String value) {
         environment.put(variable, value);

@@ -25,7 +25,6 @@ import sunbeam.app.output.PngWriter;
 import sunbeam.app.setup.DiffractionSetup;
 import sunbeam.app.setup.PatchOptions;
 import sunbeam.app.setup.PlanOptions;
-import sunbeam.precompute.evaluation.ResponseGrid;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.PlanRequest;
 
@@ -58,6 +57,7 @@ public final class EvaluateCommand implements Callable<Integer> {
             names = "--method",
             paramLabel = "METHOD",
             defaultValue = "full",
+            converter = ResponseMethodConverter.class,
             description = "full (default): one fragment for each angle and wavelength, through the shader code that"
                     + " draws the maps. nmm, pq: the thesis's other methods. bins: the sums of full in double precision"
                     + " on the processor. reference: direct sums over the surface; exact, for a few hundred"
@@ -126,7 +126,7 @@ public final class EvaluateCommand implements Callable<Integer> {
         Evaluation evaluation = Evaluation.of(
                 setup, gratingOptions.request(), request, method, quantity, planned -> planOptions.print(planned, err));
         GratingTarget target = evaluation.target();
-        Map<String, Object> report = describe(setup, target, evaluation.grid());
+        Map<String, Object> report = describe(setup, evaluation);
         report.putAll(EvaluationReport.tree(evaluation.measurement()));
         String title = evaluation.title();
         out.println(title);
@@ -152,7 +152,10 @@ public final class EvaluateCommand implements Callable<Integer> {
             if (all.sorted().length > 0) {
                 written.add(files.path("-positions.png"));
                 PngWriter.write(
-                        files.path("-positions.png"), overwrite, PositionFiles.draw(title, all), text(setup, title));
+                        files.path("-positions.png"),
+                        overwrite,
+                        PositionFiles.draw(title, all),
+                        text(setup, title, Responses.Method.BINS));
             }
         }
         MatrixFiles.writeCsv(files.path(".csv"), overwrite, evaluation.response());
@@ -162,12 +165,14 @@ public final class EvaluateCommand implements Callable<Integer> {
                 overwrite,
                 stream -> stream.write(
                         new ObjectMapper().writerWithDefaultPrettyPrinter().writeValueAsBytes(report)));
-        PngWriter.write(files.path(".png"), overwrite, evaluation.plot(), text(setup, title));
+        Map<String, String> text = text(setup, title, method);
+        evaluation.plan().ifPresent(plan -> text.put("Plan", plan));
+        PngWriter.write(files.path(".png"), overwrite, evaluation.plot(), text);
         List.of(".csv", ".npy", ".json", ".png").forEach(ending -> written.add(files.path(ending)));
         written.forEach(out::println);
     }
 
-    private Map<String, Object> describe(DiffractionSetup setup, GratingTarget target, ResponseGrid grid) {
+    private Map<String, Object> describe(DiffractionSetup setup, Evaluation evaluation) {
         Map<String, Object> report = new LinkedHashMap<>();
         report.put("program", "Sunbeam " + Version.number());
         report.put("patch", setup.patch().name());
@@ -175,21 +180,22 @@ public final class EvaluateCommand implements Callable<Integer> {
         report.put("method", method.name().toLowerCase(Locale.ROOT));
         report.put("quantity", quantity.name().toLowerCase(Locale.ROOT));
         report.put("options", planOptions.describe());
+        evaluation.plan().ifPresent(plan -> report.put("plan", plan));
         report.put(
                 "average",
                 planOptions.request().average().orElse(Average.COHERENT).name().toLowerCase(Locale.ROOT));
         report.put("window_origin", planOptions.request().windowOrigin().name().toLowerCase(Locale.ROOT));
         report.put("coherence_length_m", planOptions.request().window().coherenceLength());
-        report.putAll(EvaluationReport.tree(grid));
-        report.put("heights", EvaluationReport.tree(target.heights()));
+        report.putAll(EvaluationReport.tree(evaluation.grid()));
+        report.put("heights", EvaluationReport.tree(evaluation.target().heights()));
         return report;
     }
 
-    private Map<String, String> text(DiffractionSetup setup, String title) {
+    private Map<String, String> text(DiffractionSetup setup, String title, Responses.Method by) {
         Map<String, String> text = new LinkedHashMap<>();
         text.put("Title", title);
         text.put("Patch", setup.patch().source());
-        text.put("Method", method.name().toLowerCase(Locale.ROOT));
+        text.put("Method", by.name().toLowerCase(Locale.ROOT));
         text.put("Options", planOptions.describe());
         return text;
     }

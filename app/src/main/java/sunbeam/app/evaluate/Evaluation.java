@@ -1,6 +1,7 @@
 package sunbeam.app.evaluate;
 
 import java.awt.image.BufferedImage;
+import java.util.Optional;
 import java.util.function.Consumer;
 import sunbeam.app.setup.DiffractionSetup;
 import sunbeam.app.setup.MethodFactory;
@@ -93,6 +94,11 @@ public final class Evaluation {
 
     ResponseMatrix response() {
         return response;
+    }
+
+    /** One line: what was planned for the shader; nothing for methods that need no plan. */
+    Optional<String> plan() {
+        return responses.plan();
     }
 
     Responses responses() {

@@ -2,6 +2,7 @@ package sunbeam.app.evaluate;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.stream.IntStream;
 import jrtr.RenderContext;
@@ -33,6 +34,7 @@ final class Responses {
     private final PlanRequest request;
     private final ResponseGrid grid;
     private final Consumer<MethodFactory> planned;
+    private String plan;
 
     /** Who evaluates. */
     enum Method {
@@ -62,6 +64,11 @@ final class Responses {
             case PQ -> onGpu(MethodKind.PQ);
             case BINS -> bins();
         };
+    }
+
+    /** One line: the plan of the last {@link #power} on the GPU; nothing for methods without a plan. */
+    Optional<String> plan() {
+        return Optional.ofNullable(plan);
     }
 
     private boolean ensemble() {
@@ -112,6 +119,7 @@ final class Responses {
             directions.add(grid.plane().geometry(angle));
         }
         MethodFactory factory = new MethodFactory(setup, MethodRequest.of(kind), request, VisibleRange.of(directions));
+        plan = factory.summary();
         planned.accept(factory);
         long count = (long) grid.wavelengths().length * directions.size();
         try (RenderContext context = RenderContexts.offscreen();

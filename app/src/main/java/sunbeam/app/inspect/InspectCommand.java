@@ -69,6 +69,7 @@ public final class InspectCommand implements Callable<Integer> {
         Map<String, String> text = new LinkedHashMap<>();
         text.put("Title", "Inspection of " + loaded.name());
         text.put("Patch", loaded.source());
+        text.put("Plan", inspection.plan().summary());
         PngWriter.write(picture, force.overwrite(), new InspectionSheet(inspection).draw(), text);
         out.println(picture);
         return ExitCode.OK.code();

@@ -80,7 +80,7 @@ public final class DiffractionSetup {
         return new Planner(patch.heights(), heights, cie).plan(request, range);
     }
 
-    /** What the user fixed of a plan that breaks its tolerance, one line each. */
+    /** What of a plan breaks its tolerance, one line each. */
     public List<String> warnings(Plan plan) {
         return new Planner(patch.heights(), heights, cie).warnings(plan);
     }

@@ -97,7 +97,7 @@ public final class MethodFactory {
         };
     }
 
-    /** What the user fixed that breaks the tolerance, one line each. */
+    /** What breaks the tolerance, one line each. */
     public List<String> warnings() {
         return method.kind() == MethodKind.FULL ? setup.warnings(plan) : List.of();
     }

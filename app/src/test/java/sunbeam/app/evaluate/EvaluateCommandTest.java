@@ -22,10 +22,12 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.app.Sunbeam;
 import sunbeam.app.cli.Environment;
+import sunbeam.app.input.PngText;
 
-/** Without graphics: method {@code bins}. */
+/** Method {@code bins}, without graphics, where a test does not name another. */
 final class EvaluateCommandTest {
     @TempDir
     private Path folder;
@@ -34,8 +36,11 @@ final class EvaluateCommandTest {
     private final StringWriter err = new StringWriter();
 
     private int run(String... arguments) {
-        List<String> all = new ArrayList<>(List.of("evaluate", "--method", "bins"));
+        List<String> all = new ArrayList<>(List.of("evaluate"));
         all.addAll(List.of(arguments));
+        if (!all.contains("--method")) {
+            all.addAll(List.of("--method", "bins"));
+        }
         if (!all.contains("--wavelengths")) {
             all.addAll(List.of("--wavelengths", "380:780:20"));
         }
@@ -67,6 +72,48 @@ final class EvaluateCommandTest {
         assertThat(report.at("/heights/period_nm").doubleValue()).isCloseTo(2500, within(1e-6));
         assertThat(out.toString()).contains("blaze, light at 75 degrees, azimuth 0 degrees", "2500.3");
         assertThat(files()).containsExactly("result.csv", "result.json", "result.npy", "result.png");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"full", "nmm", "pq"})
+    void thePlanStandsInTheFigures(String method) throws IOException {
+        String[] few = {"--wavelengths", "400:700:100", "--angles", "-56:-42:0.15"};
+        assertThat(run(Stream.concat(Stream.of("--patch", "blaze", "--method", method), Stream.of(few))
+                        .toArray(String[]::new)))
+                .as(err.toString())
+                .isZero();
+        String plan = report().at("/plan").textValue();
+        assertThat(err.toString().lines()).contains("plan: " + plan);
+        assertThat(PngText.read(folder.resolve("result.png"))).containsEntry("Plan", plan);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"bins", "reference"})
+    void whereNothingIsPlannedThereIsNoPlan(String method) throws IOException {
+        String[] few = {"--wavelengths", "400:700:100", "--angles", "-56:-42:0.15"};
+        assertThat(run(Stream.concat(Stream.of("--patch", "blaze", "--method", method), Stream.of(few))
+                        .toArray(String[]::new)))
+                .as(err.toString())
+                .isZero();
+        assertThat(report().has("plan")).isFalse();
+        assertThat(PngText.read(folder.resolve("result.png")))
+                .containsEntry("Method", method)
+                .doesNotContainKey("Plan");
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "gem|gem has colours but no power at a wavelength, so there is no response to evaluate",
+                "magic|is no method; give"
+            })
+    void aMethodWithoutResponseIsRefused(String method, String reason) throws IOException {
+        assertThat(run("--patch", "blaze", "--method", method)).isEqualTo(2);
+        assertThat(err.toString())
+                .contains("--method", reason, "give one of reference, full, nmm, pq, bins")
+                .hasLineCount(1);
+        assertThat(files()).isEmpty();
     }
 
     @Test

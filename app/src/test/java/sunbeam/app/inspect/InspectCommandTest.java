@@ -16,6 +16,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import sunbeam.app.Sunbeam;
 import sunbeam.app.cli.Environment;
+import sunbeam.app.input.PngText;
 
 final class InspectCommandTest {
     @TempDir
@@ -63,6 +64,14 @@ final class InspectCommandTest {
         BufferedImage sheet = ImageIO.read(new File(picture()));
         assertThat(sheet.getWidth()).isGreaterThan(1000);
         assertThat(sheet.getHeight()).isGreaterThan(1000);
+    }
+
+    @Test
+    void thePictureCarriesThePlanThatIsPrinted() {
+        assertThat(run("inspect", "sinusoid", "--output", picture())).isZero();
+        Map<String, String> text = PngText.read(Path.of(picture()));
+        assertThat(text.get("Plan")).contains("terms");
+        assertThat(out.toString().lines()).contains("plan      " + text.get("Plan"));
     }
 
     @Test

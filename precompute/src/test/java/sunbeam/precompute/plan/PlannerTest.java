@@ -173,6 +173,30 @@ class PlannerTest {
                 .contains("wavelengths 5 nm apart", "--wavelength-step 1.1nm");
     }
 
+    @Test
+    void whatFloat32KeepsInTheMedianOnlyIsToldOf() {
+        PlanRequest ordinary = request(Optional.empty(), 0, OptionalInt.empty(), 65e-6, 0);
+        assertThat(warnings(withTolerance(ordinary, 1e-5)))
+                .singleElement()
+                .asString()
+                .contains("tolerance 1e-5 in the median", "4.2e-5 at the 95th percentile", "--method reference");
+        assertThat(warnings(withTolerance(ordinary, 2e-5))).isEmpty();
+    }
+
+    private static PlanRequest withTolerance(PlanRequest request, double tolerance) {
+        return new PlanRequest(
+                request.preset(),
+                tolerance,
+                request.expansion(),
+                request.terms(),
+                request.radius(),
+                request.anchor(),
+                request.wavelengthStep(),
+                request.origin(),
+                request.coherenceLength(),
+                request.average());
+    }
+
     private static List<String> warnings(PlanRequest request) {
         Planner planner = planner(64, 400e-9);
         return planner.warnings(planner.plan(request, MAP));
