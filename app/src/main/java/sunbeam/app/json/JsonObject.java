@@ -131,6 +131,11 @@ public final class JsonObject {
                 "%s, line %d: %s: %s".formatted(file, value.line(), Quoted.of(path + key), Quoted.oneLine(problem)));
     }
 
+    /** As {@link #complaint(String, JsonValue, String)}; where the key is not there, with the object's line. */
+    public InputException complaint(String key, String problem) {
+        return complaint(key, members.members().getOrDefault(key, members), problem);
+    }
+
     /**
      * The result of an action, whose IllegalArgumentException becomes a complaint about this key, or where it is not there,
      * about the object.
@@ -139,7 +144,7 @@ public final class JsonObject {
         try {
             return action.get();
         } catch (IllegalArgumentException wrong) {
-            throw complaint(key, members.members().getOrDefault(key, members), wrong.getMessage());
+            throw complaint(key, wrong.getMessage());
         }
     }
 

@@ -7,8 +7,21 @@ import sunbeam.app.scene.SceneData;
 import sunbeam.app.scene.SceneWriter;
 
 /** What a picture says of itself in its text chunks. */
-final class FrameText {
+public final class FrameText {
     private FrameText() {}
+
+    /**
+     * Of a picture of the loaded scene.
+     *
+     * @param supersample samples along a pixel's side
+     * @param exposure factor that the linear colours were multiplied by
+     * @param renderer who drew, GL_RENDERER
+     */
+    public static Map<String, String> of(
+            SceneData data, PictureSize size, int supersample, double exposure, String renderer) {
+        String identity = new FrameIdentity(data, size, supersample).of(data.scene());
+        return of(data, data.scene(), size, supersample, exposure, renderer, identity);
+    }
 
     static Map<String, String> of(
             SceneData data,

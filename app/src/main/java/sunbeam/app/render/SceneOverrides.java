@@ -132,6 +132,10 @@ public final class SceneOverrides {
     private PlanRequest plan(PlanRequest plan) {
         check("--tolerance", tolerance, Tolerances.FINEST, Tolerances.COARSEST);
         check("--coherence-length", coherenceLength, 100e-9, 10e-3);
+        if (tolerance != null && plan.isThesis()) {
+            throw new UsageException("--tolerance " + tolerance
+                    + " contradicts the scene's preset thesis, whose choices keep no tolerance; leave it out");
+        }
         return new PlanRequest(
                 plan.preset(),
                 tolerance == null ? plan.tolerance() : tolerance,

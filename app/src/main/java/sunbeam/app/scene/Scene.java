@@ -25,6 +25,7 @@ import sunbeam.precompute.plan.PlanRequest;
  * @param exposure factor of the linear picture, above 0; empty to choose it from the picture
  * @param blend weights of diffracted light and body
  * @param background behind the mesh, not exposed
+ * @param origin where patch and plan are written, for complaints
  */
 public record Scene(
         String title,
@@ -39,7 +40,8 @@ public record Scene(
         double rotatePatch,
         OptionalDouble exposure,
         Blend blend,
-        SceneColor background) {
+        SceneColor background,
+        SceneOrigin origin) {
 
     /** Copies; rejects rotations and exposures that are none. */
     public Scene {
@@ -74,7 +76,8 @@ public record Scene(
                 rotatePatch,
                 exposure,
                 blend,
-                background);
+                background,
+                origin);
     }
 
     /** The same with another patch. */
@@ -92,7 +95,8 @@ public record Scene(
                 rotatePatch,
                 exposure,
                 blend,
-                background);
+                background,
+                value.equals(patch) ? origin : origin.withoutPatch());
     }
 
     /** The same from elsewhere. */
@@ -110,7 +114,8 @@ public record Scene(
                 rotatePatch,
                 exposure,
                 blend,
-                background);
+                background,
+                origin);
     }
 
     /** The same with the mesh turned differently. */
@@ -128,7 +133,8 @@ public record Scene(
                 rotatePatch,
                 exposure,
                 blend,
-                background);
+                background,
+                origin);
     }
 
     /** The same under another light. */
@@ -146,7 +152,8 @@ public record Scene(
                 rotatePatch,
                 exposure,
                 blend,
-                background);
+                background,
+                origin);
     }
 
     /** The same with another texture. */
@@ -164,7 +171,8 @@ public record Scene(
                 rotatePatch,
                 exposure,
                 blend,
-                background);
+                background,
+                origin);
     }
 
     /** The same with another method and the plan that goes with it. */
@@ -182,7 +190,8 @@ public record Scene(
                 rotatePatch,
                 exposure,
                 blend,
-                background);
+                background,
+                method.equals(this.method) && plan.equals(this.plan) ? origin : origin.withoutPlan());
     }
 
     /** The same with another plan. */
@@ -200,7 +209,8 @@ public record Scene(
                 rotatePatch,
                 exposure,
                 blend,
-                background);
+                background,
+                value.equals(plan) ? origin : origin.withoutPlan());
     }
 
     /** The same with the nanostructure turned differently, radians. */
@@ -218,7 +228,8 @@ public record Scene(
                 value,
                 exposure,
                 blend,
-                background);
+                background,
+                origin);
     }
 
     /** The same with another exposure. */
@@ -236,7 +247,8 @@ public record Scene(
                 rotatePatch,
                 value,
                 blend,
-                background);
+                background,
+                origin);
     }
 
     /** The same with other weights. */
@@ -254,7 +266,8 @@ public record Scene(
                 rotatePatch,
                 exposure,
                 value,
-                background);
+                background,
+                origin);
     }
 
     /** The same before another background. */
@@ -272,6 +285,7 @@ public record Scene(
                 rotatePatch,
                 exposure,
                 blend,
-                value);
+                value,
+                origin);
     }
 }

@@ -29,9 +29,12 @@ public final class SceneLoader {
      * Loads everything.
      *
      * @throws sunbeam.app.mesh.MeshException if the mesh cannot be used
-     * @throws sunbeam.precompute.patch.PatchException if the patch cannot be used
-     * @throws sunbeam.app.input.InputException if the texture cannot be used
-     * @throws sunbeam.app.cli.UsageException if the method cannot be used with this patch or plan
+     * @throws sunbeam.app.input.InputException if the texture cannot be used, or what the scene's file says of patch,
+     *     method or plan; names file, line and key
+     * @throws sunbeam.precompute.patch.PatchException if a patch that is not from the scene's file cannot be used
+     * @throws sunbeam.app.cli.UsageException if a method that is not from the scene's file cannot be used with this patch
+     *     or plan
+     * @throws sunbeam.precompute.plan.PlanException if a plan that is not from the scene's file cannot be made
      */
     public SceneData load(Scene scene) {
         Mesh mesh = mesh(scene);
@@ -61,7 +64,7 @@ public final class SceneLoader {
     }
 
     private Patch patch(Scene scene) {
-        Patch patch = PatchOptions.load(scene.patch());
+        Patch patch = scene.origin().patch(() -> PatchOptions.load(scene.patch()));
         patch.warnings().forEach(line -> warning.accept(patch.name() + ": " + line));
         return patch;
     }
@@ -69,7 +72,8 @@ public final class SceneLoader {
     /** Light and camera may move at any time, so that the plan holds for every pair of directions. */
     private SceneData withTables(Scene scene, Mesh mesh, BodyTexture body, Patch patch) {
         DiffractionSetup setup = new DiffractionSetup(patch, environment, warning);
-        MethodFactory method = new MethodFactory(setup, scene.method(), scene.plan(), VisibleRange.all());
+        MethodFactory method =
+                scene.origin().plan(() -> new MethodFactory(setup, scene.method(), scene.plan(), VisibleRange.all()));
         return new SceneData(scene, mesh, patch, method, method.plan().map(setup::table), body);
     }
 }

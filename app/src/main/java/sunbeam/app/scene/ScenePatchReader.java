@@ -1,18 +1,18 @@
 package sunbeam.app.scene;
 
 import java.util.Optional;
+import java.util.OptionalDouble;
 import sunbeam.app.json.JsonObject;
 import sunbeam.app.json.JsonValue;
 import sunbeam.precompute.patch.Channel;
 import sunbeam.precompute.patch.Levelling;
 import sunbeam.precompute.patch.PatchRequest;
 import sunbeam.precompute.patch.builtin.BuiltInPatches;
-import sunbeam.precompute.units.Lengths;
 
 /** The key {@code patch} of a scene: a name alone, or an object with a file and its scale. */
 final class ScenePatchReader {
-    private static final double SMALLEST = 1e-12;
-    private static final double LARGEST = 1;
+    /** Of float images that hold metres; how high the surface itself may be is judged with its samples. */
+    private static final double LARGEST_FULL_SCALE = 1;
 
     private final JsonObject root;
     private final SceneFolder folder;
@@ -30,9 +30,9 @@ final class ScenePatchReader {
         JsonObject patch = root.object("patch", "");
         PatchRequest request = new PatchRequest(
                 patch.parsed("file", patch.required("file", "\"scan.png\""), this::source),
-                length(patch, "width"),
-                length(patch, "height"),
-                length(patch, "maxHeight"),
+                side(patch, "width"),
+                side(patch, "height"),
+                length(patch, "maxHeight", PatchRequest.SMALLEST_MAX_HEIGHT, LARGEST_FULL_SCALE),
                 patch.parsed("channel", Channel::parse),
                 patch.parsed("levelling", Levelling::parse));
         patch.requireNoOthers();
@@ -43,14 +43,12 @@ final class ScenePatchReader {
         return folder.resolve(name, BuiltInPatches.names());
     }
 
-    private static Optional<Double> length(JsonObject patch, String key) {
-        return patch.parsed(key, text -> {
-            double metres = Lengths.parse(text);
-            if (!(metres >= SMALLEST && metres <= LARGEST)) {
-                throw new IllegalArgumentException(Lengths.format(metres) + " is out of range; give "
-                        + Lengths.format(SMALLEST) + " to " + Lengths.format(LARGEST));
-            }
-            return metres;
-        });
+    private static Optional<Double> length(JsonObject patch, String key, double least, double most) {
+        OptionalDouble metres = SceneValues.length(patch, key, least, most);
+        return metres.isPresent() ? Optional.of(metres.getAsDouble()) : Optional.empty();
+    }
+
+    private static Optional<Double> side(JsonObject patch, String key) {
+        return length(patch, key, PatchRequest.SHORTEST_SIDE, PatchRequest.LONGEST_SIDE);
     }
 }

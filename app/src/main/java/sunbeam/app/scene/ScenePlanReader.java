@@ -46,8 +46,14 @@ final class ScenePlanReader {
     }
 
     private PlanRequest read(MethodKind kind) {
+        PlanRequest.Preset preset =
+                SceneValues.word(plan, "preset", PlanRequest.Preset.class).orElse(PlanRequest.Preset.NONE);
+        if (preset == PlanRequest.Preset.THESIS && plan.has("tolerance")) {
+            throw plan.complaint(
+                    "tolerance", "contradicts preset thesis, whose choices keep no tolerance; remove one of them");
+        }
         PlanRequest request = new PlanRequest(
-                SceneValues.word(plan, "preset", PlanRequest.Preset.class).orElse(PlanRequest.Preset.NONE),
+                preset,
                 plan.number("tolerance", Tolerances.FINEST, Tolerances.COARSEST).orElse(Tolerances.STANDARD),
                 SceneValues.word(plan, "expansion", ExpansionKind.class),
                 SceneValues.integer(plan, "terms", 1, MOST_TERMS),

@@ -45,8 +45,9 @@ final class ScenePlanWriter {
         length("spacing", boxed(method.spacing()));
         if (plan.isThesis()) {
             word("preset", Optional.of(plan.preset()));
+        } else {
+            json.writeNumberField("tolerance", plan.tolerance());
         }
-        json.writeNumberField("tolerance", plan.tolerance());
         word("average", plan.average());
         word("expansion", plan.expansion());
         integer("terms", plan.terms());

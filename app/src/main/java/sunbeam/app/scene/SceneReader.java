@@ -60,7 +60,8 @@ public final class SceneReader {
                 root.parsed("rotatePatch", SceneUnits::angle).orElse(0.0),
                 exposure(),
                 blend(root.object("weights", "{ \"diffraction\": 20, \"texture\": 1 }")),
-                root.parsed("background", SceneColor::parse).orElse(new SceneColor(0)));
+                root.parsed("background", SceneColor::parse).orElse(new SceneColor(0)),
+                SceneOrigin.of(root));
         root.requireNoOthers();
         return scene;
     }

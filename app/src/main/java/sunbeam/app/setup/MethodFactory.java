@@ -73,9 +73,8 @@ public final class MethodFactory {
     private double spacing() {
         double width = setup.patch().heights().width();
         if (method.spacing().isEmpty() && width > WIDEST_PERIOD) {
-            throw new UsageException(
-                    "--method gem needs --spacing (in a scene: plan.spacing): a patch that is " + Lengths.format(width)
-                            + " wide is no single period; give the grating's, for example --spacing 1um");
+            throw new UsageException("--method gem needs --spacing: a patch that is " + Lengths.format(width)
+                    + " wide is no single period; give the grating's, for example --spacing 1um");
         }
         return method.spacing().orElse(width);
     }

@@ -6,9 +6,7 @@ import java.io.File;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.function.Consumer;
@@ -18,7 +16,10 @@ import javax.swing.JOptionPane;
 import javax.swing.TransferHandler;
 import sunbeam.app.output.Overwrite;
 import sunbeam.app.output.PngWriter;
+import sunbeam.app.render.FrameText;
+import sunbeam.app.render.PictureSize;
 import sunbeam.app.scene.Scene;
+import sunbeam.app.scene.SceneData;
 import sunbeam.app.scene.SceneReader;
 import sunbeam.app.scene.SceneWriter;
 import sunbeam.precompute.patch.PatchException;
@@ -31,6 +32,9 @@ final class FileActions {
     private final Consumer<Scene> loadedScene;
     private Path folder = Path.of("");
     private Path pictureWaiting;
+    private SceneData drawn;
+    private double drawnExposure;
+    private String renderer = "";
 
     /** @param loadedScene told of a scene that was read */
     FileActions(ViewerWindow window, ViewerModel model, Background background, Consumer<Scene> loadedScene) {
@@ -83,15 +87,29 @@ final class FileActions {
         ask("Save picture (.png)", JFileChooser.SAVE_DIALOG)
                 .map(file -> withEnding(file, ".png"))
                 .filter(this::mayWrite)
-                .ifPresent(file -> {
-                    pictureWaiting = file;
-                    window.status().message("the picture is saved once it is final");
-                    pictureIsFinal();
-                });
+                .ifPresent(this::savePicture);
+    }
+
+    /** Saves the picture as soon as it is final. */
+    void savePicture(Path file) {
+        pictureWaiting = file;
+        window.status().message("the picture is saved once it is final");
+        writeWaiting();
+    }
+
+    /** @param name who draws, GL_RENDERER */
+    void drawnBy(String name) {
+        renderer = name;
     }
 
     /** Saves a picture that was waiting for that. */
-    void pictureIsFinal() {
+    void pictureIsFinal(SceneData data, double exposure) {
+        drawn = data;
+        drawnExposure = exposure;
+        writeWaiting();
+    }
+
+    private void writeWaiting() {
         PictureView view = window.picture();
         if (pictureWaiting == null || !view.isFinal() || view.picture().isEmpty()) {
             return;
@@ -99,12 +117,12 @@ final class FileActions {
         Path file = pictureWaiting;
         pictureWaiting = null;
         var image = view.picture().get();
-        Map<String, String> text = new LinkedHashMap<>();
-        text.put("Title", model.scene().title());
-        text.put("Scene", SceneWriter.describe(model.scene()));
+        SceneData data = drawn;
+        double exposure = drawnExposure;
+        PictureSize size = new PictureSize(image.getWidth(), image.getHeight());
         run(
                 () -> {
-                    PngWriter.write(file, Overwrite.REPLACE, image, text);
+                    PngWriter.write(file, Overwrite.REPLACE, image, FrameText.of(data, size, 1, exposure, renderer));
                     return file;
                 },
                 saved -> window.status().message("saved " + saved));

@@ -18,8 +18,9 @@ final class PreviewPlan {
     private PreviewPlan() {}
 
     static PlanRequest of(MethodKind method, PlanRequest request) {
+        // With the thesis's preset nmm weighs no orders: another picture, not a finer one.
         return new PlanRequest(
-                PlanRequest.Preset.NONE,
+                method == MethodKind.NMM ? request.preset() : PlanRequest.Preset.NONE,
                 Math.max(TOLERANCE, request.tolerance()),
                 Optional.empty(),
                 OptionalInt.empty(),

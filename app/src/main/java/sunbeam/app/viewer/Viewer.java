@@ -247,7 +247,10 @@ final class Viewer {
     private final class FromRenderThread implements RenderListener {
         @Override
         public void opened(ContextInfo info) {
-            SwingUtilities.invokeLater(() -> window.status().renderer(info.renderer()));
+            SwingUtilities.invokeLater(() -> {
+                files.drawnBy(info.renderer());
+                window.status().renderer(info.renderer());
+            });
         }
 
         @Override
@@ -274,7 +277,7 @@ final class Viewer {
                 if (isFinal) {
                     completed = state;
                     window.status().complete(nanoseconds);
-                    files.pictureIsFinal();
+                    files.pictureIsFinal(state.fine(), exposure);
                     measure();
                 } else {
                     int divisor = (int) Math.ceil((double) state.width() / image.getWidth());

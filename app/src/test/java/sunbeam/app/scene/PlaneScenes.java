@@ -34,7 +34,8 @@ final class PlaneScenes {
                 0,
                 OptionalDouble.of(1),
                 DIFFRACTION_ONLY,
-                new SceneColor(0x204060));
+                new SceneColor(0x204060),
+                SceneOrigin.NONE);
     }
 
     static SceneData load(Scene scene, Path folder) {

@@ -16,6 +16,7 @@ import sunbeam.app.input.InputException;
 import sunbeam.app.output.OutputException;
 import sunbeam.app.output.Overwrite;
 import sunbeam.precompute.plan.Average;
+import sunbeam.precompute.plan.PlanRequest;
 
 class SceneFileTest {
     private static final String SCENE = """
@@ -85,6 +86,10 @@ class SceneFileTest {
                     "tolerance": 0.01    | "spacing": "1 um"   | line 7  | plan.spacing  | belongs to method gem
                     "tolerance": 0.01    | "method": "gem", "spacing": "1 cm" | line 7 | plan.spacing | out of range
                     "tolerance": 0.01    | "method": "pq", "replicas": 1.5 | line 7 | plan.replicas | whole number
+                    "tolerance": 0.01    | "tolerance": 0.01, "preset": "thesis" | line 7 | plan.tolerance | preset thesis
+                    "elaphe-like"        | {"file": "blaze", "width": "5 pm"} | line 3 | patch.width | 1 nm to 100 mm
+                    "elaphe-like"        | {"file": "blaze", "height": "500 mm"} | line 3 | patch.height | 1 nm to 100 mm
+                    "elaphe-like"        | {"file": "blaze", "maxHeight": "2 m"} | line 3 | patch.maxHeight | out of range
                     "exposure": 2        | "exposure": "two"  | line 9  | exposure      | auto
                     [0, 0, 2]            | [0, 0, 0]          | line 5  | light.direction | no direction
                     [0, 0, 2]            | [0, 0]             | line 5  | light.direction | 3 values
@@ -142,6 +147,16 @@ class SceneFileTest {
         SceneWriter.write(copy, Overwrite.REFUSE, scene);
         assertThat(SceneReader.read(copy)).isEqualTo(scene);
         assertThat(scene).isNotEqualTo(SceneReader.read(write(SCENE)));
+    }
+
+    @Test
+    void thesisScenesAreWrittenWithoutATolerance() throws IOException {
+        Scene planned = SceneReader.read(write(SCENE));
+        PlanRequest thesis = PlanRequest.of(PlanRequest.Preset.THESIS);
+        Path copy = folder.resolve("copy.json");
+        SceneWriter.write(copy, Overwrite.REFUSE, planned.withPlan(thesis));
+        assertThat(SceneReader.read(copy).plan().isThesis()).isTrue();
+        assertThat(copy).content().doesNotContain("tolerance");
     }
 
     @Test

@@ -140,7 +140,7 @@ class SceneMethodsTest {
         Scene skin = with(MethodRequest.of(MethodKind.GEM), Average.ENSEMBLE).withPatch(PatchRequest.of("elaphe-like"));
         assertThatThrownBy(() -> PlaneScenes.load(skin, folder))
                 .isInstanceOf(UsageException.class)
-                .hasMessageContaining("plan.spacing");
+                .hasMessageContaining("--spacing");
         MethodRequest reference = MethodRequest.of(MethodKind.REFERENCE);
         assertThatThrownBy(() -> with(reference, Average.ENSEMBLE))
                 .isInstanceOf(IllegalArgumentException.class)

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.awt.Component;
 import java.awt.Frame;
 import java.awt.image.BufferedImage;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import javax.swing.JComboBox;
 import javax.swing.JComponent;
@@ -13,6 +14,7 @@ import javax.swing.JLabel;
 import javax.swing.JTextField;
 import jrtr.GraphicsException;
 import org.junit.jupiter.api.Test;
+import sunbeam.app.input.PngText;
 import sunbeam.app.scene.Scene;
 
 /** The viewer's panel, its trouble and its end, in a real window. */
@@ -54,6 +56,27 @@ final class ViewerLifeWindowTest extends ViewerInAWindow {
         await(() -> onEvents(() -> viewer.model().scene().patch().patch().equals("blaze")));
         awaitFinal();
         assertThat(onEvents(() -> viewer.window().status().text())).contains("missing.json");
+    }
+
+    @Test
+    void aSavedPictureSaysHowItWasMade() throws Exception {
+        Path picture = folder.resolve("picture.png");
+        onEvents(() -> {
+            viewer.files().savePicture(picture);
+            return null;
+        });
+        await(() -> Files.exists(picture));
+        assertThat(PngText.read(picture))
+                .containsKeys("Scene", "Patch", "Method", "Size", "Exposure", "Parameters")
+                .containsEntry(
+                        "Plan",
+                        onEvents(() -> viewer.model()
+                                .loaded()
+                                .orElseThrow()
+                                .fine()
+                                .method()
+                                .summary()))
+                .hasEntrySatisfying("Renderer", name -> assertThat(name).isNotBlank());
     }
 
     @Test

@@ -20,6 +20,15 @@ public record PatchRequest(
         Optional<Double> maxHeight,
         Optional<Channel> channel,
         Optional<Levelling> levelling) {
+    /** The least extent along x or y, metres: one column or row alone may be this narrow. */
+    public static final double SHORTEST_SIDE = PatchScale.SHORTEST_SIDE;
+
+    /** The largest extent along x or y, metres. */
+    public static final double LONGEST_SIDE = PatchScale.LONGEST_SIDE;
+
+    /** The least height of full scale, metres. */
+    public static final double SMALLEST_MAX_HEIGHT = PatchScale.SMALLEST_MAX_HEIGHT;
+
     static final String WIDTH = "--width";
     static final String EXTENT = "--height";
     static final String MAX_HEIGHT = "--max-height";
