@@ -1,6 +1,7 @@
 package sunbeam.app.scene;
 
 import java.util.OptionalDouble;
+import java.util.function.Consumer;
 import org.joml.Quaternionf;
 import org.joml.Quaternionfc;
 import sunbeam.app.gpu.MethodKind;
@@ -63,229 +64,130 @@ public record Scene(
 
     /** The same with another mesh. */
     public Scene withMesh(String value) {
-        return new Scene(
-                title,
-                value,
-                patch,
-                view,
-                orientation,
-                light,
-                texture,
-                method,
-                plan,
-                rotatePatch,
-                exposure,
-                blend,
-                background,
-                origin);
+        return changed(draft -> draft.mesh = value);
     }
 
     /** The same with another patch. */
     public Scene withPatch(PatchRequest value) {
-        return new Scene(
-                title,
-                mesh,
-                value,
-                view,
-                orientation,
-                light,
-                texture,
-                method,
-                plan,
-                rotatePatch,
-                exposure,
-                blend,
-                background,
-                value.equals(patch) ? origin : origin.withoutPatch());
+        return changed(draft -> {
+            draft.patch = value;
+            draft.origin = value.equals(patch) ? origin : origin.withoutPatch();
+        });
     }
 
     /** The same from elsewhere. */
     public Scene withView(Viewpoint value) {
-        return new Scene(
-                title,
-                mesh,
-                patch,
-                value,
-                orientation,
-                light,
-                texture,
-                method,
-                plan,
-                rotatePatch,
-                exposure,
-                blend,
-                background,
-                origin);
+        return changed(draft -> draft.view = value);
     }
 
     /** The same with the mesh turned differently. */
     public Scene withOrientation(Quaternionfc value) {
-        return new Scene(
-                title,
-                mesh,
-                patch,
-                view,
-                value,
-                light,
-                texture,
-                method,
-                plan,
-                rotatePatch,
-                exposure,
-                blend,
-                background,
-                origin);
+        return changed(draft -> draft.orientation = value);
     }
 
     /** The same under another light. */
     public Scene withLight(SceneLight value) {
-        return new Scene(
-                title,
-                mesh,
-                patch,
-                view,
-                orientation,
-                value,
-                texture,
-                method,
-                plan,
-                rotatePatch,
-                exposure,
-                blend,
-                background,
-                origin);
+        return changed(draft -> draft.light = value);
     }
 
     /** The same with another texture. */
     public Scene withTexture(String value) {
-        return new Scene(
-                title,
-                mesh,
-                patch,
-                view,
-                orientation,
-                light,
-                value,
-                method,
-                plan,
-                rotatePatch,
-                exposure,
-                blend,
-                background,
-                origin);
+        return changed(draft -> draft.texture = value);
     }
 
     /** The same with another method and the plan that goes with it. */
     public Scene withMethod(MethodRequest method, PlanRequest plan) {
-        return new Scene(
-                title,
-                mesh,
-                patch,
-                view,
-                orientation,
-                light,
-                texture,
-                method,
-                plan,
-                rotatePatch,
-                exposure,
-                blend,
-                background,
-                method.equals(this.method) && plan.equals(this.plan) ? origin : origin.withoutPlan());
+        return changed(draft -> {
+            draft.origin = method.equals(this.method) && plan.equals(this.plan) ? origin : origin.withoutPlan();
+            draft.method = method;
+            draft.plan = plan;
+        });
     }
 
     /** The same with another plan. */
     public Scene withPlan(PlanRequest value) {
-        return new Scene(
-                title,
-                mesh,
-                patch,
-                view,
-                orientation,
-                light,
-                texture,
-                method,
-                value,
-                rotatePatch,
-                exposure,
-                blend,
-                background,
-                value.equals(plan) ? origin : origin.withoutPlan());
+        return changed(draft -> {
+            draft.plan = value;
+            draft.origin = value.equals(plan) ? origin : origin.withoutPlan();
+        });
     }
 
     /** The same with the nanostructure turned differently, radians. */
     public Scene withRotatePatch(double value) {
-        return new Scene(
-                title,
-                mesh,
-                patch,
-                view,
-                orientation,
-                light,
-                texture,
-                method,
-                plan,
-                value,
-                exposure,
-                blend,
-                background,
-                origin);
+        return changed(draft -> draft.rotatePatch = value);
     }
 
     /** The same with another exposure. */
     public Scene withExposure(OptionalDouble value) {
-        return new Scene(
-                title,
-                mesh,
-                patch,
-                view,
-                orientation,
-                light,
-                texture,
-                method,
-                plan,
-                rotatePatch,
-                value,
-                blend,
-                background,
-                origin);
+        return changed(draft -> draft.exposure = value);
     }
 
     /** The same with other weights. */
     public Scene withBlend(Blend value) {
-        return new Scene(
-                title,
-                mesh,
-                patch,
-                view,
-                orientation,
-                light,
-                texture,
-                method,
-                plan,
-                rotatePatch,
-                exposure,
-                value,
-                background,
-                origin);
+        return changed(draft -> draft.blend = value);
     }
 
     /** The same before another background. */
     public Scene withBackground(SceneColor value) {
-        return new Scene(
-                title,
-                mesh,
-                patch,
-                view,
-                orientation,
-                light,
-                texture,
-                method,
-                plan,
-                rotatePatch,
-                exposure,
-                blend,
-                value,
-                origin);
+        return changed(draft -> draft.background = value);
+    }
+
+    private Scene changed(Consumer<Draft> change) {
+        Draft draft = new Draft(this);
+        change.accept(draft);
+        return draft.scene();
+    }
+
+    /** A scene's parts while some of them change. */
+    private static final class Draft {
+        private String title;
+        private String mesh;
+        private PatchRequest patch;
+        private Viewpoint view;
+        private Quaternionfc orientation;
+        private SceneLight light;
+        private String texture;
+        private MethodRequest method;
+        private PlanRequest plan;
+        private double rotatePatch;
+        private OptionalDouble exposure;
+        private Blend blend;
+        private SceneColor background;
+        private SceneOrigin origin;
+
+        private Draft(Scene scene) {
+            title = scene.title;
+            mesh = scene.mesh;
+            patch = scene.patch;
+            view = scene.view;
+            orientation = scene.orientation;
+            light = scene.light;
+            texture = scene.texture;
+            method = scene.method;
+            plan = scene.plan;
+            rotatePatch = scene.rotatePatch;
+            exposure = scene.exposure;
+            blend = scene.blend;
+            background = scene.background;
+            origin = scene.origin;
+        }
+
+        private Scene scene() {
+            return new Scene(
+                    title,
+                    mesh,
+                    patch,
+                    view,
+                    orientation,
+                    light,
+                    texture,
+                    method,
+                    plan,
+                    rotatePatch,
+                    exposure,
+                    blend,
+                    background,
+                    origin);
+        }
     }
 }
