@@ -32,17 +32,40 @@ public record Tile(int x, int y, int width, int height) {
      * @param side width and height of each tile, at least 1; those at the right and the bottom are cut
      */
     public static List<Tile> cover(int width, int height, int side) {
+        return whole(width, height).divided(side);
+    }
+
+    /**
+     * Tiles that cover this one exactly once, row by row from the top left.
+     *
+     * @param side as for {@link #cover}
+     */
+    public List<Tile> divided(int side) {
         if (side < 1) {
             throw new IllegalArgumentException("tile side " + side + " is below 1");
         }
         List<Tile> tiles = new ArrayList<>();
-        for (long y = 0; y < height; y += side) {
-            for (long x = 0; x < width; x += side) {
-                int tileWidth = (int) Math.min(side, width - x);
-                tiles.add(new Tile((int) x, (int) y, tileWidth, (int) Math.min(side, height - y)));
+        for (long down = 0; down < height; down += side) {
+            for (long right = 0; right < width; right += side) {
+                int partWidth = (int) Math.min(side, width - right);
+                int partHeight = (int) Math.min(side, height - down);
+                tiles.add(new Tile(x + (int) right, y + (int) down, partWidth, partHeight));
             }
         }
         return List.copyOf(tiles);
+    }
+
+    /** A part of this tile, given as counted from this tile's corner, as counted from the image's. */
+    public Tile part(Tile inside) {
+        return new Tile(x + inside.x, y + inside.y, inside.width, inside.height);
+    }
+
+    /** Whether another tile of the same image lies within this one. */
+    public boolean holds(Tile other) {
+        return other.x >= x
+                && other.y >= y
+                && (long) other.x + other.width <= (long) x + width
+                && (long) other.y + other.height <= (long) y + height;
     }
 
     /** Pixels: width x height. */

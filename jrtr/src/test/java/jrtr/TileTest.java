@@ -36,4 +36,14 @@ class TileTest {
         assertThatThrownBy(() -> new Tile(-1, 0, 1, 1)).isInstanceOf(IllegalArgumentException.class);
         assertThatThrownBy(() -> Tile.cover(4, 4, 0)).isInstanceOf(IllegalArgumentException.class);
     }
+
+    @Test
+    void partsOfATileLieWithinItAndCoverIt() {
+        Tile tile = new Tile(5, 7, 10, 9);
+        assertThat(tile.divided(4)).allMatch(tile::holds).hasSize(9).startsWith(new Tile(5, 7, 4, 4));
+        assertThat(tile.divided(4).stream().mapToLong(Tile::pixels).sum()).isEqualTo(tile.pixels());
+        assertThat(tile.part(new Tile(8, 0, 2, 9))).isEqualTo(new Tile(13, 7, 2, 9));
+        assertThat(tile.holds(new Tile(5, 7, 11, 9))).isFalse();
+        assertThat(tile.holds(new Tile(4, 7, 2, 2))).isFalse();
+    }
 }

@@ -6,9 +6,9 @@ import java.util.List;
 import jrtr.ShaderProgram;
 import org.joml.Vector3fc;
 
-/** The uniforms of jrtr/surface.glsl that tell the lights. */
+/** The uniforms of jrtr/lights.glsl. */
 public final class LightUniforms {
-    /** Most lights in a scene: MAX_LIGHTS of jrtr/surface.glsl. */
+    /** Most lights in a scene: MAX_LIGHTS of jrtr/lights.glsl. */
     public static final int MOST = 4;
 
     private final int count;
@@ -29,7 +29,12 @@ public final class LightUniforms {
         values[3 * index + 2] = vector.z();
     }
 
-    static LightUniforms of(Iterator<Light> lights) {
+    /**
+     * Of a scene's lights.
+     *
+     * @throws IllegalArgumentException if there are more than {@link #MOST}
+     */
+    public static LightUniforms of(Iterator<Light> lights) {
         List<Light> all = new ArrayList<>();
         lights.forEachRemaining(all::add);
         if (all.size() > MOST) {
@@ -40,7 +45,7 @@ public final class LightUniforms {
     }
 
     /** Sets those that the program uses. */
-    void applyTo(ShaderProgram program) {
+    public void applyTo(ShaderProgram program) {
         if (program.isActive("lightCount")) {
             program.set("lightCount", count);
         }

@@ -12,18 +12,34 @@ import jrtr.ShaderProgram;
  */
 public final class Material {
     private final ShaderProgram program;
+    private final boolean costly;
     private final UniformValues uniforms = new UniformValues();
     private List<Binding> textures;
 
     /**
-     * A material without uniform values.
+     * A costly material without uniform values.
      *
      * @param program from {@link jrtr.RenderContext#createMeshProgram}
      * @param textures by sampler name
      */
     public Material(ShaderProgram program, List<Binding> textures) {
+        this(program, textures, true);
+    }
+
+    private Material(ShaderProgram program, List<Binding> textures, boolean costly) {
         this.program = Objects.requireNonNull(program, "program");
         this.textures = List.copyOf(textures);
+        this.costly = costly;
+    }
+
+    /** A material whose shader takes less time than another pass over the triangles; without uniform values. */
+    public static Material cheap(ShaderProgram program, List<Binding> textures) {
+        return new Material(program, textures, false);
+    }
+
+    /** Whether a shape's depth is drawn first, so that the shader runs once per pixel. */
+    public boolean isCostly() {
+        return costly;
     }
 
     /** The shader. */

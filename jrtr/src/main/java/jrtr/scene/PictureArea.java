@@ -32,8 +32,7 @@ public record PictureArea(int pictureWidth, int pictureHeight, Tile part) {
 
     /** The part inside this one that a tile of the target shows. */
     PictureArea within(Tile tile) {
-        Tile inner = new Tile(part.x() + tile.x(), part.y() + tile.y(), tile.width(), tile.height());
-        return new PictureArea(pictureWidth, pictureHeight, inner);
+        return new PictureArea(pictureWidth, pictureHeight, part.part(tile));
     }
 
     /** From the whole picture's clip space to the part's. */

@@ -10,8 +10,8 @@ import jrtr.glsl.EngineShaders;
 import org.joml.Matrix4f;
 
 /**
- * Draws scenes in two passes, first depth alone and then colours where depth is final, so that a costly fragment shader
- * runs once per pixel.
+ * Draws scenes, costly materials in two passes: first depth alone and then colours where depth is final, so that their
+ * fragment shaders run once per pixel.
  *
  * <p>Owns its depth shader only.
  */
@@ -56,17 +56,29 @@ public final class SceneRenderer implements AutoCloseable {
         Matrix4f worldToClip =
                 scene.frustum().cameraToClip(area).mul(scene.camera().worldToCamera());
         for (RenderItem item : queue.items()) {
-            PlaceUniforms.set(depthProgram, item.modelToWorld(), worldToClip);
-            context.draw(depthProgram, List.of(), item.shape().vertices(), DepthUse.DEPTH_ONLY, target, tile);
+            if (item.shape().material().isCostly()) {
+                PlaceUniforms.set(depthProgram, item.modelToWorld(), worldToClip);
+                context.draw(depthProgram, List.of(), item.shape().vertices(), DepthUse.DEPTH_ONLY, target, tile);
+            } else {
+                drawColors(item, scene.camera(), lights, worldToClip, DepthUse.NEARER, target, tile);
+            }
         }
         for (RenderItem item : queue.items()) {
-            drawColors(item, scene.camera(), lights, worldToClip, target, tile);
+            if (item.shape().material().isCostly()) {
+                drawColors(item, scene.camera(), lights, worldToClip, DepthUse.EQUAL, target, tile);
+            }
         }
         return queue;
     }
 
     private void drawColors(
-            RenderItem item, Camera camera, LightUniforms lights, Matrix4f worldToClip, FloatTarget target, Tile tile) {
+            RenderItem item,
+            Camera camera,
+            LightUniforms lights,
+            Matrix4f worldToClip,
+            DepthUse depth,
+            FloatTarget target,
+            Tile tile) {
         Material material = item.shape().material();
         ShaderProgram program = material.program();
         PlaceUniforms.set(program, item.modelToWorld(), worldToClip);
@@ -75,7 +87,7 @@ public final class SceneRenderer implements AutoCloseable {
         }
         lights.applyTo(program);
         material.uniforms().applyTo(program);
-        context.draw(program, material.textures(), item.shape().vertices(), DepthUse.EQUAL, target, tile);
+        context.draw(program, material.textures(), item.shape().vertices(), depth, target, tile);
     }
 
     @Override

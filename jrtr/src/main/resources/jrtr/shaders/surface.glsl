@@ -1,4 +1,6 @@
-// What mesh.vert.glsl hands to a fragment shader, and the light and the eye that the engine sets.
+#include "jrtr/lights.glsl"
+
+// What mesh.vert.glsl hands to a fragment shader, and the eye that the engine sets.
 
 // Metres, world space.
 in vec3 worldPosition;
@@ -11,10 +13,3 @@ in vec2 surfaceCoordinate;
 
 // The camera's centre of projection, world space.
 uniform vec3 eyePosition;
-
-const int MAX_LIGHTS = 4;
-uniform int lightCount;
-// Unit vectors towards the lights, world space.
-uniform vec3 lightDirections[MAX_LIGHTS];
-// Linear, in the unit that the application's shaders agree on.
-uniform vec3 lightRadiances[MAX_LIGHTS];

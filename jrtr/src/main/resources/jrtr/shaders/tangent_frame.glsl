@@ -10,6 +10,11 @@ vec3 turnedAbout(vec3 axis, vec3 vector, float angle) {
     return cos(angle) * vector + sin(angle) * cross(axis, vector);
 }
 
+// 1, or -1 where the texture is mirrored.
+float frameHandedness() {
+    return worldTangent.w < 0.0 ? -1.0 : 1.0;
+}
+
 // Columns T, B, N in world space: orthonormal, left-handed where the texture is mirrored.
 mat3 tangentFrame() {
     vec3 normal = normalize(worldNormal);
@@ -17,8 +22,7 @@ mat3 tangentFrame() {
     // Tangents that cancel between two vertices have no direction; a zero vector is better than NaN.
     vec3 tangent = across * inversesqrt(max(dot(across, across), 1e-30));
     tangent = turnedAbout(normal, tangent, tangentRotation);
-    float handedness = worldTangent.w < 0.0 ? -1.0 : 1.0;
-    return mat3(tangent, handedness * cross(normal, tangent), normal);
+    return mat3(tangent, frameHandedness() * cross(normal, tangent), normal);
 }
 
 // Towards the viewer, in the frame: wr.

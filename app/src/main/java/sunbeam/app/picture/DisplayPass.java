@@ -12,10 +12,15 @@ import jrtr.ShaderProgram;
 import jrtr.Tile;
 import sunbeam.app.gpu.Shaders;
 
-/** Turns linear XYZ into sRGB with the shader that the window uses too (shaders/include/display.glsl). */
+/**
+ * Turns linear XYZ into sRGB with the shader that the window uses too (shaders/include/display.glsl). Keeps room on the
+ * graphics card for pictures of the last size.
+ */
 public final class DisplayPass implements AutoCloseable {
     private final RenderContext context;
     private final ShaderProgram program;
+    private FloatTexture linear;
+    private FloatTarget display;
 
     /** Compiles the shader. */
     public DisplayPass(RenderContext context) {
@@ -43,14 +48,32 @@ public final class DisplayPass implements AutoCloseable {
                 }
             }
         }
-        try (FloatTexture texture = context.createFloatTexture(
-                        "picture", FloatTextureSpec.flat(width, height, FloatFormat.RGBA32F));
-                FloatTarget target = context.createFloatTarget("display", FloatTargetSpec.color(width, height))) {
-            texture.upload(texels);
-            program.set("exposure", (float) exposure);
-            context.drawFullScreen(
-                    program, List.of(new Binding("linearPicture", texture)), target, Tile.whole(width, height));
-            return colors(target.read(0));
+        fit(width, height);
+        linear.upload(texels);
+        program.set("exposure", (float) exposure);
+        context.drawFullScreen(
+                program, List.of(new Binding("linearPicture", linear)), display, Tile.whole(width, height));
+        return colors(display.read(0));
+    }
+
+    private void fit(int width, int height) {
+        FloatTargetSpec spec = FloatTargetSpec.color(width, height);
+        if (display != null && display.spec().equals(spec)) {
+            return;
+        }
+        release();
+        linear = context.createFloatTexture("picture", FloatTextureSpec.flat(width, height, FloatFormat.RGBA32F));
+        display = context.createFloatTarget("display", spec);
+    }
+
+    private void release() {
+        if (linear != null) {
+            linear.close();
+            linear = null;
+        }
+        if (display != null) {
+            display.close();
+            display = null;
         }
     }
 
@@ -67,6 +90,7 @@ public final class DisplayPass implements AutoCloseable {
 
     @Override
     public void close() {
+        release();
         program.close();
     }
 }

@@ -26,7 +26,7 @@ final class FrameRenderer {
     ScenePicture render(Scene scene, LongConsumer progress) {
         session.update(scene);
         ScenePicture picture = ScenePicture.empty(size.width(), size.height());
-        for (Tile tile : SceneSession.tiles(size.width(), size.height())) {
+        for (Tile tile : SceneSession.tiles(size.width(), size.height(), supersample)) {
             Tile fine = new Tile(
                     supersample * tile.x(),
                     supersample * tile.y(),

@@ -29,7 +29,7 @@ final class Picking implements AutoCloseable {
 
     /** Nothing where the pixel shows the background. */
     Optional<Pick> pick(Scene scene, VertexBuffer mesh, SceneRenderer renderer, PictureArea pixel) {
-        Material material = new Material(program, List.of());
+        Material material = Material.cheap(program, List.of());
         material.uniforms().set("tangentRotation", (float) scene.rotatePatch());
         renderer.draw(SceneGraphs.of(scene, mesh, material), pixel, target, Tile.whole(1, 1));
         float[][] values = new float[IMAGES][];

@@ -13,6 +13,7 @@ import jrtr.scene.Shape;
 import jrtr.scene.ShapeNode;
 import jrtr.scene.TransformGroup;
 import org.joml.Matrix4f;
+import org.joml.Quaternionfc;
 import org.joml.Vector3f;
 import org.joml.Vector3fc;
 
@@ -28,20 +29,31 @@ final class SceneGraphs {
     /** One mesh under one light. */
     static GraphSceneManager of(Scene scene, VertexBuffer mesh, Material material) {
         Group root = new Group();
-        root.add(new LightNode(new Light(
-                scene.light().towards(), new Vector3f((float) scene.light().intensity()))));
-        TransformGroup turned = new TransformGroup(orientation(scene, mesh.bounds()));
-        turned.add(new ShapeNode(new Shape(mesh, material)));
-        root.add(turned);
+        root.add(new LightNode(light(scene)));
+        root.add(turned(scene.orientation(), mesh, material));
         return new GraphSceneManager(root, scene.view().camera(), frustum(scene.view(), mesh.bounds()));
     }
 
-    private static Matrix4f orientation(Scene scene, BoundingSphere bounds) {
+    /** One mesh that is not lit yet. */
+    static GraphSceneManager unlit(Viewpoint view, Quaternionfc orientation, VertexBuffer mesh, Material material) {
+        return new GraphSceneManager(turned(orientation, mesh, material), view.camera(), frustum(view, mesh.bounds()));
+    }
+
+    /** A scene's light, world space. */
+    static Light light(Scene scene) {
+        return new Light(
+                scene.light().towards(), new Vector3f((float) scene.light().intensity()));
+    }
+
+    private static TransformGroup turned(Quaternionfc orientation, VertexBuffer mesh, Material material) {
+        TransformGroup turned = new TransformGroup(toWorld(orientation, mesh.bounds()));
+        turned.add(new ShapeNode(new Shape(mesh, material)));
+        return turned;
+    }
+
+    private static Matrix4f toWorld(Quaternionfc orientation, BoundingSphere bounds) {
         Vector3fc center = bounds.center();
-        return new Matrix4f()
-                .translation(center)
-                .rotate(scene.orientation())
-                .translate(-center.x(), -center.y(), -center.z());
+        return new Matrix4f().translation(center).rotate(orientation).translate(-center.x(), -center.y(), -center.z());
     }
 
     /** The planes enclose the mesh, however it is turned. */

@@ -3,14 +3,12 @@ package sunbeam.app.scene;
 import java.util.List;
 import java.util.Optional;
 import jrtr.ColorEncoding;
-import jrtr.FloatTarget;
 import jrtr.ImageTexture;
 import jrtr.ImageTextureSpec;
 import jrtr.RenderContext;
 import jrtr.Tile;
 import jrtr.VertexBuffer;
 import jrtr.Wrap;
-import jrtr.scene.GraphSceneManager;
 import jrtr.scene.PictureArea;
 import jrtr.scene.SceneRenderer;
 import sunbeam.app.texture.BodyTexture;
@@ -28,13 +26,12 @@ public final class SceneSession implements AutoCloseable {
 
     private final RenderContext context;
     private final SceneRenderer renderer;
-    private final SceneTargets targets;
+    private final GeometryBuffers buffers;
     private final Picking picking;
     private SceneData data;
     private VertexBuffer mesh;
     private ImageTexture body;
     private SkinSurface skin;
-    private GraphSceneManager graph;
 
     /**
      * Uploads a scene.
@@ -44,7 +41,7 @@ public final class SceneSession implements AutoCloseable {
     public SceneSession(RenderContext context, SceneData data) {
         this.context = context;
         this.renderer = new SceneRenderer(context);
-        this.targets = new SceneTargets(context);
+        this.buffers = new GeometryBuffers(context, renderer);
         this.picking = new Picking(context);
         try {
             update(data);
@@ -80,7 +77,6 @@ public final class SceneSession implements AutoCloseable {
                     : context.createVertexBuffer("mesh", next.mesh().toVertexData());
             nextBody = nextBody != null ? nextBody : upload(next.body());
             nextSkin = nextSkin != null ? nextSkin : SkinSurface.create(context, next);
-            graph = SceneGraphs.of(next.scene(), nextMesh, nextSkin.material(next.scene(), nextBody));
         } catch (RuntimeException failure) {
             closeUnlessSame(nextMesh, mesh);
             closeUnlessSame(nextBody, body);
@@ -106,9 +102,17 @@ public final class SceneSession implements AutoCloseable {
         update(data.with(next));
     }
 
-    /** The tiles of a picture from the top left; any other division draws the same picture. */
-    public static List<Tile> tiles(int width, int height) {
-        return Tile.cover(width, height, TILE_SIDE);
+    /**
+     * The tiles of a picture, one block of it after the other; any other division draws the same picture, but one that
+     * goes to and fro between blocks may take longer.
+     *
+     * @param supersample pixels drawn along a side of each pixel
+     */
+    public static List<Tile> tiles(int width, int height, int supersample) {
+        int group = Math.max(1, SceneBlocks.SIDE / supersample / TILE_SIDE) * TILE_SIDE;
+        return Tile.cover(width, height, group).stream()
+                .flatMap(part -> part.divided(TILE_SIDE).stream())
+                .toList();
     }
 
     /**
@@ -124,12 +128,14 @@ public final class SceneSession implements AutoCloseable {
         if (!tile.fitsIn(width, height)) {
             throw new IllegalArgumentException(tile + " is not inside a picture of " + width + " x " + height);
         }
+        SkinGeometry geometry = SkinGeometry.of(scene(), mesh, body, width, height);
         ScenePicture part = ScenePicture.empty(tile.width(), tile.height());
         for (SceneBlocks.Piece piece : SceneBlocks.split(width, height, tile)) {
-            FloatTarget target = targets.of(width, height, piece.block());
             Tile drawn = piece.inBlock();
-            renderer.draw(graph, new PictureArea(width, height, piece.block()), target, drawn);
-            part.put(new ScenePicture(drawn.width(), drawn.height(), target.read(0, drawn)), piece.x(), piece.y());
+            GeometryBuffer buffer = buffers.of(geometry, piece.block(), drawn);
+            skin.shade(scene(), buffer, drawn);
+            float[] lit = buffer.radiance().read(0, drawn);
+            part.put(new ScenePicture(drawn.width(), drawn.height(), lit), piece.x(), piece.y());
         }
         return part;
     }
@@ -137,7 +143,7 @@ public final class SceneSession implements AutoCloseable {
     /** Draws a whole picture, tile by tile, so that no single draw keeps a slow driver for long. */
     public ScenePicture draw(int width, int height) {
         ScenePicture picture = ScenePicture.empty(width, height);
-        for (Tile tile : tiles(width, height)) {
+        for (Tile tile : tiles(width, height, 1)) {
             picture.put(draw(width, height, tile), tile.x(), tile.y());
         }
         return picture;
@@ -182,7 +188,7 @@ public final class SceneSession implements AutoCloseable {
         closeUnlessSame(body, null);
         closeUnlessSame(mesh, null);
         picking.close();
-        targets.close();
+        buffers.close();
         renderer.close();
     }
 }

@@ -5,18 +5,21 @@ import java.util.List;
 import jrtr.Binding;
 import jrtr.RenderContext;
 import jrtr.ShaderProgram;
-import jrtr.Texture;
-import jrtr.scene.Material;
+import jrtr.Tile;
+import jrtr.scene.LightUniforms;
+import jrtr.scene.UniformValues;
 import sunbeam.app.gpu.DiffractionMethod;
 import sunbeam.app.gpu.MethodUse;
 import sunbeam.app.gpu.Shaders;
 
-/** A diffraction method on a mesh: its tables and the program shaders/mesh.frag with it compiled in. */
+/** A diffraction method on a mesh: its tables and the program shaders/skin.frag with it compiled in. */
 final class SkinSurface implements AutoCloseable {
+    private final RenderContext context;
     private final DiffractionMethod method;
     private final ShaderProgram program;
 
-    private SkinSurface(DiffractionMethod method, ShaderProgram program) {
+    private SkinSurface(RenderContext context, DiffractionMethod method, ShaderProgram program) {
+        this.context = context;
         this.method = method;
         this.program = program;
     }
@@ -25,27 +28,32 @@ final class SkinSurface implements AutoCloseable {
     static SkinSurface create(RenderContext context, SceneData data) {
         DiffractionMethod method = data.method().create(context, MethodUse.COLOUR, data.table());
         try {
-            ShaderProgram program = context.createMeshProgram(Shaders.library().load("mesh.frag", method.defines()));
+            ShaderProgram program =
+                    context.createFullScreenProgram(Shaders.library().load("skin.frag", method.defines()));
             method.setUniforms(program);
-            return new SkinSurface(method, program);
+            return new SkinSurface(context, method, program);
         } catch (RuntimeException failure) {
             method.close();
             throw failure;
         }
     }
 
-    /** The material of a scene. */
-    Material material(Scene scene, Texture body) {
+    /** Lights a part of a block; what shows no skin becomes zeros. */
+    void shade(Scene scene, GeometryBuffer buffer, Tile tile) {
+        LightUniforms.of(List.of(SceneGraphs.light(scene)).iterator()).applyTo(program);
+        weights(scene.blend()).applyTo(program);
         List<Binding> textures = new ArrayList<>(method.bindings());
-        textures.add(new Binding("bodyTexture", body));
-        Material material = new Material(program, textures);
-        material.uniforms()
-                .set("tangentRotation", (float) scene.rotatePatch())
-                .set("diffractionWeight", (float) scene.blend().diffraction())
-                .set("textureWeight", (float) scene.blend().texture())
-                .set("diffuseWeight", (float) scene.blend().diffuse())
-                .set("ambientWeight", (float) scene.blend().ambient());
-        return material;
+        textures.addAll(buffer.bindings());
+        buffer.radiance().clear(tile, 0, 0, 0, 0);
+        context.drawFullScreen(program, textures, buffer.radiance(), tile);
+    }
+
+    private static UniformValues weights(Blend blend) {
+        return new UniformValues()
+                .set("diffractionWeight", (float) blend.diffraction())
+                .set("textureWeight", (float) blend.texture())
+                .set("diffuseWeight", (float) blend.diffuse())
+                .set("ambientWeight", (float) blend.ambient());
     }
 
     @Override

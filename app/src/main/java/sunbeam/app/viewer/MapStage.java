@@ -1,7 +1,6 @@
 package sunbeam.app.viewer;
 
 import java.awt.image.BufferedImage;
-import java.util.List;
 import java.util.function.BooleanSupplier;
 import jrtr.RenderContext;
 import jrtr.Tile;
@@ -42,14 +41,12 @@ final class MapStage implements AutoCloseable {
         use(data);
         try (BrdfMapRenderer renderer = new BrdfMapRenderer(context, method, size)) {
             for (Tile block : Tile.cover(size, size, TileSide.LARGEST)) {
-                List<Tile> tiles = Tile.cover(block.width(), block.height(), tileSide.side());
-                for (Tile tile : tiles) {
+                for (Tile tile : block.divided(tileSide.side())) {
                     if (interrupted.getAsBoolean()) {
                         return null;
                     }
                     long start = System.nanoTime();
-                    renderer.draw(
-                            light, new Tile(block.x() + tile.x(), block.y() + tile.y(), tile.width(), tile.height()));
+                    renderer.draw(light, tile);
                     tileSide = tileSide.after(tile.pixels(), System.nanoTime() - start);
                 }
             }

@@ -8,6 +8,7 @@ import java.awt.Graphics2D;
 import java.awt.RenderingHints;
 import java.awt.image.BufferedImage;
 import java.util.Optional;
+import java.util.OptionalInt;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.SwingConstants;
@@ -16,6 +17,9 @@ import javax.swing.SwingConstants;
 final class PictureView extends JComponent {
     private final JLabel message = new JLabel("Loading ...", SwingConstants.CENTER);
     private BufferedImage picture;
+    // Of the final picture; a preview is smaller.
+    private int fullWidth;
+    private int fullHeight;
     private boolean isFinal;
     private transient Optional<LightCone> cone = Optional.empty();
 
@@ -58,19 +62,13 @@ final class PictureView extends JComponent {
         return text.replace("&", "&amp;").replace("<", "&lt;");
     }
 
-    /** Shows a whole picture, enlarged if it is smaller than asked for. */
+    /** Shows a whole picture; one that is smaller than asked for is enlarged as it is painted, which Swing does fast. */
     void showPicture(BufferedImage image, int width, int height, boolean complete) {
         message.setVisible(false);
+        picture = image;
+        fullWidth = width;
+        fullHeight = height;
         isFinal = complete;
-        if (complete) {
-            picture = image;
-        } else {
-            picture = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
-            Graphics2D graphics = picture.createGraphics();
-            graphics.setRenderingHint(RenderingHints.KEY_INTERPOLATION, RenderingHints.VALUE_INTERPOLATION_BILINEAR);
-            graphics.drawImage(image, 0, 0, width, height, null);
-            graphics.dispose();
-        }
         repaint();
     }
 
@@ -79,15 +77,45 @@ final class PictureView extends JComponent {
         if (picture == null || isFinal) {
             return;
         }
+        if (isReduced()) {
+            picture = enlarged();
+        }
         Graphics2D graphics = picture.createGraphics();
         graphics.drawImage(tile, x, y, null);
         graphics.dispose();
         repaint();
     }
 
-    /** What is shown, without the light's cone; not to be changed. Empty before the first picture. */
+    private boolean isReduced() {
+        return picture.getWidth() != fullWidth || picture.getHeight() != fullHeight;
+    }
+
+    private BufferedImage enlarged() {
+        BufferedImage full = new BufferedImage(fullWidth, fullHeight, BufferedImage.TYPE_INT_RGB);
+        Graphics2D graphics = full.createGraphics();
+        smooth(graphics);
+        graphics.drawImage(picture, 0, 0, fullWidth, fullHeight, null);
+        graphics.dispose();
+        return full;
+    }
+
+    private static void smooth(Graphics2D graphics) {
+        graphics.setRenderingHint(RenderingHints.KEY_INTERPOLATION, RenderingHints.VALUE_INTERPOLATION_BILINEAR);
+    }
+
+    /** What is shown, without the light's cone; not to be changed. A preview may be smaller. Empty before the first. */
     Optional<BufferedImage> picture() {
         return Optional.ofNullable(picture);
+    }
+
+    /** What is shown at a pixel of the final picture, 0xRRGGBB; empty before the first picture and outside. */
+    OptionalInt color(int x, int y) {
+        if (picture == null || x < 0 || y < 0 || x >= fullWidth || y >= fullHeight) {
+            return OptionalInt.empty();
+        }
+        long column = (long) x * picture.getWidth() / fullWidth;
+        long row = (long) y * picture.getHeight() / fullHeight;
+        return OptionalInt.of(0xffffff & picture.getRGB((int) column, (int) row));
     }
 
     /** Whether the picture is what {@code render} writes. */
@@ -106,7 +134,12 @@ final class PictureView extends JComponent {
         graphics.setColor(getBackground());
         graphics.fillRect(0, 0, getWidth(), getHeight());
         if (picture != null) {
-            graphics.drawImage(picture, 0, 0, getWidth(), getHeight(), null);
+            Graphics2D scaled = (Graphics2D) graphics.create();
+            if (isReduced()) {
+                smooth(scaled);
+            }
+            scaled.drawImage(picture, 0, 0, getWidth(), getHeight(), null);
+            scaled.dispose();
             cone.ifPresent(light -> light.paint((Graphics2D) graphics.create(), getWidth(), getHeight()));
         }
     }

@@ -70,11 +70,7 @@ final class PointInspector implements AutoCloseable {
             return;
         }
         PickedPoint measured = point.get();
-        window.picture().picture().ifPresent(image -> {
-            if (measured.x() < image.getWidth() && measured.y() < image.getHeight()) {
-                window.pick().showColor(image.getRGB(measured.x(), measured.y()));
-            }
-        });
+        window.picture().color(measured.x(), measured.y()).ifPresent(window.pick()::showColor);
         Direction wi = measured.light(data.scene().light().towards());
         Direction wr = measured.pick().wr();
         if (wi.z() <= 0 || wr.z() <= 0) {

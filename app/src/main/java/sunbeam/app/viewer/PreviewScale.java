@@ -14,7 +14,7 @@ public record PreviewScale(int divisor, double fixedNanoseconds) {
      * Input that comes just after a frame has begun waits for two of them; with the window's own time that is below
      * 100 ms.
      */
-    public static final long BUDGET_NANOSECONDS = 40_000_000;
+    public static final long BUDGET_NANOSECONDS = 30_000_000;
 
     private static final int[] DIVISORS = {1, 2, 3, 4, 6, 8, 12, 16, 24, 32};
     // A finer step must be foreseen to take less than this share of the budget, lest the scale swings to and fro.

@@ -6,6 +6,7 @@ import java.util.function.Supplier;
 import jrtr.Tile;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.ScenePicture;
+import sunbeam.app.scene.SceneSession;
 import sunbeam.app.setup.MethodFactory;
 
 /**
@@ -140,13 +141,12 @@ final class RenderLoop implements AutoCloseable {
         Scene scene = state.fine().scene();
         ScenePicture whole = ScenePicture.empty(state.width(), state.height());
         long done = 0;
-        for (Tile block : Tile.cover(state.width(), state.height(), TileSide.LARGEST)) {
-            for (Tile inner : Tile.cover(block.width(), block.height(), tileSide.side())) {
+        for (Tile block : SceneSession.tiles(state.width(), state.height(), 1)) {
+            for (Tile tile : block.divided(tileSide.side())) {
                 doTasks(stage);
                 if (inbox.isInterrupted()) {
                     return false;
                 }
-                Tile tile = new Tile(block.x() + inner.x(), block.y() + inner.y(), inner.width(), inner.height());
                 long begun = System.nanoTime();
                 ScenePicture part = stage.part(state.width(), state.height(), tile);
                 tileSide = tileSide.after(tile.pixels(), System.nanoTime() - begun);

@@ -8,7 +8,7 @@ package sunbeam.app.viewer;
  */
 public record TileSide(double nanosecondsPerPixel) {
     /** Longest time that a tile is meant to take: input waits for it, and then for a preview. */
-    public static final long BUDGET_NANOSECONDS = 32_000_000;
+    public static final long BUDGET_NANOSECONDS = 20_000_000;
 
     /** Tiles are cut from squares of this side. */
     public static final int LARGEST = 128;

@@ -1,0 +1,92 @@
+package sunbeam.app.scene;
+
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Set;
+import jrtr.RenderContext;
+import jrtr.ShaderProgram;
+import jrtr.Tile;
+import jrtr.scene.PictureArea;
+import jrtr.scene.SceneRenderer;
+import sunbeam.app.gpu.Shaders;
+
+/**
+ * The geometry buffers of a picture's blocks. Triangles are drawn into them when something has moved; while only light
+ * and weights change, they stay (deferred shading; Saito and Takahashi 1990).
+ */
+final class GeometryBuffers implements AutoCloseable {
+    /** Blocks that are kept: those of a picture of 2048 x 2048, in 350 MB. */
+    static final int MOST = 4;
+
+    // Rows that are drawn at once: a large picture's triangles, all at once, would keep input waiting.
+    private static final int STRIP_ROWS = 256;
+
+    private final RenderContext context;
+    private final SceneRenderer renderer;
+    private final ShaderProgram program;
+    // Least lately used first.
+    private final Map<Tile, GeometryBuffer> buffers = new LinkedHashMap<>(2 * MOST, 0.75f, true);
+    // Strips of blocks, picture coordinates.
+    private final Set<Tile> drawn = new HashSet<>();
+    private SkinGeometry geometry;
+
+    GeometryBuffers(RenderContext context, SceneRenderer renderer) {
+        this.context = context;
+        this.renderer = renderer;
+        this.program = context.createMeshProgram(Shaders.library().load("geometry.frag"));
+    }
+
+    /**
+     * A block's buffer with a part of it drawn, if it was not; valid until another block is asked for.
+     *
+     * @param part counted from the block's corner
+     */
+    GeometryBuffer of(SkinGeometry wanted, Tile block, Tile part) {
+        goOverTo(wanted);
+        GeometryBuffer buffer = buffers.get(block);
+        if (buffer == null) {
+            makeRoom();
+            buffer = GeometryBuffer.create(context, block);
+            buffers.put(block, buffer);
+        }
+        for (int top = part.y() / STRIP_ROWS * STRIP_ROWS; top < part.y() + part.height(); top += STRIP_ROWS) {
+            Tile strip = new Tile(0, top, block.width(), Math.min(STRIP_ROWS, block.height() - top));
+            if (drawn.add(block.part(strip))) {
+                PictureArea area = new PictureArea(geometry.width(), geometry.height(), block);
+                renderer.draw(geometry.graph(program), area, buffer.attributes(), strip);
+            }
+        }
+        return buffer;
+    }
+
+    private void goOverTo(SkinGeometry wanted) {
+        if (wanted.equals(geometry)) {
+            return;
+        }
+        drawn.clear();
+        if (geometry == null || wanted.width() != geometry.width() || wanted.height() != geometry.height()) {
+            closeBuffers();
+        }
+        geometry = wanted;
+    }
+
+    private void makeRoom() {
+        if (buffers.size() == MOST) {
+            Tile oldest = buffers.keySet().iterator().next();
+            buffers.remove(oldest).close();
+            drawn.removeIf(oldest::holds);
+        }
+    }
+
+    private void closeBuffers() {
+        buffers.values().forEach(GeometryBuffer::close);
+        buffers.clear();
+    }
+
+    @Override
+    public void close() {
+        closeBuffers();
+        program.close();
+    }
+}

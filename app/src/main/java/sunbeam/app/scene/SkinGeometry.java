@@ -1,0 +1,42 @@
+package sunbeam.app.scene;
+
+import java.util.List;
+import jrtr.Binding;
+import jrtr.ImageTexture;
+import jrtr.ShaderProgram;
+import jrtr.VertexBuffer;
+import jrtr.scene.GraphSceneManager;
+import jrtr.scene.Material;
+import org.joml.Quaternionfc;
+
+/**
+ * All that determines what each pixel of a picture shows before it is lit.
+ *
+ * @param mesh triangles
+ * @param body their texture
+ * @param view from where
+ * @param orientation as {@link Scene#orientation()}
+ * @param rotatePatch as {@link Scene#rotatePatch()}
+ * @param width pixels per row of the whole picture
+ * @param height rows of the whole picture
+ */
+record SkinGeometry(
+        VertexBuffer mesh,
+        ImageTexture body,
+        Viewpoint view,
+        Quaternionfc orientation,
+        double rotatePatch,
+        int width,
+        int height) {
+
+    static SkinGeometry of(Scene scene, VertexBuffer mesh, ImageTexture body, int width, int height) {
+        return new SkinGeometry(mesh, body, scene.view(), scene.orientation(), scene.rotatePatch(), width, height);
+    }
+
+    /** For the program shaders/geometry.frag. */
+    GraphSceneManager graph(ShaderProgram program) {
+        Material material = Material.cheap(program, List.of(new Binding("bodyTexture", body)));
+        material.uniforms().set("tangentRotation", (float) rotatePatch);
+        return SceneGraphs.unlit(view, orientation, mesh, material);
+    }
+}

@@ -1,0 +1,8 @@
+// The lights that the engine sets (jrtr.scene.LightUniforms).
+
+const int MAX_LIGHTS = 4;
+uniform int lightCount;
+// Unit vectors towards the lights, world space.
+uniform vec3 lightDirections[MAX_LIGHTS];
+// Linear, in the unit that the application's shaders agree on.
+uniform vec3 lightRadiances[MAX_LIGHTS];

@@ -1,0 +1,25 @@
+#version 330 core
+#include "jrtr/tangent_frame.glsl"
+
+// What of a skin each pixel shows, whatever the light: the costly shader after this one (skin.frag) then runs once per
+// pixel, not once per triangle's block of pixels, and again only for light and weights that change.
+
+// Linear light; the sampler undoes the sRGB curve.
+uniform sampler2D bodyTexture;
+
+// Towards the viewer, tangent frame; w is 1, so that covered pixels are known.
+layout(location = 0) out vec4 view;
+// Unit vector, world space; w is the frame's handedness, 1 or -1.
+layout(location = 1) out vec4 normal;
+// Unit vector, world space, turned by the patch's rotation.
+layout(location = 2) out vec4 tangent;
+// The texture, linear sRGB.
+layout(location = 3) out vec4 albedo;
+
+void main() {
+    mat3 frame = tangentFrame();
+    view = vec4(viewDirection(frame), 1.0);
+    normal = vec4(frame[2], frameHandedness());
+    tangent = vec4(frame[0], 1.0);
+    albedo = vec4(texture(bodyTexture, surfaceCoordinate).rgb, 1.0);
+}

@@ -1,0 +1,43 @@
+#version 330 core
+#include "jrtr/lights.glsl"
+#include "include/blend.glsl"
+#include "include/gain.glsl"
+#include "method/method.glsl"
+
+// A skin under its lights: diffraction, texture and diffuse part, from what geometry.frag found in each pixel.
+
+// The images of geometry.frag, one pixel for one.
+uniform sampler2D views;
+uniform sampler2D normals;
+uniform sampler2D tangents;
+uniform sampler2D albedos;
+
+// Linear XYZ; alpha 1 where there is skin.
+layout(location = 0) out vec4 radiance;
+
+// Where light or viewer lies in or below the tangent plane, as relief in the normals can have it, nothing is diffracted.
+vec3 diffractedTowards(vec3 wi, vec3 wr) {
+    if (wi.z <= 0.0 || wr.z <= 0.0) {
+        return vec3(0.0);
+    }
+    return relativeRadiance(wi, wr) * diffractedXyz(diffractionVector(wi, wr));
+}
+
+void main() {
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    vec4 view = texelFetch(views, pixel, 0);
+    if (view.w == 0.0) {
+        discard;
+    }
+    vec4 normal = texelFetch(normals, pixel, 0);
+    vec3 tangent = texelFetch(tangents, pixel, 0).xyz;
+    mat3 frame = mat3(tangent, normal.w * cross(normal.xyz, tangent), normal.xyz);
+    vec3 albedo = linearSrgbToXyz(texelFetch(albedos, pixel, 0).rgb);
+    vec3 sum = vec3(0.0);
+    for (int light = 0; light < lightCount; ++light) {
+        vec3 wi = lightDirections[light] * frame;
+        // Lights are white, so that their luminance says all.
+        sum += lightRadiances[light].y * blended(diffractedTowards(wi, view.xyz), albedo, wi.z);
+    }
+    radiance = vec4(sum, 1.0);
+}
