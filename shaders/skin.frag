@@ -6,13 +6,16 @@
 
 // A skin under its lights: diffraction, texture and diffuse part, from what geometry.frag found in each pixel.
 
-// The images of geometry.frag, one pixel for one.
+// Number of the texel of geometry.frag's images that each pixel lights, counted row by row; negative for none.
+uniform sampler2D sources;
+
+// The images of geometry.frag.
 uniform sampler2D views;
 uniform sampler2D normals;
 uniform sampler2D tangents;
 uniform sampler2D albedos;
 
-// Linear XYZ; alpha 1 where there is skin.
+// Linear XYZ; alpha 1, the skin's coverage.
 layout(location = 0) out vec4 radiance;
 
 // Where light or viewer lies in or below the tangent plane, as relief in the normals can have it, nothing is diffracted.
@@ -24,11 +27,13 @@ vec3 diffractedTowards(vec3 wi, vec3 wr) {
 }
 
 void main() {
-    ivec2 pixel = ivec2(gl_FragCoord.xy);
-    vec4 view = texelFetch(views, pixel, 0);
-    if (view.w == 0.0) {
+    int source = int(texelFetch(sources, ivec2(gl_FragCoord.xy), 0).r);
+    if (source < 0) {
         discard;
     }
+    int width = textureSize(views, 0).x;
+    ivec2 pixel = ivec2(source % width, source / width);
+    vec3 wr = texelFetch(views, pixel, 0).xyz;
     vec4 normal = texelFetch(normals, pixel, 0);
     vec3 tangent = texelFetch(tangents, pixel, 0).xyz;
     mat3 frame = mat3(tangent, normal.w * cross(normal.xyz, tangent), normal.xyz);
@@ -37,7 +42,7 @@ void main() {
     for (int light = 0; light < lightCount; ++light) {
         vec3 wi = lightDirections[light] * frame;
         // Lights are white, so that their luminance says all.
-        sum += lightRadiances[light].y * blended(diffractedTowards(wi, view.xyz), albedo, wi.z);
+        sum += lightRadiances[light].y * blended(diffractedTowards(wi, wr), albedo, wi.z);
     }
     radiance = vec4(sum, 1.0);
 }

@@ -9,25 +9,16 @@ import jrtr.RenderContext;
 import jrtr.Tile;
 
 /**
- * What a block of a picture shows (shaders/geometry.frag), and room for its light; 84 bytes a pixel.
+ * What a block of a picture shows (shaders/geometry.frag); 68 bytes a pixel.
  *
- * @param attributes four images with depth, drawn from triangles
- * @param radiance linear XYZ and coverage, drawn from the attributes
+ * @param attributes four images with depth
  */
-record GeometryBuffer(FloatTarget attributes, FloatTarget radiance) implements AutoCloseable {
+record GeometryBuffer(FloatTarget attributes) implements AutoCloseable {
     private static final List<String> SAMPLERS = List.of("views", "normals", "tangents", "albedos");
 
     static GeometryBuffer create(RenderContext context, Tile block) {
-        FloatTarget attributes = context.createFloatTarget(
-                "geometry", new FloatTargetSpec(block.width(), block.height(), SAMPLERS.size(), true));
-        try {
-            return new GeometryBuffer(
-                    attributes,
-                    context.createFloatTarget("radiance", FloatTargetSpec.color(block.width(), block.height())));
-        } catch (RuntimeException failure) {
-            attributes.close();
-            throw failure;
-        }
+        return new GeometryBuffer(context.createFloatTarget(
+                "geometry", new FloatTargetSpec(block.width(), block.height(), SAMPLERS.size(), true)));
     }
 
     /** The attributes for shaders/skin.frag: image i to sampler i. */
@@ -37,9 +28,19 @@ record GeometryBuffer(FloatTarget attributes, FloatTarget radiance) implements A
                 .toList();
     }
 
+    /** Directions to the viewer and coverage, 4 values a pixel, the part's top row first. */
+    float[] views(Tile part) {
+        return attributes.read(0, part);
+    }
+
+    /** Number of a pixel's texel as shaders/skin.frag counts them: row by row from the bottom left. */
+    int texel(int x, int y) {
+        int width = attributes.spec().width();
+        return (attributes.spec().height() - 1 - y) * width + x;
+    }
+
     @Override
     public void close() {
         attributes.close();
-        radiance.close();
     }
 }

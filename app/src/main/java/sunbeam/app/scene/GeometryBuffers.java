@@ -16,7 +16,7 @@ import sunbeam.app.gpu.Shaders;
  * and weights change, they stay (deferred shading; Saito and Takahashi 1990).
  */
 final class GeometryBuffers implements AutoCloseable {
-    /** Blocks that are kept: those of a picture of 2048 x 2048, in 350 MB. */
+    /** Blocks that are kept: those of a picture of 2048 x 2048, in 290 MB. */
     static final int MOST = 4;
 
     // Rows that are drawn at once: a large picture's triangles, all at once, would keep input waiting.

@@ -27,11 +27,13 @@ public final class SceneSession implements AutoCloseable {
     private final RenderContext context;
     private final SceneRenderer renderer;
     private final GeometryBuffers buffers;
+    private final PackedShading shading;
     private final Picking picking;
     private SceneData data;
     private VertexBuffer mesh;
     private ImageTexture body;
     private SkinSurface skin;
+    private long shadingNanoseconds;
 
     /**
      * Uploads a scene.
@@ -42,6 +44,7 @@ public final class SceneSession implements AutoCloseable {
         this.context = context;
         this.renderer = new SceneRenderer(context);
         this.buffers = new GeometryBuffers(context, renderer);
+        this.shading = new PackedShading(context);
         this.picking = new Picking(context);
         try {
             update(data);
@@ -130,14 +133,20 @@ public final class SceneSession implements AutoCloseable {
         }
         SkinGeometry geometry = SkinGeometry.of(scene(), mesh, body, width, height);
         ScenePicture part = ScenePicture.empty(tile.width(), tile.height());
+        shadingNanoseconds = 0;
         for (SceneBlocks.Piece piece : SceneBlocks.split(width, height, tile)) {
             Tile drawn = piece.inBlock();
             GeometryBuffer buffer = buffers.of(geometry, piece.block(), drawn);
-            skin.shade(scene(), buffer, drawn);
-            float[] lit = buffer.radiance().read(0, drawn);
+            float[] lit = shading.shade(skin, scene(), buffer, drawn);
+            shadingNanoseconds += shading.nanoseconds();
             part.put(new ScenePicture(drawn.width(), drawn.height(), lit), piece.x(), piece.y());
         }
         return part;
+    }
+
+    /** Time that the last part drawn took for its pixels; the rest went to the mesh, if that had to be drawn. */
+    public long shadingNanoseconds() {
+        return shadingNanoseconds;
     }
 
     /** Draws a whole picture, tile by tile, so that no single draw keeps a slow driver for long. */
@@ -188,6 +197,7 @@ public final class SceneSession implements AutoCloseable {
         closeUnlessSame(body, null);
         closeUnlessSame(mesh, null);
         picking.close();
+        shading.close();
         buffers.close();
         renderer.close();
     }

@@ -3,6 +3,8 @@ package sunbeam.app.scene;
 import java.util.ArrayList;
 import java.util.List;
 import jrtr.Binding;
+import jrtr.FloatTarget;
+import jrtr.FloatTexture;
 import jrtr.RenderContext;
 import jrtr.ShaderProgram;
 import jrtr.Tile;
@@ -14,12 +16,10 @@ import sunbeam.app.gpu.Shaders;
 
 /** A diffraction method on a mesh: its tables and the program shaders/skin.frag with it compiled in. */
 final class SkinSurface implements AutoCloseable {
-    private final RenderContext context;
     private final DiffractionMethod method;
     private final ShaderProgram program;
 
-    private SkinSurface(RenderContext context, DiffractionMethod method, ShaderProgram program) {
-        this.context = context;
+    private SkinSurface(DiffractionMethod method, ShaderProgram program) {
         this.method = method;
         this.program = program;
     }
@@ -31,21 +31,33 @@ final class SkinSurface implements AutoCloseable {
             ShaderProgram program =
                     context.createFullScreenProgram(Shaders.library().load("skin.frag", method.defines()));
             method.setUniforms(program);
-            return new SkinSurface(context, method, program);
+            return new SkinSurface(method, program);
         } catch (RuntimeException failure) {
             method.close();
             throw failure;
         }
     }
 
-    /** Lights a part of a block; what shows no skin becomes zeros. */
-    void shade(Scene scene, GeometryBuffer buffer, Tile tile) {
+    /**
+     * Lights texels of a block.
+     *
+     * @param sources which, by {@link GeometryBuffer#texel}; -1 for none
+     * @param target as large as the sources; where there is none, it stays as it is
+     * @param tile part of the target
+     */
+    void shade(
+            RenderContext context,
+            Scene scene,
+            GeometryBuffer buffer,
+            FloatTexture sources,
+            FloatTarget target,
+            Tile tile) {
         LightUniforms.of(List.of(SceneGraphs.light(scene)).iterator()).applyTo(program);
         weights(scene.blend()).applyTo(program);
         List<Binding> textures = new ArrayList<>(method.bindings());
         textures.addAll(buffer.bindings());
-        buffer.radiance().clear(tile, 0, 0, 0, 0);
-        context.drawFullScreen(program, textures, buffer.radiance(), tile);
+        textures.add(new Binding("sources", sources));
+        context.drawFullScreen(program, textures, target, tile);
     }
 
     private static UniformValues weights(Blend blend) {

@@ -59,6 +59,11 @@ final class GraphicsStage implements AutoCloseable {
         return coarse.draw(width, height, Tile.whole(width, height));
     }
 
+    /** Time that the pixels of the last preview took. */
+    long previewShadingNanoseconds() {
+        return coarse.shadingNanoseconds();
+    }
+
     ScenePicture part(int width, int height, Tile tile) {
         return fine.draw(width, height, tile);
     }

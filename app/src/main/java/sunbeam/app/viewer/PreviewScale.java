@@ -1,49 +1,53 @@
 package sunbeam.app.viewer;
 
 /**
- * At what resolution a moving picture is drawn so that a frame keeps to its time. A frame takes a fixed time, for the
- * mesh and the window, and one per pixel; only the second can be saved. Immutable; each measured frame gives the next
- * value.
+ * At what resolution a moving picture is drawn so that a frame keeps to its time. A frame takes some time for the mesh and
+ * the window, and some for its pixels; only the second can be saved. Immutable; each measured frame gives the next value.
  *
- * @param divisor the preview has a {@code divisor}-th of the picture's columns and rows, one of 1, 2, 3, 4, 6, 8, 12, 16,
- *     24, 32
- * @param fixedNanoseconds upper bound of the fixed time: what the fastest frame took
+ * @param divisor the preview has a {@code divisor}-th of the picture's columns and rows, one of 1 to 8, 10, 12, 14, 16,
+ *     20, 24, 32
+ * @param pixelNanoseconds what the pixels of the picture in full resolution would take, by the latest frames; NaN before
+ *     the first
  */
-public record PreviewScale(int divisor, double fixedNanoseconds) {
+public record PreviewScale(int divisor, double pixelNanoseconds) {
     /**
      * Input that comes just after a frame has begun waits for two of them; with the window's own time that is below
      * 100 ms.
      */
-    public static final long BUDGET_NANOSECONDS = 30_000_000;
+    public static final long BUDGET_NANOSECONDS = 34_000_000;
 
-    private static final int[] DIVISORS = {1, 2, 3, 4, 6, 8, 12, 16, 24, 32};
+    private static final int[] DIVISORS = {1, 2, 3, 4, 5, 6, 7, 8, 10, 12, 14, 16, 20, 24, 32};
     // A finer step must be foreseen to take less than this share of the budget, lest the scale swings to and fro.
-    private static final double MARGIN = 0.7;
-    // Where the fixed time eats up the budget, pixels still get this share: fewer would not make frames faster.
+    private static final double MARGIN = 0.8;
+    // Where the mesh eats up the budget, pixels still get this share: fewer would not make frames faster.
     private static final double LEAST_SHARE = 1 / 3.0;
+    // Weight of the latest frame; a single one may have been held up by something else.
+    private static final double NEWEST = 0.5;
 
     /** Coarse enough for any method's first frame, of which nothing is known yet. */
     public static PreviewScale first() {
-        return new PreviewScale(16, Double.MAX_VALUE);
+        return new PreviewScale(16, Double.NaN);
     }
 
     /**
      * The scale after a frame: as coarse as it must be at once, but one step finer at most.
      *
      * @param nanoseconds what a frame at this scale took
+     * @param shading the part of it that its pixels took
      */
-    public PreviewScale after(long nanoseconds) {
-        double fixed = Math.min(fixedNanoseconds, (double) nanoseconds);
-        double forPixels = (nanoseconds - fixed) * divisor * divisor;
+    public PreviewScale after(long nanoseconds, long shading) {
+        double latest = (double) shading * divisor * divisor;
+        double pixels = Double.isNaN(pixelNanoseconds) ? latest : pixelNanoseconds + NEWEST * (latest - pixelNanoseconds);
+        double fixed = (double) nanoseconds - shading;
         double allowed = Math.max(BUDGET_NANOSECONDS - fixed, LEAST_SHARE * BUDGET_NANOSECONDS);
         for (int index = Math.max(0, indexOf(divisor) - 1); index < DIVISORS.length; index++) {
             int candidate = DIVISORS[index];
-            double foreseen = forPixels / ((double) candidate * candidate);
+            double foreseen = pixels / ((double) candidate * candidate);
             if (foreseen <= (candidate < divisor ? MARGIN : 1) * allowed) {
-                return new PreviewScale(candidate, fixed);
+                return new PreviewScale(candidate, pixels);
             }
         }
-        return new PreviewScale(DIVISORS[DIVISORS.length - 1], fixed);
+        return new PreviewScale(DIVISORS[DIVISORS.length - 1], pixels);
     }
 
     private static int indexOf(int divisor) {

@@ -37,8 +37,9 @@ public final class ViewCommand implements Callable<Integer> {
     @Option(
             names = "--measure",
             paramLabel = "SECONDS",
-            description = "Drag the light to and fro for 1 to 600 seconds, print frames per second and the time from"
-                    + " input to screen, and close. Leave mouse and keyboard alone meanwhile.")
+            description =
+                    "Drag the light to and fro, then the model, for 1 to 600 seconds each, print frames per second"
+                            + " and the time from input to screen, and close. Leave mouse and keyboard alone meanwhile.")
     private Double measure;
 
     @Spec

@@ -13,8 +13,8 @@ import javax.swing.SwingUtilities;
 import javax.swing.Timer;
 
 /**
- * How fast the viewer follows a hand: right drags at 60 events a second go through the window's event queue, and each is
- * timed from there until a picture that has it is painted. Belongs to the event thread.
+ * How fast the viewer follows a hand: drags at 60 events a second go through the window's event queue, and each is timed
+ * from there until a picture that has it is painted. Belongs to the event thread.
  */
 final class ViewMeasurement implements FrameObserver {
     private static final int EVENT_MILLISECONDS = 16;
@@ -22,7 +22,24 @@ final class ViewMeasurement implements FrameObserver {
     // this.
     private static final long LONGEST_WARM_UP_NANOSECONDS = 3_000_000_000L;
 
+    /** What the hand does. */
+    private enum Drag {
+        LIGHT("moving the light", MouseEvent.BUTTON3, MouseEvent.BUTTON3_DOWN_MASK),
+        MODEL("turning the model", MouseEvent.BUTTON1, MouseEvent.BUTTON1_DOWN_MASK);
+
+        private final String title;
+        private final int button;
+        private final int held;
+
+        Drag(String title, int button, int held) {
+            this.title = title;
+            this.button = button;
+            this.held = held;
+        }
+    }
+
     private final Viewer viewer;
+    private final Drag drag;
     private final long nanoseconds;
     private final CountDownLatch done = new CountDownLatch(1);
     private final Timer hand = new Timer(EVENT_MILLISECONDS, event -> move());
@@ -36,21 +53,27 @@ final class ViewMeasurement implements FrameObserver {
     private long start;
     private int steps;
 
-    private ViewMeasurement(Viewer viewer, double seconds) {
+    private ViewMeasurement(Viewer viewer, Drag drag, double seconds) {
         this.viewer = viewer;
+        this.drag = drag;
         this.nanoseconds = (long) (seconds * 1e9);
     }
 
     /**
-     * Drags the light about in an open viewer whose scene is loaded, and reports. Not on the event thread.
+     * Drags the light and then the model about in an open viewer whose scene is loaded, and reports, in a line each. Not
+     * on the event thread.
      *
-     * @param seconds that are measured, after some for warming up
+     * @param seconds that are measured of each, after some for warming up
      */
     static String of(Viewer viewer, double seconds) throws InterruptedException {
-        ViewMeasurement measurement = new ViewMeasurement(viewer, seconds);
-        SwingUtilities.invokeLater(measurement::begin);
-        measurement.done.await();
-        return measurement.report();
+        List<String> lines = new ArrayList<>();
+        for (Drag drag : Drag.values()) {
+            ViewMeasurement measurement = new ViewMeasurement(viewer, drag, seconds);
+            SwingUtilities.invokeLater(measurement::begin);
+            measurement.done.await();
+            lines.add(drag.title + ": " + measurement.report());
+        }
+        return String.join(System.lineSeparator(), lines);
     }
 
     private void begin() {
@@ -60,10 +83,11 @@ final class ViewMeasurement implements FrameObserver {
         hand.start();
     }
 
-    /** To and fro, so that the light stays above the scene. */
+    /** To and fro, so that the light stays above the scene and the model in view. */
     private void move() {
         if (System.nanoTime() - start > nanoseconds) {
             hand.stop();
+            send(MouseEvent.MOUSE_RELEASED, 0);
             viewer.observe(FrameObserver.NONE);
             done.countDown();
             return;
@@ -79,15 +103,7 @@ final class ViewMeasurement implements FrameObserver {
         int x = view.getWidth() / 2 + offset;
         long now = System.nanoTime();
         MouseEvent event = new MouseEvent(
-                view,
-                kind,
-                System.currentTimeMillis(),
-                MouseEvent.BUTTON3_DOWN_MASK,
-                x,
-                view.getHeight() / 2,
-                1,
-                false,
-                MouseEvent.BUTTON3);
+                view, kind, System.currentTimeMillis(), drag.held, x, view.getHeight() / 2, 1, false, drag.button);
         if (kind == MouseEvent.MOUSE_DRAGGED) {
             // Before the event's own turn in the queue: waiting there is latency too.
             waiting.add(now);

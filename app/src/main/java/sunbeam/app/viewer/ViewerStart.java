@@ -32,9 +32,9 @@ final class ViewerStart {
     }
 
     /**
-     * Shows a scene, drags its light about and closes the window.
+     * Shows a scene, drags its light and its model about and closes the window.
      *
-     * @return what was measured, in words
+     * @return what was measured, in lines of words
      * @throws GraphicsException if there is no screen, or nothing can be drawn
      */
     static String measure(Scene scene, Environment environment, Consumer<String> warning, double seconds)

@@ -114,6 +114,21 @@ class SceneSessionTest {
     }
 
     @Test
+    void morePixelsThanArePackedAtATimeAreAllLit() {
+        int width = 320;
+        int height = 240; // 77 thousand; 33 thousand are packed at a time
+        Scene near = PlaneScenes.blaze()
+                .withView(new Viewpoint(
+                        new Camera(new Vector3f(0, -0.02f, 0.05f), new Vector3f(), new Vector3f(0, 1, 0)), 0.6));
+        session.update(near);
+        ScenePicture whole = session.draw(width, height, Tile.whole(width, height));
+        for (int i = 0; i < width * height; i++) {
+            assertThat(whole.rgba()[4 * i + 3]).isEqualTo(1);
+        }
+        assertThat(session.draw(width, height).rgba()).isEqualTo(whole.rgba());
+    }
+
+    @Test
     void blendAddsLightLinearly() {
         Scene scene = PlaneScenes.blaze();
         double[] albedo = {0.95047, 1, 1.08883}; // XYZ of sRGB white, which the texture "none" is

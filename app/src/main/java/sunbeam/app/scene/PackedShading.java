@@ -1,0 +1,107 @@
+package sunbeam.app.scene;
+
+import java.util.Arrays;
+import jrtr.FloatFormat;
+import jrtr.FloatTarget;
+import jrtr.FloatTargetSpec;
+import jrtr.FloatTexture;
+import jrtr.FloatTextureSpec;
+import jrtr.RenderContext;
+import jrtr.Tile;
+
+/** Runs the costly shader for the pixels that show skin and for no other, packed (see {@link Packing}). */
+final class PackedShading implements AutoCloseable {
+    private static final int CHANNELS = 4;
+    // Side of the squares in which pixels are taken up, so that neighbours stay neighbours.
+    private static final int SQUARE = 4;
+
+    private final RenderContext context;
+    private final FloatTexture sources;
+    private final FloatTarget target;
+    private final float[] slots = new float[Packing.MOST];
+    private long nanoseconds;
+
+    PackedShading(RenderContext context) {
+        this.context = context;
+        this.sources = context.createFloatTexture(
+                "sources", FloatTextureSpec.flat(Packing.COLUMNS, Packing.ROWS, FloatFormat.R32F));
+        try {
+            this.target =
+                    context.createFloatTarget("packed radiance", FloatTargetSpec.color(Packing.COLUMNS, Packing.ROWS));
+        } catch (RuntimeException failure) {
+            sources.close();
+            throw failure;
+        }
+    }
+
+    /**
+     * Lights a part of a block.
+     *
+     * @param buffer the block, with that part drawn
+     * @param part counted from the block's corner
+     * @return linear XYZ and coverage, 4 values a pixel, the part's top row first; zeros where there is no skin
+     */
+    float[] shade(SkinSurface skin, Scene scene, GeometryBuffer buffer, Tile part) {
+        int[] covered = covered(buffer.views(part), part);
+        // Reading has waited for the mesh.
+        long start = System.nanoTime();
+        float[] lit = new float[Math.toIntExact(CHANNELS * part.pixels())];
+        for (int first = 0; first < covered.length; first += Packing.MOST) {
+            Packing packing = new Packing(Math.min(Packing.MOST, covered.length - first));
+            upload(packing, covered, first, buffer, part);
+            Tile used = new Tile(0, Packing.ROWS - packing.rows(), packing.columns(), packing.rows());
+            skin.shade(context, scene, buffer, sources, target, used);
+            unpack(packing, target.read(0, used), covered, first, lit);
+        }
+        nanoseconds = System.nanoTime() - start;
+        return lit;
+    }
+
+    /** Time that the last part took, from when its geometry was there. */
+    long nanoseconds() {
+        return nanoseconds;
+    }
+
+    /** Numbers of the pixels that show skin, counted row by row from the part's top left; neighbours together. */
+    static int[] covered(float[] views, Tile part) {
+        int[] pixels = new int[Math.toIntExact(part.pixels())];
+        int count = 0;
+        for (Tile square : Tile.cover(part.width(), part.height(), SQUARE)) {
+            for (int y = square.y(); y < square.y() + square.height(); y++) {
+                for (int x = square.x(); x < square.x() + square.width(); x++) {
+                    int pixel = y * part.width() + x;
+                    if (views[CHANNELS * pixel + 3] > 0) {
+                        pixels[count++] = pixel;
+                    }
+                }
+            }
+        }
+        return Arrays.copyOf(pixels, count);
+    }
+
+    /** Tells the shader for each slot which texel of the geometry it lights; -1 for none. */
+    private void upload(Packing packing, int[] covered, int first, GeometryBuffer buffer, Tile part) {
+        Arrays.fill(slots, 0, Packing.COLUMNS * packing.rows(), -1);
+        for (int i = 0; i < packing.count(); i++) {
+            int x = part.x() + covered[first + i] % part.width();
+            int y = part.y() + covered[first + i] / part.width();
+            slots[Packing.COLUMNS * packing.row(i) + packing.column(i)] = buffer.texel(x, y);
+        }
+        sources.upload(slots);
+    }
+
+    private static void unpack(Packing packing, float[] packed, int[] covered, int first, float[] lit) {
+        for (int i = 0; i < packing.count(); i++) {
+            // Rows are read from the top.
+            int row = packing.rows() - 1 - packing.row(i);
+            int from = CHANNELS * (row * packing.columns() + packing.column(i));
+            System.arraycopy(packed, from, lit, CHANNELS * covered[first + i], CHANNELS);
+        }
+    }
+
+    @Override
+    public void close() {
+        sources.close();
+        target.close();
+    }
+}
