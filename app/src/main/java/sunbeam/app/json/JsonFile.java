@@ -1,6 +1,7 @@
 package sunbeam.app.json;
 
 import com.fasterxml.jackson.core.JsonFactory;
+import com.fasterxml.jackson.core.JsonLocation;
 import com.fasterxml.jackson.core.JsonParser;
 import com.fasterxml.jackson.core.JsonProcessingException;
 import com.fasterxml.jackson.core.JsonToken;
@@ -14,6 +15,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.regex.Pattern;
 import sunbeam.app.input.InputException;
 import sunbeam.precompute.text.Quoted;
 
@@ -26,6 +28,10 @@ public final class JsonFile {
             .streamReadConstraints(
                     StreamReadConstraints.builder().maxNestingDepth(DEEPEST).build())
             .build();
+
+    // What the library tells programmers, not users.
+    private static final Pattern ADVICE =
+            Pattern.compile(", from `[^`]*`|: enable `[^`]*` to allow| \\(not recognized as one since [^)]*\\)");
 
     private JsonFile() {}
 
@@ -53,6 +59,12 @@ public final class JsonFile {
             throw new InputException(name + " is larger than 1 MiB; name another file");
         }
         try (JsonParser parser = JSON.createParser(content)) {
+            return read(name, parser);
+        }
+    }
+
+    private static JsonObject read(String name, JsonParser parser) throws IOException {
+        try {
             if (parser.nextToken() != JsonToken.START_OBJECT) {
                 throw new InputException(name + ", line 1: it must be one JSON object, { ... }");
             }
@@ -63,12 +75,18 @@ public final class JsonFile {
             }
             return new JsonObject(name, "", all);
         } catch (JsonProcessingException broken) {
-            int line = broken.getLocation() == null ? 1 : broken.getLocation().getLineNr();
-            String problem = broken.getOriginalMessage().lines().findFirst().orElse("broken");
+            // Complaints about what is too long or too deep come without their place.
+            JsonLocation place = broken.getLocation() == null ? parser.currentLocation() : broken.getLocation();
             throw new InputException(
-                    "%s, line %d: no valid JSON (%s); mend the line".formatted(name, line, Quoted.oneLine(problem)),
+                    "%s, line %d: no valid JSON (%s); mend the line"
+                            .formatted(name, place.getLineNr(), Quoted.oneLine(problem(broken))),
                     broken);
         }
+    }
+
+    private static String problem(JsonProcessingException broken) {
+        String first = broken.getOriginalMessage().lines().findFirst().orElse("broken");
+        return ADVICE.matcher(first).replaceAll("");
     }
 
     private static int line(JsonParser parser) {

@@ -112,9 +112,19 @@ public final class JsonObject {
             throw complaint(key, value, "must be a number without quotes and unit");
         }
         if (!(number.value() >= least && number.value() <= most)) {
-            throw complaint(key, value, "%s is out of range; give %s to %s".formatted(number.value(), least, most));
+            throw complaint(
+                    key,
+                    value,
+                    "%s is out of range; give %s to %s".formatted(text(number.value()), text(least), text(most)));
         }
         return number.value();
+    }
+
+    /** A number as a user writes it: whole ones without a point, powers of ten as 1e-5. */
+    private static String text(double value) {
+        return value == Math.rint(value) && Math.abs(value) < 1e7
+                ? Long.toString((long) value)
+                : Double.toString(value).replace(".0E", "e").replace('E', 'e');
     }
 
     /** A value as a list of so many values. */

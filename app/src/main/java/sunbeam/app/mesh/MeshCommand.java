@@ -53,8 +53,8 @@ public final class MeshCommand implements Callable<Integer> {
         read.warnings().forEach(warning -> err.println(Messages.warning(warning)));
         MeshWriter.write(target, overwrite, read.mesh());
         PrintWriter out = specification.commandLine().getOut();
-        out.println(target + ": " + read.mesh().vertices() + " vertices, "
-                + read.mesh().triangles() + " triangles");
+        out.println(target + ": " + MeshReader.count(read.mesh().vertices(), "vertex") + ", "
+                + MeshReader.count(read.mesh().triangles(), "triangle"));
         return ExitCode.OK.code();
     }
 

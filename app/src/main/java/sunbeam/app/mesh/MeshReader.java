@@ -76,7 +76,7 @@ public final class MeshReader {
         return new ReadMesh(result, warnings);
     }
 
-    private static String count(int number, String noun) {
+    static String count(int number, String noun) {
         String plural = noun.equals("vertex") ? "vertices" : noun + "s";
         return number + " " + (number == 1 ? noun : plural);
     }

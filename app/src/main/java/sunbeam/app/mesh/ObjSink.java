@@ -71,7 +71,9 @@ final class ObjSink extends AbstractWritableObj {
     private int index(int index, FloatList list, int dimensions, String name) {
         int count = list.size() / dimensions;
         if (index < 0 || index >= count) {
-            throw new MeshException(lines.place() + ": the face names " + name + " " + (index + 1) + " but " + count
+            // As the file has it: negative ones count backwards from the last.
+            int written = index < 0 ? index - count : index + 1;
+            throw new MeshException(lines.place() + ": the face names " + name + " " + written + " but " + count
                     + " are given above it");
         }
         return index;

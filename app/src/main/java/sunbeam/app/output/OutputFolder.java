@@ -1,7 +1,9 @@
 package sunbeam.app.output;
 
 import java.io.IOException;
+import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 
 /** Folders that commands write several files into. */
@@ -20,8 +22,16 @@ public final class OutputFolder {
             }
         } catch (IOException failure) {
             throw new OutputException(
-                    "cannot make the folder " + folder + " (" + failure.getMessage() + "); name another with --output",
+                    "cannot make the folder " + folder + " (" + reason(failure) + "); name another with --output",
                     failure);
         }
+    }
+
+    /** In words; what Java says of these is the folder's name. */
+    private static String reason(IOException failure) {
+        if (failure instanceof FileAlreadyExistsException) {
+            return "a file has this name";
+        }
+        return failure instanceof NoSuchFileException ? "the folder above it does not exist" : failure.getMessage();
     }
 }

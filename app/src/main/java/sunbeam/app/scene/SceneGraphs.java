@@ -23,6 +23,9 @@ final class SceneGraphs {
     private static final float MARGIN = 1.02f;
     // Near plane over far plane where the eye stands inside the mesh's sphere; a 32-bit depth buffer bears it.
     private static final float NEAREST = 1e-3f;
+    // Half the distance of the planes over that of the mesh, at least: float32 tells them apart however small the mesh
+    // is.
+    private static final float THINNEST = 1e-4f;
 
     private SceneGraphs() {}
 
@@ -62,7 +65,7 @@ final class SceneGraphs {
         Vector3f sight = camera.lookAtPoint().sub(camera.centerOfProjection(), new Vector3f());
         float distance =
                 bounds.center().sub(camera.centerOfProjection(), new Vector3f()).dot(sight.normalize());
-        float reach = MARGIN * bounds.radius();
+        float reach = Math.max(MARGIN * bounds.radius(), THINNEST * Math.abs(distance));
         // Behind the eye nothing is seen whatever the planes.
         float far = Math.max(distance, 0) + reach;
         return new Frustum((float) view.verticalFieldOfView(), Math.max(distance - reach, NEAREST * far), far);

@@ -133,7 +133,11 @@ public final class SceneReader {
             }
             throw root.complaint("exposure", value, "must be \"auto\" or a number above 0 without quotes");
         }
-        return OptionalDouble.of(root.number("exposure", value, Double.MIN_NORMAL, LARGEST_EXPOSURE));
+        double factor = root.number("exposure", value, 0, LARGEST_EXPOSURE);
+        if (factor < Double.MIN_NORMAL) {
+            throw root.complaint("exposure", value, "must be above 0");
+        }
+        return OptionalDouble.of(factor);
     }
 
     private static Blend blend(JsonObject weights) {

@@ -1,9 +1,12 @@
 package sunbeam.app.texture;
 
+import java.awt.color.ColorSpace;
 import java.awt.image.BufferedImage;
+import java.awt.image.Raster;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.Iterator;
 import javax.imageio.ImageIO;
 import javax.imageio.ImageReader;
@@ -57,6 +60,26 @@ final class ImageTextureReader {
 
     /** Any kind of image to sRGB; transparent texels keep their colour and become opaque. */
     private static BodyTexture texels(BufferedImage image) {
+        return image.getColorModel().getColorSpace().getType() == ColorSpace.TYPE_GRAY
+                ? greyTexels(image)
+                : colorTexels(image);
+    }
+
+    /** Java takes grey samples for linear light, but files hold them, like colours, as the sRGB curve gives them. */
+    private static BodyTexture greyTexels(BufferedImage image) {
+        Raster samples = image.getRaster();
+        int white = (1 << samples.getSampleModel().getSampleSize(0)) - 1;
+        byte[] rgba = new byte[4 * image.getWidth() * image.getHeight()];
+        for (int texel = 0; texel < rgba.length / 4; texel++) {
+            int sample = samples.getSample(texel % image.getWidth(), texel / image.getWidth(), 0);
+            byte grey = (byte) Math.round(255f * sample / white);
+            Arrays.fill(rgba, 4 * texel, 4 * texel + 3, grey);
+            rgba[4 * texel + 3] = -1;
+        }
+        return new BodyTexture(image.getWidth(), image.getHeight(), rgba);
+    }
+
+    private static BodyTexture colorTexels(BufferedImage image) {
         int width = image.getWidth();
         int height = image.getHeight();
         byte[] rgba = new byte[4 * width * height];

@@ -3,7 +3,9 @@ package sunbeam.app.viewer;
 import java.awt.GridBagConstraints;
 import java.awt.GridBagLayout;
 import java.awt.Insets;
+import java.util.HashMap;
 import java.util.Locale;
+import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.function.Consumer;
 import java.util.function.DoubleConsumer;
@@ -15,6 +17,7 @@ import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JTextField;
+import sunbeam.app.mesh.BuiltInMeshes;
 import sunbeam.app.scene.Blend;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.setup.MethodRequest;
@@ -33,8 +36,9 @@ final class ControlPanel extends JPanel {
 
     private final transient ViewerModel model;
     private final transient Consumer<String> problem;
-    private final JComboBox<String> mesh = new JComboBox<>(new String[] {"snake", "plane", "sphere", "cylinder"});
-    private final JComboBox<String> patch = new JComboBox<>();
+    private final NameBox mesh = new NameBox(BuiltInMeshes.names());
+    private final NameBox patch = new NameBox(BuiltInPatches.names());
+    private final transient Map<String, PatchRequest> loadedPatches = new HashMap<>();
     private final JComboBox<MethodChoice> method = new JComboBox<>(MethodChoice.values());
     private final JTextField spacing = new JTextField("1um", 8);
     private JLabel spacingCaption;
@@ -54,7 +58,6 @@ final class ControlPanel extends JPanel {
         super(new GridBagLayout());
         this.model = model;
         this.problem = problem;
-        BuiltInPatches.names().forEach(patch::addItem);
         rotation = new LabelledSlider(
                 "rotation",
                 -180,
@@ -151,11 +154,9 @@ final class ControlPanel extends JPanel {
 
     private void listen() {
         onChoice(mesh, name -> change(scene -> scene.withMesh(name)));
-        onChoice(patch, name -> {
-            if (BuiltInPatches.names().contains(name)) {
-                change(scene -> scene.withPatch(PatchRequest.of(name)));
-            }
-        });
+        onChoice(
+                patch,
+                name -> change(scene -> scene.withPatch(loadedPatches.getOrDefault(name, PatchRequest.of(name)))));
         method.addActionListener(event -> enterMethod());
         spacing.addActionListener(event -> enterMethod());
         onChoice(
@@ -253,8 +254,9 @@ final class ControlPanel extends JPanel {
     void follow() {
         updating = true;
         Scene scene = model.scene();
-        select(mesh, scene.mesh());
-        select(patch, scene.patch().patch());
+        mesh.select(scene.mesh());
+        patch.select(scene.patch().patch());
+        loadedPatches.put(scene.patch().patch(), scene.patch());
         MethodChoice choice = MethodChoice.of(scene);
         method.setSelectedItem(choice);
         scene.method().spacing().ifPresent(metres -> spacing.setText(Lengths.format(metres)));
@@ -278,17 +280,6 @@ final class ControlPanel extends JPanel {
         diffraction.follow(scene.blend().diffraction());
         texture.follow(scene.blend().texture());
         updating = false;
-    }
-
-    private static void select(JComboBox<String> box, String name) {
-        for (int i = 0; i < box.getItemCount(); i++) {
-            if (box.getItemAt(i).equals(name)) {
-                box.setSelectedIndex(i);
-                return;
-            }
-        }
-        box.addItem(name);
-        box.setSelectedItem(name);
     }
 
     private static String format(String pattern, Object... values) {

@@ -30,7 +30,7 @@ final class FileActions {
     private final ViewerModel model;
     private final Background background;
     private final Consumer<Scene> loadedScene;
-    private Path folder = Path.of("");
+    private Path folder = Path.of("").toAbsolutePath();
     private Path pictureWaiting;
     private SceneData drawn;
     private double drawnExposure;

@@ -1,6 +1,7 @@
 package sunbeam.app.viewer;
 
 import java.awt.event.ActionEvent;
+import java.awt.event.KeyEvent;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import javax.swing.AbstractAction;
@@ -9,6 +10,7 @@ import javax.swing.JMenu;
 import javax.swing.JMenuBar;
 import javax.swing.JMenuItem;
 import javax.swing.KeyStroke;
+import javax.swing.text.JTextComponent;
 import sunbeam.app.scene.SceneLight;
 
 /** Menus, and what the keys do. */
@@ -27,7 +29,7 @@ final class KeyControls {
     }
 
     JMenuBar menus() {
-        JMenuBar bar = new JMenuBar();
+        JMenuBar bar = new Menus();
         bar.add(menu("File", fileItems()));
         bar.add(menu("View", viewItems()));
         bar.add(menu("Help", Map.of("Mouse and keys\tF1", viewer::showKeys)));
@@ -95,5 +97,16 @@ final class KeyControls {
                 action.run();
             }
         });
+    }
+
+    /** Leaves letters to a text that is being typed: the m of "65um" is no command. */
+    private static final class Menus extends JMenuBar {
+        @Override
+        protected boolean processKeyBinding(KeyStroke stroke, KeyEvent event, int condition, boolean pressed) {
+            int key = stroke.getKeyCode();
+            boolean letter = key >= KeyEvent.VK_A && key <= KeyEvent.VK_Z && stroke.getModifiers() == 0;
+            boolean typed = letter && event.getComponent() instanceof JTextComponent;
+            return !typed && super.processKeyBinding(stroke, event, condition, pressed);
+        }
     }
 }

@@ -16,7 +16,7 @@ final class ViewerModel {
         /** There is something new to draw, or a control must follow. */
         void changed();
 
-        /** Loading has begun or ended. */
+        /** A load has begun or ended; several may be under way. */
         void loading(boolean active);
 
         /** Something could not be loaded. */
@@ -28,6 +28,8 @@ final class ViewerModel {
     private Listener listener;
     private Scene wanted;
     private LoadedScene loaded;
+    // What was loaded while a newer load was already wanted; stays if that one fails.
+    private LoadedScene overtaken;
     private final AtomicLong newestLoad = new AtomicLong();
 
     /**
@@ -86,22 +88,28 @@ final class ViewerModel {
     }
 
     private void accept(long number, LoadedScene result) {
-        if (number != newestLoad.get() || result == null) {
-            return;
+        if (result != null && number == newestLoad.get()) {
+            overtaken = null;
+            loaded = result.with(withPartsOf(wanted, result.fine().scene()));
+            listener.changed();
+        } else if (result != null) {
+            overtaken = result;
         }
-        loaded = result.with(withPartsOf(wanted, result.fine().scene()));
         listener.loading(false);
-        listener.changed();
     }
 
     private void refuse(long number, String message) {
         if (number == newestLoad.get()) {
+            if (overtaken != null) {
+                loaded = overtaken.with(withPartsOf(wanted, overtaken.fine().scene()));
+                overtaken = null;
+            }
             if (loaded != null) {
                 wanted = withPartsOf(wanted, loaded.fine().scene());
             }
-            listener.loading(false);
             listener.changed();
         }
+        listener.loading(false);
         listener.problem(message);
     }
 

@@ -65,6 +65,27 @@ class MeshCommandTest {
     }
 
     @Test
+    void indicesThatPointNowhereAreNamedAsTheFileHasThem() throws IOException {
+        String positions = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+        Path forwards = Files.writeString(folder.resolve("forwards.obj"), positions + "f 1 2 9\n");
+        Path backwards = Files.writeString(folder.resolve("backwards.obj"), positions + "f -1 -2 -9\n");
+        String output = folder.resolve("out.obj").toString();
+
+        assertThat(run("mesh", forwards.toString(), "--output", output)).isEqualTo(ExitCode.UNUSABLE_INPUT.code());
+        assertThat(run("mesh", backwards.toString(), "--output", output)).isEqualTo(ExitCode.UNUSABLE_INPUT.code());
+        assertThat(err.toString()).contains("line 4: the face names position 9 but 3", "position -9 but 3");
+    }
+
+    @Test
+    void oneTriangleIsCountedInTheSingular() throws IOException {
+        Path in = Files.writeString(folder.resolve("in.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+
+        run("mesh", in.toString(), "--output", folder.resolve("out.obj").toString());
+
+        assertThat(out.toString()).contains("out.obj: 3 vertices, 1 triangle\n");
+    }
+
+    @Test
     void mistakesAreOneLine() throws IOException {
         Path bad = Files.writeString(folder.resolve("bad.obj"), "v 0 nan 0\n");
         String output = folder.resolve("out.obj").toString();

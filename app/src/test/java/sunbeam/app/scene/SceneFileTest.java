@@ -91,6 +91,10 @@ class SceneFileTest {
                     "elaphe-like"        | {"file": "blaze", "height": "500 mm"} | line 3 | patch.height | 1 nm to 100 mm
                     "elaphe-like"        | {"file": "blaze", "maxHeight": "2 m"} | line 3 | patch.maxHeight | out of range
                     "exposure": 2        | "exposure": "two"  | line 9  | exposure      | auto
+                    "exposure": 2        | "exposure": 0      | line 9  | exposure      | above 0
+                    "exposure": 2        | "exposure": -1     | line 9  | exposure      | -1 is out of range; give 0 to 1e9
+                    "tolerance": 0.01    | "terms": 0         | line 7  | plan.terms    | 0 is out of range; give 1 to 500
+                    "tolerance": 0.01    | "tolerance": 1e-9  | line 7  | plan.tolerance | 1e-9 is out of range; give 1e-5 to 1
                     [0, 0, 2]            | [0, 0, 0]          | line 5  | light.direction | no direction
                     [0, 0, 2]            | [0, 0]             | line 5  | light.direction | 3 values
                     "0 m", "0 m", "0 m"  | "10 cm", "-20 cm", "15 cm" | line 4 | camera.position | differ
@@ -111,6 +115,21 @@ class SceneFileTest {
         assertThatThrownBy(() -> SceneReader.read(folder.resolve("none.json")))
                 .isInstanceOf(InputException.class)
                 .hasMessageContaining("no such file");
+    }
+
+    @Test
+    void brokenJsonIsExplainedToUsersAndNotToProgrammers() throws IOException {
+        Path deep = write("\n\n{ \"mesh\": " + "[".repeat(30) + "]".repeat(30) + " }");
+        assertThatThrownBy(() -> SceneReader.read(deep))
+                .hasMessageContaining("line 3: no valid JSON (")
+                .satisfies(failure -> assertThat(failure.getMessage())
+                        .contains("depth (21) exceeds the maximum allowed (20)")
+                        .doesNotContain("StreamReadConstraints"));
+        Path word = write(SCENE.replace("\"exposure\": 2", "\"exposure\": NaN"));
+        assertThatThrownBy(() -> SceneReader.read(word))
+                .hasMessageContainingAll("line 9", "NaN")
+                .satisfies(failure -> assertThat(failure.getMessage()).doesNotContain("ALLOW_NON_NUMERIC"));
+        refused(SCENE.replace("\"exposure\": 2", "\"exposure\": 2." + "7".repeat(2000)), "line 9", "length (2001)");
     }
 
     @Test

@@ -5,9 +5,11 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.awt.Component;
 import java.awt.Frame;
+import java.awt.event.KeyEvent;
 import java.awt.image.BufferedImage;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import javax.imageio.ImageIO;
 import javax.swing.JComboBox;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
@@ -151,5 +153,65 @@ final class ViewerLifeWindowTest extends ViewerInAWindow {
             return null;
         });
         assertThat(onEvents(() -> viewer.window().status().text())).contains("spacing of the lines", "parsec");
+    }
+
+    @Test
+    void whatIsTypedIntoAFieldIsNoCommand() throws Exception {
+        onEvents(() -> {
+            viewer.toggleMap();
+            control("coherence", JTextField.class).setText("");
+            control("coherence", JTextField.class).requestFocusInWindow();
+            return null;
+        });
+        await(() -> onEvents(() -> control("coherence", JTextField.class).isFocusOwner()));
+        for (int key : new int[] {KeyEvent.VK_4, KeyEvent.VK_0, KeyEvent.VK_U, KeyEvent.VK_M, KeyEvent.VK_ENTER}) {
+            robot.keyPress(key);
+            robot.keyRelease(key);
+        }
+        robot.waitForIdle();
+        assertThat(onEvents(() -> viewer.model().scene().plan().window().coherenceLength()))
+                .isEqualTo(40e-6);
+        assertThat(onEvents(() -> viewer.window().map().isShowing()))
+                .as("M shows and hides the map")
+                .isTrue();
+
+        onEvents(() -> viewer.window().picture().requestFocusInWindow());
+        await(() -> onEvents(() -> viewer.window().picture().isFocusOwner()));
+        robot.keyPress(KeyEvent.VK_M);
+        robot.keyRelease(KeyEvent.VK_M);
+        await(() -> onEvents(() -> !viewer.window().map().isShowing()));
+    }
+
+    @Test
+    void aPatchFromADeepFolderKeepsThePanelsWidthAndCanBeChosenAgain() throws Exception {
+        Path deep = Files.createDirectories(folder.resolve("a-folder-with-a-long-name/".repeat(4)));
+        BufferedImage heights = new BufferedImage(32, 32, BufferedImage.TYPE_BYTE_GRAY);
+        heights.getRaster().setSample(3, 4, 0, 255);
+        ImageIO.write(heights, "png", deep.resolve("scan.png").toFile());
+        Path patch = Files.writeString(
+                deep.resolve("scan.json"), "{\"heights\": \"scan.png\", \"width\": \"2 um\", \"maxHeight\": \"9 nm\"}");
+        int before = onEvents(() -> viewer.window().controls().getPreferredSize().width);
+        choose(() -> viewer.files().loadPatch(patch), patch.toString());
+        assertThat(onEvents(() -> viewer.window().controls().getPreferredSize().width))
+                .isEqualTo(before);
+
+        JComboBox<?> box = control("patch", JComboBox.class);
+        choose(() -> box.setSelectedItem("blaze"), "blaze");
+        choose(() -> box.setSelectedItem(patch.toString()), patch.toString());
+    }
+
+    private void choose(Runnable choice, String patch) throws Exception {
+        onEvents(() -> {
+            choice.run();
+            return null;
+        });
+        await(() -> onEvents(() -> viewer.model()
+                .loaded()
+                .orElseThrow()
+                .fine()
+                .scene()
+                .patch()
+                .patch()
+                .equals(patch)));
     }
 }

@@ -1,0 +1,137 @@
+package sunbeam.app.viewer;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.Callable;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.FutureTask;
+import java.util.concurrent.TimeUnit;
+import javax.swing.SwingUtilities;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import sunbeam.app.cli.Environment;
+import sunbeam.app.scene.Scene;
+import sunbeam.app.scene.SceneLoader;
+import sunbeam.precompute.patch.PatchRequest;
+
+/** Loads that overtake each other; no window. */
+@Timeout(60)
+class ViewerModelTest {
+    @TempDir
+    private Path folder;
+
+    private final Background background = new Background("loading");
+    private final CountDownLatch begun = new CountDownLatch(1);
+    private final CountDownLatch mayEnd = new CountDownLatch(1);
+    private final List<String> problems = new ArrayList<>();
+    private int loads;
+    private ViewerModel model;
+
+    private final class Listener implements ViewerModel.Listener {
+        @Override
+        public void changed() {}
+
+        @Override
+        public void loading(boolean active) {
+            loads += active ? 1 : -1;
+        }
+
+        @Override
+        public void problem(String message) {
+            problems.add(message);
+        }
+    }
+
+    @BeforeEach
+    void load() throws Exception {
+        SceneLoader loader =
+                new SceneLoader(new Environment(Map.of("XDG_CACHE_HOME", folder.toString()), folder), warning -> {});
+        onEvents(() -> {
+            model = new ViewerModel(
+                    ViewerInAWindow.scene(), (next, previous) -> loaded(loader, next, previous), background);
+            model.setListener(new Listener());
+            model.start();
+            return null;
+        });
+        awaitLoads();
+    }
+
+    @AfterEach
+    void close() {
+        background.close();
+    }
+
+    /** The patch sinusoid takes until it may end. */
+    private LoadedScene loaded(SceneLoader loader, Scene next, LoadedScene previous) {
+        if (next.patch().patch().equals("sinusoid")) {
+            begun.countDown();
+            try {
+                assertThat(mayEnd.await(30, TimeUnit.SECONDS)).isTrue();
+            } catch (InterruptedException interrupted) {
+                throw new IllegalStateException(interrupted);
+            }
+        }
+        return LoadedScene.load(loader, next, previous);
+    }
+
+    private static <T> T onEvents(Callable<T> work) throws Exception {
+        FutureTask<T> task = new FutureTask<>(work);
+        SwingUtilities.invokeLater(task);
+        return task.get();
+    }
+
+    private void awaitLoads() throws Exception {
+        while (onEvents(() -> loads) > 0) {
+            Thread.sleep(10);
+        }
+    }
+
+    private void patch(String name) throws Exception {
+        onEvents(() -> {
+            model.change(scene -> scene.withPatch(PatchRequest.of(name)));
+            return null;
+        });
+    }
+
+    private String drawn() throws Exception {
+        return onEvents(
+                () -> model.loaded().orElseThrow().fine().scene().patch().patch());
+    }
+
+    /** Wants sinusoid, then another while that is being loaded. */
+    private void overtakeBy(String name) throws Exception {
+        patch("sinusoid");
+        assertThat(begun.await(30, TimeUnit.SECONDS)).isTrue();
+        patch(name);
+        mayEnd.countDown();
+        awaitLoads();
+    }
+
+    @Test
+    void aPatchThatFailsToLoadLeavesTheOneBeforeItInPlaceEvenIfThatWasStillBeingLoaded() throws Exception {
+        overtakeBy(folder.resolve("missing.json").toString());
+
+        assertThat(drawn()).isEqualTo("sinusoid");
+        assertThat(onEvents(() -> model.scene().patch().patch())).isEqualTo("sinusoid");
+        assertThat(onEvents(() -> problems)).hasSize(1).first().asString().contains("missing.json");
+    }
+
+    @Test
+    void ofTwoLoadsTheLaterStaysAndBothEnd() throws Exception {
+        overtakeBy("lamellar");
+
+        assertThat(drawn()).isEqualTo("lamellar");
+        assertThat(onEvents(() -> loads)).isZero();
+        assertThat(onEvents(() -> problems)).isEmpty();
+        patch(folder.resolve("missing.json").toString());
+        awaitLoads();
+        assertThat(drawn()).as("not the one that was overtaken").isEqualTo("lamellar");
+    }
+}
