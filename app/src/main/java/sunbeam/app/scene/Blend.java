@@ -21,6 +21,11 @@ public record Blend(double diffraction, double texture, double diffuse, double a
         check("ambient", ambient);
     }
 
+    /** The same with another factor of the diffracted light. */
+    public Blend withDiffraction(double weight) {
+        return new Blend(weight, texture, diffuse, ambient);
+    }
+
     private static void check(String name, double weight) {
         if (!(weight >= 0 && weight <= LARGEST)) {
             throw new IllegalArgumentException("weight " + name + " " + weight + " is out of range; give 0 to 1e9");

@@ -67,11 +67,7 @@ final class ControlPanel extends JPanel {
                 value -> format("%.0f°", Math.toDegrees(value)),
                 value -> change(scene -> scene.withRotatePatch(value)));
         exposure = stops("exposure", -60, 60, value -> change(scene -> scene.withExposure(OptionalDouble.of(value))));
-        diffraction = stops(
-                "diffraction",
-                -20,
-                80,
-                value -> blend(old -> new Blend(value, old.texture(), old.diffuse(), old.ambient())));
+        diffraction = stops("diffraction", -20, 80, value -> blend(old -> old.withDiffraction(value)));
         texture = new LabelledSlider(
                 "texture",
                 0,

@@ -1,8 +1,10 @@
 package sunbeam.app.viewer;
 
+import sunbeam.app.scene.Blend;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneData;
 import sunbeam.app.scene.SceneLoader;
+import sunbeam.precompute.plan.PlanRequest;
 
 /**
  * A scene with its tables for final pictures and for previews.
@@ -31,6 +33,9 @@ record LoadedScene(SceneData fine, SceneData coarse) {
     }
 
     private static Scene coarse(Scene scene) {
-        return scene.withPlan(PreviewPlan.of(scene.method().kind(), scene.plan()));
+        PlanRequest plan = PreviewPlan.of(scene.method().kind(), scene.plan());
+        Blend blend = scene.blend();
+        return scene.withPlan(plan)
+                .withBlend(blend.withDiffraction(PreviewPlan.radianceScale(scene.plan(), plan) * blend.diffraction()));
     }
 }

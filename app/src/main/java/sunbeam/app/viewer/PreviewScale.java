@@ -14,7 +14,7 @@ public record PreviewScale(int divisor, double pixelNanoseconds) {
      * Input that comes just after a frame has begun waits for two of them; with the window's own time that is below
      * 100 ms.
      */
-    public static final long BUDGET_NANOSECONDS = 34_000_000;
+    public static final long BUDGET_NANOSECONDS = 40_000_000;
 
     private static final int[] DIVISORS = {1, 2, 3, 4, 5, 6, 7, 8, 10, 12, 14, 16, 20, 24, 32};
     // A finer step must be foreseen to take less than this share of the budget, lest the scale swings to and fro.
@@ -37,7 +37,8 @@ public record PreviewScale(int divisor, double pixelNanoseconds) {
      */
     public PreviewScale after(long nanoseconds, long shading) {
         double latest = (double) shading * divisor * divisor;
-        double pixels = Double.isNaN(pixelNanoseconds) ? latest : pixelNanoseconds + NEWEST * (latest - pixelNanoseconds);
+        double pixels =
+                Double.isNaN(pixelNanoseconds) ? latest : pixelNanoseconds + NEWEST * (latest - pixelNanoseconds);
         double fixed = (double) nanoseconds - shading;
         double allowed = Math.max(BUDGET_NANOSECONDS - fixed, LEAST_SHARE * BUDGET_NANOSECONDS);
         for (int index = Math.max(0, indexOf(divisor) - 1); index < DIVISORS.length; index++) {
