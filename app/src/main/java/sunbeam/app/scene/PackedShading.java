@@ -19,7 +19,6 @@ final class PackedShading implements AutoCloseable {
     private final FloatTexture sources;
     private final FloatTarget target;
     private final float[] slots = new float[Packing.MOST];
-    private long nanoseconds;
 
     PackedShading(RenderContext context) {
         this.context = context;
@@ -43,8 +42,6 @@ final class PackedShading implements AutoCloseable {
      */
     float[] shade(SkinSurface skin, Scene scene, GeometryBuffer buffer, Tile part) {
         int[] covered = covered(buffer.views(part), part);
-        // Reading has waited for the mesh.
-        long start = System.nanoTime();
         float[] lit = new float[Math.toIntExact(CHANNELS * part.pixels())];
         for (int first = 0; first < covered.length; first += Packing.MOST) {
             Packing packing = new Packing(Math.min(Packing.MOST, covered.length - first));
@@ -53,13 +50,7 @@ final class PackedShading implements AutoCloseable {
             skin.shade(context, scene, buffer, sources, target, used);
             unpack(packing, target.read(0, used), covered, first, lit);
         }
-        nanoseconds = System.nanoTime() - start;
         return lit;
-    }
-
-    /** Time that the last part took, from when its geometry was there. */
-    long nanoseconds() {
-        return nanoseconds;
     }
 
     /** Numbers of the pixels that show skin, counted row by row from the part's top left; neighbours together. */

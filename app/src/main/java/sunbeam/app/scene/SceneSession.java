@@ -33,7 +33,7 @@ public final class SceneSession implements AutoCloseable {
     private VertexBuffer mesh;
     private ImageTexture body;
     private SkinSurface skin;
-    private long shadingNanoseconds;
+    private long meshNanoseconds;
 
     /**
      * Uploads a scene.
@@ -133,20 +133,25 @@ public final class SceneSession implements AutoCloseable {
         }
         SkinGeometry geometry = SkinGeometry.of(scene(), mesh, body, width, height);
         ScenePicture part = ScenePicture.empty(tile.width(), tile.height());
-        shadingNanoseconds = 0;
+        meshNanoseconds = 0;
         for (SceneBlocks.Piece piece : SceneBlocks.split(width, height, tile)) {
-            Tile drawn = piece.inBlock();
-            GeometryBuffer buffer = buffers.of(geometry, piece.block(), drawn);
-            float[] lit = shading.shade(skin, scene(), buffer, drawn);
-            shadingNanoseconds += shading.nanoseconds();
-            part.put(new ScenePicture(drawn.width(), drawn.height(), lit), piece.x(), piece.y());
+            Tile inBlock = piece.inBlock();
+            float[] lit = shading.shade(skin, scene(), drawn(geometry, piece), inBlock);
+            part.put(new ScenePicture(inBlock.width(), inBlock.height(), lit), piece.x(), piece.y());
         }
         return part;
     }
 
-    /** Time that the last part drawn took for its pixels; the rest went to the mesh, if that had to be drawn. */
-    public long shadingNanoseconds() {
-        return shadingNanoseconds;
+    private GeometryBuffer drawn(SkinGeometry geometry, SceneBlocks.Piece piece) {
+        long start = System.nanoTime();
+        GeometryBuffer buffer = buffers.of(geometry, piece.block(), piece.inBlock());
+        meshNanoseconds += System.nanoTime() - start;
+        return buffer;
+    }
+
+    /** Time that the last part took for the mesh, if that had to be drawn; the rest went to the pixels. */
+    public long meshNanoseconds() {
+        return meshNanoseconds;
     }
 
     /** Draws a whole picture, tile by tile, so that no single draw keeps a slow driver for long. */

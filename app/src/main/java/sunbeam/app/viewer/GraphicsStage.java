@@ -59,9 +59,9 @@ final class GraphicsStage implements AutoCloseable {
         return coarse.draw(width, height, Tile.whole(width, height));
     }
 
-    /** Time that the pixels of the last preview took. */
-    long previewShadingNanoseconds() {
-        return coarse.shadingNanoseconds();
+    /** Time that the mesh of the last preview took. */
+    long previewMeshNanoseconds() {
+        return coarse.meshNanoseconds();
     }
 
     ScenePicture part(int width, int height, Tile tile) {

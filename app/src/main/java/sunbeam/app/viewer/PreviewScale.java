@@ -5,7 +5,7 @@ package sunbeam.app.viewer;
  * the window, and some for its pixels; only the second can be saved. Immutable; each measured frame gives the next value.
  *
  * @param divisor the preview has a {@code divisor}-th of the picture's columns and rows, one of 1 to 8, 10, 12, 14, 16,
- *     20, 24, 32
+ *     20, 24, 32, 40, 48
  * @param pixelNanoseconds what the pixels of the picture in full resolution would take, by the latest frames; NaN before
  *     the first
  */
@@ -16,7 +16,7 @@ public record PreviewScale(int divisor, double pixelNanoseconds) {
      */
     public static final long BUDGET_NANOSECONDS = 40_000_000;
 
-    private static final int[] DIVISORS = {1, 2, 3, 4, 5, 6, 7, 8, 10, 12, 14, 16, 20, 24, 32};
+    private static final int[] DIVISORS = {1, 2, 3, 4, 5, 6, 7, 8, 10, 12, 14, 16, 20, 24, 32, 40, 48};
     // A finer step must be foreseen to take less than this share of the budget, lest the scale swings to and fro.
     private static final double MARGIN = 0.8;
     // Where the mesh eats up the budget, pixels still get this share: fewer would not make frames faster.
@@ -33,14 +33,13 @@ public record PreviewScale(int divisor, double pixelNanoseconds) {
      * The scale after a frame: as coarse as it must be at once, but one step finer at most.
      *
      * @param nanoseconds what a frame at this scale took
-     * @param shading the part of it that its pixels took
+     * @param mesh the part of it that the mesh took
      */
-    public PreviewScale after(long nanoseconds, long shading) {
-        double latest = (double) shading * divisor * divisor;
+    public PreviewScale after(long nanoseconds, long mesh) {
+        double latest = (double) (nanoseconds - mesh) * divisor * divisor;
         double pixels =
                 Double.isNaN(pixelNanoseconds) ? latest : pixelNanoseconds + NEWEST * (latest - pixelNanoseconds);
-        double fixed = (double) nanoseconds - shading;
-        double allowed = Math.max(BUDGET_NANOSECONDS - fixed, LEAST_SHARE * BUDGET_NANOSECONDS);
+        double allowed = Math.max((double) BUDGET_NANOSECONDS - mesh, LEAST_SHARE * BUDGET_NANOSECONDS);
         for (int index = Math.max(0, indexOf(divisor) - 1); index < DIVISORS.length; index++) {
             int candidate = DIVISORS[index];
             double foreseen = pixels / ((double) candidate * candidate);

@@ -119,16 +119,16 @@ final class RenderLoop implements AutoCloseable {
         double exposure = stage.exposure(scene, picture);
         BufferedImage image = stage.image(scene, picture, exposure);
         long taken = System.nanoTime() - start;
-        followTime(state.coarse().method(), taken, stage.previewShadingNanoseconds());
+        followTime(state.coarse().method(), taken, stage.previewMeshNanoseconds());
         listener.picture(state, image, false, exposure, taken);
         return exposure;
     }
 
     /** A method's first frame is left out: the driver compiles its shaders then. */
     @SuppressWarnings("ReferenceEquality") // the same object as long as nothing is loaded anew
-    private void followTime(MethodFactory method, long nanoseconds, long shading) {
+    private void followTime(MethodFactory method, long nanoseconds, long mesh) {
         if (method == measured) {
-            scale = scale.after(nanoseconds, shading);
+            scale = scale.after(nanoseconds, mesh);
         } else {
             scale = PreviewScale.first();
         }

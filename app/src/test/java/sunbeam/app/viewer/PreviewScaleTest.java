@@ -9,17 +9,13 @@ final class PreviewScaleTest {
     private static final int FRAMES = 60;
 
     private static long frame(PreviewScale scale, double fixed, double full) {
-        return (long) fixed + shading(scale, full);
-    }
-
-    private static long shading(PreviewScale scale, double full) {
-        return (long) (full / scale.divisor() / scale.divisor());
+        return (long) (fixed + full / scale.divisor() / scale.divisor());
     }
 
     private static PreviewScale settled(double fixed, double full) {
         PreviewScale scale = PreviewScale.first();
         for (int i = 0; i < FRAMES; i++) {
-            scale = scale.after(frame(scale, fixed, full), shading(scale, full));
+            scale = scale.after(frame(scale, fixed, full), (long) fixed);
         }
         return scale;
     }
@@ -47,16 +43,16 @@ final class PreviewScaleTest {
     @Test
     void oneSlowFrameCoarsensTheVeryNext() {
         long slow = 10 * PreviewScale.BUDGET_NANOSECONDS;
-        assertThat(new PreviewScale(1, 1e6).after(slow, slow).divisor()).isEqualTo(3);
+        assertThat(new PreviewScale(1, 1e6).after(slow, 0).divisor()).isEqualTo(3);
     }
 
     @Test
     void oneFrameThatWasHeldUpIsSoonForgotten() {
         PreviewScale steady = settled(5e6, 1e9);
-        PreviewScale scale = steady.after(3 * frame(steady, 5e6, 1e9), 3 * shading(steady, 1e9));
+        PreviewScale scale = steady.after(3 * frame(steady, 5e6, 1e9), 15_000_000);
         assertThat(scale.divisor()).isGreaterThan(steady.divisor());
-        for (int i = 0; i < 5; i++) {
-            scale = scale.after(frame(scale, 5e6, 1e9), shading(scale, 1e9));
+        for (int i = 0; i < 10; i++) {
+            scale = scale.after(frame(scale, 5e6, 1e9), 5_000_000);
         }
         assertThat(scale.divisor()).isEqualTo(steady.divisor());
     }
@@ -65,8 +61,7 @@ final class PreviewScaleTest {
     void aSettledScaleMovesByOneStepAtMost() {
         for (double full = 1e6; full < 1e12; full *= 1.3) {
             PreviewScale scale = settled(5e6, full);
-            int next =
-                    scale.after(frame(scale, 5e6, full), shading(scale, full)).divisor();
+            int next = scale.after(frame(scale, 5e6, full), 5_000_000).divisor();
             // Neighbouring divisors are at most a factor of 2 apart, from 1 to 2.
             assertThat(next).as("full picture of %s ns", full).isBetween(scale.divisor() / 2, 2 * scale.divisor());
         }
