@@ -38,7 +38,8 @@ final class Mp4Animation {
     static void write(Path target, Overwrite overwrite, List<Path> frames, double framesPerSecond) {
         Path pattern = frames.get(0).resolveSibling("frame-%04d.png");
         AtomicFile.writeFile(target, overwrite, file -> {
-            // Even sides, as 4:2:0 sampling needs them.
+            // Even sides, as 4:2:0 sampling needs them; colours by the standard of high definition, and said to be, so
+            // that players do not guess.
             ProcessBuilder builder = new ProcessBuilder(
                     PROGRAM,
                     "-nostdin",
@@ -54,13 +55,21 @@ final class Mp4Animation {
                     "-frames:v",
                     Integer.toString(frames.size()),
                     "-vf",
-                    "pad=ceil(iw/2)*2:ceil(ih/2)*2",
+                    "pad=ceil(iw/2)*2:ceil(ih/2)*2,scale=out_color_matrix=bt709:out_range=tv",
                     "-c:v",
                     "libx264",
                     "-crf",
                     "18",
                     "-pix_fmt",
                     "yuv420p",
+                    "-colorspace",
+                    "bt709",
+                    "-color_primaries",
+                    "bt709",
+                    "-color_trc",
+                    "iec61966-2-1",
+                    "-color_range",
+                    "tv",
                     "-f",
                     "mp4",
                     file.toString());
