@@ -1,6 +1,7 @@
 package sunbeam.app.viewer;
 
 import java.awt.event.ActionEvent;
+import java.awt.event.KeyEvent;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import javax.swing.AbstractAction;
@@ -9,6 +10,7 @@ import javax.swing.JMenu;
 import javax.swing.JMenuBar;
 import javax.swing.JMenuItem;
 import javax.swing.KeyStroke;
+import javax.swing.text.JTextComponent;
 import sunbeam.app.scene.SceneLight;
 
 /** Menus, and what the keys do. */
@@ -56,7 +58,7 @@ final class KeyControls {
         JMenu menu = new JMenu(name);
         items.forEach((text, action) -> {
             String[] parts = text.split("\t", -1);
-            JMenuItem item = new JMenuItem(parts[0]);
+            JMenuItem item = new Item(parts[0]);
             item.setAccelerator(KeyStroke.getKeyStroke(parts[1]));
             item.addActionListener(event -> action.run());
             menu.add(item);
@@ -85,6 +87,22 @@ final class KeyControls {
 
     private void zoom(double factor) {
         model.change(scene -> scene.withView(CameraMoves.zoomed(scene.view(), factor)));
+    }
+
+    /** An item whose key, if it is a plain one such as L, is left to a text field that has the focus. */
+    private static final class Item extends JMenuItem {
+        Item(String text) {
+            super(text);
+        }
+
+        @Override
+        protected boolean processKeyBinding(KeyStroke stroke, KeyEvent event, int condition, boolean pressed) {
+            boolean typing = stroke.getModifiers() == 0
+                    && event.getComponent() instanceof JTextComponent field
+                    && field.isEditable()
+                    && Character.isLetter(event.getKeyChar());
+            return !typing && super.processKeyBinding(stroke, event, condition, pressed);
+        }
     }
 
     private static void bind(JComponent component, String key, Runnable action) {
