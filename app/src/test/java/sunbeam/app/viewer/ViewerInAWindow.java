@@ -4,15 +4,24 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.junit.jupiter.api.Assumptions.assumeFalse;
 
 import java.awt.Component;
+import java.awt.Graphics;
 import java.awt.GraphicsEnvironment;
 import java.awt.Point;
+import java.awt.Rectangle;
 import java.awt.Robot;
 import java.awt.event.InputEvent;
 import java.awt.image.BufferedImage;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.lang.Thread.UncaughtExceptionHandler;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Map;
 import java.util.concurrent.Callable;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.FutureTask;
+import javax.imageio.ImageIO;
+import javax.swing.JComponent;
 import javax.swing.SwingUtilities;
 import jrtr.scene.Camera;
 import org.joml.Vector3f;
@@ -20,16 +29,19 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import sunbeam.app.Sunbeam;
 import sunbeam.app.cli.Environment;
+import sunbeam.app.output.Overwrite;
 import sunbeam.app.scene.Blend;
 import sunbeam.app.scene.Pick;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneLight;
+import sunbeam.app.scene.SceneWriter;
 import sunbeam.app.scene.Scenes;
 import sunbeam.app.scene.Viewpoint;
 import sunbeam.precompute.patch.PatchRequest;
 
-/** A viewer in a real window, and a robot's hands. */
+/** A viewer in a real window, and a robot's hands. A failure on any thread, such as the event thread, fails the test. */
 @Timeout(120)
 abstract class ViewerInAWindow {
     static final long PATIENCE_MILLISECONDS = 60_000;
@@ -42,10 +54,14 @@ abstract class ViewerInAWindow {
 
     Viewer viewer;
     Robot robot;
+    private final List<Throwable> uncaught = new CopyOnWriteArrayList<>();
+    private UncaughtExceptionHandler handlerBefore;
 
     @BeforeEach
     void open() throws Exception {
         assumeFalse(GraphicsEnvironment.isHeadless(), "no DISPLAY: windows cannot be tested");
+        handlerBefore = Thread.getDefaultUncaughtExceptionHandler();
+        Thread.setDefaultUncaughtExceptionHandler((thread, failure) -> uncaught.add(failure));
         robot = new Robot();
         robot.setAutoDelay(10);
         viewer = ViewerStart.open(scene(), environment(), line -> {});
@@ -78,7 +94,11 @@ abstract class ViewerInAWindow {
                 return null;
             });
             viewer.awaitEnd(PATIENCE_MILLISECONDS);
+            // What the render thread said last is heard, too.
+            onEvents(() -> null);
+            Thread.setDefaultUncaughtExceptionHandler(handlerBefore);
         }
+        assertThat(uncaught).as("failures that nobody caught").isEmpty();
     }
 
     /** Moves the mouse to a point of the picture's middle row and returns it. */
@@ -130,6 +150,57 @@ abstract class ViewerInAWindow {
         }
         robot.mouseRelease(button);
         robot.waitForIdle();
+    }
+
+    /** Presses keys together, such as Ctrl and S, once the picture has the focus. */
+    void press(int... keys) throws Exception {
+        PictureView view = viewer.window().picture();
+        await(() -> onEvents(view::isFocusOwner));
+        for (int key : keys) {
+            robot.keyPress(key);
+        }
+        for (int i = keys.length - 1; i >= 0; i--) {
+            robot.keyRelease(keys[i]);
+        }
+        robot.waitForIdle();
+    }
+
+    /** What the screen shows where a component stands. */
+    BufferedImage screen(Component component) throws Exception {
+        return robot.createScreenCapture(
+                onEvents(() -> new Rectangle(component.getLocationOnScreen(), component.getSize())));
+    }
+
+    /** A component as it paints itself, also where the window is too small to show it. */
+    static BufferedImage painted(JComponent component) throws Exception {
+        return onEvents(() -> {
+            BufferedImage image =
+                    new BufferedImage(component.getWidth(), component.getHeight(), BufferedImage.TYPE_INT_RGB);
+            Graphics graphics = image.createGraphics();
+            component.paint(graphics);
+            graphics.dispose();
+            return image;
+        });
+    }
+
+    /** What the command render writes for the viewer's scene, saved as a file, in the picture's size. */
+    BufferedImage rendered(String name) throws Exception {
+        BufferedImage shown = picture();
+        Path sceneFile = folder.resolve(name + ".json");
+        SceneWriter.write(
+                sceneFile, Overwrite.REFUSE, onEvents(() -> viewer.model().scene()));
+        Path png = folder.resolve(name + ".png");
+        StringWriter err = new StringWriter();
+        int status = new Sunbeam(environment(), new PrintWriter(new StringWriter()), new PrintWriter(err))
+                .run(
+                        "render",
+                        sceneFile.toString(),
+                        "--size",
+                        shown.getWidth() + "x" + shown.getHeight(),
+                        "--output",
+                        png.toString());
+        assertThat(status).as(err.toString()).isZero();
+        return ImageIO.read(png.toFile());
     }
 
     void awaitFinal() throws Exception {

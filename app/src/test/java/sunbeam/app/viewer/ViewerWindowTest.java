@@ -5,15 +5,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.awt.image.BufferedImage;
-import java.io.PrintWriter;
-import java.io.StringWriter;
-import java.nio.file.Path;
-import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
-import sunbeam.app.Sunbeam;
-import sunbeam.app.output.Overwrite;
 import sunbeam.app.scene.Pick;
-import sunbeam.app.scene.SceneWriter;
 
 /** The viewer in a real window, under a robot's hands. */
 final class ViewerWindowTest extends ViewerInAWindow {
@@ -51,26 +44,6 @@ final class ViewerWindowTest extends ViewerInAWindow {
         drag(InputEvent.BUTTON3_DOWN_MASK);
         awaitFinal();
         assertThat(different(picture(), rendered("after"), false)).isZero();
-    }
-
-    /** What the command render writes for the viewer's scene, saved as a file, in the picture's size. */
-    private BufferedImage rendered(String name) throws Exception {
-        BufferedImage shown = picture();
-        Path sceneFile = folder.resolve(name + ".json");
-        SceneWriter.write(
-                sceneFile, Overwrite.REFUSE, onEvents(() -> viewer.model().scene()));
-        Path png = folder.resolve(name + ".png");
-        StringWriter err = new StringWriter();
-        int status = new Sunbeam(environment(), new PrintWriter(new StringWriter()), new PrintWriter(err))
-                .run(
-                        "render",
-                        sceneFile.toString(),
-                        "--size",
-                        shown.getWidth() + "x" + shown.getHeight(),
-                        "--output",
-                        png.toString());
-        assertThat(status).as(err.toString()).isZero();
-        return ImageIO.read(png.toFile());
     }
 
     @Test
