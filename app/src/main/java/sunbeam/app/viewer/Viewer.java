@@ -155,9 +155,10 @@ final class Viewer {
     }
 
     private void open(Scene scene) {
-        asLoaded = scene;
-        window.setTitle(title(scene));
-        model.change(old -> scene);
+        model.open(scene, () -> {
+            asLoaded = scene;
+            window.setTitle(title(scene));
+        });
     }
 
     /** A line from the loader, such as a warning about a patch. */
@@ -231,6 +232,9 @@ final class Viewer {
         @Override
         public void loading(boolean active) {
             window.status().busy(active);
+            if (active) {
+                window.status().message(" "); // what was said of the last load
+            }
         }
 
         @Override

@@ -16,7 +16,7 @@ final class ViewerModel {
         /** There is something new to draw, or a control must follow. */
         void changed();
 
-        /** Loading has begun or ended. */
+        /** A load has begun or ended; every one that begins also ends. */
         void loading(boolean active);
 
         /** Something could not be loaded. */
@@ -29,6 +29,8 @@ final class ViewerModel {
     private Scene wanted;
     private LoadedScene loaded;
     private final AtomicLong newestLoad = new AtomicLong();
+    private Scene beforeOpening;
+    private Runnable whenOpened;
 
     /**
      * @param scene to begin with
@@ -73,6 +75,24 @@ final class ViewerModel {
         listener.changed();
     }
 
+    /**
+     * Goes over to a scene as a whole: if any part of it cannot be loaded, all goes back to how it was.
+     *
+     * @param opened told once it is loaded
+     */
+    void open(Scene scene, Runnable opened) {
+        if (beforeOpening == null) {
+            beforeOpening = wanted;
+        }
+        whenOpened = opened;
+        wanted = scene;
+        if (loaded != null) {
+            loaded = loaded.with(withPartsOf(scene, loaded.fine().scene()));
+        }
+        load();
+        listener.changed();
+    }
+
     private void load() {
         long number = newestLoad.incrementAndGet();
         Scene scene = wanted;
@@ -86,22 +106,32 @@ final class ViewerModel {
     }
 
     private void accept(long number, LoadedScene result) {
+        listener.loading(false);
         if (number != newestLoad.get() || result == null) {
             return;
         }
         loaded = result.with(withPartsOf(wanted, result.fine().scene()));
-        listener.loading(false);
+        if (beforeOpening != null) {
+            beforeOpening = null;
+            whenOpened.run();
+        }
         listener.changed();
     }
 
     private void refuse(long number, String message) {
-        if (number == newestLoad.get()) {
-            if (loaded != null) {
-                wanted = withPartsOf(wanted, loaded.fine().scene());
-            }
-            listener.loading(false);
-            listener.changed();
+        listener.loading(false);
+        // An older load's problem is the newer one's too, or else of no interest any more.
+        if (number != newestLoad.get()) {
+            return;
         }
+        if (loaded != null) {
+            wanted = withPartsOf(
+                    beforeOpening == null ? wanted : beforeOpening,
+                    loaded.fine().scene());
+            loaded = loaded.with(wanted);
+        }
+        beforeOpening = null;
+        listener.changed();
         listener.problem(message);
     }
 
