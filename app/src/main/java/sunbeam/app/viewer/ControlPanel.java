@@ -33,8 +33,8 @@ final class ControlPanel extends JPanel {
 
     private final transient ViewerModel model;
     private final transient Consumer<String> problem;
-    private final JComboBox<String> mesh = new JComboBox<>(new String[] {"snake", "plane", "sphere", "cylinder"});
-    private final JComboBox<String> patch = new JComboBox<>();
+    private final JComboBox<String> mesh = new FileBox("snake", "plane", "sphere", "cylinder");
+    private final JComboBox<String> patch = new FileBox(BuiltInPatches.names().toArray(String[]::new));
     private final JComboBox<MethodChoice> method = new JComboBox<>(MethodChoice.values());
     private final JTextField spacing = new JTextField("1um", 8);
     private JLabel spacingCaption;
@@ -54,7 +54,6 @@ final class ControlPanel extends JPanel {
         super(new GridBagLayout());
         this.model = model;
         this.problem = problem;
-        BuiltInPatches.names().forEach(patch::addItem);
         rotation = new LabelledSlider(
                 "rotation",
                 -180,
