@@ -18,8 +18,14 @@ final class Background implements AutoCloseable {
         });
     }
 
-    /** Does the work; afterwards, on the event thread, hands over its result or its problem in one line. */
+    /**
+     * Does the work; afterwards, on the event thread, hands over its result or its problem in one line. Once closed, does
+     * nothing: what the render thread says last may come after the window's end.
+     */
     <T> void run(Callable<T> work, Consumer<T> done, Consumer<String> problem) {
+        if (executor.isShutdown()) {
+            return;
+        }
         executor.execute(() -> {
             try {
                 T result = work.call();
