@@ -10,6 +10,7 @@ import java.util.Optional;
 import javax.swing.AbstractButton;
 import javax.swing.JDialog;
 import javax.swing.JFileChooser;
+import javax.swing.JTextField;
 import javax.swing.SwingUtilities;
 
 /** The dialogs that the viewer opens, answered as a user would. */
@@ -45,7 +46,19 @@ final class Dialogs {
         ViewerInAWindow.await(() -> ViewerInAWindow.onEvents(() -> !dialog.isShowing()));
     }
 
-    static Optional<JDialog> showing(String title) {
+    /** Fills the text fields of the dialog of that title. */
+    static void type(String title, String... texts) throws Exception {
+        JDialog dialog = await(title);
+        ViewerInAWindow.onEvents(() -> {
+            List<JTextField> fields = all(dialog, JTextField.class);
+            for (int i = 0; i < texts.length; i++) {
+                fields.get(i).setText(texts[i]);
+            }
+            return null;
+        });
+    }
+
+    private static Optional<JDialog> showing(String title) {
         for (Window window : Window.getWindows()) {
             if (window instanceof JDialog dialog
                     && dialog.isShowing()

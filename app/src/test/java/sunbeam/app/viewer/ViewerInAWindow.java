@@ -3,6 +3,7 @@ package sunbeam.app.viewer;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.junit.jupiter.api.Assumptions.assumeFalse;
 
+import java.awt.Color;
 import java.awt.Component;
 import java.awt.Graphics;
 import java.awt.GraphicsEnvironment;
@@ -17,6 +18,7 @@ import java.lang.Thread.UncaughtExceptionHandler;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.FutureTask;
@@ -46,6 +48,8 @@ import sunbeam.precompute.patch.PatchRequest;
 abstract class ViewerInAWindow {
     static final long PATIENCE_MILLISECONDS = 60_000;
 
+    private static final Set<String> BACKGROUND = Set.of("loading", "files", "spectrum");
+
     // Far enough to see all of the cylinder with background around it.
     private static final float EYE = 0.8f;
 
@@ -73,17 +77,17 @@ abstract class ViewerInAWindow {
         awaitFinal();
     }
 
-    /** A cylinder of a coarse grating: a silhouette that turns, and a method that takes milliseconds. */
+    /** A cylinder with the colours of a coarse grating: a silhouette that turns, and a method that takes milliseconds. */
     static Scene scene() {
         Scene elaphe = Scenes.load("elaphe");
         Camera camera = new Camera(new Vector3f(0, -EYE, 0.7f * EYE), new Vector3f(0, 0, 0.1f), new Vector3f(0, 0, 1));
         return elaphe.withMesh("cylinder")
                 .withView(new Viewpoint(camera, Math.toRadians(30)))
                 .withPatch(PatchRequest.of("blaze"))
-                .withPlan(PlanChange.tolerance(elaphe.plan(), 0.05))
+                .withPlan(PlanChange.coherenceLength(PlanChange.tolerance(elaphe.plan(), 0.05), 15e-6))
                 .withTexture("none")
-                .withBlend(new Blend(30, 0.5, 0.9, 0.1))
-                .withLight(new SceneLight(new Vector3f(0.3f, 0.25f, 0.9f), 1));
+                .withBlend(new Blend(100, 0.5, 0.2, 0.1))
+                .withLight(new SceneLight(new Vector3f(0.3f, -0.6f, -0.42f), 1));
     }
 
     @AfterEach
@@ -96,6 +100,9 @@ abstract class ViewerInAWindow {
             viewer.awaitEnd(PATIENCE_MILLISECONDS);
             // What the render thread said last is heard, too.
             onEvents(() -> null);
+            // They write into the folder that is about to be removed.
+            await(() -> Thread.getAllStackTraces().keySet().stream()
+                    .noneMatch(thread -> BACKGROUND.contains(thread.getName())));
             Thread.setDefaultUncaughtExceptionHandler(handlerBefore);
         }
         assertThat(uncaught).as("failures that nobody caught").isEmpty();
@@ -152,10 +159,15 @@ abstract class ViewerInAWindow {
         robot.waitForIdle();
     }
 
-    /** Presses keys together, such as Ctrl and S, once the picture has the focus. */
+    /** Presses keys together, such as Ctrl and S, once the picture has the focus; without a manager of windows it asks. */
     void press(int... keys) throws Exception {
         PictureView view = viewer.window().picture();
-        await(() -> onEvents(view::isFocusOwner));
+        await(() -> onEvents(() -> {
+            if (!view.isFocusOwner()) {
+                view.requestFocus();
+            }
+            return view.isFocusOwner();
+        }));
         for (int key : keys) {
             robot.keyPress(key);
         }
@@ -238,6 +250,20 @@ abstract class ViewerInAWindow {
                 int b = other.getRGB(x, y);
                 boolean differs = silhouette ? (a == background) != (b == background) : a != b;
                 count += differs ? 1 : 0;
+            }
+        }
+        return count;
+    }
+
+    /** Pixels of a colour that no grey light has. */
+    static int spectralPixels(BufferedImage image) {
+        int count = 0;
+        for (int y = 0; y < image.getHeight(); y++) {
+            for (int x = 0; x < image.getWidth(); x++) {
+                Color color = new Color(image.getRGB(x, y));
+                int most = Math.max(color.getRed(), Math.max(color.getGreen(), color.getBlue()));
+                int least = Math.min(color.getRed(), Math.min(color.getGreen(), color.getBlue()));
+                count += most - least > 60 ? 1 : 0;
             }
         }
         return count;

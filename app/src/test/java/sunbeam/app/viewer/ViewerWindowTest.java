@@ -19,9 +19,10 @@ final class ViewerWindowTest extends ViewerInAWindow {
         assertThat(shownPixels(before))
                 .as("pixels of the model")
                 .isBetween(100, before.getWidth() * before.getHeight() - 100);
+        assertThat(spectralPixels(before)).as("pixels in diffraction colours").isGreaterThan(500);
         assertThat(different(before, after, false))
                 .as("pixels of another colour")
-                .isPositive();
+                .isGreaterThan(500);
         assertThat(different(before, after, true))
                 .as("pixels of another silhouette")
                 .isZero();
