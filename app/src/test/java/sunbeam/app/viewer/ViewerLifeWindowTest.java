@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.awt.Component;
-import java.awt.Frame;
 import java.awt.image.BufferedImage;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -17,7 +16,7 @@ import org.junit.jupiter.api.Test;
 import sunbeam.app.input.PngText;
 import sunbeam.app.scene.Scene;
 
-/** The viewer's panel, its trouble and its end, in a real window. */
+/** The viewer's panel and its trouble, in a real window. */
 final class ViewerLifeWindowTest extends ViewerInAWindow {
     @Test
     void withoutOpenGLALabelSaysWhy() throws Exception {
@@ -77,46 +76,6 @@ final class ViewerLifeWindowTest extends ViewerInAWindow {
                                 .method()
                                 .summary()))
                 .hasEntrySatisfying("Renderer", name -> assertThat(name).isNotBlank());
-    }
-
-    @Test
-    void aWindowOfNoSizeAndAMinimisedOneComeBack() throws Exception {
-        onEvents(() -> {
-            viewer.window().setMinimumSize(null);
-            viewer.window().setSize(1, 1);
-            return null;
-        });
-        robot.delay(300);
-        onEvents(() -> {
-            viewer.window().setExtendedState(Frame.ICONIFIED);
-            return null;
-        });
-        robot.delay(200);
-        onEvents(() -> {
-            viewer.window().setExtendedState(Frame.NORMAL);
-            viewer.window().setSize(560, 380);
-            return null;
-        });
-        robot.delay(300);
-        awaitFinal();
-        assertThat(picture().getWidth())
-                .isEqualTo(onEvents(() -> viewer.window().picture().getWidth()));
-    }
-
-    @Test
-    void closedDuringAComputationItEndsAtTheNextTile() throws Exception {
-        onEvents(() -> {
-            viewer.window().setSize(1100, 800);
-            viewer.model().change(scene -> scene.withPlan(PlanChange.tolerance(scene.plan(), 1e-4)));
-            return null;
-        });
-        robot.delay(400);
-        onEvents(() -> {
-            viewer.quit();
-            return null;
-        });
-        viewer.awaitEnd(PATIENCE_MILLISECONDS);
-        assertThat(viewer.hasEnded()).isTrue();
     }
 
     @Test
