@@ -9,6 +9,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.TimeUnit;
+import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import sunbeam.app.Main;
 import sunbeam.app.output.Overwrite;
@@ -40,6 +41,18 @@ final class ViewerEndWindowTest extends ViewerInAWindow {
             return null;
         });
         assertEnd();
+    }
+
+    @Test
+    void whatWasToBeSavedIsSavedBeforeTheEnd() throws Exception {
+        Path picture = folder.resolve("picture.png");
+        onEvents(() -> {
+            viewer.files().savePicture(picture);
+            viewer.quit();
+            return null;
+        });
+        assertEnd();
+        assertThat(different(ImageIO.read(picture.toFile()), picture(), false)).isZero();
     }
 
     @Test
@@ -86,7 +99,9 @@ final class ViewerEndWindowTest extends ViewerInAWindow {
     private void assertEnd() throws Exception {
         viewer.awaitEnd(PATIENCE_MILLISECONDS);
         assertThat(viewer.hasEnded()).isTrue();
-        assertThat(onEvents(() -> viewer.window().status().text())).isBlank();
+        assertThat(onEvents(() -> viewer.window().status().text()))
+                .doesNotContainIgnoringCase("cannot")
+                .doesNotContain("bug");
     }
 
     private static Scene costly(Scene scene) {
