@@ -38,13 +38,12 @@ final class ViewerFilesWindowTest extends ViewerInAWindow {
         await(() -> message().contains("mine.json"));
         press(KeyEvent.VK_HOME);
         await(() -> loadedScene().equals(scene()));
-        awaitFinal();
-        assertThat(different(saved, picture(), false)).isPositive();
 
         press(KeyEvent.VK_CONTROL, KeyEvent.VK_O);
         Dialogs.choose("Load scene", folder.resolve("mine.json"));
         await(() -> loadedScene().patch().equals(scene.patch()));
         awaitFinal();
+        assertThat(picture()).isNotSameAs(saved);
         assertThat(different(saved, picture(), false)).isZero();
         assertThat(message()).contains("loaded mine.json");
         Scene again = onEvents(() -> viewer.model().scene());

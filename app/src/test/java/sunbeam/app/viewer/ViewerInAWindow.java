@@ -47,6 +47,8 @@ import sunbeam.precompute.patch.PatchRequest;
 @Timeout(300)
 abstract class ViewerInAWindow {
     static final long PATIENCE_MILLISECONDS = 60_000;
+    static final int DRAG_RIGHT = 40;
+    static final int DRAG_UP = 32;
 
     private static final Set<String> BACKGROUND = Set.of("loading", "files", "spectrum");
 
@@ -147,13 +149,14 @@ abstract class ViewerInAWindow {
         return new Environment(Map.of("XDG_CACHE_HOME", folder.toString()), folder);
     }
 
+    /** Drags from the picture's middle, {@link #DRAG_RIGHT} and {@link #DRAG_UP} pixels. */
     void drag(int button) throws Exception {
         Point from = middle(0);
         int x = from.x;
         int y = from.y;
         robot.mousePress(button);
         for (int step = 1; step <= 8; step++) {
-            robot.mouseMove(x + 5 * step, y - 4 * step);
+            robot.mouseMove(x + DRAG_RIGHT * step / 8, y - DRAG_UP * step / 8);
         }
         robot.mouseRelease(button);
         robot.waitForIdle();

@@ -1,6 +1,7 @@
 package sunbeam.app.viewer;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
@@ -72,5 +73,35 @@ final class ViewerWindowTest extends ViewerInAWindow {
         drag(InputEvent.BUTTON2_DOWN_MASK);
         awaitFinal();
         assertThat(different(near, picture(), true)).isPositive();
+    }
+
+    @Test
+    void theSkinFollowsAMiddleDrag() throws Exception {
+        double[] before = middleOfModel(picture());
+        drag(InputEvent.BUTTON2_DOWN_MASK);
+        awaitFinal();
+        double[] after = middleOfModel(picture());
+        // Nearer parts of the cylinder move farther, and are seen from another side: a tenth of the distance from the
+        // eye.
+        assertThat(after[0] - before[0]).as("columns").isCloseTo(DRAG_RIGHT, within(0.1 * DRAG_RIGHT));
+        assertThat(before[1] - after[1]).as("rows upwards").isCloseTo(DRAG_UP, within(0.1 * DRAG_UP));
+    }
+
+    /** Mean column and row of the pixels that are not background. */
+    private static double[] middleOfModel(BufferedImage image) {
+        int background = 0xff000000 | scene().background().rgb();
+        double columns = 0;
+        double rows = 0;
+        int count = 0;
+        for (int y = 0; y < image.getHeight(); y++) {
+            for (int x = 0; x < image.getWidth(); x++) {
+                if (image.getRGB(x, y) != background) {
+                    columns += x;
+                    rows += y;
+                    count++;
+                }
+            }
+        }
+        return new double[] {columns / count, rows / count};
     }
 }
