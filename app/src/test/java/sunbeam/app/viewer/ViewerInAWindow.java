@@ -186,16 +186,14 @@ abstract class ViewerInAWindow {
                 onEvents(() -> new Rectangle(component.getLocationOnScreen(), component.getSize())));
     }
 
-    /** A component as it paints itself, also where the window is too small to show it. */
-    static BufferedImage painted(JComponent component) throws Exception {
-        return onEvents(() -> {
-            BufferedImage image =
-                    new BufferedImage(component.getWidth(), component.getHeight(), BufferedImage.TYPE_INT_RGB);
-            Graphics graphics = image.createGraphics();
-            component.paint(graphics);
-            graphics.dispose();
-            return image;
-        });
+    /** A component as it paints itself, also where the window is too small to show it. On the event thread. */
+    static BufferedImage painted(JComponent component) {
+        BufferedImage image =
+                new BufferedImage(component.getWidth(), component.getHeight(), BufferedImage.TYPE_INT_RGB);
+        Graphics graphics = image.createGraphics();
+        component.paint(graphics);
+        graphics.dispose();
+        return image;
     }
 
     /** What the command render writes for the viewer's scene, saved as a file, in the picture's size. */

@@ -124,7 +124,7 @@ final class ViewerKeysWindowTest extends ViewerInAWindow {
         press(KeyEvent.VK_M);
         await(this::isMapShown);
         awaitFinal();
-        await(() -> brightPixels(painted(viewer.window().map())) > 50);
+        await(() -> onEvents(() -> brightPixels(painted(viewer.window().map()))) > 50);
         press(KeyEvent.VK_M);
         await(() -> !isMapShown());
     }

@@ -57,14 +57,14 @@ final class ViewerPickWindowTest extends ViewerInAWindow {
         BufferedImage shown = picture();
         awaitColor(shown.getRGB(shown.getWidth() / 2, shown.getHeight() / 2));
         await(() -> curvePixels() > 100);
-        BufferedImage spectrum = painted(plot());
+        BufferedImage spectrum = onEvents(() -> painted(plot()));
 
         press(KeyEvent.VK_RIGHT);
         await(() -> !panelText().equals(text));
         awaitFinal();
         assertThat(panelText()).contains("normal     " + words(pick.normal()));
         awaitColor(picture().getRGB(shown.getWidth() / 2, shown.getHeight() / 2));
-        await(() -> different(painted(plot()), spectrum, false) > 0);
+        await(() -> different(onEvents(() -> painted(plot())), spectrum, false) > 0);
     }
 
     @Test
@@ -109,16 +109,18 @@ final class ViewerPickWindowTest extends ViewerInAWindow {
     /** Where the map differs from itself without a mark, which this takes off; null if nowhere. */
     private Rectangle ring() throws Exception {
         MapView map = viewer.window().map();
-        BufferedImage marked = painted(map);
-        onEvents(() -> {
+        return onEvents(() -> {
+            BufferedImage marked = painted(map);
             map.mark(Optional.empty(), "");
-            return null;
+            return difference(marked, painted(map), map.getHeight() - MapView.CAPTION);
         });
-        BufferedImage bare = painted(map);
+    }
+
+    private static Rectangle difference(BufferedImage one, BufferedImage other, int rows) {
         Rectangle box = null;
-        for (int y = 0; y < map.getHeight() - MapView.CAPTION; y++) {
-            for (int x = 0; x < map.getWidth(); x++) {
-                if (marked.getRGB(x, y) != bare.getRGB(x, y)) {
+        for (int y = 0; y < rows; y++) {
+            for (int x = 0; x < one.getWidth(); x++) {
+                if (one.getRGB(x, y) != other.getRGB(x, y)) {
                     Rectangle pixel = new Rectangle(x, y, 1, 1);
                     box = box == null ? pixel : box.union(pixel);
                 }
@@ -144,7 +146,7 @@ final class ViewerPickWindowTest extends ViewerInAWindow {
 
     /** Pixels of the spectrum's curve. */
     private int curvePixels() throws Exception {
-        BufferedImage plot = painted(plot());
+        BufferedImage plot = onEvents(() -> painted(plot()));
         int count = 0;
         for (int y = 0; y < plot.getHeight(); y++) {
             for (int x = 0; x < plot.getWidth(); x++) {
