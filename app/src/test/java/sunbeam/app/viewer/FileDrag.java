@@ -60,7 +60,6 @@ final class FileDrag implements AutoCloseable {
         int y = corner.y + target.getHeight() / 2;
         ViewerInAWindow.await(() -> ViewerInAWindow.onEvents(window::isShowing));
         robot.mouseMove(LEFT + SIDE / 2, SIDE / 2);
-        robot.waitForIdle();
         robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
         for (int step = 1; step <= 10; step++) {
             robot.mouseMove(LEFT + SIDE / 2 - 3 * step, SIDE / 2);

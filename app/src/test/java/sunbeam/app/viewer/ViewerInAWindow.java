@@ -3,7 +3,6 @@ package sunbeam.app.viewer;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.junit.jupiter.api.Assumptions.assumeFalse;
 
-import java.awt.Color;
 import java.awt.Component;
 import java.awt.Graphics;
 import java.awt.GraphicsEnvironment;
@@ -11,6 +10,8 @@ import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.Robot;
 import java.awt.event.InputEvent;
+import java.awt.event.KeyEvent;
+import java.awt.event.MouseEvent;
 import java.awt.image.BufferedImage;
 import java.io.PrintWriter;
 import java.io.StringWriter;
@@ -18,6 +19,7 @@ import java.lang.Thread.UncaughtExceptionHandler;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CopyOnWriteArrayList;
@@ -60,6 +62,7 @@ abstract class ViewerInAWindow {
 
     Viewer viewer;
     Robot robot;
+    Arrivals arrivals;
     private final List<Throwable> uncaught = new CopyOnWriteArrayList<>();
     private UncaughtExceptionHandler handlerBefore;
 
@@ -70,6 +73,7 @@ abstract class ViewerInAWindow {
         Thread.setDefaultUncaughtExceptionHandler((thread, failure) -> uncaught.add(failure));
         robot = new Robot();
         robot.setAutoDelay(10);
+        arrivals = new Arrivals();
         viewer = ViewerStart.open(scene(), environment(), line -> {});
         onEvents(() -> {
             viewer.window().setBounds(0, 0, 620, 420);
@@ -100,6 +104,7 @@ abstract class ViewerInAWindow {
                 return null;
             });
             viewer.awaitEnd(PATIENCE_MILLISECONDS);
+            arrivals.close();
             // What the render thread said last is heard, too.
             onEvents(() -> null);
             // They write into the folder that is about to be removed.
@@ -120,20 +125,34 @@ abstract class ViewerInAWindow {
     }
 
     /** Picks the point of the skin in the picture's middle. */
+    @SuppressWarnings("ReferenceEquality") // another click's point, though perhaps an equal one
     Pick doubleClick() throws Exception {
+        Optional<PickedPoint> before = onEvents(() -> viewer.inspector().point());
         // Far from the last click, or else this one is the third of a row.
         middle(-80);
-        robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
-        robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
+        click(1);
         middle(0);
-        for (int click = 0; click < 2; click++) {
-            robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
-            robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
-        }
-        robot.waitForIdle();
+        click(2);
+        await(() -> onEvents(() -> {
+            Optional<PickedPoint> now = viewer.inspector().point();
+            return now.isPresent() && (before.isEmpty() || now.get() != before.get());
+        }));
         awaitFinal();
-        await(() -> onEvents(() -> viewer.inspector().point().isPresent()));
         return onEvents(() -> viewer.inspector().point().orElseThrow().pick());
+    }
+
+    /** Clicks where the mouse is. */
+    void click(int times) throws Exception {
+        arrivals.await(MouseEvent.MOUSE_CLICKED, times, () -> {
+            for (int click = 0; click < times; click++) {
+                robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
+                robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
+            }
+        });
+    }
+
+    void wheel(int notches) throws Exception {
+        arrivals.await(MouseEvent.MOUSE_WHEEL, Math.abs(notches), () -> robot.mouseWheel(notches));
     }
 
     <T extends Component> T control(String name, Class<T> type) {
@@ -154,12 +173,13 @@ abstract class ViewerInAWindow {
         Point from = middle(0);
         int x = from.x;
         int y = from.y;
-        robot.mousePress(button);
-        for (int step = 1; step <= 8; step++) {
-            robot.mouseMove(x + DRAG_RIGHT * step / 8, y - DRAG_UP * step / 8);
-        }
-        robot.mouseRelease(button);
-        robot.waitForIdle();
+        arrivals.await(MouseEvent.MOUSE_RELEASED, 1, () -> {
+            robot.mousePress(button);
+            for (int step = 1; step <= 8; step++) {
+                robot.mouseMove(x + DRAG_RIGHT * step / 8, y - DRAG_UP * step / 8);
+            }
+            robot.mouseRelease(button);
+        });
     }
 
     /** Presses keys together, such as Ctrl and S, once the picture has the focus; without a manager of windows it asks. */
@@ -171,13 +191,14 @@ abstract class ViewerInAWindow {
             }
             return view.isFocusOwner();
         }));
-        for (int key : keys) {
-            robot.keyPress(key);
-        }
-        for (int i = keys.length - 1; i >= 0; i--) {
-            robot.keyRelease(keys[i]);
-        }
-        robot.waitForIdle();
+        arrivals.await(KeyEvent.KEY_PRESSED, keys.length, () -> {
+            for (int key : keys) {
+                robot.keyPress(key);
+            }
+            for (int i = keys.length - 1; i >= 0; i--) {
+                robot.keyRelease(keys[i]);
+            }
+        });
     }
 
     /** What the screen shows where a component stands. */
@@ -242,46 +263,6 @@ abstract class ViewerInAWindow {
 
     BufferedImage picture() throws Exception {
         return onEvents(() -> viewer.window().picture().picture().orElseThrow());
-    }
-
-    /** Pixels that differ, in colour or in whether they show the background. */
-    static int different(BufferedImage one, BufferedImage other, boolean silhouette) {
-        assertThat(other.getWidth()).isEqualTo(one.getWidth());
-        assertThat(other.getHeight()).isEqualTo(one.getHeight());
-        int background = 0xff000000 | scene().background().rgb();
-        int count = 0;
-        for (int y = 0; y < one.getHeight(); y++) {
-            for (int x = 0; x < one.getWidth(); x++) {
-                int a = one.getRGB(x, y);
-                int b = other.getRGB(x, y);
-                boolean differs = silhouette ? (a == background) != (b == background) : a != b;
-                count += differs ? 1 : 0;
-            }
-        }
-        return count;
-    }
-
-    /** Pixels of a colour that no grey light has. */
-    static int spectralPixels(BufferedImage image) {
-        int count = 0;
-        for (int y = 0; y < image.getHeight(); y++) {
-            for (int x = 0; x < image.getWidth(); x++) {
-                Color color = new Color(image.getRGB(x, y));
-                int most = Math.max(color.getRed(), Math.max(color.getGreen(), color.getBlue()));
-                int least = Math.min(color.getRed(), Math.min(color.getGreen(), color.getBlue()));
-                count += most - least > 60 ? 1 : 0;
-            }
-        }
-        return count;
-    }
-
-    static int shownPixels(BufferedImage image) {
-        BufferedImage empty = new BufferedImage(image.getWidth(), image.getHeight(), BufferedImage.TYPE_INT_RGB);
-        int background = scene().background().rgb();
-        for (int i = 0; i < empty.getWidth() * empty.getHeight(); i++) {
-            empty.setRGB(i % empty.getWidth(), i / empty.getWidth(), background);
-        }
-        return different(image, empty, true);
     }
 
     static <T> T onEvents(Callable<T> work) throws Exception {

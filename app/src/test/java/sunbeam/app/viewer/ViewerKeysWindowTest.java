@@ -2,6 +2,8 @@ package sunbeam.app.viewer;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
+import static sunbeam.app.viewer.Pictures.different;
+import static sunbeam.app.viewer.Pictures.shownPixels;
 
 import java.awt.Point;
 import java.awt.event.InputEvent;
@@ -152,7 +154,7 @@ final class ViewerKeysWindowTest extends ViewerInAWindow {
         BufferedImage before = picture();
         drag(InputEvent.BUTTON1_DOWN_MASK);
         drag(InputEvent.BUTTON3_DOWN_MASK);
-        robot.mouseWheel(2);
+        wheel(2);
         onEvents(() -> {
             viewer.model().change(scene -> scene.withRotatePatch(1));
             return null;
@@ -202,10 +204,7 @@ final class ViewerKeysWindowTest extends ViewerInAWindow {
         JTextField field = control("coherence", JTextField.class);
         Point corner = onEvents(field::getLocationOnScreen);
         robot.mouseMove(corner.x + 20, corner.y + 8);
-        for (int click = 0; click < 3; click++) { // all of the text
-            robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
-            robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
-        }
+        click(3); // all of the text
         await(() -> onEvents(field::isFocusOwner));
         for (int key : new int[] {KeyEvent.VK_5, KeyEvent.VK_0, KeyEvent.VK_U, KeyEvent.VK_M}) {
             robot.keyPress(key);

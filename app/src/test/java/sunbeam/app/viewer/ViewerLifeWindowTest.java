@@ -2,6 +2,7 @@ package sunbeam.app.viewer;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static sunbeam.app.viewer.Pictures.different;
 
 import java.awt.Component;
 import java.awt.image.BufferedImage;

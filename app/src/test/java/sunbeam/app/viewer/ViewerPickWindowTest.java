@@ -2,6 +2,7 @@ package sunbeam.app.viewer;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
+import static sunbeam.app.viewer.Pictures.different;
 
 import java.awt.Rectangle;
 import java.awt.event.InputEvent;
@@ -97,10 +98,7 @@ final class ViewerPickWindowTest extends ViewerInAWindow {
         doubleClick();
         await(() -> !panelText().equals(hint) && curvePixels() > 0);
         middle(-viewer.window().picture().getWidth() / 2 + 8);
-        for (int click = 0; click < 2; click++) {
-            robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
-            robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
-        }
+        click(2);
         await(() -> onEvents(() -> viewer.inspector().point().isEmpty()));
         assertThat(panelText()).isEqualTo(hint);
         await(() -> curvePixels() == 0);

@@ -1,6 +1,7 @@
 package sunbeam.app.viewer;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static sunbeam.app.viewer.Pictures.different;
 
 import java.awt.Frame;
 import java.awt.event.InputEvent;

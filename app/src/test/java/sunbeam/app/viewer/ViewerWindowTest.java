@@ -2,6 +2,9 @@ package sunbeam.app.viewer;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
+import static sunbeam.app.viewer.Pictures.different;
+import static sunbeam.app.viewer.Pictures.shownPixels;
+import static sunbeam.app.viewer.Pictures.spectralPixels;
 
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
@@ -66,7 +69,7 @@ final class ViewerWindowTest extends ViewerInAWindow {
     void wheelZoomsAndMiddleDragPans() throws Exception {
         BufferedImage before = picture();
         middle(0);
-        robot.mouseWheel(-3);
+        wheel(-3);
         awaitFinal();
         BufferedImage near = picture();
         assertThat(shownPixels(near)).as("pixels of the model").isGreaterThan(shownPixels(before));
