@@ -47,18 +47,6 @@ final class ViewerLifeWindowTest extends ViewerInAWindow {
     }
 
     @Test
-    void aPatchThatFailsToLoadLeavesTheOldOneAndSaysWhy() throws Exception {
-        Path missing = folder.resolve("missing.json");
-        onEvents(() -> {
-            viewer.files().loadPatch(missing);
-            return null;
-        });
-        await(() -> onEvents(() -> viewer.model().scene().patch().patch().equals("blaze")));
-        awaitFinal();
-        assertThat(onEvents(() -> viewer.window().status().text())).contains("missing.json");
-    }
-
-    @Test
     void aSavedPictureSaysHowItWasMade() throws Exception {
         Path picture = folder.resolve("picture.png");
         onEvents(() -> {
