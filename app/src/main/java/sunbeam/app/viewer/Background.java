@@ -1,25 +1,32 @@
 package sunbeam.app.viewer;
 
 import java.util.concurrent.Callable;
-import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Executors;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.ThreadPoolExecutor;
+import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import javax.swing.SwingUtilities;
 
 /** Work off the event thread, one after the other, whose outcomes come back on it. */
 final class Background implements AutoCloseable {
-    private final ExecutorService executor;
+    private final ThreadPoolExecutor executor;
 
     Background(String name) {
-        executor = Executors.newSingleThreadExecutor(task -> {
+        executor = new ThreadPoolExecutor(1, 1, 0, TimeUnit.SECONDS, new LinkedBlockingQueue<>(), task -> {
             Thread thread = new Thread(task, name);
             thread.setDaemon(true);
             return thread;
         });
     }
 
-    /** Does the work; afterwards, on the event thread, hands over its result or its problem in one line. */
+    /**
+     * Does the work; afterwards, on the event thread, hands over its result or its problem in one line. Once closed, does
+     * nothing: what the render thread says last may come after the window's end.
+     */
     <T> void run(Callable<T> work, Consumer<T> done, Consumer<String> problem) {
+        if (executor.isShutdown()) {
+            return;
+        }
         executor.execute(() -> {
             try {
                 T result = work.call();
@@ -31,9 +38,20 @@ final class Background implements AutoCloseable {
         });
     }
 
-    /** Drops what has not begun. */
+    /** Takes no more work, but does what there is. */
+    void finish() {
+        executor.shutdown();
+    }
+
+    /** Waits until all is done that is done at all. Not on the event thread. */
+    void awaitEnd(long milliseconds) throws InterruptedException {
+        executor.awaitTermination(milliseconds, TimeUnit.MILLISECONDS);
+    }
+
+    /** Drops what has not begun; what has is not interrupted, lest it complain of that. */
     @Override
     public void close() {
-        executor.shutdownNow();
+        executor.getQueue().clear();
+        executor.shutdown();
     }
 }

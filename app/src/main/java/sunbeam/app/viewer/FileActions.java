@@ -13,6 +13,7 @@ import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
 import javax.swing.JFileChooser;
 import javax.swing.JOptionPane;
+import javax.swing.SwingUtilities;
 import javax.swing.TransferHandler;
 import sunbeam.app.output.Overwrite;
 import sunbeam.app.output.PngWriter;
@@ -51,8 +52,8 @@ final class FileActions {
 
     private void loadScene(Path file) {
         run(() -> SceneReader.read(file), scene -> {
-            window.status().message("loaded " + file.getFileName());
             loadedScene.accept(scene);
+            window.status().message("loaded " + file.getFileName());
         });
     }
 
@@ -175,6 +176,13 @@ final class FileActions {
     private final class Drop extends TransferHandler {
         @Override
         public boolean canImport(TransferSupport support) {
+            if (support.isDrop()) {
+                if ((support.getSourceDropActions() & COPY) == 0) {
+                    return false;
+                }
+                // Or else a source that would rather move the file may remove it afterwards.
+                support.setDropAction(COPY);
+            }
             return support.isDataFlavorSupported(DataFlavor.javaFileListFlavor);
         }
 
@@ -183,7 +191,8 @@ final class FileActions {
             try {
                 Object data = support.getTransferable().getTransferData(DataFlavor.javaFileListFlavor);
                 if (data instanceof List<?> files && !files.isEmpty() && files.get(0) instanceof File file) {
-                    loadPatch(file.toPath());
+                    // Later, since the source waits for the drop's end, and a dialog may come up.
+                    SwingUtilities.invokeLater(() -> loadPatch(file.toPath()));
                     return true;
                 }
             } catch (UnsupportedFlavorException | IOException failure) {

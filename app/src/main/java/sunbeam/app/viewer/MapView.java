@@ -14,7 +14,8 @@ import sunbeam.precompute.optics.Direction;
 
 /** The BRDF map for the light's direction, with the picked point's direction to the viewer marked in it. */
 final class MapView extends JComponent {
-    private static final int CAPTION = 18;
+    /** Rows below the map. */
+    static final int CAPTION = 18;
 
     private BufferedImage map;
     private transient Optional<Direction> marked = Optional.empty();

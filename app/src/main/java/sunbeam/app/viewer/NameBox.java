@@ -34,8 +34,9 @@ final class NameBox extends JComboBox<String> {
         @Override
         public Component getListCellRendererComponent(
                 JList<?> list, Object name, int index, boolean selected, boolean focused) {
-            String shown = name == null ? "" : new File(name.toString()).getName();
-            return super.getListCellRendererComponent(list, shown, index, selected, focused);
+            String path = name == null ? "" : name.toString();
+            setToolTipText(path);
+            return super.getListCellRendererComponent(list, new File(path).getName(), index, selected, focused);
         }
     }
 }

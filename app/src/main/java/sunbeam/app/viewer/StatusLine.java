@@ -29,6 +29,7 @@ final class StatusLine extends JPanel {
         picture.setName("status");
         picture.setToolTipText("Preview or final; frames per second; milliseconds per frame");
         plan.setToolTipText("The plan in force, by which the final picture is computed");
+        plan.setName("plan");
         renderer.setToolTipText("Who draws (GL_RENDERER)");
         message.setName("message");
         progress.setIndeterminate(true);

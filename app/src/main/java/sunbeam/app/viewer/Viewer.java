@@ -105,10 +105,16 @@ final class Viewer {
         observer = value;
     }
 
-    /** Waits until the window is closed and the graphics card given back. Not on the event thread. */
-    void awaitEnd(long millisecondsForGraphics) throws InterruptedException {
+    /**
+     * Waits until the window is closed, what was to be saved is saved, and the graphics card given back. Not on the event
+     * thread.
+     *
+     * @param patience for saving and for the graphics card, milliseconds each
+     */
+    void awaitEnd(long patience) throws InterruptedException {
         closed.await();
-        loop.awaitEnd(millisecondsForGraphics);
+        writing.awaitEnd(patience);
+        loop.awaitEnd(patience);
     }
 
     /** Whether nothing is left on the graphics card. */
@@ -129,7 +135,7 @@ final class Viewer {
     private void end() {
         loop.close();
         loading.close();
-        writing.close();
+        writing.finish();
         inspector.close();
         firstPicture.cannotCome("the window was closed");
         closed.countDown();
@@ -155,9 +161,10 @@ final class Viewer {
     }
 
     private void open(Scene scene) {
-        asLoaded = scene;
-        window.setTitle(title(scene));
-        model.change(old -> scene);
+        model.open(scene, () -> {
+            asLoaded = scene;
+            window.setTitle(title(scene));
+        });
     }
 
     /** A line from the loader, such as a warning about a patch. */
@@ -231,6 +238,9 @@ final class Viewer {
         @Override
         public void loading(boolean active) {
             window.status().busy(active);
+            if (active) {
+                window.status().message(" "); // what was said of the last load
+            }
         }
 
         @Override

@@ -16,7 +16,7 @@ final class ViewerModel {
         /** There is something new to draw, or a control must follow. */
         void changed();
 
-        /** A load has begun or ended; several may be under way. */
+        /** A load has begun or ended; several may be under way, and every one that begins also ends. */
         void loading(boolean active);
 
         /** Something could not be loaded. */
@@ -30,7 +30,12 @@ final class ViewerModel {
     private LoadedScene loaded;
     // What was loaded while a newer load was already wanted; stays if that one fails.
     private LoadedScene overtaken;
+    private long overtakenLoad;
     private final AtomicLong newestLoad = new AtomicLong();
+    // While scenes are being opened, the one that comes back if none can be.
+    private Scene beforeOpening;
+    private long firstOpening;
+    private Runnable whenOpened;
 
     /**
      * @param scene to begin with
@@ -75,6 +80,25 @@ final class ViewerModel {
         listener.changed();
     }
 
+    /**
+     * Goes over to a scene as a whole: if any part of it cannot be loaded, all goes back to how it was.
+     *
+     * @param opened told once it is loaded
+     */
+    void open(Scene scene, Runnable opened) {
+        if (beforeOpening == null) {
+            beforeOpening = wanted;
+            firstOpening = newestLoad.get() + 1;
+        }
+        whenOpened = opened;
+        wanted = scene;
+        if (loaded != null) {
+            loaded = loaded.with(withPartsOf(scene, loaded.fine().scene()));
+        }
+        load();
+        listener.changed();
+    }
+
     private void load() {
         long number = newestLoad.incrementAndGet();
         Scene scene = wanted;
@@ -88,29 +112,52 @@ final class ViewerModel {
     }
 
     private void accept(long number, LoadedScene result) {
-        if (result != null && number == newestLoad.get()) {
-            overtaken = null;
-            loaded = result.with(withPartsOf(wanted, result.fine().scene()));
-            listener.changed();
-        } else if (result != null) {
-            overtaken = result;
-        }
         listener.loading(false);
+        if (result == null) {
+            return;
+        }
+        if (number != newestLoad.get()) {
+            overtaken = result;
+            overtakenLoad = number;
+            return;
+        }
+        overtaken = null;
+        loaded = result.with(withPartsOf(wanted, result.fine().scene()));
+        endOpening(true);
+        listener.changed();
     }
 
     private void refuse(long number, String message) {
-        if (number == newestLoad.get()) {
-            if (overtaken != null) {
-                loaded = overtaken.with(withPartsOf(wanted, overtaken.fine().scene()));
-                overtaken = null;
-            }
-            if (loaded != null) {
-                wanted = withPartsOf(wanted, loaded.fine().scene());
-            }
-            listener.changed();
-        }
         listener.loading(false);
+        // An older load's problem is the newer one's too, or else of no interest any more.
+        if (number != newestLoad.get()) {
+            return;
+        }
+        boolean opened = beforeOpening != null && overtaken != null && overtakenLoad >= firstOpening;
+        Scene kept = opened
+                ? overtaken.fine().scene()
+                : Optional.ofNullable(beforeOpening).orElse(wanted);
+        if (overtaken != null) {
+            loaded = overtaken;
+            overtaken = null;
+        }
+        if (loaded != null) {
+            wanted = withPartsOf(kept, loaded.fine().scene());
+            loaded = loaded.with(wanted);
+        }
+        endOpening(opened);
+        listener.changed();
         listener.problem(message);
+    }
+
+    private void endOpening(boolean succeeded) {
+        if (beforeOpening == null) {
+            return;
+        }
+        beforeOpening = null;
+        if (succeeded) {
+            whenOpened.run();
+        }
     }
 
     private static boolean sameParts(Scene one, Scene other) {

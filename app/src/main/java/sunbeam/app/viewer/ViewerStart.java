@@ -14,7 +14,7 @@ import sunbeam.app.scene.SceneLoader;
 
 /** From a scene to a window. */
 final class ViewerStart {
-    // The tile at hand when the window closes takes no longer; the process ends without it otherwise.
+    // The tile at hand when the window closes takes no longer, nor does a file; the process ends without it otherwise.
     private static final long PATIENCE_MILLISECONDS = 5000;
 
     private ViewerStart() {}

@@ -18,6 +18,7 @@ import sunbeam.app.scene.SceneData;
 import sunbeam.app.scene.SceneLoader;
 import sunbeam.app.scene.ScenePicture;
 import sunbeam.app.scene.SceneSession;
+import sunbeam.app.scene.Scenes;
 
 @NeedsDisplay
 class PreviewBrightnessTest {
@@ -30,7 +31,8 @@ class PreviewBrightnessTest {
     /** A shorter coherence length spreads the same light over a wider angle; on a curved skin its sum stays. */
     @Test
     void previewsAreAsBrightAndAsColouredAsFinalPictures() {
-        Scene scene = ViewerInAWindow.scene().withBlend(new Blend(30, 0, 0, 0));
+        Scene scales = Scenes.load("elaphe-scales");
+        Scene scene = scales.withBlend(new Blend(scales.blend().diffraction(), 0, 0, 0));
         LoadedScene loaded =
                 LoadedScene.load(new SceneLoader(new Environment(Map.of(), folder), line -> {}), scene, null);
         assertThat(loaded.coarse().scene().plan().window().coherenceLength())
@@ -39,8 +41,8 @@ class PreviewBrightnessTest {
             double[] fine = mean(context, loaded.fine());
             double[] coarse = mean(context, loaded.coarse());
             for (int c = 0; c < 3; c++) {
-                // Orders are narrower than these pixels on the cylinder, so that each mean depends a little on where
-                // the pixels lie; without the windows' areas there would be a factor of 4.
+                // Peaks are narrower than these pixels on the scales, so that each mean depends a little on where the
+                // pixels lie; without the windows' areas there would be a factor of 4.
                 assertThat(coarse[c]).isCloseTo(fine[c], Percentage.withPercentage(5));
             }
         }

@@ -4,15 +4,28 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.junit.jupiter.api.Assumptions.assumeFalse;
 
 import java.awt.Component;
+import java.awt.Graphics;
 import java.awt.GraphicsEnvironment;
 import java.awt.Point;
+import java.awt.Rectangle;
 import java.awt.Robot;
 import java.awt.event.InputEvent;
+import java.awt.event.KeyEvent;
+import java.awt.event.MouseEvent;
 import java.awt.image.BufferedImage;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.lang.Thread.UncaughtExceptionHandler;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
 import java.util.concurrent.Callable;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.FutureTask;
+import javax.imageio.ImageIO;
+import javax.swing.JComponent;
 import javax.swing.SwingUtilities;
 import jrtr.scene.Camera;
 import org.joml.Vector3f;
@@ -20,19 +33,26 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import sunbeam.app.Sunbeam;
 import sunbeam.app.cli.Environment;
+import sunbeam.app.output.Overwrite;
 import sunbeam.app.scene.Blend;
 import sunbeam.app.scene.Pick;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneLight;
+import sunbeam.app.scene.SceneWriter;
 import sunbeam.app.scene.Scenes;
 import sunbeam.app.scene.Viewpoint;
 import sunbeam.precompute.patch.PatchRequest;
 
-/** A viewer in a real window, and a robot's hands. */
-@Timeout(120)
+/** A viewer in a real window, and a robot's hands. A failure on any thread, such as the event thread, fails the test. */
+@Timeout(300)
 abstract class ViewerInAWindow {
     static final long PATIENCE_MILLISECONDS = 60_000;
+    static final int DRAG_RIGHT = 40;
+    static final int DRAG_UP = 32;
+
+    private static final Set<String> BACKGROUND = Set.of("loading", "files", "spectrum");
 
     // Far enough to see all of the cylinder with background around it.
     private static final float EYE = 0.8f;
@@ -42,12 +62,18 @@ abstract class ViewerInAWindow {
 
     Viewer viewer;
     Robot robot;
+    Arrivals arrivals;
+    private final List<Throwable> uncaught = new CopyOnWriteArrayList<>();
+    private UncaughtExceptionHandler handlerBefore;
 
     @BeforeEach
     void open() throws Exception {
         assumeFalse(GraphicsEnvironment.isHeadless(), "no DISPLAY: windows cannot be tested");
+        handlerBefore = Thread.getDefaultUncaughtExceptionHandler();
+        Thread.setDefaultUncaughtExceptionHandler((thread, failure) -> uncaught.add(failure));
         robot = new Robot();
         robot.setAutoDelay(10);
+        arrivals = new Arrivals();
         viewer = ViewerStart.open(scene(), environment(), line -> {});
         onEvents(() -> {
             viewer.window().setBounds(0, 0, 620, 420);
@@ -57,17 +83,17 @@ abstract class ViewerInAWindow {
         awaitFinal();
     }
 
-    /** A cylinder of a coarse grating: a silhouette that turns, and a method that takes milliseconds. */
+    /** A cylinder with the colours of a coarse grating: a silhouette that turns, and a method that takes milliseconds. */
     static Scene scene() {
         Scene elaphe = Scenes.load("elaphe");
         Camera camera = new Camera(new Vector3f(0, -EYE, 0.7f * EYE), new Vector3f(0, 0, 0.1f), new Vector3f(0, 0, 1));
         return elaphe.withMesh("cylinder")
                 .withView(new Viewpoint(camera, Math.toRadians(30)))
                 .withPatch(PatchRequest.of("blaze"))
-                .withPlan(PlanChange.tolerance(elaphe.plan(), 0.05))
+                .withPlan(PlanChange.coherenceLength(PlanChange.tolerance(elaphe.plan(), 0.05), 15e-6))
                 .withTexture("none")
-                .withBlend(new Blend(30, 0.5, 0.9, 0.1))
-                .withLight(new SceneLight(new Vector3f(0.3f, 0.25f, 0.9f), 1));
+                .withBlend(new Blend(100, 0.5, 0.2, 0.1))
+                .withLight(new SceneLight(new Vector3f(0.3f, -0.6f, -0.42f), 1));
     }
 
     @AfterEach
@@ -78,7 +104,15 @@ abstract class ViewerInAWindow {
                 return null;
             });
             viewer.awaitEnd(PATIENCE_MILLISECONDS);
+            arrivals.close();
+            // What the render thread said last is heard, too.
+            onEvents(() -> null);
+            // They write into the folder that is about to be removed.
+            await(() -> Thread.getAllStackTraces().keySet().stream()
+                    .noneMatch(thread -> BACKGROUND.contains(thread.getName())));
+            Thread.setDefaultUncaughtExceptionHandler(handlerBefore);
         }
+        assertThat(uncaught).as("failures that nobody caught").isEmpty();
     }
 
     /** Moves the mouse to a point of the picture's middle row and returns it. */
@@ -91,20 +125,34 @@ abstract class ViewerInAWindow {
     }
 
     /** Picks the point of the skin in the picture's middle. */
+    @SuppressWarnings("ReferenceEquality") // another click's point, though perhaps an equal one
     Pick doubleClick() throws Exception {
+        Optional<PickedPoint> before = onEvents(() -> viewer.inspector().point());
         // Far from the last click, or else this one is the third of a row.
         middle(-80);
-        robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
-        robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
+        click(1);
         middle(0);
-        for (int click = 0; click < 2; click++) {
-            robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
-            robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
-        }
-        robot.waitForIdle();
+        click(2);
+        await(() -> onEvents(() -> {
+            Optional<PickedPoint> now = viewer.inspector().point();
+            return now.isPresent() && (before.isEmpty() || now.get() != before.get());
+        }));
         awaitFinal();
-        await(() -> onEvents(() -> viewer.inspector().point().isPresent()));
         return onEvents(() -> viewer.inspector().point().orElseThrow().pick());
+    }
+
+    /** Clicks where the mouse is. */
+    void click(int times) throws Exception {
+        arrivals.await(MouseEvent.MOUSE_CLICKED, times, () -> {
+            for (int click = 0; click < times; click++) {
+                robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
+                robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
+            }
+        });
+    }
+
+    void wheel(int notches) throws Exception {
+        arrivals.await(MouseEvent.MOUSE_WHEEL, Math.abs(notches), () -> robot.mouseWheel(notches));
     }
 
     <T extends Component> T control(String name, Class<T> type) {
@@ -120,16 +168,73 @@ abstract class ViewerInAWindow {
         return new Environment(Map.of("XDG_CACHE_HOME", folder.toString()), folder);
     }
 
+    /** Drags from the picture's middle, {@link #DRAG_RIGHT} and {@link #DRAG_UP} pixels. */
     void drag(int button) throws Exception {
         Point from = middle(0);
         int x = from.x;
         int y = from.y;
-        robot.mousePress(button);
-        for (int step = 1; step <= 8; step++) {
-            robot.mouseMove(x + 5 * step, y - 4 * step);
-        }
-        robot.mouseRelease(button);
-        robot.waitForIdle();
+        arrivals.await(MouseEvent.MOUSE_RELEASED, 1, () -> {
+            robot.mousePress(button);
+            for (int step = 1; step <= 8; step++) {
+                robot.mouseMove(x + DRAG_RIGHT * step / 8, y - DRAG_UP * step / 8);
+            }
+            robot.mouseRelease(button);
+        });
+    }
+
+    /** Presses keys together, such as Ctrl and S, once the picture has the focus; without a manager of windows it asks. */
+    void press(int... keys) throws Exception {
+        PictureView view = viewer.window().picture();
+        await(() -> onEvents(() -> {
+            if (!view.isFocusOwner()) {
+                view.requestFocus();
+            }
+            return view.isFocusOwner();
+        }));
+        arrivals.await(KeyEvent.KEY_PRESSED, keys.length, () -> {
+            for (int key : keys) {
+                robot.keyPress(key);
+            }
+            for (int i = keys.length - 1; i >= 0; i--) {
+                robot.keyRelease(keys[i]);
+            }
+        });
+    }
+
+    /** What the screen shows where a component stands. */
+    BufferedImage screen(Component component) throws Exception {
+        return robot.createScreenCapture(
+                onEvents(() -> new Rectangle(component.getLocationOnScreen(), component.getSize())));
+    }
+
+    /** A component as it paints itself, also where the window is too small to show it. On the event thread. */
+    static BufferedImage painted(JComponent component) {
+        BufferedImage image =
+                new BufferedImage(component.getWidth(), component.getHeight(), BufferedImage.TYPE_INT_RGB);
+        Graphics graphics = image.createGraphics();
+        component.paint(graphics);
+        graphics.dispose();
+        return image;
+    }
+
+    /** What the command render writes for the viewer's scene, saved as a file, in the picture's size. */
+    BufferedImage rendered(String name) throws Exception {
+        BufferedImage shown = picture();
+        Path sceneFile = folder.resolve(name + ".json");
+        SceneWriter.write(
+                sceneFile, Overwrite.REFUSE, onEvents(() -> viewer.model().scene()));
+        Path png = folder.resolve(name + ".png");
+        StringWriter err = new StringWriter();
+        int status = new Sunbeam(environment(), new PrintWriter(new StringWriter()), new PrintWriter(err))
+                .run(
+                        "render",
+                        sceneFile.toString(),
+                        "--size",
+                        shown.getWidth() + "x" + shown.getHeight(),
+                        "--output",
+                        png.toString());
+        assertThat(status).as(err.toString()).isZero();
+        return ImageIO.read(png.toFile());
     }
 
     void awaitFinal() throws Exception {
@@ -144,41 +249,20 @@ abstract class ViewerInAWindow {
     }
 
     static void await(Callable<Boolean> condition) throws Exception {
-        long end = System.currentTimeMillis() + PATIENCE_MILLISECONDS;
+        long last = System.currentTimeMillis();
+        long waited = 0;
         while (!condition.call()) {
-            assertThat(System.currentTimeMillis()).as("waited too long").isLessThan(end);
+            assertThat(waited).as("milliseconds waited").isLessThan(PATIENCE_MILLISECONDS);
             Thread.sleep(20);
+            long now = System.currentTimeMillis();
+            // A machine that stood still meanwhile has not made anybody wait.
+            waited += Math.min(1000, now - last);
+            last = now;
         }
     }
 
     BufferedImage picture() throws Exception {
         return onEvents(() -> viewer.window().picture().picture().orElseThrow());
-    }
-
-    /** Pixels that differ, in colour or in whether they show the background. */
-    static int different(BufferedImage one, BufferedImage other, boolean silhouette) {
-        assertThat(other.getWidth()).isEqualTo(one.getWidth());
-        assertThat(other.getHeight()).isEqualTo(one.getHeight());
-        int background = 0xff000000 | scene().background().rgb();
-        int count = 0;
-        for (int y = 0; y < one.getHeight(); y++) {
-            for (int x = 0; x < one.getWidth(); x++) {
-                int a = one.getRGB(x, y);
-                int b = other.getRGB(x, y);
-                boolean differs = silhouette ? (a == background) != (b == background) : a != b;
-                count += differs ? 1 : 0;
-            }
-        }
-        return count;
-    }
-
-    static int shownPixels(BufferedImage image) {
-        BufferedImage empty = new BufferedImage(image.getWidth(), image.getHeight(), BufferedImage.TYPE_INT_RGB);
-        int background = scene().background().rgb();
-        for (int i = 0; i < empty.getWidth() * empty.getHeight(); i++) {
-            empty.setRGB(i % empty.getWidth(), i / empty.getWidth(), background);
-        }
-        return different(image, empty, true);
     }
 
     static <T> T onEvents(Callable<T> work) throws Exception {

@@ -2,10 +2,9 @@ package sunbeam.app.viewer;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static sunbeam.app.viewer.Pictures.different;
 
 import java.awt.Component;
-import java.awt.Frame;
-import java.awt.event.KeyEvent;
 import java.awt.image.BufferedImage;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -19,7 +18,7 @@ import org.junit.jupiter.api.Test;
 import sunbeam.app.input.PngText;
 import sunbeam.app.scene.Scene;
 
-/** The viewer's panel, its trouble and its end, in a real window. */
+/** The viewer's panel and its trouble, in a real window. */
 final class ViewerLifeWindowTest extends ViewerInAWindow {
     @Test
     void withoutOpenGLALabelSaysWhy() throws Exception {
@@ -49,18 +48,6 @@ final class ViewerLifeWindowTest extends ViewerInAWindow {
     }
 
     @Test
-    void aPatchThatFailsToLoadLeavesTheOldOneAndSaysWhy() throws Exception {
-        Path missing = folder.resolve("missing.json");
-        onEvents(() -> {
-            viewer.files().loadPatch(missing);
-            return null;
-        });
-        await(() -> onEvents(() -> viewer.model().scene().patch().patch().equals("blaze")));
-        awaitFinal();
-        assertThat(onEvents(() -> viewer.window().status().text())).contains("missing.json");
-    }
-
-    @Test
     void aSavedPictureSaysHowItWasMade() throws Exception {
         Path picture = folder.resolve("picture.png");
         onEvents(() -> {
@@ -79,46 +66,6 @@ final class ViewerLifeWindowTest extends ViewerInAWindow {
                                 .method()
                                 .summary()))
                 .hasEntrySatisfying("Renderer", name -> assertThat(name).isNotBlank());
-    }
-
-    @Test
-    void aWindowOfNoSizeAndAMinimisedOneComeBack() throws Exception {
-        onEvents(() -> {
-            viewer.window().setMinimumSize(null);
-            viewer.window().setSize(1, 1);
-            return null;
-        });
-        robot.delay(300);
-        onEvents(() -> {
-            viewer.window().setExtendedState(Frame.ICONIFIED);
-            return null;
-        });
-        robot.delay(200);
-        onEvents(() -> {
-            viewer.window().setExtendedState(Frame.NORMAL);
-            viewer.window().setSize(560, 380);
-            return null;
-        });
-        robot.delay(300);
-        awaitFinal();
-        assertThat(picture().getWidth())
-                .isEqualTo(onEvents(() -> viewer.window().picture().getWidth()));
-    }
-
-    @Test
-    void closedDuringAComputationItEndsAtTheNextTile() throws Exception {
-        onEvents(() -> {
-            viewer.window().setSize(1100, 800);
-            viewer.model().change(scene -> scene.withPlan(PlanChange.tolerance(scene.plan(), 1e-4)));
-            return null;
-        });
-        robot.delay(400);
-        onEvents(() -> {
-            viewer.quit();
-            return null;
-        });
-        viewer.awaitEnd(PATIENCE_MILLISECONDS);
-        assertThat(viewer.hasEnded()).isTrue();
     }
 
     @Test
@@ -153,33 +100,6 @@ final class ViewerLifeWindowTest extends ViewerInAWindow {
             return null;
         });
         assertThat(onEvents(() -> viewer.window().status().text())).contains("spacing of the lines", "parsec");
-    }
-
-    @Test
-    void whatIsTypedIntoAFieldIsNoCommand() throws Exception {
-        onEvents(() -> {
-            viewer.toggleMap();
-            control("coherence", JTextField.class).setText("");
-            control("coherence", JTextField.class).requestFocusInWindow();
-            return null;
-        });
-        await(() -> onEvents(() -> control("coherence", JTextField.class).isFocusOwner()));
-        for (int key : new int[] {KeyEvent.VK_4, KeyEvent.VK_0, KeyEvent.VK_U, KeyEvent.VK_M, KeyEvent.VK_ENTER}) {
-            robot.keyPress(key);
-            robot.keyRelease(key);
-        }
-        robot.waitForIdle();
-        assertThat(onEvents(() -> viewer.model().scene().plan().window().coherenceLength()))
-                .isEqualTo(40e-6);
-        assertThat(onEvents(() -> viewer.window().map().isShowing()))
-                .as("M shows and hides the map")
-                .isTrue();
-
-        onEvents(() -> viewer.window().picture().requestFocusInWindow());
-        await(() -> onEvents(() -> viewer.window().picture().isFocusOwner()));
-        robot.keyPress(KeyEvent.VK_M);
-        robot.keyRelease(KeyEvent.VK_M);
-        await(() -> onEvents(() -> !viewer.window().map().isShowing()));
     }
 
     @Test

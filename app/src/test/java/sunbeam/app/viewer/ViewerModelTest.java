@@ -11,6 +11,7 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.FutureTask;
 import java.util.concurrent.TimeUnit;
 import javax.swing.SwingUtilities;
+import org.joml.Vector3f;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -18,6 +19,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import sunbeam.app.cli.Environment;
 import sunbeam.app.scene.Scene;
+import sunbeam.app.scene.SceneLight;
 import sunbeam.app.scene.SceneLoader;
 import sunbeam.precompute.patch.PatchRequest;
 
@@ -32,6 +34,7 @@ class ViewerModelTest {
     private final CountDownLatch mayEnd = new CountDownLatch(1);
     private final List<String> problems = new ArrayList<>();
     private int loads;
+    private int opened;
     private ViewerModel model;
 
     private final class Listener implements ViewerModel.Listener {
@@ -133,5 +136,38 @@ class ViewerModelTest {
         patch(folder.resolve("missing.json").toString());
         awaitLoads();
         assertThat(drawn()).as("not the one that was overtaken").isEqualTo("lamellar");
+    }
+
+    @Test
+    void aSceneThatCannotBeOpenedBringsBackAllThatWas() throws Exception {
+        Scene before = onEvents(() -> model.scene());
+        open(before.withLight(new SceneLight(new Vector3f(0, 0, 1), 7))
+                .withPatch(PatchRequest.of(folder.resolve("missing.json").toString())));
+        awaitLoads();
+
+        assertThat(onEvents(() -> model.scene())).isEqualTo(before);
+        assertThat(onEvents(() -> opened)).isZero();
+    }
+
+    @Test
+    void aSceneThatWasOpenedWhileAPatchWasAlreadyWantedStaysIfThatPatchFails() throws Exception {
+        Scene before = onEvents(() -> model.scene());
+        SceneLight light = new SceneLight(new Vector3f(0, 0, 1), 7);
+        open(before.withLight(light).withPatch(PatchRequest.of("sinusoid")));
+        assertThat(begun.await(30, TimeUnit.SECONDS)).isTrue();
+        patch(folder.resolve("missing.json").toString());
+        mayEnd.countDown();
+        awaitLoads();
+
+        assertThat(drawn()).isEqualTo("sinusoid");
+        assertThat(onEvents(() -> model.scene().light())).isEqualTo(light);
+        assertThat(onEvents(() -> opened)).isEqualTo(1);
+    }
+
+    private void open(Scene scene) throws Exception {
+        onEvents(() -> {
+            model.open(scene, () -> opened++);
+            return null;
+        });
     }
 }

@@ -1,19 +1,16 @@
 package sunbeam.app.viewer;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+import static sunbeam.app.viewer.Pictures.different;
+import static sunbeam.app.viewer.Pictures.shownPixels;
+import static sunbeam.app.viewer.Pictures.spectralPixels;
 
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.awt.image.BufferedImage;
-import java.io.PrintWriter;
-import java.io.StringWriter;
-import java.nio.file.Path;
-import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
-import sunbeam.app.Sunbeam;
-import sunbeam.app.output.Overwrite;
 import sunbeam.app.scene.Pick;
-import sunbeam.app.scene.SceneWriter;
 
 /** The viewer in a real window, under a robot's hands. */
 final class ViewerWindowTest extends ViewerInAWindow {
@@ -26,9 +23,10 @@ final class ViewerWindowTest extends ViewerInAWindow {
         assertThat(shownPixels(before))
                 .as("pixels of the model")
                 .isBetween(100, before.getWidth() * before.getHeight() - 100);
+        assertThat(spectralPixels(before)).as("pixels in diffraction colours").isGreaterThan(500);
         assertThat(different(before, after, false))
                 .as("pixels of another colour")
-                .isPositive();
+                .isGreaterThan(500);
         assertThat(different(before, after, true))
                 .as("pixels of another silhouette")
                 .isZero();
@@ -53,26 +51,6 @@ final class ViewerWindowTest extends ViewerInAWindow {
         assertThat(different(picture(), rendered("after"), false)).isZero();
     }
 
-    /** What the command render writes for the viewer's scene, saved as a file, in the picture's size. */
-    private BufferedImage rendered(String name) throws Exception {
-        BufferedImage shown = picture();
-        Path sceneFile = folder.resolve(name + ".json");
-        SceneWriter.write(
-                sceneFile, Overwrite.REFUSE, onEvents(() -> viewer.model().scene()));
-        Path png = folder.resolve(name + ".png");
-        StringWriter err = new StringWriter();
-        int status = new Sunbeam(environment(), new PrintWriter(new StringWriter()), new PrintWriter(err))
-                .run(
-                        "render",
-                        sceneFile.toString(),
-                        "--size",
-                        shown.getWidth() + "x" + shown.getHeight(),
-                        "--output",
-                        png.toString());
-        assertThat(status).as(err.toString()).isZero();
-        return ImageIO.read(png.toFile());
-    }
-
     @Test
     void shiftDragMovesTheLightTooAndTheSkinStaysWhereItIs() throws Exception {
         Pick before = doubleClick();
@@ -91,12 +69,42 @@ final class ViewerWindowTest extends ViewerInAWindow {
     void wheelZoomsAndMiddleDragPans() throws Exception {
         BufferedImage before = picture();
         middle(0);
-        robot.mouseWheel(-3);
+        wheel(-3);
         awaitFinal();
         BufferedImage near = picture();
         assertThat(shownPixels(near)).as("pixels of the model").isGreaterThan(shownPixels(before));
         drag(InputEvent.BUTTON2_DOWN_MASK);
         awaitFinal();
         assertThat(different(near, picture(), true)).isPositive();
+    }
+
+    @Test
+    void theSkinFollowsAMiddleDrag() throws Exception {
+        double[] before = middleOfModel(picture());
+        drag(InputEvent.BUTTON2_DOWN_MASK);
+        awaitFinal();
+        double[] after = middleOfModel(picture());
+        // Nearer parts of the cylinder move farther, and are seen from another side: a tenth of the distance from the
+        // eye.
+        assertThat(after[0] - before[0]).as("columns").isCloseTo(DRAG_RIGHT, within(0.1 * DRAG_RIGHT));
+        assertThat(before[1] - after[1]).as("rows upwards").isCloseTo(DRAG_UP, within(0.1 * DRAG_UP));
+    }
+
+    /** Mean column and row of the pixels that are not background. */
+    private static double[] middleOfModel(BufferedImage image) {
+        int background = 0xff000000 | scene().background().rgb();
+        double columns = 0;
+        double rows = 0;
+        int count = 0;
+        for (int y = 0; y < image.getHeight(); y++) {
+            for (int x = 0; x < image.getWidth(); x++) {
+                if (image.getRGB(x, y) != background) {
+                    columns += x;
+                    rows += y;
+                    count++;
+                }
+            }
+        }
+        return new double[] {columns / count, rows / count};
     }
 }

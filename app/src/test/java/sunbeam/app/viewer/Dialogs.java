@@ -1,0 +1,85 @@
+package sunbeam.app.viewer;
+
+import java.awt.Component;
+import java.awt.Container;
+import java.awt.Window;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import javax.swing.AbstractButton;
+import javax.swing.JDialog;
+import javax.swing.JFileChooser;
+import javax.swing.JTextField;
+import javax.swing.SwingUtilities;
+
+/** The dialogs that the viewer opens, answered as a user would. */
+final class Dialogs {
+    private Dialogs() {}
+
+    /** Waits for a dialog whose title begins with the words given. */
+    static JDialog await(String title) throws Exception {
+        ViewerInAWindow.await(
+                () -> ViewerInAWindow.onEvents(() -> showing(title).isPresent()));
+        return ViewerInAWindow.onEvents(() -> showing(title).orElseThrow());
+    }
+
+    /** Chooses a file in the dialog of that title. */
+    static void choose(String title, Path file) throws Exception {
+        JDialog dialog = await(title);
+        // Not waited for: approving closes the dialog, and what the viewer asks next has a dialog of its own.
+        SwingUtilities.invokeLater(() -> {
+            JFileChooser chooser = all(dialog, JFileChooser.class).get(0);
+            chooser.setSelectedFile(file.toFile());
+            chooser.approveSelection();
+        });
+    }
+
+    /** Presses the button of that name in the dialog of that title. */
+    static void answer(String title, String button) throws Exception {
+        JDialog dialog = await(title);
+        SwingUtilities.invokeLater(() -> all(dialog, AbstractButton.class).stream()
+                .filter(candidate -> button.equals(candidate.getText()))
+                .findFirst()
+                .orElseThrow()
+                .doClick());
+        ViewerInAWindow.await(() -> ViewerInAWindow.onEvents(() -> !dialog.isShowing()));
+    }
+
+    /** Fills the text fields of the dialog of that title. */
+    static void type(String title, String... texts) throws Exception {
+        JDialog dialog = await(title);
+        ViewerInAWindow.onEvents(() -> {
+            List<JTextField> fields = all(dialog, JTextField.class);
+            for (int i = 0; i < texts.length; i++) {
+                fields.get(i).setText(texts[i]);
+            }
+            return null;
+        });
+    }
+
+    private static Optional<JDialog> showing(String title) {
+        for (Window window : Window.getWindows()) {
+            if (window instanceof JDialog dialog
+                    && dialog.isShowing()
+                    && dialog.getTitle().startsWith(title)) {
+                return Optional.of(dialog);
+            }
+        }
+        return Optional.empty();
+    }
+
+    /** All components of a type, at any depth. */
+    static <T> List<T> all(Container root, Class<T> type) {
+        List<T> found = new ArrayList<>();
+        for (Component child : root.getComponents()) {
+            if (type.isInstance(child)) {
+                found.add(type.cast(child));
+            }
+            if (child instanceof Container inner) {
+                found.addAll(all(inner, type));
+            }
+        }
+        return found;
+    }
+}

@@ -1,0 +1,151 @@
+package sunbeam.app.viewer;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static sunbeam.app.viewer.Pictures.different;
+
+import java.awt.Window;
+import java.awt.event.WindowEvent;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.TimeUnit;
+import javax.imageio.ImageIO;
+import org.junit.jupiter.api.Test;
+import sunbeam.app.Main;
+import sunbeam.app.output.Overwrite;
+import sunbeam.app.scene.Scene;
+import sunbeam.app.scene.SceneWriter;
+
+/** Windows that are closed while there is still something to do. */
+final class ViewerEndWindowTest extends ViewerInAWindow {
+    @Test
+    void closedDuringAComputationItEndsAtTheNextTile() throws Exception {
+        onEvents(() -> {
+            viewer.model().change(ViewerEndWindowTest::costly);
+            viewer.window().setSize(1100, 800);
+            return null;
+        });
+        await(() -> onEvents(
+                () -> viewer.model().loaded().orElseThrow().suits(viewer.model().scene())
+                        && !viewer.window().picture().isFinal()));
+        closeWindow();
+        assertEnd();
+    }
+
+    @Test
+    void closedDuringALoadItEnds() throws Exception {
+        Path patch = PatchFiles.descriptor(folder, "waves");
+        onEvents(() -> {
+            viewer.files().loadPatch(patch);
+            viewer.window().dispatchEvent(new WindowEvent(viewer.window(), WindowEvent.WINDOW_CLOSING));
+            return null;
+        });
+        assertEnd();
+    }
+
+    @Test
+    void whatWasToBeSavedIsSavedBeforeTheEnd() throws Exception {
+        Path picture = folder.resolve("picture.png");
+        onEvents(() -> {
+            viewer.files().savePicture(picture);
+            viewer.quit();
+            return null;
+        });
+        assertEnd();
+        assertThat(different(ImageIO.read(picture.toFile()), picture(), false)).isZero();
+    }
+
+    @Test
+    void whatIsAskedForAfterTheEndHarmsNobody() throws Exception {
+        doubleClick();
+        closeWindow();
+        viewer.awaitEnd(PATIENCE_MILLISECONDS);
+        onEvents(() -> {
+            viewer.model().change(scene -> scene.withRotatePatch(1));
+            viewer.model().change(ViewerEndWindowTest::costly);
+            viewer.files().savePicture(folder.resolve("picture.png"));
+            return null;
+        });
+        assertThat(viewer.hasEnded()).isTrue();
+    }
+
+    @Test
+    void theProcessEndsWithoutAWordWhenItsWindowIsClosedDuringAComputation() throws Exception {
+        Path scene = folder.resolve("scene.json");
+        SceneWriter.write(scene, Overwrite.REFUSE, costly(scene()));
+        Path out = folder.resolve("out");
+        ProcessBuilder builder = new ProcessBuilder(
+                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                "-cp",
+                System.getProperty("java.class.path"),
+                "-Djava.awt.headless=false",
+                ClosedSoon.class.getName(),
+                scene.toString());
+        builder.environment().putAll(Map.of("XDG_CACHE_HOME", folder.toString()));
+        Process process =
+                builder.redirectErrorStream(true).redirectOutput(out.toFile()).start();
+        try {
+            assertThat(process.waitFor(PATIENCE_MILLISECONDS, TimeUnit.MILLISECONDS))
+                    .as("has ended")
+                    .isTrue();
+        } finally {
+            process.destroyForcibly();
+        }
+        assertThat(Files.readString(out)).isEqualTo(ClosedSoon.CLOSING + System.lineSeparator());
+        assertThat(process.exitValue()).isZero();
+    }
+
+    /** The render thread ends only once OpenGL is given back; if that fails, it says so. */
+    private void assertEnd() throws Exception {
+        viewer.awaitEnd(PATIENCE_MILLISECONDS);
+        assertThat(viewer.hasEnded()).isTrue();
+        assertThat(onEvents(() -> viewer.window().status().text()))
+                .doesNotContainIgnoringCase("cannot")
+                .doesNotContain("bug");
+    }
+
+    private static Scene costly(Scene scene) {
+        return scene.withPlan(PlanChange.tolerance(scene.plan(), 1e-4));
+    }
+
+    private void closeWindow() throws Exception {
+        onEvents(() -> {
+            viewer.window().dispatchEvent(new WindowEvent(viewer.window(), WindowEvent.WINDOW_CLOSING));
+            return null;
+        });
+    }
+
+    /** The program, with somebody who closes its window during the first refinement. */
+    static final class ClosedSoon {
+        static final String CLOSING = "closing";
+
+        private ClosedSoon() {}
+
+        public static void main(String[] arguments) {
+            Thread closer = new Thread(ClosedSoon::close, "closer");
+            closer.setDaemon(true);
+            closer.start();
+            Main.main(List.of("view", arguments[0]).toArray(String[]::new));
+        }
+
+        private static void close() {
+            try {
+                await(() -> onEvents(() -> {
+                    for (Window window : Window.getWindows()) {
+                        if (window instanceof ViewerWindow viewer
+                                && viewer.picture().picture().isPresent()
+                                && !viewer.picture().isFinal()) {
+                            System.out.println(CLOSING);
+                            viewer.dispatchEvent(new WindowEvent(viewer, WindowEvent.WINDOW_CLOSING));
+                            return true;
+                        }
+                    }
+                    return false;
+                }));
+            } catch (Exception failure) {
+                throw new IllegalStateException(failure);
+            }
+        }
+    }
+}

@@ -1,0 +1,169 @@
+package sunbeam.app.viewer;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static sunbeam.app.viewer.Pictures.different;
+
+import java.awt.event.InputEvent;
+import java.awt.event.KeyEvent;
+import java.awt.image.BufferedImage;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import javax.imageio.ImageIO;
+import org.joml.Vector3f;
+import org.junit.jupiter.api.Test;
+import sunbeam.app.output.Overwrite;
+import sunbeam.app.scene.Scene;
+import sunbeam.app.scene.SceneLight;
+import sunbeam.app.scene.SceneWriter;
+import sunbeam.precompute.patch.PatchRequest;
+
+/** Scenes and pictures that are saved and loaded through the window's keys and dialogs. */
+final class ViewerFilesWindowTest extends ViewerInAWindow {
+    @Test
+    void aSceneThatIsSavedAndLoadedAgainShowsTheSamePicture() throws Exception {
+        Path patch = PatchFiles.descriptor(folder, "waves");
+        onEvents(() -> {
+            viewer.files().loadPatch(patch);
+            viewer.model().change(scene -> scene.withRotatePatch(0.3).withTexture("elaphe"));
+            return null;
+        });
+        await(() -> onEvents(
+                () -> viewer.model().loaded().orElseThrow().suits(viewer.model().scene())));
+        drag(InputEvent.BUTTON1_DOWN_MASK);
+        drag(InputEvent.BUTTON3_DOWN_MASK);
+        awaitFinal();
+        BufferedImage saved = picture();
+        Scene scene = onEvents(() -> viewer.model().scene());
+        press(KeyEvent.VK_CONTROL, KeyEvent.VK_S);
+        Dialogs.choose("Save scene", folder.resolve("mine"));
+        await(() -> message().contains("mine.json"));
+        press(KeyEvent.VK_HOME);
+        await(() -> loadedScene().equals(scene()));
+
+        press(KeyEvent.VK_CONTROL, KeyEvent.VK_O);
+        Dialogs.choose("Load scene", folder.resolve("mine.json"));
+        await(() -> loadedScene().patch().equals(scene.patch()));
+        awaitFinal();
+        assertThat(picture()).isNotSameAs(saved);
+        assertThat(different(saved, picture(), false)).isZero();
+        assertThat(message()).contains("loaded mine.json");
+        Scene again = onEvents(() -> viewer.model().scene());
+        press(KeyEvent.VK_RIGHT);
+        await(() -> !loadedScene().equals(again));
+        press(KeyEvent.VK_HOME);
+        await(() -> loadedScene().equals(again)); // the scene loaded last, not the first one
+    }
+
+    @Test
+    void aSceneOfABrokenPatchLeavesAllAsItWas() throws Exception {
+        BufferedImage before = picture();
+        String title = onEvents(() -> viewer.window().getTitle());
+        Path patch = PatchFiles.descriptor(folder, "waves");
+        Path file = folder.resolve("broken.json");
+        SceneWriter.write(
+                file,
+                Overwrite.REFUSE,
+                scene().withPatch(PatchRequest.of(patch.toString()))
+                        .withLight(new SceneLight(new Vector3f(0, -1, 0), 1)));
+        Files.writeString(patch, "{}");
+        open(file);
+        await(() -> message().contains("heights"));
+        awaitFinal();
+        assertThat(onEvents(() -> viewer.model().scene())).isEqualTo(scene());
+        assertThat(onEvents(() -> viewer.window().getTitle())).isEqualTo(title);
+        assertThat(different(before, picture(), false)).isZero();
+        press(KeyEvent.VK_RIGHT);
+        press(KeyEvent.VK_HOME);
+        await(() -> loadedScene().equals(scene()));
+        awaitFinal();
+        assertThat(different(before, picture(), false)).isZero();
+    }
+
+    @Test
+    void aFileThatIsNoSceneIsRefusedWithLineAndKey() throws Exception {
+        Path file = folder.resolve("typing.json");
+        SceneWriter.write(file, Overwrite.REFUSE, scene());
+        String text = Files.readString(file);
+        Files.writeString(file, text.replace("\"intensity\"", "\"intensty\""));
+        long line = text.substring(0, text.indexOf("\"intensity\"")).lines().count();
+        open(file);
+        await(() -> message().contains("intensty"));
+        assertThat(message()).contains("typing.json").contains(Long.toString(line));
+        assertThat(onEvents(() -> viewer.model().scene())).isEqualTo(scene());
+    }
+
+    @Test
+    void aFileIsReplacedOnlyIfOneSaysSo() throws Exception {
+        Path file = Files.writeString(folder.resolve("kept.json"), "mine");
+        press(KeyEvent.VK_CONTROL, KeyEvent.VK_S);
+        Dialogs.choose("Save scene", file);
+        Dialogs.answer("Replace file", "Cancel");
+        assertThat(file).hasContent("mine");
+        press(KeyEvent.VK_CONTROL, KeyEvent.VK_S);
+        Dialogs.choose("Save scene", file);
+        Dialogs.answer("Replace file", "OK");
+        await(() -> Files.readString(file).contains("\"mesh\""));
+    }
+
+    @Test
+    void aSceneIsNotSavedAwayFromThePatchThatItNames() throws Exception {
+        Path patch = PatchFiles.descriptor(Files.createDirectory(folder.resolve("patches")), "waves");
+        Path elsewhere = Files.createDirectory(folder.resolve("scenes")).resolve("mine.json");
+        onEvents(() -> {
+            viewer.files().loadPatch(patch);
+            return null;
+        });
+        await(() -> loadedScene().patch().patch().equals(patch.toString()));
+        press(KeyEvent.VK_CONTROL, KeyEvent.VK_S);
+        Dialogs.choose("Save scene", elsewhere);
+        await(() -> message().contains("waves.json"));
+        assertThat(elsewhere).doesNotExist();
+    }
+
+    @Test
+    void theSavedPictureIsTheFinalOneAndWhatRenderWrites() throws Exception {
+        drag(InputEvent.BUTTON3_DOWN_MASK);
+        Path file = folder.resolve("picture.png");
+        press(KeyEvent.VK_CONTROL, KeyEvent.VK_P);
+        Dialogs.choose("Save picture", folder.resolve("picture"));
+        await(() -> message().contains("picture.png"));
+        awaitFinal();
+        assertThat(different(ImageIO.read(file.toFile()), picture(), false)).isZero();
+        assertThat(different(picture(), rendered("scene"), false)).isZero();
+    }
+
+    @Test
+    void aPictureThatIsAskedForDuringItsPreviewIsSavedOnceItIsFinal() throws Exception {
+        Path file = folder.resolve("later.png");
+        onEvents(() -> {
+            viewer.observe(new FrameObserver() {
+                @Override
+                public void asked(ViewState state) {}
+
+                @Override
+                public void shown(ViewState state, int divisor) {
+                    viewer.observe(FrameObserver.NONE);
+                    viewer.files().savePicture(file);
+                }
+            });
+            viewer.model().change(scene -> scene.withLight(new SceneLight(new Vector3f(0.1f, -0.7f, -0.4f), 1)));
+            return null;
+        });
+        await(() -> Files.exists(file));
+        awaitFinal();
+        assertThat(different(ImageIO.read(file.toFile()), picture(), false)).isZero();
+    }
+
+    private void open(Path scene) throws Exception {
+        press(KeyEvent.VK_CONTROL, KeyEvent.VK_O);
+        Dialogs.choose("Load scene", scene);
+    }
+
+    private Scene loadedScene() throws Exception {
+        return onEvents(() -> viewer.model().loaded().orElseThrow().fine().scene());
+    }
+
+    private String message() throws Exception {
+        return onEvents(() -> viewer.window().status().text());
+    }
+}

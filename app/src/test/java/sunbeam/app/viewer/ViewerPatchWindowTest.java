@@ -1,0 +1,185 @@
+package sunbeam.app.viewer;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static sunbeam.app.viewer.Pictures.different;
+
+import java.awt.Component;
+import java.awt.dnd.DnDConstants;
+import java.awt.dnd.DragSourceDropEvent;
+import java.awt.event.KeyEvent;
+import java.awt.image.BufferedImage;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import javax.swing.JComboBox;
+import javax.swing.JLabel;
+import javax.swing.JProgressBar;
+import org.junit.jupiter.api.Test;
+
+/** Patches that are dropped on the window or chosen, good ones and bad ones. */
+final class ViewerPatchWindowTest extends ViewerInAWindow {
+    @Test
+    void aDroppedPatchIsLoadedAndPictureAndPlanFollow() throws Exception {
+        BufferedImage before = picture();
+        String planBefore = plan();
+        int panelBefore = onEvents(() -> viewer.window().controls().getWidth());
+        Path file = PatchFiles.descriptor(folder, "waves");
+        DragSourceDropEvent end = drop(file, viewer.window().picture());
+        assertThat(end.getDropSuccess()).isTrue();
+        assertThat(end.getDropAction())
+                .as("or else the source removes the file")
+                .isEqualTo(DnDConstants.ACTION_COPY);
+        awaitPatch(file);
+        awaitFinal();
+        assertThat(different(before, picture(), false))
+                .as("pixels of another colour")
+                .isGreaterThan(500);
+        assertThat(different(before, picture(), true))
+                .as("pixels of another silhouette")
+                .isZero();
+        assertThat(different(picture(), rendered("dropped"), false))
+                .as("render's picture")
+                .isZero();
+        assertThat(plan())
+                .isNotEqualTo(planBefore)
+                .isEqualTo(onEvents(() ->
+                        viewer.model().loaded().orElseThrow().fine().method().summary()));
+        assertThat(onEvents(() -> control("patch", JComboBox.class).getSelectedItem()))
+                .isEqualTo(file.toString());
+        assertThat(onEvents(() -> label("status").getText())).startsWith("Final");
+        assertThat(isBusy()).isFalse();
+        assertThat(onEvents(() -> viewer.window().controls().getWidth()))
+                .as("columns of the panel, whatever the file's name")
+                .isEqualTo(panelBefore);
+    }
+
+    @Test
+    void brokenPatchesLeaveTheOldOneAndThePictureAndSayWhy() throws Exception {
+        BufferedImage before = picture();
+        refused("no.json", "{}", "heights");
+        refused("words.json", "heights: none", "words.json");
+        refused("gone.json", descriptor("gone.png", "3 um"), "gone.png");
+        refused("unit.json", descriptor("gone.png", "3 parsec"), "parsec");
+        refused("image.json", descriptor("image.json", "3 um"), "image.json");
+        Path folderItself = Files.createDirectory(folder.resolve("folder.json"));
+        drop(folderItself, viewer.window().picture());
+        awaitComplaint("folder.json", "folder.json");
+        awaitFinal();
+        assertThat(onEvents(() -> viewer.model().scene())).isEqualTo(scene());
+        assertThat(onEvents(() -> control("patch", JComboBox.class).getSelectedItem()))
+                .isEqualTo("blaze");
+        assertThat(different(before, picture(), false)).isZero();
+    }
+
+    private static String descriptor(String heights, String width) {
+        return "{\"heights\": \"%s\", \"width\": \"%s\", \"maxHeight\": \"1 um\"}".formatted(heights, width);
+    }
+
+    private void refused(String name, String content, String reason) throws Exception {
+        Path file = Files.writeString(folder.resolve(name), content);
+        drop(file, viewer.window().picture());
+        awaitComplaint(name, reason);
+    }
+
+    private void awaitComplaint(String name, String reason) throws Exception {
+        await(() -> message().contains(name) && message().contains(reason) && !isBusy());
+    }
+
+    @Test
+    void theComplaintOfABrokenPatchIsGoneOnceAnotherIsLoaded() throws Exception {
+        load(folder.resolve("missing.json"));
+        await(() -> message().contains("missing.json"));
+        Path good = PatchFiles.descriptor(folder, "good");
+        load(good);
+        awaitPatch(good);
+        assertThat(message()).doesNotContain("missing.json");
+    }
+
+    @Test
+    void aDroppedImageIsConfirmedBeforeItsScaleIsAskedFor() throws Exception {
+        Path image = PatchFiles.image(folder, "scan.png");
+        // The source is told of its end before anybody has answered.
+        assertThat(drop(image, viewer.window().controls()).getDropSuccess()).isTrue();
+        Dialogs.answer("Scale of scan.png", "Cancel");
+        assertThat(onEvents(() -> viewer.model().scene())).isEqualTo(scene());
+        drop(image, viewer.window().controls());
+        Dialogs.type("Scale of scan.png", "2um", "300nm");
+        Dialogs.answer("Scale of scan.png", "OK");
+        awaitPatch(image);
+        assertThat(onEvents(() -> viewer.model()
+                        .loaded()
+                        .orElseThrow()
+                        .fine()
+                        .scene()
+                        .patch()
+                        .width()))
+                .hasValue(2e-6);
+    }
+
+    @Test
+    void controlLLoadsAPatch() throws Exception {
+        Path file = PatchFiles.descriptor(folder, "chosen");
+        press(KeyEvent.VK_CONTROL, KeyEvent.VK_L);
+        Dialogs.choose("Load patch", file);
+        awaitPatch(file);
+    }
+
+    @Test
+    void afterPatchesChosenInHasteTheLastIsShownAndNothingSeemsBusy() throws Exception {
+        BufferedImage before = picture();
+        Path file = PatchFiles.descriptor(folder, "last");
+        onEvents(() -> {
+            viewer.files().loadPatch(folder.resolve("missing.json"));
+            viewer.files().loadPatch(PatchFiles.descriptor(folder, "first"));
+            viewer.files().loadPatch(file);
+            return null;
+        });
+        awaitPatch(file);
+        await(() -> !isBusy());
+        awaitFinal();
+        assertThat(different(before, picture(), false)).isPositive();
+    }
+
+    private DragSourceDropEvent drop(Path file, Component target) throws Exception {
+        try (FileDrag drag = new FileDrag(robot, file)) {
+            return drag.dropOn(target);
+        }
+    }
+
+    private void load(Path file) throws Exception {
+        onEvents(() -> {
+            viewer.files().loadPatch(file);
+            return null;
+        });
+    }
+
+    private void awaitPatch(Path file) throws Exception {
+        await(() -> onEvents(() -> viewer.model()
+                        .loaded()
+                        .orElseThrow()
+                        .fine()
+                        .scene()
+                        .patch()
+                        .patch())
+                .equals(file.toString()));
+    }
+
+    private String message() throws Exception {
+        return onEvents(() -> viewer.window().status().text());
+    }
+
+    private String plan() throws Exception {
+        return onEvents(() -> label("plan").getText());
+    }
+
+    private JLabel label(String name) {
+        return Dialogs.all(viewer.window().status(), JLabel.class).stream()
+                .filter(label -> name.equals(label.getName()))
+                .findFirst()
+                .orElseThrow();
+    }
+
+    private boolean isBusy() throws Exception {
+        return onEvents(() ->
+                Dialogs.all(viewer.window().status(), JProgressBar.class).get(0).isVisible());
+    }
+}

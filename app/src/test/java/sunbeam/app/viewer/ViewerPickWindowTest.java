@@ -1,0 +1,165 @@
+package sunbeam.app.viewer;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+import static sunbeam.app.viewer.Pictures.different;
+
+import java.awt.Rectangle;
+import java.awt.event.InputEvent;
+import java.awt.event.KeyEvent;
+import java.awt.image.BufferedImage;
+import java.util.Locale;
+import java.util.Optional;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JTextArea;
+import org.joml.Vector3f;
+import org.joml.Vector3fc;
+import org.junit.jupiter.api.Test;
+import sunbeam.app.scene.Pick;
+import sunbeam.precompute.optics.Direction;
+
+/** A point that is picked by a double click: what the panel and the BRDF map show of it, in a real window. */
+final class ViewerPickWindowTest extends ViewerInAWindow {
+    private static final int CURVE = 0x5aa9e6;
+    private static final int RING = 6;
+
+    @Test
+    void thePickedPointLiesUnderTheMouseAndItsFrameIsTheCylinders() throws Exception {
+        Pick pick = doubleClick();
+        Vector3f seen = scene().view().camera().worldToCamera().transformPosition(pick.position(), new Vector3f());
+        double focal = 0.5 * picture().getHeight() / Math.tan(scene().view().verticalFieldOfView() / 2);
+        // The mouse points at a pixel's corner, or anywhere in it.
+        assertThat(seen.x / -seen.z * focal).as("columns from the middle").isCloseTo(0, within(1.0));
+        assertThat(seen.y / -seen.z * focal).as("rows from the middle").isCloseTo(0, within(1.0));
+        assertThat(pick.normal().z()).as("the axis is z").isCloseTo(0, within(1e-3f));
+        Vector3f outwards = new Vector3f(pick.position().x(), pick.position().y(), 0).normalize();
+        // The mesh has flat facets, whose normals are interpolated.
+        assertThat(pick.normal().dot(outwards)).isCloseTo(1, within(1e-3f));
+        assertThat(pick.tangent().dot(pick.normal())).isCloseTo(0, within(1e-4f));
+        assertThat(pick.tangent().cross(pick.bitangent(), new Vector3f()).dot(pick.normal()))
+                .as("orthonormal and right-handed: -1 or 1")
+                .isCloseTo(1, within(1e-3f));
+        Vector3fc light = scene().light().towards();
+        assertThat(pick.wi().z()).isCloseTo(light.dot(outwards), within(1e-3));
+    }
+
+    @Test
+    void thePanelShowsFrameAnglesColourAndSpectrumAndFollowsTheLight() throws Exception {
+        assertThat(curvePixels()).as("no spectrum yet").isZero();
+        Pick pick = doubleClick();
+        String text = panelText();
+        assertThat(text)
+                .contains("normal     " + words(pick.normal()))
+                .contains("tangent    " + words(pick.tangent()))
+                .contains("bitangent  " + words(pick.bitangent()))
+                .contains("light      theta " + degrees(pick.wi()))
+                .contains("viewer     theta " + degrees(pick.wr()));
+        BufferedImage shown = picture();
+        awaitColor(shown.getRGB(shown.getWidth() / 2, shown.getHeight() / 2));
+        await(() -> curvePixels() > 100);
+        BufferedImage spectrum = onEvents(() -> painted(plot()));
+
+        press(KeyEvent.VK_RIGHT);
+        await(() -> !panelText().equals(text));
+        awaitFinal();
+        assertThat(panelText()).contains("normal     " + words(pick.normal()));
+        awaitColor(picture().getRGB(shown.getWidth() / 2, shown.getHeight() / 2));
+        await(() -> different(onEvents(() -> painted(plot())), spectrum, false) > 0);
+    }
+
+    @Test
+    void theMapShowsARingWhereThePickedPointIsSeenFrom() throws Exception {
+        press(KeyEvent.VK_M);
+        awaitFinal();
+        Pick pick = doubleClick();
+        awaitFinal();
+        Rectangle ring = ring();
+        MapView map = viewer.window().map();
+        int side = onEvents(() -> Math.min(map.getWidth(), map.getHeight() - MapView.CAPTION));
+        double left = 0.5 * (onEvents(map::getWidth) - side);
+        double x = left + 0.5 * side * (1 + pick.wr().x());
+        double y = 0.5 * side * (1 - pick.wr().y());
+        // The ring is 3 pixels thick and smooth at its edges.
+        assertThat(ring.getCenterX()).isCloseTo(x, within(1.5));
+        assertThat(ring.getCenterY()).isCloseTo(y, within(1.5));
+        assertThat(ring.getWidth()).isCloseTo(2 * RING, within(5.0));
+        assertThat(ring.getHeight()).isCloseTo(2 * RING, within(5.0));
+
+        drag(InputEvent.BUTTON1_DOWN_MASK);
+        await(() -> onEvents(() -> viewer.inspector().point().isEmpty()));
+        awaitFinal();
+        assertThat(ring()).as("the point is let go of").isNull();
+    }
+
+    @Test
+    void theBackgroundIsNoSkin() throws Exception {
+        String hint = panelText();
+        doubleClick();
+        await(() -> !panelText().equals(hint) && curvePixels() > 0);
+        middle(-viewer.window().picture().getWidth() / 2 + 8);
+        click(2);
+        await(() -> onEvents(() -> viewer.inspector().point().isEmpty()));
+        assertThat(panelText()).isEqualTo(hint);
+        await(() -> curvePixels() == 0);
+    }
+
+    /** Where the map differs from itself without a mark, which this takes off; null if nowhere. */
+    private Rectangle ring() throws Exception {
+        MapView map = viewer.window().map();
+        return onEvents(() -> {
+            BufferedImage marked = painted(map);
+            map.mark(Optional.empty(), "");
+            return difference(marked, painted(map), map.getHeight() - MapView.CAPTION);
+        });
+    }
+
+    private static Rectangle difference(BufferedImage one, BufferedImage other, int rows) {
+        Rectangle box = null;
+        for (int y = 0; y < rows; y++) {
+            for (int x = 0; x < one.getWidth(); x++) {
+                if (one.getRGB(x, y) != other.getRGB(x, y)) {
+                    Rectangle pixel = new Rectangle(x, y, 1, 1);
+                    box = box == null ? pixel : box.union(pixel);
+                }
+            }
+        }
+        return box;
+    }
+
+    private String panelText() throws Exception {
+        return onEvents(() ->
+                Dialogs.all(viewer.window().pick(), JTextArea.class).get(0).getText());
+    }
+
+    private void awaitColor(int rgb) throws Exception {
+        String words = String.format(Locale.ROOT, "sRGB %d, %d, %d", rgb >> 16 & 255, rgb >> 8 & 255, rgb & 255);
+        await(() -> onEvents(() -> Dialogs.all(viewer.window().pick(), JLabel.class).stream()
+                .anyMatch(label -> label.getText().contains(words))));
+    }
+
+    private JComponent plot() {
+        return Dialogs.all(viewer.window().pick(), SpectrumPlot.class).get(0);
+    }
+
+    /** Pixels of the spectrum's curve. */
+    private int curvePixels() throws Exception {
+        BufferedImage plot = onEvents(() -> painted(plot()));
+        int count = 0;
+        for (int y = 0; y < plot.getHeight(); y++) {
+            for (int x = 0; x < plot.getWidth(); x++) {
+                count += (plot.getRGB(x, y) & 0xffffff) == CURVE ? 1 : 0;
+            }
+        }
+        return count;
+    }
+
+    private static String words(Vector3fc vector) {
+        return String.format(Locale.ROOT, "(%.3f, %.3f, %.3f)", vector.x(), vector.y(), vector.z());
+    }
+
+    private static String degrees(Direction direction) {
+        double theta = Math.toDegrees(Math.atan2(Math.hypot(direction.x(), direction.y()), direction.z()));
+        return String.format(Locale.ROOT, "%.1f°", theta);
+    }
+}

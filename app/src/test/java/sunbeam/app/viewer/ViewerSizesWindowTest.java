@@ -1,0 +1,95 @@
+package sunbeam.app.viewer;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static sunbeam.app.viewer.Pictures.different;
+
+import java.awt.Frame;
+import java.awt.event.InputEvent;
+import java.awt.image.BufferedImage;
+import org.joml.Vector3f;
+import org.junit.jupiter.api.Test;
+import sunbeam.app.scene.SceneLight;
+
+/** A window that is made small, hidden, minimised, and large again. */
+final class ViewerSizesWindowTest extends ViewerInAWindow {
+    private static final SceneLight OTHER = new SceneLight(new Vector3f(-0.3f, -0.6f, -0.42f), 1);
+
+    @Test
+    void aWindowOfNoSizeGoesOnAndComesBack() throws Exception {
+        BufferedImage before = picture();
+        resize(1, 1);
+        await(() -> onEvents(() -> viewer.window().picture().pictureHeight() < 1));
+        moveLight();
+        resize(620, 420);
+        awaitFinal();
+        BufferedImage after = picture();
+        assertThat(after.getWidth())
+                .isEqualTo(onEvents(() -> viewer.window().picture().getWidth()));
+        assertThat(different(before, after, false)).as("the light has moved").isGreaterThan(500);
+        assertThat(different(before, after, true)).isZero();
+    }
+
+    @Test
+    void aPictureOfOnePixelIsDrawn() throws Exception {
+        PictureView view = viewer.window().picture();
+        int besideWidth = onEvents(() -> viewer.window().getWidth() - view.getWidth());
+        int besideHeight = onEvents(() -> viewer.window().getHeight() - view.getHeight());
+        resize(besideWidth + 1, besideHeight + 1);
+        await(() -> onEvents(() -> view.pictureWidth() == 1 && view.pictureHeight() == 1));
+        awaitFinal();
+        assertThat(picture().getWidth() * picture().getHeight()).isEqualTo(1);
+        resize(620, 420);
+        awaitFinal();
+        assertThat(different(picture(), rendered("again"), false)).isZero();
+    }
+
+    @Test
+    void resizedDuringAComputationItDrawsTheLastSize() throws Exception {
+        for (int width = 500; width < 700; width += 10) {
+            resize(width, 400);
+        }
+        awaitFinal();
+        assertThat(picture().getWidth())
+                .isEqualTo(onEvents(() -> viewer.window().picture().pictureWidth()));
+        assertThat(different(picture(), rendered("last"), false)).isZero();
+    }
+
+    @Test
+    void aHiddenWindowIsDrawnAnewWhenItComesBack() throws Exception {
+        BufferedImage before = picture();
+        onEvents(() -> {
+            viewer.window().setExtendedState(Frame.ICONIFIED);
+            viewer.window().setVisible(false);
+            return null;
+        });
+        moveLight();
+        onEvents(() -> {
+            viewer.window().setExtendedState(Frame.NORMAL);
+            viewer.window().setVisible(true);
+            viewer.toggleCone();
+            return null;
+        });
+        awaitFinal();
+        BufferedImage after = picture();
+        assertThat(different(before, after, false)).as("the light has moved").isGreaterThan(500);
+        await(() -> different(screen(viewer.window().picture()), after, false) == 0);
+        drag(InputEvent.BUTTON1_DOWN_MASK);
+        awaitFinal();
+        assertThat(different(after, picture(), true)).isPositive();
+    }
+
+    private void resize(int width, int height) throws Exception {
+        onEvents(() -> {
+            viewer.window().setMinimumSize(null);
+            viewer.window().setSize(width, height);
+            return null;
+        });
+    }
+
+    private void moveLight() throws Exception {
+        onEvents(() -> {
+            viewer.model().change(scene -> scene.withLight(OTHER));
+            return null;
+        });
+    }
+}
