@@ -31,7 +31,7 @@ class RenderInterruptionTest {
             SunbeamResult result = running.end(Duration.ofSeconds(30));
             assertThat(result.exitCode()).as("%s", result).isEqualTo(130);
             assertThat(result.stdout()).isEmpty();
-            assertThat(result.complaints()).isEmpty();
+            assertThat(result.complaints()).hasLineCount(1).contains("add --resume");
         }
 
         List<String> kept = names(folder);

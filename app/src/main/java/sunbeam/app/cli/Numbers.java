@@ -12,6 +12,13 @@ public final class Numbers {
 
     private Numbers() {}
 
+    /** A number as people write it: whole ones without a point, powers of ten as 1e-5. */
+    public static String format(double value) {
+        return value == Math.rint(value) && Math.abs(value) < 1e7
+                ? Long.toString((long) value)
+                : Double.toString(value).replace(".0E", "e").replace('E', 'e');
+    }
+
     /** The finite number that the text (blanks around it allowed) is, or nothing. */
     public static OptionalDouble parse(String text) {
         String digits = text.strip();

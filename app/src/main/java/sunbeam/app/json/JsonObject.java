@@ -8,6 +8,7 @@ import java.util.Set;
 import java.util.TreeSet;
 import java.util.function.Function;
 import java.util.function.Supplier;
+import sunbeam.app.cli.Numbers;
 import sunbeam.app.input.InputException;
 import sunbeam.precompute.text.Quoted;
 
@@ -115,16 +116,10 @@ public final class JsonObject {
             throw complaint(
                     key,
                     value,
-                    "%s is out of range; give %s to %s".formatted(text(number.value()), text(least), text(most)));
+                    "%s is out of range; give %s to %s"
+                            .formatted(Numbers.format(number.value()), Numbers.format(least), Numbers.format(most)));
         }
         return number.value();
-    }
-
-    /** A number as a user writes it: whole ones without a point, powers of ten as 1e-5. */
-    private static String text(double value) {
-        return value == Math.rint(value) && Math.abs(value) < 1e7
-                ? Long.toString((long) value)
-                : Double.toString(value).replace(".0E", "e").replace('E', 'e');
     }
 
     /** A value as a list of so many values. */

@@ -36,23 +36,36 @@ final class FrameFiles {
     }
 
     /**
-     * Which files are to be drawn: all, or with {@code resume} those that are not there with their parameters.
+     * Nothing stands where the files will go, or it may be replaced.
      *
      * @throws OutputException for a file that would have to be replaced and may not
      */
-    static List<Boolean> missing(List<Path> files, List<String> identities, boolean resume, Overwrite overwrite) {
+    static void requireFree(List<Path> files, Overwrite overwrite) {
+        for (Path file : files) {
+            requireFree(file, overwrite, "; add --resume to keep what is finished, or --force to replace it");
+        }
+    }
+
+    /**
+     * Which files are to be drawn so that all are there with their parameters.
+     *
+     * @throws OutputException for a file that would have to be replaced and may not
+     */
+    static List<Boolean> missing(List<Path> files, List<String> identities, Overwrite overwrite) {
         List<Boolean> missing = new ArrayList<>();
         for (int i = 0; i < files.size(); i++) {
-            Path file = files.get(i);
-            boolean done = resume && FrameIdentity.matches(file, identities.get(i));
-            if (!done && Files.exists(file) && overwrite == Overwrite.REFUSE) {
-                String remedy = resume
-                        ? " with other parameters; add --force to replace it"
-                        : "; add --resume to keep what is finished, or --force to replace it";
-                throw new OutputException("cannot write " + file + ": it exists" + remedy);
+            boolean done = FrameIdentity.matches(files.get(i), identities.get(i));
+            if (!done) {
+                requireFree(files.get(i), overwrite, " with other parameters; add --force to replace it");
             }
             missing.add(!done);
         }
         return missing;
+    }
+
+    private static void requireFree(Path file, Overwrite overwrite, String remedy) {
+        if (overwrite == Overwrite.REFUSE && Files.exists(file)) {
+            throw new OutputException("cannot write " + file + ": it exists" + remedy);
+        }
     }
 }

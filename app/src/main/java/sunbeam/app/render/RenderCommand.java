@@ -3,6 +3,7 @@ package sunbeam.app.render;
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.concurrent.Callable;
 import jrtr.RenderContext;
@@ -16,6 +17,7 @@ import picocli.CommandLine.Spec;
 import sunbeam.app.cli.Environment;
 import sunbeam.app.cli.ExitCode;
 import sunbeam.app.cli.Messages;
+import sunbeam.app.cli.ShutdownHook;
 import sunbeam.app.cli.UsageException;
 import sunbeam.app.output.AtomicFile;
 import sunbeam.app.output.DefaultName;
@@ -97,6 +99,7 @@ public final class RenderCommand implements Callable<Integer> {
         List<Scene> scenes = animation.isAsked() ? animation.scenes(scene) : List.of(scene);
         Path target = target();
         List<Path> files = animation.isAsked() ? FrameFiles.names(target, scenes.size()) : List.of(target);
+        checkOutputs(files, target);
         PrintWriter err = specification.commandLine().getErr();
         SceneData data = new SceneLoader(environment, warning -> {
                     err.println(Messages.warning(warning));
@@ -108,7 +111,7 @@ public final class RenderCommand implements Callable<Integer> {
         err.flush();
         try (RenderContext context = RenderContexts.offscreen();
                 FrameSequence frames = new FrameSequence(context, data, size, supersample)) {
-            draw(frames, scenes, files, target);
+            draw(frames, scenes, files, target, err);
         }
         outputs(target, files).forEach(out::println);
         return ExitCode.OK.code();
@@ -146,25 +149,49 @@ public final class RenderCommand implements Callable<Integer> {
         return dot > 0 ? name.substring(0, dot) : name;
     }
 
-    private void draw(FrameSequence frames, List<Scene> scenes, List<Path> files, Path target) {
+    /** Before anything is loaded: nobody waits for a picture that cannot be written. */
+    private void checkOutputs(List<Path> files, Path target) {
+        if (!animation.resume()) {
+            FrameFiles.requireFree(files, force.overwrite());
+        }
+        if (!animation.isAsked() && !animation.resume()) {
+            AtomicFile.checkWritable(target, force.overwrite());
+        }
+        if (linear != null) {
+            AtomicFile.checkWritable(linear, force.overwrite());
+        }
+    }
+
+    private void draw(FrameSequence frames, List<Scene> scenes, List<Path> files, Path target, PrintWriter err) {
         Overwrite overwrite = force.overwrite();
         if (animation.isAsked()) {
             OutputFolder.create(target);
         }
-        List<Boolean> missing = FrameFiles.missing(files, frames.identities(scenes), animation.resume(), overwrite);
+        List<Boolean> missing = animation.resume()
+                ? FrameFiles.missing(files, frames.identities(scenes), overwrite)
+                : Collections.nCopies(files.size(), true);
         AtomicFile.checkWritable(files.get(0), Overwrite.REPLACE);
-        if (linear != null) {
-            AtomicFile.checkWritable(linear, overwrite);
-        }
         Overwrite ofAnimation = animation.resume() ? Overwrite.REPLACE : overwrite;
         if (animation.isAsked()) {
             AtomicFile.checkWritable(animation.file(target), ofAnimation);
         }
-        frames.draw(scenes, files, missing, overwrite, linear);
+        ShutdownHook hook = new ShutdownHook(() -> sayThatFramesAreKept(err));
+        try {
+            frames.draw(scenes, files, missing, overwrite, linear);
+        } finally {
+            hook.close();
+        }
         if (animation.isMp4()) {
             Mp4Animation.write(animation.file(target), ofAnimation, files, animation.frameRate());
         } else if (animation.isAsked()) {
             GifAnimation.write(animation.file(target), ofAnimation, files, animation.frameRate());
+        }
+    }
+
+    private void sayThatFramesAreKept(PrintWriter err) {
+        if (animation.isAsked()) {
+            err.println(Messages.error("interrupted; finished frames are kept, add --resume to draw the others"));
+            err.flush();
         }
     }
 

@@ -174,7 +174,8 @@ public final class SceneOverrides {
 
     private static void check(String option, Double value, double least, double most) {
         if (value != null && !(value >= least && value <= most)) {
-            throw new UsageException(option + " " + value + " is out of range; give " + least + " to " + most);
+            throw new UsageException("%s %s is out of range; give %s to %s"
+                    .formatted(option, Numbers.format(value), Numbers.format(least), Numbers.format(most)));
         }
     }
 }

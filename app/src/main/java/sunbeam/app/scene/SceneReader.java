@@ -4,12 +4,14 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import jrtr.scene.Camera;
 import org.joml.Quaternionf;
 import org.joml.Quaternionfc;
 import org.joml.Vector3f;
+import sunbeam.app.input.InputException;
 import sunbeam.app.json.JsonFile;
 import sunbeam.app.json.JsonObject;
 import sunbeam.app.json.JsonValue;
@@ -33,10 +35,20 @@ public final class SceneReader {
     /**
      * Reads a file. The files that it names must lie in its folder or below.
      *
-     * @throws sunbeam.app.input.InputException when it is missing or not a scene
+     * @throws InputException when it is missing or not a scene
      */
     public static Scene read(Path file) {
         return new SceneReader(JsonFile.read(file), SceneFolder.of(file)).scene();
+    }
+
+    /** Whether a file is written as a scene is; it may still be a broken one. */
+    public static boolean isScene(Path file) {
+        try {
+            return file.toString().toLowerCase(Locale.ROOT).endsWith(".json")
+                    && JsonFile.read(file).has("camera");
+        } catch (InputException notJson) {
+            return false;
+        }
     }
 
     /** Reads a scene that comes with Sunbeam and names no files. */

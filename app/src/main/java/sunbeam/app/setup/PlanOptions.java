@@ -9,6 +9,7 @@ import java.util.OptionalInt;
 import picocli.CommandLine.Option;
 import sunbeam.app.cli.LengthConverter;
 import sunbeam.app.cli.Messages;
+import sunbeam.app.cli.Numbers;
 import sunbeam.app.cli.UsageException;
 import sunbeam.app.gpu.MethodKind;
 import sunbeam.precompute.expansion.ExpansionKind;
@@ -194,12 +195,15 @@ public final class PlanOptions {
         double value = tolerance();
         if (!(value > 0 && value <= Tolerances.COARSEST)) {
             throw new UsageException("--tolerance %s is out of range; give %s to %s, for example 1e-3"
-                    .formatted(shown(value), shown(Tolerances.FINEST), shown(Tolerances.COARSEST)));
+                    .formatted(
+                            Numbers.format(value),
+                            Numbers.format(Tolerances.FINEST),
+                            Numbers.format(Tolerances.COARSEST)));
         }
         if (value < Tolerances.FINEST) {
             throw new UsageException(
                     "--tolerance %s is finer than float32 can reach, which is %s; give that or more, or evaluate directions with 'reflectance --method reference'"
-                            .formatted(shown(value), shown(Tolerances.FINEST)));
+                            .formatted(Numbers.format(value), Numbers.format(Tolerances.FINEST)));
         }
     }
 
@@ -207,13 +211,9 @@ public final class PlanOptions {
         if (preset != null && tolerance != null) {
             throw new UsageException(
                     "--tolerance %s contradicts --preset %s, whose choices keep no tolerance; leave one of them out"
-                            .formatted(shown(tolerance), preset.toString().toLowerCase(Locale.ROOT)));
+                            .formatted(
+                                    Numbers.format(tolerance), preset.toString().toLowerCase(Locale.ROOT)));
         }
-    }
-
-    /** As people write it: 1e-5, not 1.0E-5. */
-    private static String shown(double value) {
-        return Double.toString(value).replaceFirst("\\.0(E|$)", "$1").replace('E', 'e');
     }
 
     private static void checkRange(String option, Integer value, int low, int high) {

@@ -17,6 +17,7 @@ import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JTextField;
+import sunbeam.app.cli.Numbers;
 import sunbeam.app.mesh.BuiltInMeshes;
 import sunbeam.app.scene.Blend;
 import sunbeam.app.scene.Scene;
@@ -42,7 +43,7 @@ final class ControlPanel extends JPanel {
     private final JComboBox<MethodChoice> method = new JComboBox<>(MethodChoice.values());
     private final JTextField spacing = new JTextField("1um", 8);
     private JLabel spacingCaption;
-    private final JComboBox<String> tolerance = new JComboBox<>(new String[] {"0.05", "0.01", "0.001", "1.0E-4"});
+    private final JComboBox<String> tolerance = new JComboBox<>(new String[] {"0.05", "0.01", "0.001", "1e-4"});
     private final JTextField coherence = new JTextField(8);
     private final JComboBox<String> average = new JComboBox<>(new String[] {"coherent", "ensemble"});
     private final LabelledSlider rotation;
@@ -258,7 +259,7 @@ final class ControlPanel extends JPanel {
         scene.method().spacing().ifPresent(metres -> spacing.setText(Lengths.format(metres)));
         spacing.setVisible(choice.hasSpacing());
         spacingCaption.setVisible(choice.hasSpacing());
-        tolerance.setSelectedItem(Double.toString(scene.plan().tolerance()));
+        tolerance.setSelectedItem(Numbers.format(scene.plan().tolerance()));
         tolerance.setEnabled(choice.hasTolerance());
         average.setEnabled(choice.hasAverages());
         if (!coherence.isFocusOwner()) {

@@ -61,8 +61,22 @@ final class FileActions {
         ask("Load patch (descriptor .json, or image)", JFileChooser.OPEN_DIALOG).ifPresent(this::loadPatch);
     }
 
+    private void load(Path file) {
+        run(() -> SceneReader.isScene(file), isScene -> {
+            if (isScene) {
+                loadScene(file);
+            } else {
+                loadPatch(file);
+            }
+        });
+    }
+
     /** Loads a patch; if that fails, the old one stays and the status line says why. */
     void loadPatch(Path file) {
+        if (!Files.exists(file)) {
+            window.status().message("cannot load " + file + ": there is no such file");
+            return;
+        }
         try {
             PatchScaleDialog.request(window, file)
                     .ifPresent(request -> model.change(scene -> scene.withPatch(request)));
@@ -172,7 +186,7 @@ final class FileActions {
         return file.resolveSibling(complete.apply(name));
     }
 
-    /** Files dropped on the window are patches. */
+    /** Files dropped on the window are scenes or patches. */
     private final class Drop extends TransferHandler {
         @Override
         public boolean canImport(TransferSupport support) {
@@ -192,7 +206,7 @@ final class FileActions {
                 Object data = support.getTransferable().getTransferData(DataFlavor.javaFileListFlavor);
                 if (data instanceof List<?> files && !files.isEmpty() && files.get(0) instanceof File file) {
                     // Later, since the source waits for the drop's end, and a dialog may come up.
-                    SwingUtilities.invokeLater(() -> loadPatch(file.toPath()));
+                    SwingUtilities.invokeLater(() -> load(file.toPath()));
                     return true;
                 }
             } catch (UnsupportedFlavorException | IOException failure) {

@@ -13,7 +13,12 @@ import java.nio.file.Path;
 import javax.swing.JComboBox;
 import javax.swing.JLabel;
 import javax.swing.JProgressBar;
+import org.joml.Vector3f;
 import org.junit.jupiter.api.Test;
+import sunbeam.app.output.Overwrite;
+import sunbeam.app.scene.Scene;
+import sunbeam.app.scene.SceneLight;
+import sunbeam.app.scene.SceneWriter;
 
 /** Patches that are dropped on the window or chosen, good ones and bad ones. */
 final class ViewerPatchWindowTest extends ViewerInAWindow {
@@ -116,6 +121,16 @@ final class ViewerPatchWindowTest extends ViewerInAWindow {
     }
 
     @Test
+    void aDroppedSceneIsOpened() throws Exception {
+        Scene other = scene().withLight(new SceneLight(new Vector3f(0.1f, -0.5f, 0.6f), 2));
+        Path file = folder.resolve("other.json");
+        SceneWriter.write(file, Overwrite.REFUSE, other);
+        drop(file, viewer.window().picture());
+        await(() -> message().contains("loaded other.json"));
+        assertThat(onEvents(() -> viewer.model().scene().light().intensity())).isEqualTo(2);
+    }
+
+    @Test
     void controlLLoadsAPatch() throws Exception {
         Path file = PatchFiles.descriptor(folder, "chosen");
         press(KeyEvent.VK_CONTROL, KeyEvent.VK_L);
@@ -128,7 +143,7 @@ final class ViewerPatchWindowTest extends ViewerInAWindow {
         BufferedImage before = picture();
         Path file = PatchFiles.descriptor(folder, "last");
         onEvents(() -> {
-            viewer.files().loadPatch(folder.resolve("missing.json"));
+            viewer.files().loadPatch(Files.writeString(folder.resolve("bad.json"), "{}"));
             viewer.files().loadPatch(PatchFiles.descriptor(folder, "first"));
             viewer.files().loadPatch(file);
             return null;
