@@ -1,6 +1,7 @@
 package sunbeam.app.render;
 
 import java.io.PrintWriter;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
@@ -185,6 +186,18 @@ public final class RenderCommand implements Callable<Integer> {
             Mp4Animation.write(animation.file(target), ofAnimation, files, animation.frameRate());
         } else if (animation.isAsked()) {
             GifAnimation.write(animation.file(target), ofAnimation, files, animation.frameRate());
+        }
+        if (animation.isAsked()) {
+            warnOfOlderFrames(target, files.size(), err);
+        }
+    }
+
+    private static void warnOfOlderFrames(Path folder, int frames, PrintWriter err) {
+        Path next = FrameFiles.names(folder, frames + 1).get(frames);
+        if (Files.exists(next)) {
+            err.println(
+                    Messages.warning(next + " and frames after it are of a longer animation; they were left alone"));
+            err.flush();
         }
     }
 

@@ -53,9 +53,10 @@ final class GeometryBuffers implements AutoCloseable {
         boolean anew = false;
         for (int top = part.y() / STRIP_ROWS * STRIP_ROWS; top < part.y() + part.height(); top += STRIP_ROWS) {
             Tile strip = new Tile(0, top, block.width(), Math.min(STRIP_ROWS, block.height() - top));
-            if (drawn.add(block.part(strip))) {
+            if (!drawn.contains(block.part(strip))) {
                 PictureArea area = new PictureArea(geometry.width(), geometry.height(), block);
                 renderer.draw(geometry.graph(program), area, buffer.attributes(), strip);
+                drawn.add(block.part(strip));
                 anew = true;
             }
         }
