@@ -50,6 +50,7 @@ final class ControlPanel extends JPanel {
     private final JCheckBox automatic = new JCheckBox("automatic");
     private final LabelledSlider exposure;
     private final LabelledSlider diffraction;
+    private final transient DiffractionWeights weights = new DiffractionWeights();
     private final LabelledSlider texture;
     private boolean updating;
     private double lastExposure = 1;
@@ -203,9 +204,11 @@ final class ControlPanel extends JPanel {
         }
         if (choice.hasSpacing()) {
             length(spacing, "spacing of the lines", MethodRequest.SMALLEST_SPACING, MethodRequest.LARGEST_SPACING)
-                    .ifPresentOrElse(metres -> change(scene -> choice.apply(scene, metres)), this::follow);
+                    .ifPresentOrElse(
+                            metres -> change(scene -> weights.follow(scene, choice.apply(scene, metres))),
+                            this::follow);
         } else {
-            change(scene -> choice.apply(scene, 0));
+            change(scene -> weights.follow(scene, choice.apply(scene, 0)));
         }
     }
 

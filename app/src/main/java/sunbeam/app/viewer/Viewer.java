@@ -45,7 +45,7 @@ final class Viewer {
         model = new ViewerModel(scene, loader, loading);
         window = new ViewerWindow(title(scene), model);
         inspector = new PointInspector(window);
-        loop = new RenderLoop(opening, new FromRenderThread());
+        loop = new RenderLoop(opening, new EventThreadListener(new FromRenderThread()));
         files = new FileActions(window, model, writing, this::open);
         KeyControls keys = new KeyControls(this, model, files);
         window.setJMenuBar(keys.menus());
@@ -253,62 +253,54 @@ final class Viewer {
         }
     }
 
-    /** What the render thread has to say, taken to the event thread. */
+    /** What the render thread has to say, on the event thread. */
     private final class FromRenderThread implements RenderListener {
         @Override
         public void opened(ContextInfo info) {
-            SwingUtilities.invokeLater(() -> {
-                files.drawnBy(info.renderer());
-                window.status().renderer(info.renderer());
-            });
+            files.drawnBy(info.renderer());
+            window.status().renderer(info.renderer());
         }
 
         @Override
         public void failed(String message) {
-            SwingUtilities.invokeLater(() -> {
-                failed = true;
-                firstPicture.cannotCome(message);
-                window.picture().showMessage("No picture: " + message);
-                window.status().message(message);
-            });
+            failed = true;
+            firstPicture.cannotCome(message);
+            window.picture().showMessage("No picture: " + message);
+            window.status().message(message);
         }
 
         @Override
         public void refused(String message) {
-            SwingUtilities.invokeLater(() -> window.status().message(message));
+            window.status().message(message);
         }
 
         @Override
         public void picture(ViewState state, BufferedImage image, boolean isFinal, double exposure, long nanoseconds) {
-            SwingUtilities.invokeLater(() -> {
-                firstPicture.came();
-                window.picture().showPicture(image, state.width(), state.height(), isFinal);
-                window.controls().exposureInUse(exposure);
-                if (isFinal) {
-                    completed = state;
-                    window.status().complete(nanoseconds);
-                    files.pictureIsFinal(state.fine(), exposure);
-                    measure();
-                } else {
-                    int divisor = (int) Math.ceil((double) state.width() / image.getWidth());
-                    window.status().preview(divisor, nanoseconds);
-                    // Swing paints before whatever is queued now.
-                    SwingUtilities.invokeLater(() -> observer.shown(state, divisor));
-                }
-            });
+            firstPicture.came();
+            window.picture().showPicture(image, state.width(), state.height(), isFinal);
+            window.controls().exposureInUse(exposure);
+            if (isFinal) {
+                completed = state;
+                window.status().complete(nanoseconds);
+                files.pictureIsFinal(state.fine(), exposure);
+                measure();
+            } else {
+                int divisor = (int) Math.ceil((double) state.width() / image.getWidth());
+                window.status().preview(divisor, nanoseconds);
+                // Swing paints before whatever is queued now.
+                SwingUtilities.invokeLater(() -> observer.shown(state, divisor));
+            }
         }
 
         @Override
         public void tile(ViewState state, BufferedImage image, int x, int y, double shareDone) {
-            SwingUtilities.invokeLater(() -> {
-                window.picture().showTile(image, x, y);
-                window.status().refining(shareDone);
-            });
+            window.picture().showTile(image, x, y);
+            window.status().refining(shareDone);
         }
 
         @Override
         public void map(ViewState state, BufferedImage image, boolean isFinal) {
-            SwingUtilities.invokeLater(() -> window.map().show(image));
+            window.map().show(image);
         }
     }
 }

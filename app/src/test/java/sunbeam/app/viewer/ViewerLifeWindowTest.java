@@ -93,6 +93,18 @@ final class ViewerLifeWindowTest extends ViewerInAWindow {
             awaitFinal();
         }
         assertThat(different(full, picture(), false)).as("gem is another model").isPositive();
+        assertThat(onEvents(() -> viewer.model().scene().blend().diffraction())).isEqualTo(0.5);
+        onEvents(() -> {
+            control("method", JComboBox.class).setSelectedItem(MethodChoice.FULL);
+            return null;
+        });
+        assertThat(onEvents(() -> viewer.model().scene().blend()))
+                .as("as it was before gem")
+                .isEqualTo(scene().blend());
+        onEvents(() -> {
+            control("method", JComboBox.class).setSelectedItem(MethodChoice.GEM);
+            return null;
+        });
         onEvents(() -> {
             JTextField spacing = control("spacing", JTextField.class);
             spacing.setText("2 parsec");

@@ -1,0 +1,30 @@
+package sunbeam.app.viewer;
+
+import java.util.OptionalDouble;
+import sunbeam.app.gpu.MethodKind;
+import sunbeam.app.scene.Scene;
+
+/**
+ * The weight of diffracted light that goes with a method. The methods of Kirchhoff's integral relate light to a mirror's,
+ * so that a skin needs weights of 1e4 and more; {@code gem} knows no mirror and would be white with these.
+ */
+final class DiffractionWeights {
+    private static final double GEM = 0.5;
+
+    private OptionalDouble ofOthers = OptionalDouble.empty();
+
+    /** The scene after a change of its method, with the weight that it had when such a method was last chosen. */
+    Scene follow(Scene before, Scene after) {
+        boolean was = before.method().kind() == MethodKind.GEM;
+        boolean is = after.method().kind() == MethodKind.GEM;
+        if (is && !was) {
+            ofOthers = OptionalDouble.of(before.blend().diffraction());
+            return weighted(after, GEM);
+        }
+        return was && !is && ofOthers.isPresent() ? weighted(after, ofOthers.getAsDouble()) : after;
+    }
+
+    private static Scene weighted(Scene scene, double weight) {
+        return scene.withBlend(scene.blend().withDiffraction(weight));
+    }
+}

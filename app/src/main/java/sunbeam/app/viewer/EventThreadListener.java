@@ -1,0 +1,38 @@
+package sunbeam.app.viewer;
+
+import java.awt.image.BufferedImage;
+import javax.swing.SwingUtilities;
+import jrtr.ContextInfo;
+
+/** Takes what the render thread has to say to the event thread. */
+record EventThreadListener(RenderListener there) implements RenderListener {
+    @Override
+    public void opened(ContextInfo info) {
+        SwingUtilities.invokeLater(() -> there.opened(info));
+    }
+
+    @Override
+    public void failed(String message) {
+        SwingUtilities.invokeLater(() -> there.failed(message));
+    }
+
+    @Override
+    public void refused(String message) {
+        SwingUtilities.invokeLater(() -> there.refused(message));
+    }
+
+    @Override
+    public void picture(ViewState state, BufferedImage image, boolean isFinal, double exposure, long nanoseconds) {
+        SwingUtilities.invokeLater(() -> there.picture(state, image, isFinal, exposure, nanoseconds));
+    }
+
+    @Override
+    public void tile(ViewState state, BufferedImage image, int x, int y, double shareDone) {
+        SwingUtilities.invokeLater(() -> there.tile(state, image, x, y, shareDone));
+    }
+
+    @Override
+    public void map(ViewState state, BufferedImage image, boolean isFinal) {
+        SwingUtilities.invokeLater(() -> there.map(state, image, isFinal));
+    }
+}
