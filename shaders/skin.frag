@@ -2,18 +2,13 @@
 #include "jrtr/lights.glsl"
 #include "include/blend.glsl"
 #include "include/gain.glsl"
+#include "include/geometry.glsl"
 #include "method/method.glsl"
 
 // A skin under its lights: diffraction, texture and diffuse part, from what geometry.frag found in each pixel.
 
 // Number of the texel of geometry.frag's images that each pixel lights, counted row by row; negative for none.
 uniform sampler2D sources;
-
-// The images of geometry.frag.
-uniform sampler2D views;
-uniform sampler2D normals;
-uniform sampler2D tangents;
-uniform sampler2D albedos;
 
 // Linear XYZ; alpha 1, the skin's coverage.
 layout(location = 0) out vec4 radiance;

@@ -26,6 +26,11 @@ public record Blend(double diffraction, double texture, double diffuse, double a
         return new Blend(weight, texture, diffuse, ambient);
     }
 
+    /** The diffracted light alone. */
+    Blend withoutBody() {
+        return new Blend(diffraction, 0, 0, 0);
+    }
+
     private static void check(String name, double weight) {
         if (!(weight >= 0 && weight <= LARGEST)) {
             throw new IllegalArgumentException("weight " + name + " " + weight + " is out of range; give 0 to 1e9");

@@ -24,16 +24,22 @@ public final class SceneSession implements AutoCloseable {
     /** Side of the tiles that {@link #tiles} gives; llvmpipe shares out blocks of 64 x 64 pixels among processors. */
     public static final int TILE_SIDE = 128;
 
+    // Of the body in previews whose diffraction is coarser.
+    private static final int BODY_DIVISOR = 4;
+
     private final RenderContext context;
     private final SceneRenderer renderer;
     private final GeometryBuffers buffers;
+    private final GeometryBuffers finerBuffers;
     private final PackedShading shading;
+    private final BodyShading bodyShading;
     private final Picking picking;
     private SceneData data;
     private VertexBuffer mesh;
     private ImageTexture body;
     private SkinSurface skin;
     private long meshNanoseconds;
+    private long pixelNanoseconds;
 
     /**
      * Uploads a scene.
@@ -44,7 +50,9 @@ public final class SceneSession implements AutoCloseable {
         this.context = context;
         this.renderer = new SceneRenderer(context);
         this.buffers = new GeometryBuffers(context, renderer);
+        this.finerBuffers = new GeometryBuffers(context, renderer);
         this.shading = new PackedShading(context);
+        this.bodyShading = new BodyShading(context);
         this.picking = new Picking(context);
         try {
             update(data);
@@ -128,30 +136,70 @@ public final class SceneSession implements AutoCloseable {
      * @throws IllegalArgumentException if the tile is not inside
      */
     public ScenePicture draw(int width, int height, Tile tile) {
+        return draw(scene(), width, height, tile);
+    }
+
+    private ScenePicture draw(Scene lit, int width, int height, Tile tile) {
         if (!tile.fitsIn(width, height)) {
             throw new IllegalArgumentException(tile + " is not inside a picture of " + width + " x " + height);
         }
         SkinGeometry geometry = SkinGeometry.of(scene(), mesh, body, width, height);
         ScenePicture part = ScenePicture.empty(tile.width(), tile.height());
-        meshNanoseconds = 0;
         for (SceneBlocks.Piece piece : SceneBlocks.split(width, height, tile)) {
             Tile inBlock = piece.inBlock();
-            float[] lit = shading.shade(skin, scene(), drawn(geometry, piece), inBlock);
-            part.put(new ScenePicture(inBlock.width(), inBlock.height(), lit), piece.x(), piece.y());
+            GeometryBuffer buffer = drawn(buffers, geometry, piece);
+            long start = System.nanoTime();
+            float[] pixels = shading.shade(skin, lit, buffer, inBlock);
+            pixelNanoseconds += System.nanoTime() - start;
+            part.put(new ScenePicture(inBlock.width(), inBlock.height(), pixels), piece.x(), piece.y());
         }
         return part;
     }
 
-    private GeometryBuffer drawn(SkinGeometry geometry, SceneBlocks.Piece piece) {
+    private GeometryBuffer drawn(GeometryBuffers into, SkinGeometry geometry, SceneBlocks.Piece piece) {
         long start = System.nanoTime();
-        GeometryBuffer buffer = buffers.of(geometry, piece.block(), piece.inBlock());
+        GeometryBuffer buffer = into.of(geometry, piece.block(), piece.inBlock());
         meshNanoseconds += System.nanoTime() - start;
         return buffer;
     }
 
-    /** Time that the last part took for the mesh, if that had to be drawn; the rest went to the pixels. */
-    public long meshNanoseconds() {
-        return meshNanoseconds;
+    /**
+     * Draws a picture with fewer pixels. Those of the diffracted light, which are costly, are as few as asked for; the
+     * body, which is cheap, has a quarter of the columns and rows at least.
+     *
+     * @param width pixels per row of the whole picture
+     * @param height rows of the whole picture
+     * @param divisor a {@code divisor}-th of columns and rows
+     */
+    public ScenePreview preview(int width, int height, int divisor) {
+        meshNanoseconds = 0;
+        pixelNanoseconds = 0;
+        boolean split = divisor > BODY_DIVISOR;
+        Scene lit = split ? scene().withBlend(scene().blend().withoutBody()) : scene();
+        Tile few = reduced(width, height, divisor);
+        ScenePicture picture = draw(lit, few.width(), few.height(), few);
+        if (split) {
+            ScenePicture finer = body(reduced(width, height, BODY_DIVISOR));
+            double intensity = scene().light().intensity();
+            double white = Math.max(intensity, 1 / scene().exposure().orElse(1));
+            picture = ScenePreview.composed(finer, picture, intensity, white);
+        }
+        return new ScenePreview(picture, split, meshNanoseconds, pixelNanoseconds);
+    }
+
+    private static Tile reduced(int width, int height, int divisor) {
+        return Tile.whole((width + divisor - 1) / divisor, (height + divisor - 1) / divisor);
+    }
+
+    private ScenePicture body(Tile size) {
+        SkinGeometry geometry = SkinGeometry.of(scene(), mesh, body, size.width(), size.height());
+        ScenePicture picture = ScenePicture.empty(size.width(), size.height());
+        for (SceneBlocks.Piece piece : SceneBlocks.split(size.width(), size.height(), size)) {
+            Tile inBlock = piece.inBlock();
+            float[] pixels = bodyShading.shade(scene(), drawn(finerBuffers, geometry, piece), inBlock);
+            picture.put(new ScenePicture(inBlock.width(), inBlock.height(), pixels), piece.x(), piece.y());
+        }
+        return picture;
     }
 
     /** Draws a whole picture, tile by tile, so that no single draw keeps a slow driver for long. */
@@ -202,7 +250,9 @@ public final class SceneSession implements AutoCloseable {
         closeUnlessSame(body, null);
         closeUnlessSame(mesh, null);
         picking.close();
+        bodyShading.close();
         shading.close();
+        finerBuffers.close();
         buffers.close();
         renderer.close();
     }

@@ -22,8 +22,13 @@ record EventThreadListener(RenderListener there) implements RenderListener {
     }
 
     @Override
-    public void picture(ViewState state, BufferedImage image, boolean isFinal, double exposure, long nanoseconds) {
-        SwingUtilities.invokeLater(() -> there.picture(state, image, isFinal, exposure, nanoseconds));
+    public void preview(ViewState state, BufferedImage image, int divisor, double exposure, long nanoseconds) {
+        SwingUtilities.invokeLater(() -> there.preview(state, image, divisor, exposure, nanoseconds));
+    }
+
+    @Override
+    public void complete(ViewState state, BufferedImage image, double exposure, long nanoseconds) {
+        SwingUtilities.invokeLater(() -> there.complete(state, image, exposure, nanoseconds));
     }
 
     @Override

@@ -10,6 +10,7 @@ import sunbeam.app.scene.Pick;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneDisplay;
 import sunbeam.app.scene.ScenePicture;
+import sunbeam.app.scene.ScenePreview;
 import sunbeam.app.scene.SceneSession;
 
 /** Everything of the viewer that lives on the graphics card. Belongs to the thread that made it. */
@@ -55,13 +56,8 @@ final class GraphicsStage implements AutoCloseable {
         }
     }
 
-    ScenePicture preview(int width, int height) {
-        return coarse.draw(width, height, Tile.whole(width, height));
-    }
-
-    /** Time that the mesh of the last preview took. */
-    long previewMeshNanoseconds() {
-        return coarse.meshNanoseconds();
+    ScenePreview preview(int width, int height, int divisor) {
+        return coarse.preview(width, height, divisor);
     }
 
     ScenePicture part(int width, int height, Tile tile) {

@@ -33,13 +33,13 @@ public record PreviewScale(int divisor, double pixelNanoseconds) {
      * The scale after a frame: as coarse as it must be at once, but one step finer at most.
      *
      * @param nanoseconds what a frame at this scale took
-     * @param mesh the part of it that the mesh took
+     * @param fixed the part of it that does not depend on the scale
      */
-    public PreviewScale after(long nanoseconds, long mesh) {
-        double latest = (double) (nanoseconds - mesh) * divisor * divisor;
+    public PreviewScale after(long nanoseconds, long fixed) {
+        double latest = (double) (nanoseconds - fixed) * divisor * divisor;
         double pixels =
                 Double.isNaN(pixelNanoseconds) ? latest : pixelNanoseconds + NEWEST * (latest - pixelNanoseconds);
-        double allowed = Math.max((double) BUDGET_NANOSECONDS - mesh, LEAST_SHARE * BUDGET_NANOSECONDS);
+        double allowed = Math.max((double) BUDGET_NANOSECONDS - fixed, LEAST_SHARE * BUDGET_NANOSECONDS);
         for (int index = Math.max(0, indexOf(divisor) - 1); index < DIVISORS.length; index++) {
             int candidate = DIVISORS[index];
             double foreseen = pixels / ((double) candidate * candidate);
@@ -56,10 +56,5 @@ public record PreviewScale(int divisor, double pixelNanoseconds) {
             index++;
         }
         return index;
-    }
-
-    /** Pixels of the preview along a side of the picture; at least 1. */
-    public int reduced(int side) {
-        return Math.max(1, (side + divisor - 1) / divisor);
     }
 }

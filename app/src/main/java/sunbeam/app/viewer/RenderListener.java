@@ -16,14 +16,23 @@ interface RenderListener {
     void refused(String message);
 
     /**
-     * A whole picture, smaller than the window where it is a preview.
+     * A whole picture, which may have fewer pixels than the window.
      *
      * @param state what it shows
-     * @param isFinal whether it is what {@code render} writes
+     * @param divisor its diffracted light has a divisor-th of the columns and rows
      * @param exposure factor that was applied
      * @param nanoseconds that it took
      */
-    void picture(ViewState state, BufferedImage image, boolean isFinal, double exposure, long nanoseconds);
+    void preview(ViewState state, BufferedImage image, int divisor, double exposure, long nanoseconds);
+
+    /**
+     * The whole picture as {@code render} writes it.
+     *
+     * @param state what it shows
+     * @param exposure factor that was applied
+     * @param nanoseconds that it took
+     */
+    void complete(ViewState state, BufferedImage image, double exposure, long nanoseconds);
 
     /** A part of the final picture. */
     void tile(ViewState state, BufferedImage image, int x, int y, double shareDone);

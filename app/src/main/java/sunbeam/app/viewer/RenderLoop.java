@@ -6,6 +6,7 @@ import java.util.function.Supplier;
 import jrtr.Tile;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.ScenePicture;
+import sunbeam.app.scene.ScenePreview;
 import sunbeam.app.scene.SceneSession;
 import sunbeam.app.setup.MethodFactory;
 
@@ -115,20 +116,21 @@ final class RenderLoop implements AutoCloseable {
     private double preview(GraphicsStage stage, ViewState state) {
         long start = System.nanoTime();
         Scene scene = state.coarse().scene();
-        ScenePicture picture = stage.preview(scale.reduced(state.width()), scale.reduced(state.height()));
-        double exposure = stage.exposure(scene, picture);
-        BufferedImage image = stage.image(scene, picture, exposure);
+        int divisor = scale.divisor();
+        ScenePreview preview = stage.preview(state.width(), state.height(), divisor);
+        double exposure = stage.exposure(scene, preview.picture());
+        BufferedImage image = stage.image(scene, preview.picture(), exposure);
         long taken = System.nanoTime() - start;
-        followTime(state.coarse().method(), taken, stage.previewMeshNanoseconds());
-        listener.picture(state, image, false, exposure, taken);
+        followTime(state.coarse().method(), taken, preview.fixed(taken));
+        listener.preview(state, image, divisor, exposure, taken);
         return exposure;
     }
 
     /** A method's first frame is left out: the driver compiles its shaders then. */
     @SuppressWarnings("ReferenceEquality") // the same object as long as nothing is loaded anew
-    private void followTime(MethodFactory method, long nanoseconds, long mesh) {
+    private void followTime(MethodFactory method, long nanoseconds, long fixed) {
         if (method == measured) {
-            scale = scale.after(nanoseconds, mesh);
+            scale = scale.after(nanoseconds, fixed);
         } else {
             scale = PreviewScale.first();
         }
@@ -158,7 +160,7 @@ final class RenderLoop implements AutoCloseable {
         }
         double finalExposure = stage.exposure(scene, whole);
         BufferedImage image = stage.image(scene, whole, finalExposure);
-        listener.picture(state, image, true, finalExposure, System.nanoTime() - start);
+        listener.complete(state, image, finalExposure, System.nanoTime() - start);
         return true;
     }
 

@@ -275,21 +275,26 @@ final class Viewer {
         }
 
         @Override
-        public void picture(ViewState state, BufferedImage image, boolean isFinal, double exposure, long nanoseconds) {
+        public void preview(ViewState state, BufferedImage image, int divisor, double exposure, long nanoseconds) {
+            show(state, image, false, exposure);
+            window.status().preview(divisor, nanoseconds);
+            // Swing paints before whatever is queued now.
+            SwingUtilities.invokeLater(() -> observer.shown(state, divisor));
+        }
+
+        @Override
+        public void complete(ViewState state, BufferedImage image, double exposure, long nanoseconds) {
+            show(state, image, true, exposure);
+            completed = state;
+            window.status().complete(nanoseconds);
+            files.pictureIsFinal(state.fine(), exposure);
+            measure();
+        }
+
+        private void show(ViewState state, BufferedImage image, boolean isFinal, double exposure) {
             firstPicture.came();
             window.picture().showPicture(image, state.width(), state.height(), isFinal);
             window.controls().exposureInUse(exposure);
-            if (isFinal) {
-                completed = state;
-                window.status().complete(nanoseconds);
-                files.pictureIsFinal(state.fine(), exposure);
-                measure();
-            } else {
-                int divisor = (int) Math.ceil((double) state.width() / image.getWidth());
-                window.status().preview(divisor, nanoseconds);
-                // Swing paints before whatever is queued now.
-                SwingUtilities.invokeLater(() -> observer.shown(state, divisor));
-            }
         }
 
         @Override

@@ -66,10 +66,4 @@ final class PreviewScaleTest {
             assertThat(next).as("full picture of %s ns", full).isBetween(scale.divisor() / 2, 2 * scale.divisor());
         }
     }
-
-    @Test
-    void aPreviewOfATinyWindowHasAPixel() {
-        assertThat(new PreviewScale(32, 0).reduced(1)).isEqualTo(1);
-        assertThat(new PreviewScale(3, 0).reduced(10)).isEqualTo(4);
-    }
 }
