@@ -37,7 +37,10 @@ public final class Material {
         return new Material(program, textures, false);
     }
 
-    /** Whether a shape's depth is drawn first, so that the shader runs once per pixel. */
+    /**
+     * Whether a shape's depth is drawn first, so that the shader runs once per pixel. An application may instead draw what
+     * its costly shader needs by a cheap material, and run that shader afterwards.
+     */
     public boolean isCostly() {
         return costly;
     }

@@ -1,6 +1,7 @@
 package sunbeam.app.output;
 
 import java.io.IOException;
+import java.nio.file.AccessDeniedException;
 import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
@@ -27,10 +28,25 @@ public final class OutputFolder {
         }
     }
 
+    /**
+     * Tells early whether the folder is there or could be made, as far as can be known without making it.
+     *
+     * @throws OutputException when not
+     */
+    public static void check(Path folder) {
+        Path above = folder.toAbsolutePath().getParent();
+        if (Files.exists(folder) || above == null || !Files.isDirectory(above)) {
+            create(folder);
+        }
+    }
+
     /** In words; what Java says of these is the folder's name. */
     private static String reason(IOException failure) {
         if (failure instanceof FileAlreadyExistsException) {
             return "a file has this name";
+        }
+        if (failure instanceof AccessDeniedException) {
+            return "permission denied";
         }
         return failure instanceof NoSuchFileException ? "the folder above it does not exist" : failure.getMessage();
     }

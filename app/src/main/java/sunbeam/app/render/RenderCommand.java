@@ -158,6 +158,12 @@ public final class RenderCommand implements Callable<Integer> {
         if (!animation.isAsked() && !animation.resume()) {
             AtomicFile.checkWritable(target, force.overwrite());
         }
+        if (animation.isAsked()) {
+            OutputFolder.check(target);
+            if (Files.isDirectory(target)) {
+                AtomicFile.checkWritable(animation.file(target), overwriteOfAnimation());
+            }
+        }
         if (linear != null) {
             AtomicFile.checkWritable(linear, force.overwrite());
         }
@@ -172,7 +178,7 @@ public final class RenderCommand implements Callable<Integer> {
                 ? FrameFiles.missing(files, frames.identities(scenes), overwrite)
                 : Collections.nCopies(files.size(), true);
         AtomicFile.checkWritable(files.get(0), Overwrite.REPLACE);
-        Overwrite ofAnimation = animation.resume() ? Overwrite.REPLACE : overwrite;
+        Overwrite ofAnimation = overwriteOfAnimation();
         if (animation.isAsked()) {
             AtomicFile.checkWritable(animation.file(target), ofAnimation);
         }
@@ -190,6 +196,10 @@ public final class RenderCommand implements Callable<Integer> {
         if (animation.isAsked()) {
             warnOfOlderFrames(target, files.size(), err);
         }
+    }
+
+    private Overwrite overwriteOfAnimation() {
+        return animation.resume() ? Overwrite.REPLACE : force.overwrite();
     }
 
     private static void warnOfOlderFrames(Path folder, int frames, PrintWriter err) {

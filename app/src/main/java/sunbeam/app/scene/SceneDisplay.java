@@ -28,7 +28,9 @@ public final class SceneDisplay implements AutoCloseable {
     public BufferedImage image(ScenePicture picture, double exposure, SceneColor background) {
         int width = picture.width();
         BufferedImage image = new BufferedImage(width, picture.height(), BufferedImage.TYPE_INT_RGB);
-        int rows = Math.max(1, STRIP_PIXELS / width);
+        int strips = 1 + (picture.height() - 1) / Math.max(1, STRIP_PIXELS / width);
+        // All as large as the others, if only by a row less: the display pass keeps its textures for them.
+        int rows = (picture.height() + strips - 1) / strips;
         for (int first = 0; first < picture.height(); first += rows) {
             int count = Math.min(rows, picture.height() - first);
             float[] srgb = pass.srgb(strip(picture, first, count, exposure, background), exposure);

@@ -114,8 +114,8 @@ public final class SceneSession implements AutoCloseable {
     }
 
     /**
-     * The tiles of a picture, one block of it after the other; any other division draws the same picture, but one that
-     * goes to and fro between blocks may take longer.
+     * The tiles of a picture, those of one block after the other as far as the sizes go; any other division draws the same
+     * picture, but one that goes to and fro between blocks may take longer.
      *
      * @param supersample pixels drawn along a side of each pixel
      */
@@ -163,6 +163,11 @@ public final class SceneSession implements AutoCloseable {
         return buffer;
     }
 
+    /** Time that has gone to the mesh so far; the rest goes to pixels. */
+    public long meshNanoseconds() {
+        return meshNanoseconds;
+    }
+
     /**
      * Draws a picture with fewer pixels. Those of the diffracted light, which are costly, are as few as asked for; the
      * body, which is cheap, has a quarter of the columns and rows at least.
@@ -172,8 +177,8 @@ public final class SceneSession implements AutoCloseable {
      * @param divisor a {@code divisor}-th of columns and rows
      */
     public ScenePreview preview(int width, int height, int divisor) {
-        meshNanoseconds = 0;
-        pixelNanoseconds = 0;
+        long meshBefore = meshNanoseconds;
+        long pixelsBefore = pixelNanoseconds;
         boolean split = divisor > BODY_DIVISOR;
         Scene lit = split ? scene().withBlend(scene().blend().withoutBody()) : scene();
         Tile few = reduced(width, height, divisor);
@@ -184,7 +189,7 @@ public final class SceneSession implements AutoCloseable {
             double white = Math.max(intensity, 1 / scene().exposure().orElse(1));
             picture = ScenePreview.composed(finer, picture, intensity, white);
         }
-        return new ScenePreview(picture, split, meshNanoseconds, pixelNanoseconds);
+        return new ScenePreview(picture, split, meshNanoseconds - meshBefore, pixelNanoseconds - pixelsBefore);
     }
 
     private static Tile reduced(int width, int height, int divisor) {

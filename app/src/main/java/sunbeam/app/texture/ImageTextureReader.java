@@ -2,6 +2,7 @@ package sunbeam.app.texture;
 
 import java.awt.color.ColorSpace;
 import java.awt.image.BufferedImage;
+import java.awt.image.DataBuffer;
 import java.awt.image.Raster;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -60,12 +61,16 @@ final class ImageTextureReader {
 
     /** Any kind of image to sRGB; transparent texels keep their colour and become opaque. */
     private static BodyTexture texels(BufferedImage image) {
-        return image.getColorModel().getColorSpace().getType() == ColorSpace.TYPE_GRAY
+        boolean grey = image.getColorModel().getColorSpace().getType() == ColorSpace.TYPE_GRAY;
+        return grey && image.getRaster().getTransferType() <= DataBuffer.TYPE_USHORT
                 ? greyTexels(image)
                 : colorTexels(image);
     }
 
-    /** Java takes grey samples for linear light, but files hold them, like colours, as the sRGB curve gives them. */
+    /**
+     * Java takes grey samples for linear light, but files hold them, like colours, as the sRGB curve gives them; only
+     * samples of more than 16 bits, floats above all, are linear in files too.
+     */
     private static BodyTexture greyTexels(BufferedImage image) {
         Raster samples = image.getRaster();
         int white = (1 << samples.getSampleModel().getSampleSize(0)) - 1;

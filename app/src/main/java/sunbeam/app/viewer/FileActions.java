@@ -9,6 +9,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
+import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
 import javax.swing.JFileChooser;
@@ -30,19 +31,19 @@ final class FileActions {
     private final ViewerWindow window;
     private final ViewerModel model;
     private final Background background;
-    private final Consumer<Scene> loadedScene;
+    private final BiConsumer<Scene, Runnable> opening;
     private Path folder = Path.of("").toAbsolutePath();
     private Path pictureWaiting;
     private SceneData drawn;
     private double drawnExposure;
     private String renderer = "";
 
-    /** @param loadedScene told of a scene that was read */
-    FileActions(ViewerWindow window, ViewerModel model, Background background, Consumer<Scene> loadedScene) {
+    /** @param opening goes over to a scene that was read, and tells once it is there */
+    FileActions(ViewerWindow window, ViewerModel model, Background background, BiConsumer<Scene, Runnable> opening) {
         this.window = window;
         this.model = model;
         this.background = background;
-        this.loadedScene = loadedScene;
+        this.opening = opening;
         window.getRootPane().setTransferHandler(new Drop());
     }
 
@@ -51,10 +52,9 @@ final class FileActions {
     }
 
     private void loadScene(Path file) {
-        run(() -> SceneReader.read(file), scene -> {
-            loadedScene.accept(scene);
-            window.status().message("loaded " + file.getFileName());
-        });
+        run(
+                () -> SceneReader.read(file),
+                scene -> opening.accept(scene, () -> window.status().message("loaded " + file.getFileName())));
     }
 
     void loadPatch() {

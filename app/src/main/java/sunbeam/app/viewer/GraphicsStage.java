@@ -64,6 +64,11 @@ final class GraphicsStage implements AutoCloseable {
         return fine.draw(width, height, tile);
     }
 
+    /** Time that has gone to the mesh of parts so far. */
+    long meshNanoseconds() {
+        return fine.meshNanoseconds();
+    }
+
     double exposure(Scene scene, ScenePicture picture) {
         return SceneDisplay.exposure(scene, picture);
     }

@@ -2,7 +2,8 @@ package sunbeam.app.viewer;
 
 /**
  * At what resolution a moving picture is drawn so that a frame keeps to its time. A frame takes some time for the mesh and
- * the window, and some for its pixels; only the second can be saved. Immutable; each measured frame gives the next value.
+ * the body, and some for the pixels of diffracted light; it is the second that a scale saves. Immutable; each measured frame
+ * gives the next value.
  *
  * @param divisor the preview has a {@code divisor}-th of the picture's columns and rows, one of 1 to 8, 10, 12, 14, 16,
  *     20, 24, 32, 40, 48
@@ -14,12 +15,12 @@ public record PreviewScale(int divisor, double pixelNanoseconds) {
      * Input that comes just after a frame has begun waits for two of them; with the window's own time that is below
      * 100 ms.
      */
-    public static final long BUDGET_NANOSECONDS = 40_000_000;
+    public static final long BUDGET_NANOSECONDS = 34_000_000;
 
     private static final int[] DIVISORS = {1, 2, 3, 4, 5, 6, 7, 8, 10, 12, 14, 16, 20, 24, 32, 40, 48};
     // A finer step must be foreseen to take less than this share of the budget, lest the scale swings to and fro.
     private static final double MARGIN = 0.8;
-    // Where the mesh eats up the budget, pixels still get this share: fewer would not make frames faster.
+    // Where the rest eats up the budget, pixels still get this share: fewer would not make frames much faster.
     private static final double LEAST_SHARE = 1 / 3.0;
     // Weight of the latest frame; a single one may have been held up by something else.
     private static final double NEWEST = 0.5;
@@ -30,7 +31,7 @@ public record PreviewScale(int divisor, double pixelNanoseconds) {
     }
 
     /**
-     * The scale after a frame: as coarse as it must be at once, but one step finer at most.
+     * The scale after a frame: as coarse as the estimate wants at once, but one step finer at most.
      *
      * @param nanoseconds what a frame at this scale took
      * @param fixed the part of it that does not depend on the scale

@@ -25,6 +25,7 @@ final class RenderLoop implements AutoCloseable {
     private PreviewScale scale = PreviewScale.first();
     private TileSide tileSide = TileSide.first();
     private MethodFactory measured;
+    private final KeptExposure exposures = new KeptExposure();
 
     /** @param opening makes the stage, on the render thread */
     RenderLoop(Supplier<GraphicsStage> opening, RenderListener listener) {
@@ -118,7 +119,7 @@ final class RenderLoop implements AutoCloseable {
         Scene scene = state.coarse().scene();
         int divisor = scale.divisor();
         ScenePreview preview = stage.preview(state.width(), state.height(), divisor);
-        double exposure = stage.exposure(scene, preview.picture());
+        double exposure = exposures.ofPreview(state, () -> stage.exposure(scene, preview.picture()));
         BufferedImage image = stage.image(scene, preview.picture(), exposure);
         long taken = System.nanoTime() - start;
         followTime(state.coarse().method(), taken, preview.fixed(taken));
@@ -149,9 +150,10 @@ final class RenderLoop implements AutoCloseable {
                 if (inbox.isInterrupted()) {
                     return false;
                 }
-                long begun = System.nanoTime();
+                long begun = System.nanoTime() - stage.meshNanoseconds();
                 ScenePicture part = stage.part(state.width(), state.height(), tile);
-                tileSide = tileSide.after(tile.pixels(), System.nanoTime() - begun);
+                long taken = System.nanoTime() - stage.meshNanoseconds() - begun;
+                tileSide = tileSide.after(tile.pixels(), taken);
                 whole.put(part, tile.x(), tile.y());
                 done += tile.pixels();
                 double share = (double) done / ((double) state.width() * state.height());
@@ -159,6 +161,7 @@ final class RenderLoop implements AutoCloseable {
             }
         }
         double finalExposure = stage.exposure(scene, whole);
+        exposures.finalPicture(state, finalExposure);
         BufferedImage image = stage.image(scene, whole, finalExposure);
         listener.complete(state, image, finalExposure, System.nanoTime() - start);
         return true;

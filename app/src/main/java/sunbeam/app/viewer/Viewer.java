@@ -106,8 +106,8 @@ final class Viewer {
     }
 
     /**
-     * Waits until the window is closed, what was to be saved is saved, and the graphics card given back. Not on the event
-     * thread.
+     * Waits until the window is closed, what is being saved is saved, and the graphics card given back; a picture that was
+     * to be saved once it is final is not. Not on the event thread.
      *
      * @param patience for saving and for the graphics card, milliseconds each
      */
@@ -157,13 +157,14 @@ final class Viewer {
     }
 
     void reset() {
-        open(asLoaded);
+        open(asLoaded, () -> {});
     }
 
-    private void open(Scene scene) {
+    private void open(Scene scene, Runnable opened) {
         model.open(scene, () -> {
             asLoaded = scene;
             window.setTitle(title(scene));
+            opened.run();
         });
     }
 

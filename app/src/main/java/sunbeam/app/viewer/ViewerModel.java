@@ -1,5 +1,7 @@
 package sunbeam.app.viewer;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.BiFunction;
@@ -32,10 +34,17 @@ final class ViewerModel {
     private LoadedScene overtaken;
     private long overtakenLoad;
     private final AtomicLong newestLoad = new AtomicLong();
-    // While scenes are being opened, the one that comes back if none can be.
-    private Scene beforeOpening;
-    private long firstOpening;
-    private Runnable whenOpened;
+    // Scenes that are being opened, the first one first.
+    private final List<Opening> openings = new ArrayList<>();
+
+    /**
+     * A scene that is being opened.
+     *
+     * @param load its number
+     * @param before what was wanted until then
+     * @param opened told once it is loaded
+     */
+    private record Opening(long load, Scene before, Runnable opened) {}
 
     /**
      * @param scene to begin with
@@ -86,11 +95,7 @@ final class ViewerModel {
      * @param opened told once it is loaded
      */
     void open(Scene scene, Runnable opened) {
-        if (beforeOpening == null) {
-            beforeOpening = wanted;
-            firstOpening = newestLoad.get() + 1;
-        }
-        whenOpened = opened;
+        openings.add(new Opening(newestLoad.get() + 1, wanted, opened));
         wanted = scene;
         if (loaded != null) {
             loaded = loaded.with(withPartsOf(scene, loaded.fine().scene()));
@@ -123,7 +128,7 @@ final class ViewerModel {
         }
         overtaken = null;
         loaded = result.with(withPartsOf(wanted, result.fine().scene()));
-        endOpening(true);
+        endOpenings(number);
         listener.changed();
     }
 
@@ -133,31 +138,34 @@ final class ViewerModel {
         if (number != newestLoad.get()) {
             return;
         }
-        boolean opened = beforeOpening != null && overtaken != null && overtakenLoad >= firstOpening;
-        Scene kept = opened
-                ? overtaken.fine().scene()
-                : Optional.ofNullable(beforeOpening).orElse(wanted);
+        long kept = overtaken == null ? 0 : overtakenLoad;
+        // What was changed since a scene was opened that did not load goes with it.
+        Scene base = openings.stream()
+                .filter(opening -> opening.load > kept)
+                .findFirst()
+                .map(Opening::before)
+                .orElse(wanted);
         if (overtaken != null) {
             loaded = overtaken;
             overtaken = null;
         }
         if (loaded != null) {
-            wanted = withPartsOf(kept, loaded.fine().scene());
+            wanted = withPartsOf(base, loaded.fine().scene());
             loaded = loaded.with(wanted);
         }
-        endOpening(opened);
+        endOpenings(kept);
         listener.changed();
         listener.problem(message);
     }
 
-    private void endOpening(boolean succeeded) {
-        if (beforeOpening == null) {
-            return;
-        }
-        beforeOpening = null;
-        if (succeeded) {
-            whenOpened.run();
-        }
+    /** Tells the last scene that was opened by a load. */
+    private void endOpenings(long load) {
+        List<Opening> all = List.copyOf(openings);
+        openings.clear();
+        all.stream()
+                .filter(opening -> opening.load <= load)
+                .reduce((earlier, later) -> later)
+                .ifPresent(opening -> opening.opened.run());
     }
 
     private static boolean sameParts(Scene one, Scene other) {

@@ -114,6 +114,20 @@ class SceneSessionTest {
     }
 
     @Test
+    void tilesOfSupersampledPicturesCoverThemOnce() {
+        for (int supersample = 1; supersample <= 8; supersample++) {
+            int[] hits = new int[500 * 300];
+            for (Tile tile : SceneSession.tiles(500, 300, supersample)) {
+                assertThat(tile.fitsIn(500, 300)).isTrue();
+                for (int pixel = 0; pixel < tile.pixels(); pixel++) {
+                    hits[(tile.y() + pixel / tile.width()) * 500 + tile.x() + pixel % tile.width()]++;
+                }
+            }
+            assertThat(hits).as("supersample %d", supersample).containsOnly(1);
+        }
+    }
+
+    @Test
     void morePixelsThanArePackedAtATimeAreAllLit() {
         int width = 320;
         int height = 240; // 77 thousand; 33 thousand are packed at a time

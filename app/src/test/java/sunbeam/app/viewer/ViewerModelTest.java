@@ -34,7 +34,7 @@ class ViewerModelTest {
     private final CountDownLatch mayEnd = new CountDownLatch(1);
     private final List<String> problems = new ArrayList<>();
     private int loads;
-    private int opened;
+    private final List<SceneLight> opened = new ArrayList<>();
     private ViewerModel model;
 
     private final class Listener implements ViewerModel.Listener {
@@ -146,7 +146,7 @@ class ViewerModelTest {
         awaitLoads();
 
         assertThat(onEvents(() -> model.scene())).isEqualTo(before);
-        assertThat(onEvents(() -> opened)).isZero();
+        assertThat(onEvents(() -> opened)).isEmpty();
     }
 
     @Test
@@ -161,12 +161,48 @@ class ViewerModelTest {
 
         assertThat(drawn()).isEqualTo("sinusoid");
         assertThat(onEvents(() -> model.scene().light())).isEqualTo(light);
-        assertThat(onEvents(() -> opened)).isEqualTo(1);
+        assertThat(onEvents(() -> opened)).containsExactly(light);
+    }
+
+    @Test
+    void whatWasChangedOnAnOpenedSceneStaysIfAPatchChosenThenFails() throws Exception {
+        open(onEvents(() -> model.scene()).withPatch(PatchRequest.of("sinusoid")));
+        assertThat(begun.await(30, TimeUnit.SECONDS)).isTrue();
+        SceneLight moved = new SceneLight(new Vector3f(1, 0, 1), 5);
+        onEvents(() -> {
+            model.change(scene -> scene.withLight(moved));
+            return null;
+        });
+        patch(folder.resolve("missing.json").toString());
+        mayEnd.countDown();
+        awaitLoads();
+
+        assertThat(drawn()).isEqualTo("sinusoid");
+        assertThat(onEvents(() -> model.scene().light())).isEqualTo(moved);
+    }
+
+    @Test
+    void ofTwoScenesOpenedInHasteTheFirstStaysIfTheSecondCannotBe() throws Exception {
+        Scene before = onEvents(() -> model.scene());
+        SceneLight faint = new SceneLight(new Vector3f(0, 0, 1), 0.1);
+        SceneLight strong = new SceneLight(new Vector3f(0, 0, 1), 9);
+        open(before.withLight(faint).withPatch(PatchRequest.of("sinusoid")));
+        assertThat(begun.await(30, TimeUnit.SECONDS)).isTrue();
+        open(before.withLight(strong)
+                .withPatch(PatchRequest.of(folder.resolve("missing.json").toString())));
+        mayEnd.countDown();
+        awaitLoads();
+
+        assertThat(drawn()).isEqualTo("sinusoid");
+        assertThat(onEvents(() -> model.scene().light())).isEqualTo(faint);
+        assertThat(onEvents(() -> opened)).containsExactly(faint);
     }
 
     private void open(Scene scene) throws Exception {
         onEvents(() -> {
-            model.open(scene, () -> opened++);
+            model.open(scene, () -> {
+                opened.add(scene.light());
+            });
             return null;
         });
     }
