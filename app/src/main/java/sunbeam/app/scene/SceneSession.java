@@ -25,7 +25,7 @@ public final class SceneSession implements AutoCloseable {
     public static final int TILE_SIDE = 128;
 
     // Of the body in previews whose diffraction is coarser.
-    private static final int BODY_DIVISOR = 4;
+    private static final int BODY_DIVISOR = 5;
 
     private final RenderContext context;
     private final SceneRenderer renderer;
@@ -170,7 +170,7 @@ public final class SceneSession implements AutoCloseable {
 
     /**
      * Draws a picture with fewer pixels. Those of the diffracted light, which are costly, are as few as asked for; the
-     * body, which is cheap, has a quarter of the columns and rows at least.
+     * body, which is cheap, has a fifth of the columns and rows at least.
      *
      * @param width pixels per row of the whole picture
      * @param height rows of the whole picture

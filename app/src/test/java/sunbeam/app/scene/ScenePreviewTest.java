@@ -13,8 +13,8 @@ import org.junit.jupiter.api.io.TempDir;
 
 @NeedsDisplay
 class ScenePreviewTest {
-    private static final int WIDTH = 144;
-    private static final int HEIGHT = 112;
+    private static final int WIDTH = 145;
+    private static final int HEIGHT = 110;
     // Float32 in two shaders.
     private static final float ROUNDING = 1e-6f;
 
@@ -36,7 +36,7 @@ class ScenePreviewTest {
                 SceneSession session = new SceneSession(context, PlaneScenes.load(scene, folder))) {
             ScenePreview preview = session.preview(WIDTH, HEIGHT, 16);
             assertThat(preview.bodyIsFiner()).isTrue();
-            float[] body = session.draw(WIDTH / 4, HEIGHT / 4).rgba();
+            float[] body = session.draw(WIDTH / 5, HEIGHT / 5).rgba();
             float[] shown = preview.picture().rgba();
             assertThat(shown).hasSameSizeAs(body);
             for (int i = 0; i < body.length; i++) {
@@ -51,11 +51,11 @@ class ScenePreviewTest {
         Scene scene = PlaneScenes.blaze().withBlend(new Blend(30, 0.6, 0.7, 0.2));
         try (RenderContext context = RenderContexts.offscreen();
                 SceneSession session = new SceneSession(context, PlaneScenes.load(scene, folder))) {
-            ScenePreview preview = session.preview(WIDTH, HEIGHT, 4);
+            ScenePreview preview = session.preview(WIDTH, HEIGHT, 5);
             assertThat(preview.bodyIsFiner()).isFalse();
-            Tile whole = Tile.whole(WIDTH / 4, HEIGHT / 4);
+            Tile whole = Tile.whole(WIDTH / 5, HEIGHT / 5);
             assertThat(preview.picture().rgba())
-                    .isEqualTo(session.draw(WIDTH / 4, HEIGHT / 4, whole).rgba());
+                    .isEqualTo(session.draw(WIDTH / 5, HEIGHT / 5, whole).rgba());
             assertThat(preview.fixed(123_456)).isEqualTo(preview.meshNanoseconds());
         }
     }
