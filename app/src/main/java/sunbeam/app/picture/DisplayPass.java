@@ -4,12 +4,12 @@ import java.util.List;
 import jrtr.Binding;
 import jrtr.FloatFormat;
 import jrtr.FloatTarget;
-import jrtr.FloatTargetSpec;
 import jrtr.FloatTexture;
 import jrtr.FloatTextureSpec;
 import jrtr.RenderContext;
 import jrtr.ShaderProgram;
 import jrtr.Tile;
+import sunbeam.app.gpu.KeptTarget;
 import sunbeam.app.gpu.Shaders;
 
 /**
@@ -19,13 +19,14 @@ import sunbeam.app.gpu.Shaders;
 public final class DisplayPass implements AutoCloseable {
     private final RenderContext context;
     private final ShaderProgram program;
-    private FloatTexture linear;
-    private FloatTarget display;
+    private final KeptTarget displays;
+    private FloatTexture kept;
 
     /** Compiles the shader. */
     public DisplayPass(RenderContext context) {
         this.context = context;
         this.program = context.createFullScreenProgram(Shaders.library().load("display.frag"));
+        this.displays = new KeptTarget(context, "display");
     }
 
     /**
@@ -48,7 +49,8 @@ public final class DisplayPass implements AutoCloseable {
                 }
             }
         }
-        fit(width, height);
+        FloatTarget display = displays.of(width, height);
+        FloatTexture linear = linear(width, height);
         linear.upload(texels);
         program.set("exposure", (float) exposure);
         context.drawFullScreen(
@@ -56,24 +58,19 @@ public final class DisplayPass implements AutoCloseable {
         return colors(display.read(0));
     }
 
-    private void fit(int width, int height) {
-        FloatTargetSpec spec = FloatTargetSpec.color(width, height);
-        if (display != null && display.spec().equals(spec)) {
-            return;
+    private FloatTexture linear(int width, int height) {
+        FloatTextureSpec spec = FloatTextureSpec.flat(width, height, FloatFormat.RGBA32F);
+        if (kept == null || !kept.spec().equals(spec)) {
+            release();
+            kept = context.createFloatTexture("picture", spec);
         }
-        release();
-        linear = context.createFloatTexture("picture", FloatTextureSpec.flat(width, height, FloatFormat.RGBA32F));
-        display = context.createFloatTarget("display", spec);
+        return kept;
     }
 
     private void release() {
-        if (linear != null) {
-            linear.close();
-            linear = null;
-        }
-        if (display != null) {
-            display.close();
-            display = null;
+        if (kept != null) {
+            kept.close();
+            kept = null;
         }
     }
 
@@ -91,6 +88,7 @@ public final class DisplayPass implements AutoCloseable {
     @Override
     public void close() {
         release();
+        displays.close();
         program.close();
     }
 }

@@ -1,62 +1,48 @@
 package sunbeam.app.scene;
 
-import java.util.List;
 import jrtr.FloatTarget;
-import jrtr.FloatTargetSpec;
 import jrtr.RenderContext;
 import jrtr.ShaderProgram;
 import jrtr.Tile;
-import jrtr.scene.LightUniforms;
+import jrtr.scene.SceneRenderer;
+import sunbeam.app.gpu.KeptTarget;
 import sunbeam.app.gpu.Shaders;
 
-/** Lights the body without diffraction (shaders/body.frag). Keeps a target of the last block's size. */
+/** Draws the body without diffraction (shaders/body.frag), with a geometry of its own size. */
 final class BodyShading implements AutoCloseable {
     private final RenderContext context;
+    private final GeometryBuffers buffers;
     private final ShaderProgram program;
-    private FloatTarget target;
+    private final KeptTarget targets;
 
-    BodyShading(RenderContext context) {
+    BodyShading(RenderContext context, SceneRenderer renderer) {
         this.context = context;
+        this.buffers = new GeometryBuffers(context, renderer);
         this.program = context.createFullScreenProgram(Shaders.library().load("body.frag"));
+        this.targets = new KeptTarget(context, "body");
     }
 
-    /**
-     * Lights a part of a block.
-     *
-     * @param buffer the block, with that part drawn
-     * @param part counted from the block's corner
-     * @return linear XYZ and coverage, 4 values a pixel, the part's top row first; zeros where there is no skin
-     */
-    float[] shade(Scene scene, GeometryBuffer buffer, Tile part) {
-        fit(FloatTargetSpec.color(
-                buffer.attributes().spec().width(), buffer.attributes().spec().height()));
-        LightUniforms.of(List.of(SceneGraphs.light(scene)).iterator()).applyTo(program);
-        program.set("textureWeight", (float) scene.blend().texture());
-        program.set("diffuseWeight", (float) scene.blend().diffuse());
-        program.set("ambientWeight", (float) scene.blend().ambient());
-        target.clear(part, 0, 0, 0, 0);
-        context.drawFullScreen(program, buffer.bindings(), target, part);
-        return target.read(0, part);
-    }
-
-    private void fit(FloatTargetSpec spec) {
-        if (target != null && target.spec().equals(spec)) {
-            return;
+    /** The whole picture of the geometry's size. */
+    ScenePicture draw(Scene scene, SkinGeometry geometry) {
+        SceneUniforms.set(program, scene);
+        int width = geometry.width();
+        int height = geometry.height();
+        ScenePicture picture = ScenePicture.empty(width, height);
+        for (SceneBlocks.Piece piece : SceneBlocks.split(width, height, Tile.whole(width, height))) {
+            Tile part = piece.inBlock();
+            GeometryBuffer buffer = buffers.of(geometry, piece.block(), part);
+            FloatTarget target = targets.of(piece.block().width(), piece.block().height());
+            target.clear(part, 0, 0, 0, 0);
+            context.drawFullScreen(program, buffer.bindings(), target, part);
+            picture.put(new ScenePicture(part.width(), part.height(), target.read(0, part)), piece.x(), piece.y());
         }
-        release();
-        target = context.createFloatTarget("body", spec);
-    }
-
-    private void release() {
-        if (target != null) {
-            target.close();
-            target = null;
-        }
+        return picture;
     }
 
     @Override
     public void close() {
-        release();
+        targets.close();
         program.close();
+        buffers.close();
     }
 }

@@ -30,14 +30,13 @@ public final class SceneSession implements AutoCloseable {
     private final RenderContext context;
     private final SceneRenderer renderer;
     private final GeometryBuffers buffers;
-    private final GeometryBuffers finerBuffers;
     private final PackedShading shading;
-    private final BodyShading bodyShading;
     private final Picking picking;
     private SceneData data;
     private VertexBuffer mesh;
     private ImageTexture body;
     private SkinSurface skin;
+    private BodyShading bodyShading;
     private long meshNanoseconds;
     private long pixelNanoseconds;
 
@@ -50,9 +49,7 @@ public final class SceneSession implements AutoCloseable {
         this.context = context;
         this.renderer = new SceneRenderer(context);
         this.buffers = new GeometryBuffers(context, renderer);
-        this.finerBuffers = new GeometryBuffers(context, renderer);
         this.shading = new PackedShading(context);
-        this.bodyShading = new BodyShading(context);
         this.picking = new Picking(context);
         try {
             update(data);
@@ -147,7 +144,7 @@ public final class SceneSession implements AutoCloseable {
         ScenePicture part = ScenePicture.empty(tile.width(), tile.height());
         for (SceneBlocks.Piece piece : SceneBlocks.split(width, height, tile)) {
             Tile inBlock = piece.inBlock();
-            GeometryBuffer buffer = drawn(buffers, geometry, piece);
+            GeometryBuffer buffer = drawn(geometry, piece);
             long start = System.nanoTime();
             float[] pixels = shading.shade(skin, lit, buffer, inBlock);
             pixelNanoseconds += System.nanoTime() - start;
@@ -156,9 +153,9 @@ public final class SceneSession implements AutoCloseable {
         return part;
     }
 
-    private GeometryBuffer drawn(GeometryBuffers into, SkinGeometry geometry, SceneBlocks.Piece piece) {
+    private GeometryBuffer drawn(SkinGeometry geometry, SceneBlocks.Piece piece) {
         long start = System.nanoTime();
-        GeometryBuffer buffer = into.of(geometry, piece.block(), piece.inBlock());
+        GeometryBuffer buffer = buffers.of(geometry, piece.block(), piece.inBlock());
         meshNanoseconds += System.nanoTime() - start;
         return buffer;
     }
@@ -184,7 +181,9 @@ public final class SceneSession implements AutoCloseable {
         Tile few = reduced(width, height, divisor);
         ScenePicture picture = draw(lit, few.width(), few.height(), few);
         if (split) {
-            ScenePicture finer = body(reduced(width, height, BODY_DIVISOR));
+            Tile more = reduced(width, height, BODY_DIVISOR);
+            ScenePicture finer =
+                    bodyShading().draw(scene(), SkinGeometry.of(scene(), mesh, body, more.width(), more.height()));
             double intensity = scene().light().intensity();
             double white = Math.max(intensity, 1 / scene().exposure().orElse(1));
             picture = ScenePreview.composed(finer, picture, intensity, white);
@@ -196,15 +195,12 @@ public final class SceneSession implements AutoCloseable {
         return Tile.whole((width + divisor - 1) / divisor, (height + divisor - 1) / divisor);
     }
 
-    private ScenePicture body(Tile size) {
-        SkinGeometry geometry = SkinGeometry.of(scene(), mesh, body, size.width(), size.height());
-        ScenePicture picture = ScenePicture.empty(size.width(), size.height());
-        for (SceneBlocks.Piece piece : SceneBlocks.split(size.width(), size.height(), size)) {
-            Tile inBlock = piece.inBlock();
-            float[] pixels = bodyShading.shade(scene(), drawn(finerBuffers, geometry, piece), inBlock);
-            picture.put(new ScenePicture(inBlock.width(), inBlock.height(), pixels), piece.x(), piece.y());
+    /** Only previews need it. */
+    private BodyShading bodyShading() {
+        if (bodyShading == null) {
+            bodyShading = new BodyShading(context, renderer);
         }
-        return picture;
+        return bodyShading;
     }
 
     /** Draws a whole picture, tile by tile, so that no single draw keeps a slow driver for long. */
@@ -255,9 +251,8 @@ public final class SceneSession implements AutoCloseable {
         closeUnlessSame(body, null);
         closeUnlessSame(mesh, null);
         picking.close();
-        bodyShading.close();
+        closeUnlessSame(bodyShading, null);
         shading.close();
-        finerBuffers.close();
         buffers.close();
         renderer.close();
     }

@@ -8,8 +8,6 @@ import jrtr.FloatTexture;
 import jrtr.RenderContext;
 import jrtr.ShaderProgram;
 import jrtr.Tile;
-import jrtr.scene.LightUniforms;
-import jrtr.scene.UniformValues;
 import sunbeam.app.gpu.DiffractionMethod;
 import sunbeam.app.gpu.MethodUse;
 import sunbeam.app.gpu.Shaders;
@@ -52,20 +50,11 @@ final class SkinSurface implements AutoCloseable {
             FloatTexture sources,
             FloatTarget target,
             Tile tile) {
-        LightUniforms.of(List.of(SceneGraphs.light(scene)).iterator()).applyTo(program);
-        weights(scene.blend()).applyTo(program);
+        SceneUniforms.set(program, scene);
         List<Binding> textures = new ArrayList<>(method.bindings());
         textures.addAll(buffer.bindings());
         textures.add(new Binding("sources", sources));
         context.drawFullScreen(program, textures, target, tile);
-    }
-
-    private static UniformValues weights(Blend blend) {
-        return new UniformValues()
-                .set("diffractionWeight", (float) blend.diffraction())
-                .set("textureWeight", (float) blend.texture())
-                .set("diffuseWeight", (float) blend.diffuse())
-                .set("ambientWeight", (float) blend.ambient());
     }
 
     @Override

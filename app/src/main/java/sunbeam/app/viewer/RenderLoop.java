@@ -119,7 +119,7 @@ final class RenderLoop implements AutoCloseable {
         Scene scene = state.coarse().scene();
         int divisor = scale.divisor();
         ScenePreview preview = stage.preview(state.width(), state.height(), divisor);
-        double exposure = exposures.ofPreview(state, () -> stage.exposure(scene, preview.picture()));
+        double exposure = exposures.ofPreview(state.fine(), () -> stage.exposure(scene, preview.picture()));
         BufferedImage image = stage.image(scene, preview.picture(), exposure);
         long taken = System.nanoTime() - start;
         followTime(state.coarse().method(), taken, preview.fixed(taken));
@@ -161,7 +161,7 @@ final class RenderLoop implements AutoCloseable {
             }
         }
         double finalExposure = stage.exposure(scene, whole);
-        exposures.finalPicture(state, finalExposure);
+        exposures.finalPicture(state.fine(), finalExposure);
         BufferedImage image = stage.image(scene, whole, finalExposure);
         listener.complete(state, image, finalExposure, System.nanoTime() - start);
         return true;

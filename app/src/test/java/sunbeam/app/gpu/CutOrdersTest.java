@@ -5,10 +5,6 @@ import static sunbeam.app.gpu.Requests.TOLERANCE;
 
 import java.util.List;
 import java.util.stream.IntStream;
-import jrtr.RenderContext;
-import jrtr.gl.RenderContexts;
-import org.junit.jupiter.api.AfterAll;
-import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.precompute.optics.Direction;
@@ -18,21 +14,9 @@ import sunbeam.precompute.plan.Average;
 
 /** Colours in the plane of a grating: near the specular direction orders are wide, and 380 and 780 nm cut them. */
 @NeedsDisplay
-class CutOrdersTest {
+class CutOrdersTest extends InAContext {
     private static final double PERIOD = 2.5e-6;
     private static final HeightMap BLAZE = Surface.of(64, 1, PERIOD / 64, (x, y) -> 250e-9 * x / PERIOD);
-
-    private static RenderContext context;
-
-    @BeforeAll
-    static void open() {
-        context = RenderContexts.offscreen();
-    }
-
-    @AfterAll
-    static void close() {
-        context.close();
-    }
 
     @ParameterizedTest
     @ValueSource(doubles = {25e-6, 65e-6})

@@ -5,11 +5,7 @@ import static sunbeam.app.gpu.Requests.TOLERANCE;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.ToDoubleBiFunction;
-import jrtr.RenderContext;
-import jrtr.gl.RenderContexts;
 import org.apache.commons.math3.special.BesselJ;
-import org.junit.jupiter.api.AfterAll;
-import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -19,22 +15,10 @@ import sunbeam.precompute.plan.Average;
 
 /** Gratings whose orders have closed forms: the GPU against the formula, with no program of ours between. */
 @NeedsDisplay
-class GratingsOnGpuTest {
+class GratingsOnGpuTest extends InAContext {
     private static final double PERIOD = 2.5e-6;
     // Ten periods: an order's neighbour is exp(-0.5 (1 / 0.064)^2) of it, nothing.
     private static final double WINDOW = 10 * PERIOD;
-
-    private static RenderContext context;
-
-    @BeforeAll
-    static void open() {
-        context = RenderContexts.offscreen();
-    }
-
-    @AfterAll
-    static void close() {
-        context.close();
-    }
 
     /** Middles of the orders -3 to 3 at five wavelengths. */
     private static List<Query> orders() {

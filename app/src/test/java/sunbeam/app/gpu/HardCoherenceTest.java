@@ -4,10 +4,6 @@ import static sunbeam.app.gpu.Requests.TOLERANCE;
 
 import java.util.List;
 import java.util.Optional;
-import jrtr.RenderContext;
-import jrtr.gl.RenderContexts;
-import org.junit.jupiter.api.AfterAll;
-import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import sunbeam.app.directions.DirectionsRenderer.Query;
@@ -18,21 +14,9 @@ import sunbeam.precompute.plan.Average;
 
 /** Windows from a third of the patch to three hundred times it: whatever way the plan takes, it keeps the tolerance. */
 @NeedsDisplay
-class HardCoherenceTest {
+class HardCoherenceTest extends InAContext {
     private static final HeightMap WAVES = Surface.waves(64, 64, 50e-9, 400e-9);
     private static final HeightMap NOISE = Surface.noise(64, 64, 50e-9, 400e-9, 9);
-
-    private static RenderContext context;
-
-    @BeforeAll
-    static void open() {
-        context = RenderContexts.offscreen();
-    }
-
-    @AfterAll
-    static void close() {
-        context.close();
-    }
 
     @ParameterizedTest
     @CsvSource({

@@ -6,10 +6,6 @@ import static sunbeam.app.gpu.Requests.TOLERANCE;
 
 import java.util.ArrayList;
 import java.util.List;
-import jrtr.RenderContext;
-import jrtr.gl.RenderContexts;
-import org.junit.jupiter.api.AfterAll;
-import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -23,20 +19,8 @@ import sunbeam.precompute.plan.Average;
 
 /** Directions and wavelengths at the edges of what there is, by each way that a plan can take. */
 @NeedsDisplay
-class HardDirectionsTest {
+class HardDirectionsTest extends InAContext {
     private static final HeightMap ROUGH = Surface.noise(64, 64, 50e-9, 400e-9, 51);
-
-    private static RenderContext context;
-
-    @BeforeAll
-    static void open() {
-        context = RenderContexts.offscreen();
-    }
-
-    @AfterAll
-    static void close() {
-        context.close();
-    }
 
     private static Comparison comparison(double coherenceLength) {
         return new Comparison(context, ROUGH, Requests.of(coherenceLength, Average.COHERENT));

@@ -3,10 +3,6 @@ package sunbeam.app.gpu;
 import static org.assertj.core.api.Assertions.assertThat;
 import static sunbeam.app.gpu.Requests.TOLERANCE;
 
-import jrtr.RenderContext;
-import jrtr.gl.RenderContexts;
-import org.junit.jupiter.api.AfterAll;
-import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -17,19 +13,7 @@ import sunbeam.precompute.plan.Average;
 
 /** Patches of odd shapes and with faults. The tolerance holds for all of them, against the same samples. */
 @NeedsDisplay
-class HardPatchTest {
-    private static RenderContext context;
-
-    @BeforeAll
-    static void open() {
-        context = RenderContexts.offscreen();
-    }
-
-    @AfterAll
-    static void close() {
-        context.close();
-    }
-
+class HardPatchTest extends InAContext {
     private static void assertKept(HeightMap map, double coherenceLength, String what) {
         new Comparison(context, map, Requests.of(coherenceLength, Average.COHERENT))
                 .powerErrors(new Directions(21).queries(100))

@@ -4,10 +4,6 @@ import static sunbeam.app.gpu.Requests.TOLERANCE;
 
 import java.util.List;
 import java.util.Optional;
-import jrtr.RenderContext;
-import jrtr.gl.RenderContexts;
-import org.junit.jupiter.api.AfterAll;
-import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -21,22 +17,10 @@ import sunbeam.precompute.plan.Average;
 
 /** Heights that are hard to expand: the tolerance is kept on the GPU, in float32, by the plan's own choices. */
 @NeedsDisplay
-class HardReliefTest {
+class HardReliefTest extends InAContext {
     private static final double PITCH = 50e-9;
     /** Of the patches of 64 samples, 3.2 um wide: as many bins as sunlight's window has on a measured skin. */
     private static final double WINDOW = 3.2e-6;
-
-    private static RenderContext context;
-
-    @BeforeAll
-    static void open() {
-        context = RenderContexts.offscreen();
-    }
-
-    @AfterAll
-    static void close() {
-        context.close();
-    }
 
     @ParameterizedTest
     @CsvSource({

@@ -6,10 +6,6 @@ import static sunbeam.app.gpu.Requests.TOLERANCE;
 
 import java.util.ArrayList;
 import java.util.List;
-import jrtr.RenderContext;
-import jrtr.gl.RenderContexts;
-import org.junit.jupiter.api.AfterAll;
-import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -24,23 +20,11 @@ import sunbeam.precompute.plan.Average;
 
 /** What must hold for mirrors and for every surface, on the GPU. */
 @NeedsDisplay
-class TruthsOnGpuTest {
+class TruthsOnGpuTest extends InAContext {
     private static final double SUNLIGHT = CoherenceWindow.SUNLIGHT_COHERENCE_LENGTH;
     private static final HeightMap FLAT = Surface.of(8, 6, 50e-9, (x, y) -> 1e-3);
     private static final HeightMap ROUGH = Surface.noise(64, 48, 50e-9, 500e-9, 31);
     private static final double ROUGH_WINDOW = 3e-6;
-
-    private static RenderContext context;
-
-    @BeforeAll
-    static void open() {
-        context = RenderContexts.offscreen();
-    }
-
-    @AfterAll
-    static void close() {
-        context.close();
-    }
 
     private static Comparison flat(double coherenceLength) {
         return new Comparison(context, FLAT, Requests.of(coherenceLength, Average.COHERENT));

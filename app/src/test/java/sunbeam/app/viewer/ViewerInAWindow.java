@@ -248,6 +248,18 @@ abstract class ViewerInAWindow {
         }));
     }
 
+    /** @param name a built-in patch or its file */
+    void awaitPatch(String name) throws Exception {
+        await(() -> onEvents(() -> viewer.model()
+                        .loaded()
+                        .orElseThrow()
+                        .fine()
+                        .scene()
+                        .patch()
+                        .patch())
+                .equals(name));
+    }
+
     static void await(Callable<Boolean> condition) throws Exception {
         long last = System.currentTimeMillis();
         long waited = 0;

@@ -137,13 +137,6 @@ final class ViewerLifeWindowTest extends ViewerInAWindow {
             choice.run();
             return null;
         });
-        await(() -> onEvents(() -> viewer.model()
-                .loaded()
-                .orElseThrow()
-                .fine()
-                .scene()
-                .patch()
-                .patch()
-                .equals(patch)));
+        awaitPatch(patch);
     }
 }

@@ -33,7 +33,7 @@ final class ViewerPatchWindowTest extends ViewerInAWindow {
         assertThat(end.getDropAction())
                 .as("or else the source removes the file")
                 .isEqualTo(DnDConstants.ACTION_COPY);
-        awaitPatch(file);
+        awaitPatch(file.toString());
         awaitFinal();
         assertThat(different(before, picture(), false))
                 .as("pixels of another colour")
@@ -95,7 +95,7 @@ final class ViewerPatchWindowTest extends ViewerInAWindow {
         await(() -> message().contains("missing.json"));
         Path good = PatchFiles.descriptor(folder, "good");
         load(good);
-        awaitPatch(good);
+        awaitPatch(good.toString());
         assertThat(message()).doesNotContain("missing.json");
     }
 
@@ -109,7 +109,7 @@ final class ViewerPatchWindowTest extends ViewerInAWindow {
         drop(image, viewer.window().controls());
         Dialogs.type("Scale of scan.png", "2um", "300nm");
         Dialogs.answer("Scale of scan.png", "OK");
-        awaitPatch(image);
+        awaitPatch(image.toString());
         assertThat(onEvents(() -> viewer.model()
                         .loaded()
                         .orElseThrow()
@@ -135,7 +135,7 @@ final class ViewerPatchWindowTest extends ViewerInAWindow {
         Path file = PatchFiles.descriptor(folder, "chosen");
         press(KeyEvent.VK_CONTROL, KeyEvent.VK_L);
         Dialogs.choose("Load patch", file);
-        awaitPatch(file);
+        awaitPatch(file.toString());
     }
 
     @Test
@@ -148,7 +148,7 @@ final class ViewerPatchWindowTest extends ViewerInAWindow {
             viewer.files().loadPatch(file);
             return null;
         });
-        awaitPatch(file);
+        awaitPatch(file.toString());
         await(() -> !isBusy());
         awaitFinal();
         assertThat(different(before, picture(), false)).isPositive();
@@ -165,17 +165,6 @@ final class ViewerPatchWindowTest extends ViewerInAWindow {
             viewer.files().loadPatch(file);
             return null;
         });
-    }
-
-    private void awaitPatch(Path file) throws Exception {
-        await(() -> onEvents(() -> viewer.model()
-                        .loaded()
-                        .orElseThrow()
-                        .fine()
-                        .scene()
-                        .patch()
-                        .patch())
-                .equals(file.toString()));
     }
 
     private String message() throws Exception {

@@ -1,0 +1,36 @@
+package sunbeam.app.gpu;
+
+import jrtr.FloatTarget;
+import jrtr.FloatTargetSpec;
+import jrtr.RenderContext;
+
+/** A target of one image that is kept for as long as the same size is asked for. */
+public final class KeptTarget implements AutoCloseable {
+    private final RenderContext context;
+    private final String label;
+    private FloatTarget target;
+
+    /** @param label its name in messages */
+    public KeptTarget(RenderContext context, String label) {
+        this.context = context;
+        this.label = label;
+    }
+
+    /** The target; valid until another size is asked for. Its contents are those of the last draw, if any. */
+    public FloatTarget of(int width, int height) {
+        FloatTargetSpec spec = FloatTargetSpec.color(width, height);
+        if (target == null || !target.spec().equals(spec)) {
+            close();
+            target = context.createFloatTarget(label, spec);
+        }
+        return target;
+    }
+
+    @Override
+    public void close() {
+        if (target != null) {
+            target.close();
+            target = null;
+        }
+    }
+}
