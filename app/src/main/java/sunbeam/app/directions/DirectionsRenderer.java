@@ -3,7 +3,6 @@ package sunbeam.app.directions;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import java.util.TreeMap;
 import java.util.function.LongConsumer;
 import jrtr.Binding;
 import jrtr.FloatFormat;
@@ -14,8 +13,7 @@ import jrtr.FloatTextureSpec;
 import jrtr.RenderContext;
 import jrtr.ShaderProgram;
 import jrtr.Tile;
-import sunbeam.app.gpu.DiffractionMethod;
-import sunbeam.app.gpu.Shaders;
+import sunbeam.app.gpu.UploadedTables;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.Geometry;
 
@@ -25,7 +23,7 @@ public final class DirectionsRenderer implements AutoCloseable {
     private static final int BATCH = 256;
 
     private final RenderContext context;
-    private final DiffractionMethod method;
+    private final UploadedTables method;
     private final ShaderProgram program;
 
     /**
@@ -33,15 +31,10 @@ public final class DirectionsRenderer implements AutoCloseable {
      *
      * @param spectral whether directions come with a wavelength; else colours are computed
      */
-    public DirectionsRenderer(RenderContext context, DiffractionMethod method, boolean spectral) {
+    public DirectionsRenderer(RenderContext context, UploadedTables method, boolean spectral) {
         this.context = context;
         this.method = method;
-        Map<String, String> defines = new TreeMap<>(method.defines());
-        if (spectral) {
-            defines.put("SPECTRAL", "1");
-        }
-        this.program = context.createFullScreenProgram(Shaders.library().load("directions.frag", defines));
-        method.setUniforms(program);
+        this.program = method.program("directions.frag", spectral ? Map.of("SPECTRAL", "1") : Map.of());
         program.set("windowSigma", (float) method.windowSigma());
     }
 

@@ -13,11 +13,10 @@ import sunbeam.app.cli.Numbers;
 import sunbeam.app.cli.UsageException;
 import sunbeam.app.gpu.MethodKind;
 import sunbeam.precompute.expansion.ExpansionKind;
+import sunbeam.precompute.method.MethodPlan;
 import sunbeam.precompute.optics.WindowOrigin;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.Neighbourhood;
-import sunbeam.precompute.plan.Plan;
-import sunbeam.precompute.plan.PlanReport;
 import sunbeam.precompute.plan.PlanRequest;
 import sunbeam.precompute.plan.Tolerances;
 import sunbeam.precompute.units.Lengths;
@@ -150,14 +149,8 @@ public final class PlanOptions {
         }
     }
 
-    /** Prints the plan, with reasons where they are asked for. */
-    public void print(Plan plan, PrintWriter out) {
-        PlanReport report = new PlanReport(plan);
-        print(report.summary(), report.reasons(), out);
-    }
-
     /** Prints a method's plan, with reasons where they are asked for, and what breaks its tolerance. */
-    public void print(MethodFactory method, PrintWriter out) {
+    public void print(MethodPlan method, PrintWriter out) {
         print(method.summary(), method.reasons(), out);
         method.warnings().forEach(line -> out.println(Messages.warning(line)));
         out.flush();

@@ -67,11 +67,11 @@ public final class Planner {
 
     private Plan plan(PlanRequest request, VisibleRange range, Tolerances tolerances, Sampling sampling) {
         return new Plan(
-                request.isThesis() ? Double.NaN : tolerances.value(),
+                request.isThesis() ? new Promise.Thesis() : new Promise.Tolerance(tolerances.value()),
                 range,
                 expansion(request, range, tolerances.expansion()),
-                range.bandX(map.width(), margin(sampling, request, map.width())),
-                range.bandY(map.height(), margin(sampling, request, map.height())),
+                range.bandX(map.width(), sampling.margin(request.window(), map.width())),
+                range.bandY(map.height(), sampling.margin(request.window(), map.height())),
                 request.window(),
                 request.windowOrigin(),
                 request.average().orElse(Average.COHERENT),
@@ -94,27 +94,13 @@ public final class Planner {
                 request.anchor().orElse(thesis ? Neighbourhood.Anchor.FLOOR : Neighbourhood.Anchor.NEAREST);
         double step = request.wavelengthStep()
                 .orElseGet(() -> thesis ? THESIS_WAVELENGTH_STEP : wavelengthStep(request, range, tolerances));
-        return new Sampling.Bins(new Neighbourhood(radius, anchor), WavelengthNodes.uniform(cie, step));
+        return new BinSampling(new Neighbourhood(radius, anchor), WavelengthNodes.uniform(cie, step));
     }
 
     /** Fine enough for the sharpest order, for the colour matching functions, and for textures' longest side. */
     private static double wavelengthStep(PlanRequest request, VisibleRange range, Tolerances tolerances) {
-        double orders = PlanWarnings.coarsestWavelengthStep(request.window(), range, tolerances.value());
+        double orders = BinSampling.coarsestWavelengthStep(request.window(), range, tolerances.value());
         return Math.max(FINEST_WAVELENGTH_STEP, Math.min(COARSEST_WAVELENGTH_STEP, orders));
-    }
-
-    /** Bins beyond the visible ones that the window brings into view. */
-    private static int margin(Sampling sampling, PlanRequest request, double period) {
-        // One more bin, because float32 may round a frequency into the next one.
-        if (sampling instanceof Sampling.Bins bins) {
-            return bins.neighbourhood().radius() + 1;
-        }
-        if (sampling instanceof Sampling.Rays rays) {
-            return rays.neighbourhood().radius() + 1;
-        }
-        return sampling instanceof Sampling.Grid
-                ? (int) Math.ceil(SamplingPlanner.GAUSS_REACH * request.window().sigmaFrequency() * period) + 1
-                : 1;
     }
 
     private Expansion expansion(PlanRequest request, VisibleRange range, double tolerance) {

@@ -71,7 +71,7 @@ final class SamplingPlanner {
     private Sampling rays(int radius) {
         // The trapezoid rule along the ray, as in grid(), but with the ray's own steps.
         double step = Math.PI * window.sigmaFrequency() / Math.sqrt(Math.log(2 / tolerances.wavelengths()));
-        return new Sampling.Rays(new Neighbourhood(radius, Neighbourhood.Anchor.NEAREST), step, fewestNodes());
+        return new RaySampling(new Neighbourhood(radius, Neighbourhood.Anchor.NEAREST), step, fewestNodes());
     }
 
     private Sampling orders() {
@@ -79,7 +79,7 @@ final class SamplingPlanner {
         // colour matching functions. Beyond four and a half deviations lies 7e-6 of the order.
         double spacing = Math.min(1, Math.PI * Math.sqrt(2 / Math.log(2 / (0.01 * tolerances.value()))));
         double reach = Math.max(3, Math.sqrt(2 * Math.log(1 / (0.1 * tolerances.value()))));
-        return new Sampling.Orders(reach, spacing, WAVELENGTH_STEP_AT_STANDARD / relativeFineness(), 4 * fewestNodes());
+        return new OrderSampling(reach, spacing, WAVELENGTH_STEP_AT_STANDARD / relativeFineness(), 4 * fewestNodes());
     }
 
     private Sampling grid() {
@@ -88,9 +88,9 @@ final class SamplingPlanner {
         // of deviation sigma / sqrt(2), for which the trapezoid rule errs by 2 exp(-2 (pi deviation / step)^2).
         double perStep = Math.sqrt(2 / (Math.PI * Math.PI) * Math.log(2 / tolerances.wavelengths()));
         double step = window.sigmaFrequency() / perStep;
-        double centre = new Sampling.Grid(design, step, 1, fewestNodes()).centreReach();
+        double centre = new GridSampling(design, step, 1, fewestNodes(), tolerances.powers()).centreReach();
         int stride = (int) Math.ceil(centre / LARGEST_CENTRE);
-        return new Sampling.Grid(design, step / stride, stride, fewestNodes());
+        return new GridSampling(design, step / stride, stride, fewestNodes(), tolerances.powers());
     }
 
     /** How much finer than at the standard tolerance wavelengths are resolved. */

@@ -36,6 +36,11 @@ public record Tolerances(double value) {
         return 0.15 * value;
     }
 
+    /** Root mean square error, over the phases, of the powers that the ensemble's fields stand for. */
+    double powers() {
+        return 0.1 * value;
+    }
+
     /** Relative error of the trapezoid rule over wavelengths for a lone order. */
     double wavelengths() {
         return value;
