@@ -47,6 +47,15 @@ public final class Choices {
         return find(setting).orElse(otherwise);
     }
 
+    /**
+     * The value of a setting, or its standard value where it was not chosen.
+     *
+     * @throws java.util.NoSuchElementException for a setting without a standard value
+     */
+    public <T> T get(Setting<T> setting) {
+        return find(setting).or(setting::standard).orElseThrow();
+    }
+
     /** Whether a setting was chosen. */
     public boolean has(Setting<?> setting) {
         return choices.containsKey(setting);

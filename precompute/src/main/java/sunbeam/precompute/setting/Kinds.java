@@ -3,6 +3,7 @@ package sunbeam.precompute.setting;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.Function;
+import java.util.function.UnaryOperator;
 import java.util.stream.Collectors;
 import sunbeam.precompute.text.Quoted;
 import sunbeam.precompute.units.Decimals;
@@ -20,6 +21,22 @@ public final class Kinds {
     /** A number without a unit, from a least to a largest. */
     public static ValueKind<Double> number(String placeholder, double least, double largest) {
         return bounded(placeholder, ValueKind.Form.NUMBER, least, largest, Kinds::number, Decimals::format);
+    }
+
+    /**
+     * A number without a unit, from a least to a largest.
+     *
+     * @param tooSmall said of positive numbers below the least, continuing "1e-7 is "
+     */
+    public static ValueKind<Double> number(String placeholder, double least, double largest, String tooSmall) {
+        TextKind<Double> plain =
+                bounded(placeholder, ValueKind.Form.NUMBER, least, largest, Kinds::number, Decimals::format);
+        return plain.checkedBefore(value -> {
+            if (value > 0 && value < least) {
+                throw new IllegalArgumentException(Decimals.format(value) + " is " + tooSmall);
+            }
+            return value;
+        });
     }
 
     /** A whole number, from a least to a largest. */
@@ -50,7 +67,7 @@ public final class Kinds {
         return new TextKind<>(placeholder, ValueKind.Form.TEXT, text -> text, text -> text, text -> text, "a text");
     }
 
-    private static <N extends Number & Comparable<N>> ValueKind<N> bounded(
+    private static <N extends Number & Comparable<N>> TextKind<N> bounded(
             String placeholder,
             ValueKind.Form form,
             N least,
@@ -88,6 +105,10 @@ public final class Kinds {
             Function<T, String> formatter,
             String range)
             implements ValueKind<T> {
+        private TextKind<T> checkedBefore(UnaryOperator<T> check) {
+            return new TextKind<>(placeholder, form, parser, check.andThen(checker), formatter, range);
+        }
+
         @Override
         public T parse(String text) {
             return checker.apply(parser.apply(text));
