@@ -20,7 +20,6 @@ import sunbeam.app.certificate.CertifyOption;
 import sunbeam.app.certificate.ExactColor;
 import sunbeam.app.cli.Environment;
 import sunbeam.app.cli.ExitCode;
-import sunbeam.app.cli.Numbers;
 import sunbeam.app.cli.UsageException;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.output.AtomicFile;
@@ -47,6 +46,7 @@ import sunbeam.precompute.plan.PlanRequest;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.shader.MethodUse;
 import sunbeam.precompute.shader.ShaderTables;
+import sunbeam.precompute.units.Decimals;
 
 /** {@code sunbeam brdf-map}: from a height map to the picture of its BRDF. */
 @Command(
@@ -191,7 +191,7 @@ public final class BrdfMapCommand implements Callable<Integer> {
         if (exposure.equals("auto")) {
             return 0;
         }
-        double value = Numbers.parse(exposure).orElse(Double.NaN);
+        double value = Decimals.parse(exposure).orElse(Double.NaN);
         if (!(value > 0)) {
             throw new UsageException("--exposure '" + exposure + "' is neither auto nor a positive number");
         }
