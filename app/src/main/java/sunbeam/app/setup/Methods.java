@@ -1,51 +1,49 @@
 package sunbeam.app.setup;
 
 import sunbeam.app.cli.UsageException;
-import sunbeam.precompute.color.WavelengthNodes;
-import sunbeam.precompute.method.FullPlan;
-import sunbeam.precompute.method.GemPlan;
+import sunbeam.precompute.method.FullMethod;
+import sunbeam.precompute.method.GemMethod;
+import sunbeam.precompute.method.Method;
 import sunbeam.precompute.method.MethodPlan;
-import sunbeam.precompute.method.NmmPlan;
-import sunbeam.precompute.method.PqPlan;
-import sunbeam.precompute.method.Surface;
-import sunbeam.precompute.optics.Replicas;
+import sunbeam.precompute.method.NmmMethod;
+import sunbeam.precompute.method.PqMethod;
+import sunbeam.precompute.method.ReferenceMethod;
 import sunbeam.precompute.plan.Average;
-import sunbeam.precompute.plan.Plan;
 import sunbeam.precompute.plan.PlanRequest;
 import sunbeam.precompute.plan.VisibleRange;
-import sunbeam.precompute.units.Lengths;
+import sunbeam.precompute.setting.Origin;
+import sunbeam.precompute.setting.SettingException;
 
-/** The method that a user asks for, planned for a patch and the directions that can occur. */
+/** From requests to methods. */
 public final class Methods {
-    // Beyond, a patch is no single period of a grating whose colours can be seen.
-    private static final double WIDEST_PERIOD = 10e-6;
-
     private Methods() {}
 
     /**
      * Plans a method.
      *
      * @param range directions that can occur
-     * @throws UsageException when the method cannot do what is asked for
      */
     public static MethodPlan plan(
             DiffractionSetup setup, MethodRequest method, PlanRequest request, VisibleRange range) {
+        try {
+            return of(method, request).plan(setup.surface(), range);
+        } catch (SettingException failure) {
+            throw new UsageException(
+                    "--" + failure.about().words("-") + " " + failure.problem().in(Origin.PROGRAM));
+        }
+    }
+
+    private static Method of(MethodRequest method, PlanRequest request) {
         return switch (method.kind()) {
-            case FULL -> new FullPlan(setup.surface(), setup.plan(request, range));
-            case NMM ->
-                new NmmPlan(
-                        setup.surface(),
-                        setup.plan(request.orWavelengthStep(NmmPlan.WAVELENGTH_STEP), range),
-                        request.isThesis() ? NmmPlan.Weighting.STEP : NmmPlan.Weighting.WIDTH);
-            case PQ -> pq(setup, method, request, range);
-            case GEM -> new GemPlan(spacing(setup.surface(), method), request.window());
-            case REFERENCE ->
-                throw new UsageException("--method reference evaluates single directions; use it with 'reflectance'");
+            case FULL -> new FullMethod(request.table(), request.neighbourhood(), request.area());
+            case NMM -> new NmmMethod(request.table(), request.neighbourhood(), request.area());
+            case PQ -> pq(method, request);
+            case GEM -> new GemMethod(method.spacing(), request.window());
+            case REFERENCE -> new ReferenceMethod(request.area());
         };
     }
 
-    private static MethodPlan pq(
-            DiffractionSetup setup, MethodRequest method, PlanRequest request, VisibleRange range) {
+    private static PqMethod pq(MethodRequest method, PlanRequest request) {
         if (request.average().orElse(Average.COHERENT) == Average.ENSEMBLE) {
             throw new UsageException("--average ensemble is not for --method pq, whose replicas lie at one place; leave"
                     + " it out or use --method full");
@@ -54,26 +52,12 @@ public final class Methods {
             throw new UsageException(
                     "--radius and --anchor are not for --method pq, which has no neighbourhood of bins; leave them out");
         }
-        Surface surface = setup.surface();
-        Replicas replicas = method.replicasOf(surface.map(), request.window());
-        Plan plan = setup.plan(request.orWavelengthStep(PqPlan.COARSEST_STEP), range);
-        double planned =
-                request.isThesis() ? PqPlan.COARSEST_STEP : PqPlan.wavelengthStep(surface.map(), replicas, range);
-        return new PqPlan(
-                surface,
-                plan.expansion(),
-                range,
-                method.interpolation(),
-                replicas,
-                WavelengthNodes.uniform(surface.cie(), request.wavelengthStep().orElse(planned)));
+        return new PqMethod(request.table(), method.interpolation(), repetition(method, request));
     }
 
-    private static double spacing(Surface surface, MethodRequest method) {
-        double width = surface.map().width();
-        if (method.spacing().isEmpty() && width > WIDEST_PERIOD) {
-            throw new UsageException("--method gem needs --spacing: a patch that is " + Lengths.format(width)
-                    + " wide is no single period; give the grating's, for example --spacing 1um");
-        }
-        return method.spacing().orElse(width);
+    private static PqMethod.Repetition repetition(MethodRequest method, PlanRequest request) {
+        return method.replicas().isPresent()
+                ? new PqMethod.Times(method.replicas().getAsInt())
+                : new PqMethod.Filling(request.window());
     }
 }

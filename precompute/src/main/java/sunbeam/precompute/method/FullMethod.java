@@ -1,10 +1,18 @@
 package sunbeam.precompute.method;
 
+import java.util.List;
 import java.util.Optional;
+import sunbeam.precompute.patch.HeightMap;
 import sunbeam.precompute.plan.Accuracy;
 import sunbeam.precompute.plan.GaussianArea;
+import sunbeam.precompute.plan.MemoryNeed;
 import sunbeam.precompute.plan.Neighbourhood;
+import sunbeam.precompute.plan.Plan;
+import sunbeam.precompute.plan.PlanReport;
 import sunbeam.precompute.plan.TableChoices;
+import sunbeam.precompute.plan.VisibleRange;
+import sunbeam.precompute.shader.MethodUse;
+import sunbeam.precompute.shader.ShaderTables;
 
 /**
  * Every wavelength of the planned or the thesis's sampling, under a Gaussian window.
@@ -52,5 +60,49 @@ public record FullMethod(TableChoices table, Optional<Neighbourhood> neighbourho
     @Override
     public MethodType type() {
         return TYPE;
+    }
+
+    @Override
+    public ReferenceMethod exact(HeightMap map) {
+        return new ReferenceMethod(area);
+    }
+
+    @Override
+    public MethodPlan plan(Surface surface, VisibleRange range) {
+        return new Planned(surface, surface.planner().plan(table, neighbourhood, area, range));
+    }
+
+    /** In the form that the plan's sampling has. */
+    private record Planned(Surface surface, Plan plan) implements MethodPlan {
+
+        @Override
+        public String summary() {
+            return new PlanReport(plan).summary();
+        }
+
+        @Override
+        public List<String> reasons() {
+            return new PlanReport(plan).reasons();
+        }
+
+        @Override
+        public List<String> warnings() {
+            return surface.planner().warnings(plan);
+        }
+
+        @Override
+        public MemoryNeed memory() {
+            return MemoryNeed.of(plan, surface.map().rows());
+        }
+
+        @Override
+        public String key(MethodUse use) {
+            return String.join("|", "full", use.toString(), surface.key(), plan.key());
+        }
+
+        @Override
+        public ShaderTables tables(MethodUse use, FourierTables fourier) {
+            return plan.sampling().tables(plan, fourier.of(plan), use, surface.cie());
+        }
     }
 }

@@ -8,12 +8,15 @@ import static sunbeam.precompute.plan.MethodSettings.WINDOW_ORIGIN;
 import java.util.ArrayList;
 import java.util.List;
 import sunbeam.precompute.optics.Replicas;
+import sunbeam.precompute.patch.HeightMap;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.CoherenceArea;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.ReplicatedArea;
+import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
+import sunbeam.precompute.setting.SettingException;
 
 /**
  * Direct sums over the surface in double precision: the truth.
@@ -53,5 +56,16 @@ public record ReferenceMethod(CoherenceArea area) implements Method {
     @Override
     public MethodType type() {
         return TYPE;
+    }
+
+    @Override
+    public ReferenceMethod exact(HeightMap map) {
+        return this;
+    }
+
+    /** It has no shader. */
+    @Override
+    public MethodPlan plan(Surface surface, VisibleRange range) {
+        throw new SettingException(Methods.METHOD, "reference evaluates single directions; use it with 'reflectance'");
     }
 }

@@ -4,6 +4,7 @@ import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.patch.HeightLevels;
 import sunbeam.precompute.patch.HeightMap;
 import sunbeam.precompute.patch.Patch;
+import sunbeam.precompute.plan.Planner;
 import sunbeam.precompute.table.PatchIdentity;
 
 /**
@@ -22,6 +23,11 @@ public record Surface(HeightMap map, HeightLevels levels, PatchIdentity identity
         PatchIdentity identity =
                 new PatchIdentity(patch.name(), map.columns(), map.rows(), map.pitchX(), map.pitchY(), patch.digest());
         return new Surface(map, HeightLevels.of(map), identity, CieTable.load());
+    }
+
+    /** Plans Fourier tables of it. */
+    public Planner planner() {
+        return new Planner(map, levels, cie);
     }
 
     /** Which surface and which light, as text: equal texts mean equal tables of equal plans. */

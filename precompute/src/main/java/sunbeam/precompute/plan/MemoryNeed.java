@@ -81,16 +81,22 @@ public record MemoryNeed(long heapBytes, long textureBytes, long longestSide) {
      * @throws PlanException when more is needed than there is
      */
     void require(long heapLimit, Plan plan) {
+        require(
+                heapLimit,
+                String.format(
+                        Locale.ROOT,
+                        "a coherence length of %s and %d x %d DFT bins in %d terms",
+                        Lengths.format(plan.window().coherenceLength()),
+                        plan.bandX().count(),
+                        plan.bandY().count(),
+                        plan.expansion().terms()));
+    }
+
+    /** @param what takes so much, for the message */
+    void require(long heapLimit, String what) {
         if (fits(heapLimit)) {
             return;
         }
-        String what = String.format(
-                Locale.ROOT,
-                "a coherence length of %s and %d x %d DFT bins in %d terms",
-                Lengths.format(plan.window().coherenceLength()),
-                plan.bandX().count(),
-                plan.bandY().count(),
-                plan.expansion().terms());
         String remedy = "; crop the patch, or give a coarser --tolerance, fewer --terms or another --coherence-length";
         if (longestSide > LONGEST_SIDE) {
             throw new PlanException("%s need textures of %d texels along a side, more than the %d of common drivers%s"

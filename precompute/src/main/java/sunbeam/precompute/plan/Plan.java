@@ -9,7 +9,7 @@ import sunbeam.precompute.optics.WindowOrigin;
 /**
  * Everything that method {@code full} needs to know beside the patch.
  *
- * @param promise what it keeps
+ * @param accuracy what each part was chosen for
  * @param range directions that can occur
  * @param expansion of exp(i k w h), with its number of terms
  * @param bandX bins along x that are computed and stored
@@ -20,7 +20,7 @@ import sunbeam.precompute.optics.WindowOrigin;
  * @param sampling how the windowed spectrum is read off the bins, and at which wavelengths
  */
 public record Plan(
-        Promise promise,
+        Accuracy accuracy,
         VisibleRange range,
         Expansion expansion,
         Band bandX,

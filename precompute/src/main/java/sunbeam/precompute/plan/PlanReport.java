@@ -3,6 +3,7 @@ package sunbeam.precompute.plan;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.OptionalDouble;
 import sunbeam.precompute.expansion.Expansion;
 import sunbeam.precompute.expansion.LowRankExpansion;
 import sunbeam.precompute.optics.WindowOrigin;
@@ -21,13 +22,12 @@ public final class PlanReport {
 
     /** One line: what is computed. */
     public String summary() {
-        return terms() + ", " + plan.sampling().summary(plan.range()) + ", " + bins() + promise();
+        return terms() + ", " + plan.sampling().summary(plan.range()) + ", " + bins() + accuracy();
     }
 
-    private String promise() {
-        return plan.promise() instanceof Promise.Tolerance promised
-                ? " (tolerance " + promised.value() + ")"
-                : " (thesis)";
+    private String accuracy() {
+        OptionalDouble tolerance = plan.accuracy().tolerance();
+        return tolerance.isPresent() ? " (tolerance " + tolerance.getAsDouble() + ")" : " (thesis)";
     }
 
     private String terms() {

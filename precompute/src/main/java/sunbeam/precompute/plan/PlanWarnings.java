@@ -20,12 +20,11 @@ final class PlanWarnings {
     /** One line each; none for what was planned for a tolerance well within float32, nor for the thesis's choices, which promise nothing. */
     List<String> lines() {
         List<String> lines = new ArrayList<>();
-        if (plan.promise() instanceof Promise.Tolerance promised) {
-            double tolerance = promised.value();
+        plan.accuracy().tolerance().ifPresent(tolerance -> {
             checkFloat32(tolerance, lines);
             checkTerms(tolerance, lines);
             lines.addAll(plan.sampling().warnings(plan, tolerance, map));
-        }
+        });
         return lines;
     }
 
