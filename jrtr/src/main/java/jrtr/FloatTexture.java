@@ -1,7 +1,5 @@
 package jrtr;
 
-import java.nio.FloatBuffer;
-
 /**
  * A table of floats for shaders. Values are row-major, channels interleaved: texel (x, y) of a layer starts at {@code (y
  * * width + x) * channels} and is {@code texelFetch(s, ivec2(x, y), 0)}, so row 0 of the array is texel row 0. NaN,
@@ -22,9 +20,6 @@ public interface FloatTexture extends Texture, Resource {
      */
     void upload(float[] texels);
 
-    /** As {@link #upload(float[])}, from a buffer's position to its limit; the position stays. */
-    void upload(FloatBuffer texels);
-
     /**
      * Uploads one layer.
      *
@@ -33,7 +28,4 @@ public interface FloatTexture extends Texture, Resource {
      * @throws IllegalArgumentException if there are more or fewer, or no such layer
      */
     void uploadLayer(int layer, float[] texels);
-
-    /** As {@link #uploadLayer(int, float[])}, from a buffer's position to its limit; the position stays. */
-    void uploadLayer(int layer, FloatBuffer texels);
 }

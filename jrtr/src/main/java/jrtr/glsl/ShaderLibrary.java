@@ -4,17 +4,15 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.Map;
 import java.util.Optional;
-import java.util.TreeMap;
 import jrtr.ShaderException;
 import jrtr.ShaderSource;
 
 /**
  * Shader files by name. Names are relative to the library's root and use forward slashes; {@code #include "x.glsl"}
- * means the same file from wherever it is written.
+ * means the same file from wherever it is written. In {@code #include "{NAME}.glsl"} the value of a define stands for its
+ * name in braces, so that a define can choose a file.
  *
  * <p>{@link #load} expands includes by these rules. A file is included once; later includes of it are skipped. A file
  * that was first included inside {@code #if} may not be included again, since the first one may have been compiled out.
@@ -50,18 +48,12 @@ public interface ShaderLibrary {
      *     that is none
      */
     default ShaderSource load(String name, Map<String, String> defines) {
-        return new IncludeExpansion(this, Defines.prologue(defines)).expand(name);
+        return new IncludeExpansion(this, defines).expand(name);
     }
 
     /** This library, and where it lacks a file, another. */
     default ShaderLibrary orElse(ShaderLibrary other) {
         return name -> text(name).or(() -> other.text(name));
-    }
-
-    /** Files from memory. */
-    static ShaderLibrary ofMap(Map<String, String> files) {
-        Map<String, String> copy = new TreeMap<>(files);
-        return name -> Optional.ofNullable(copy.get(name));
     }
 
     /**
@@ -78,18 +70,6 @@ public interface ShaderLibrary {
                         : Optional.of(new String(stream.readAllBytes(), StandardCharsets.UTF_8));
             } catch (IOException failure) {
                 throw new UncheckedIOException("shader " + name + " cannot be read", failure);
-            }
-        };
-    }
-
-    /** Files (UTF-8) from a folder. */
-    static ShaderLibrary ofFolder(Path folder) {
-        return name -> {
-            Path file = folder.resolve(name);
-            try {
-                return Files.isRegularFile(file) ? Optional.of(Files.readString(file)) : Optional.empty();
-            } catch (IOException failure) {
-                throw new UncheckedIOException("shader " + file + " cannot be read", failure);
             }
         };
     }

@@ -13,7 +13,7 @@ class IncludeExpansionTest {
     private static final String VERSION = "#version 330 core\n";
 
     private static ShaderSource load(Map<String, String> files) {
-        return ShaderLibrary.ofMap(files).load("root.glsl");
+        return ShaderTexts.of(files).load("root.glsl");
     }
 
     @Test
@@ -47,7 +47,7 @@ class IncludeExpansionTest {
 
     @Test
     void definesFollowTheVersionSortedByName() {
-        ShaderSource source = ShaderLibrary.ofMap(Map.of("root.glsl", "// first\n" + VERSION + "code\n"))
+        ShaderSource source = ShaderTexts.of(Map.of("root.glsl", "// first\n" + VERSION + "code\n"))
                 .load("root.glsl", Map.of("TERMS", "37", "FLAG", "", "RADIUS", "(2.5)"));
 
         assertThat(source.text())
@@ -138,6 +138,26 @@ class IncludeExpansionTest {
     }
 
     @Test
+    void aDefineInBracesChoosesTheFile() {
+        ShaderLibrary library = ShaderTexts.of(Map.of(
+                "root.glsl", VERSION + "#include \"shape/{SHAPE}_{SIDES}.glsl\"\n",
+                "shape/prism_3.glsl", "three\n",
+                "shape/prism_4.glsl", "four\n"));
+
+        assertThat(library.load("root.glsl", Map.of("SHAPE", "prism", "SIDES", "4"))
+                        .text())
+                .endsWith("four\n")
+                .doesNotContain("three");
+        assertThatThrownBy(() -> library.load("root.glsl", Map.of("SHAPE", "prism")))
+                .isInstanceOf(ShaderException.class)
+                .hasMessageStartingWith("root.glsl:2: #include asks for the define SIDES, which is not set");
+        assertThatThrownBy(() -> library.load("root.glsl", Map.of("SHAPE", "prism", "SIDES", "5")))
+                .hasMessageStartingWith("root.glsl:2: included file shape/prism_5.glsl is missing");
+        assertThatThrownBy(() -> library.load("root.glsl", Map.of("SHAPE", "../prism", "SIDES", "4")))
+                .hasMessageStartingWith("root.glsl:2: #include \"shape/../prism_4.glsl\"");
+    }
+
+    @Test
     void namesCannotLeaveTheLibrary() {
         for (String name : new String[] {"../x.glsl", "/etc/passwd", "a/../../x", "a\\\\b", ".", "a//b"}) {
             assertThatThrownBy(() -> load(Map.of("root.glsl", VERSION + "#include \"" + name + "\"\n")))
@@ -149,7 +169,7 @@ class IncludeExpansionTest {
 
     @Test
     void definesMustBeOneLineWithALegalName() {
-        ShaderLibrary library = ShaderLibrary.ofMap(Map.of("root.glsl", VERSION));
+        ShaderLibrary library = ShaderTexts.of(Map.of("root.glsl", VERSION));
         for (Map<String, String> bad : java.util.List.of(
                 Map.of("A B", "1"), Map.of("1A", ""), Map.of("GL_x", ""), Map.of("a__b", ""), Map.of("A", "1\n2"))) {
             assertThatThrownBy(() -> library.load("root.glsl", bad))

@@ -254,6 +254,5 @@ public final class SceneSession implements AutoCloseable {
         closeUnlessSame(bodyShading, null);
         shading.close();
         buffers.close();
-        renderer.close();
     }
 }
