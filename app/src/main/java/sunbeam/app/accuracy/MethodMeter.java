@@ -52,7 +52,7 @@ final class MethodMeter {
                 setup,
                 method,
                 request,
-                VisibleRange.of(queries.stream().map(Query::geometry).toList()));
+                VisibleRange.of(queries.stream().map(Query::pair).toList()));
         Optional<FourierTable> table = factory.plan().map(setup::freshTable);
         ErrorStatistics errors;
         try (DiffractionMethod drawn = factory.create(context, MethodUse.COLOUR, table)) {

@@ -1,11 +1,7 @@
 package sunbeam.app.cache;
 
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.security.MessageDigest;
-import java.security.NoSuchAlgorithmException;
-import java.util.HexFormat;
 import java.util.Optional;
 import java.util.function.Consumer;
 import sunbeam.app.cli.Environment;
@@ -14,6 +10,7 @@ import sunbeam.app.output.OutputException;
 import sunbeam.app.output.Overwrite;
 import sunbeam.app.progress.Progress;
 import sunbeam.precompute.expansion.Expansion;
+import sunbeam.precompute.files.Sha256;
 import sunbeam.precompute.patch.HeightLevels;
 import sunbeam.precompute.plan.Plan;
 import sunbeam.precompute.table.FourierTable;
@@ -83,11 +80,6 @@ public final class TableStore {
                 Double.toHexString(expansion.maximumPhase()),
                 plan.bandX().toString(),
                 plan.bandY().toString());
-        try {
-            byte[] hash = MessageDigest.getInstance("SHA-256").digest(key.getBytes(StandardCharsets.UTF_8));
-            return HexFormat.of().formatHex(hash, 0, 16) + ".h5";
-        } catch (NoSuchAlgorithmException e) {
-            throw new IllegalStateException("every Java has SHA-256", e);
-        }
+        return Sha256.of(key).substring(0, 32) + ".h5";
     }
 }

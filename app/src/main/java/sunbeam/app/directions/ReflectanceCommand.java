@@ -100,7 +100,7 @@ public final class ReflectanceCommand implements Callable<Integer> {
     private List<double[]> evaluate(
             DiffractionSetup setup, MethodRequest method, PlanRequest request, DirectionList list) {
         if (method.kind() != MethodKind.REFERENCE) {
-            MethodFactory factory = new MethodFactory(setup, method, request, VisibleRange.of(list.geometries()));
+            MethodFactory factory = new MethodFactory(setup, method, request, VisibleRange.of(list.pairs()));
             planOptions.print(factory, specification.commandLine().getErr());
             return new GpuDirections(factory).evaluate(list);
         }

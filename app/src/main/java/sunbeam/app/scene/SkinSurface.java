@@ -30,7 +30,7 @@ final class SkinSurface implements AutoCloseable {
                     context.createFullScreenProgram(Shaders.library().load("skin.frag", method.defines()));
             method.setUniforms(program);
             return new SkinSurface(method, program);
-        } catch (RuntimeException failure) {
+        } catch (RuntimeException | OutOfMemoryError failure) {
             method.close();
             throw failure;
         }

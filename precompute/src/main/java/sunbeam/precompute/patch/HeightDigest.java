@@ -1,10 +1,7 @@
 package sunbeam.precompute.patch;
 
 import java.nio.ByteBuffer;
-import java.nio.charset.StandardCharsets;
-import java.security.MessageDigest;
-import java.security.NoSuchAlgorithmException;
-import java.util.HexFormat;
+import sunbeam.precompute.files.Sha256;
 
 /** Fingerprint of a height map for cache keys: equal for equal surfaces, whatever file they came from. */
 public final class HeightDigest {
@@ -17,29 +14,21 @@ public final class HeightDigest {
      * row (IEEE doubles), big-endian, after a tag that names this layout.
      */
     public static String sha256(HeightMap map) {
-        MessageDigest digest = newDigest();
-        digest.update("sunbeam height map 1\n".getBytes(StandardCharsets.US_ASCII));
+        Sha256 digest = new Sha256();
+        digest.add("sunbeam height map 1\n");
         ByteBuffer block = ByteBuffer.allocate(HEIGHTS_PER_BLOCK * Double.BYTES);
         block.putInt(map.columns()).putInt(map.rows());
         block.putDouble(map.pitchX()).putDouble(map.pitchY());
         for (int row = 0; row < map.rows(); row++) {
             for (int column = 0; column < map.columns(); column++) {
                 if (block.remaining() < Double.BYTES) {
-                    digest.update(block.flip());
+                    digest.add(block.flip());
                     block.clear();
                 }
                 block.putDouble(map.at(column, row));
             }
         }
-        digest.update(block.flip());
-        return HexFormat.of().formatHex(digest.digest());
-    }
-
-    private static MessageDigest newDigest() {
-        try {
-            return MessageDigest.getInstance("SHA-256");
-        } catch (NoSuchAlgorithmException e) {
-            throw new IllegalStateException("every Java platform has SHA-256", e);
-        }
+        digest.add(block.flip());
+        return digest.hex();
     }
 }

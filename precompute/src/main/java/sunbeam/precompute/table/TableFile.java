@@ -5,17 +5,13 @@ import io.jhdf.WritableHdfFile;
 import io.jhdf.api.Dataset;
 import java.io.IOException;
 import java.io.UncheckedIOException;
-import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.security.MessageDigest;
-import java.security.NoSuchAlgorithmException;
-import java.util.HexFormat;
 import java.util.Map;
 import java.util.TreeMap;
 import sunbeam.precompute.expansion.CoefficientTable;
+import sunbeam.precompute.files.Sha256;
 import sunbeam.precompute.fourier.Band;
 
 /**
@@ -171,28 +167,16 @@ public final class TableFile {
     }
 
     private static String checksum(TableAttributes attributes, FourierTable table) {
-        try {
-            MessageDigest digest = MessageDigest.getInstance("SHA-256");
-            digest.update(attributes.canonical().getBytes(StandardCharsets.UTF_8));
-            for (int n = 0; n < table.terms(); n++) {
-                update(digest, table.real()[n]);
-                update(digest, table.imaginary()[n]);
-            }
-            if (table.coefficients() != null) {
-                for (float[] row : table.coefficients().values()) {
-                    update(digest, row);
-                }
-            }
-            return HexFormat.of().formatHex(digest.digest());
-        } catch (NoSuchAlgorithmException e) {
-            throw new IllegalStateException("every Java has SHA-256", e);
+        Sha256 checksum = new Sha256().add(attributes.canonical());
+        for (int n = 0; n < table.terms(); n++) {
+            checksum.add(table.real()[n]).add(table.imaginary()[n]);
         }
-    }
-
-    private static void update(MessageDigest digest, float[] values) {
-        ByteBuffer bytes = ByteBuffer.allocate(4 * values.length);
-        bytes.asFloatBuffer().put(values);
-        digest.update(bytes);
+        if (table.coefficients() != null) {
+            for (float[] row : table.coefficients().values()) {
+                checksum.add(row);
+            }
+        }
+        return checksum.hex();
     }
 
     private static String rootMessage(Throwable failure) {
