@@ -14,7 +14,8 @@ vec3 intoGamut(vec3 rgb, float luminance) {
             keep = min(keep, room[c] / chroma[c]);
         }
     }
-    return clamp(grey + keep * chroma, 0.0, 1.0);
+    // Chroma of light beyond white is of no use, and not a number where the light is infinite.
+    return luminance >= 1.0 ? vec3(1.0) : clamp(grey + keep * chroma, 0.0, 1.0);
 }
 
 vec3 displayColor(vec3 xyz, float exposure) {

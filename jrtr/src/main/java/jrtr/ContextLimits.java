@@ -10,7 +10,6 @@ package jrtr;
  * @param viewportHeight rows that can be drawn
  * @param textureUnits textures that one fragment shader can sample
  * @param fragmentUniformComponents floats in a fragment shader's uniforms
- * @param vertexUniformComponents floats in a vertex shader's uniforms
  * @param colors images that one draw can write
  */
 public record ContextLimits(
@@ -21,5 +20,4 @@ public record ContextLimits(
         int viewportHeight,
         int textureUnits,
         int fragmentUniformComponents,
-        int vertexUniformComponents,
         int colors) {}

@@ -11,11 +11,8 @@ public interface FloatTarget extends Resource {
     /** The shape asked for. */
     FloatTargetSpec spec();
 
-    /** Sets every pixel of every image, and the depth, where there is one, to 1 (the far plane). */
-    void clear(float red, float green, float blue, float alpha);
-
     /**
-     * As {@link #clear(float, float, float, float)}, the tile's pixels only.
+     * Sets the tile's pixels of every image, and their depth, where there is one, to 1 (the far plane).
      *
      * @throws IllegalArgumentException if the tile is not inside
      */
@@ -35,14 +32,6 @@ public interface FloatTarget extends Resource {
      * @throws IllegalArgumentException if the tile is not inside
      */
     float[] read(int color, Tile tile);
-
-    /**
-     * Reads part of the depth image: {@code tile.width * tile.height} floats in [0, 1], the tile's top row first.
-     *
-     * @throws IllegalArgumentException if the tile is not inside
-     * @throws IllegalStateException if the target has no depth
-     */
-    float[] readDepth(Tile tile);
 
     /**
      * An image as a texture (nearest, clamped) for a later draw into another target. Here {@code gl_FragCoord}'s row

@@ -22,9 +22,4 @@ public record FloatTargetSpec(int width, int height, int colors, boolean depth) 
     public static FloatTargetSpec color(int width, int height) {
         return new FloatTargetSpec(width, height, 1, false);
     }
-
-    /** One image with depth. */
-    public static FloatTargetSpec colorAndDepth(int width, int height) {
-        return new FloatTargetSpec(width, height, 1, true);
-    }
 }

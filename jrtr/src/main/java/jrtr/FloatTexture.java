@@ -22,18 +22,13 @@ public interface FloatTexture extends Texture, Resource {
      */
     void upload(float[] texels);
 
-    /** As {@link #upload(float[])}, from a buffer's position to its limit; the position stays. */
-    void upload(FloatBuffer texels);
-
     /**
      * Uploads one layer.
      *
      * @param layer from 0
-     * @param texels width x height x channels floats
+     * @param texels width x height x channels floats, from the position to the limit; the position stays. Memory that is not
+     *     Java's own is read as it is.
      * @throws IllegalArgumentException if there are more or fewer, or no such layer
      */
-    void uploadLayer(int layer, float[] texels);
-
-    /** As {@link #uploadLayer(int, float[])}, from a buffer's position to its limit; the position stays. */
     void uploadLayer(int layer, FloatBuffer texels);
 }

@@ -1,7 +1,7 @@
 package jrtr;
 
 /**
- * Shape of a float texture.
+ * Shape of a float texture, which is clamped at its edges.
  *
  * @param width texels per row, at least 1
  * @param height rows, at least 1
@@ -9,10 +9,8 @@ package jrtr;
  * @param array whether the sampler is a {@code sampler2DArray}; without it there is one layer and a {@code sampler2D}
  * @param format channels per texel
  * @param filter nearest unless set by {@link #with(Filter)}
- * @param wrap clamp unless set by {@link #with(Wrap)}
  */
-public record FloatTextureSpec(
-        int width, int height, int layers, boolean array, FloatFormat format, Filter filter, Wrap wrap) {
+public record FloatTextureSpec(int width, int height, int layers, boolean array, FloatFormat format, Filter filter) {
 
     /** Rejects sizes below 1 and layers without an array. */
     public FloatTextureSpec {
@@ -32,22 +30,17 @@ public record FloatTextureSpec(
 
     /** One layer, {@code sampler2D}. */
     public static FloatTextureSpec flat(int width, int height, FloatFormat format) {
-        return new FloatTextureSpec(width, height, 1, false, format, Filter.NEAREST, Wrap.CLAMP);
+        return new FloatTextureSpec(width, height, 1, false, format, Filter.NEAREST);
     }
 
     /** Several layers of one size, {@code sampler2DArray}. */
     public static FloatTextureSpec array(int width, int height, int layers, FloatFormat format) {
-        return new FloatTextureSpec(width, height, layers, true, format, Filter.NEAREST, Wrap.CLAMP);
+        return new FloatTextureSpec(width, height, layers, true, format, Filter.NEAREST);
     }
 
     /** The same shape with another filter. */
     public FloatTextureSpec with(Filter newFilter) {
-        return new FloatTextureSpec(width, height, layers, array, format, newFilter, wrap);
-    }
-
-    /** The same shape with another wrap. */
-    public FloatTextureSpec with(Wrap newWrap) {
-        return new FloatTextureSpec(width, height, layers, array, format, filter, newWrap);
+        return new FloatTextureSpec(width, height, layers, array, format, newFilter);
     }
 
     /** Floats in one layer: width x height x channels. */

@@ -16,13 +16,6 @@ public interface RenderContext extends AutoCloseable {
     ContextInfo info();
 
     /**
-     * Compiles and links.
-     *
-     * @throws ShaderException if that fails, with file and line
-     */
-    ShaderProgram createProgram(ShaderSource vertex, ShaderSource fragment);
-
-    /**
      * Compiles a fragment shader for {@link #drawFullScreen}; the vertex shader comes with the engine and has no
      * outputs.
      *
@@ -86,24 +79,16 @@ public interface RenderContext extends AutoCloseable {
     void drawFullScreen(ShaderProgram program, List<Binding> bindings, FloatTarget target, Tile tile);
 
     /**
-     * Draws triangles, both sides, to the tile and to no pixel else, without blending. The tile only cuts: tiles that
-     * cover a target draw the same picture as one draw, bit for bit.
+     * Draws triangles, both sides, to the tile and to no pixel else, without blending, where they are nearer than what
+     * is there. The tile only cuts: tiles that cover a target draw the same picture as one draw, bit for bit.
      *
-     * @param program made by {@link #createMeshProgram}, or with a vertex shader that takes the same attributes; every
-     *     sampler it uses must be bound
+     * @param program made by {@link #createMeshProgram}; every sampler it uses must be bound
      * @param bindings textures by sampler name
      * @param mesh the triangles
-     * @param depth how depth is used
      * @param target where to; must have depth
      * @param tile must lie inside the target
      */
-    void draw(
-            ShaderProgram program,
-            List<Binding> bindings,
-            VertexBuffer mesh,
-            DepthUse depth,
-            FloatTarget target,
-            Tile tile);
+    void draw(ShaderProgram program, List<Binding> bindings, VertexBuffer mesh, FloatTarget target, Tile tile);
 
     /** Waits until the device has done all that was asked. */
     void finish();

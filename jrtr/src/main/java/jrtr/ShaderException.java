@@ -9,12 +9,9 @@ import java.util.List;
 public class ShaderException extends GraphicsException {
     private static final long serialVersionUID = 1L;
 
-    private final transient List<ShaderProblem> problems;
-
     /** @param message what failed and how to mend it */
     public ShaderException(String message) {
         super(message);
-        this.problems = List.of();
     }
 
     /**
@@ -23,12 +20,6 @@ public class ShaderException extends GraphicsException {
      */
     public ShaderException(String doing, List<ShaderProblem> problems) {
         super(summary(doing, problems));
-        this.problems = List.copyOf(problems);
-    }
-
-    /** All that the compiler said, with places; empty where no compiler was involved. */
-    public List<ShaderProblem> problems() {
-        return problems == null ? List.of() : problems;
     }
 
     private static String summary(String doing, List<ShaderProblem> problems) {

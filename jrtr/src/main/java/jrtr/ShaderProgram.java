@@ -1,6 +1,5 @@
 package jrtr;
 
-import java.util.Set;
 import org.joml.Matrix3fc;
 import org.joml.Matrix4fc;
 import org.joml.Vector2fc;
@@ -24,9 +23,6 @@ public interface ShaderProgram extends Resource {
 
     /** Sets an {@code int}. */
     void set(String name, int value);
-
-    /** Sets a {@code bool}. */
-    void set(String name, boolean value);
 
     /** Sets a {@code vec2}. */
     void set(String name, Vector2fc value);
@@ -61,10 +57,4 @@ public interface ShaderProgram extends Resource {
 
     /** Whether the linked program uses this uniform or sampler. */
     boolean isActive(String name);
-
-    /** Names of the uniforms in use, samplers excluded, sorted; arrays without {@code [0]}. */
-    Set<String> uniforms();
-
-    /** Names of the samplers in use, sorted. A draw must bind all of them. */
-    Set<String> samplers();
 }

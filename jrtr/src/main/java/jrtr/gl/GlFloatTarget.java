@@ -14,6 +14,8 @@ import jrtr.Wrap;
 
 /** A framebuffer object with RGBA32F textures and, if asked for, a depth renderbuffer. */
 final class GlFloatTarget extends GlResource implements FloatTarget {
+    private static final int CHANNELS = 4;
+
     private final FloatTargetSpec spec;
     private final List<GlAttachment> colors = new ArrayList<>();
     private final int[] framebuffer = new int[1];
@@ -125,11 +127,6 @@ final class GlFloatTarget extends GlResource implements FloatTarget {
     }
 
     @Override
-    public void clear(float red, float green, float blue, float alpha) {
-        clear(Tile.whole(spec.width(), spec.height()), red, green, blue, alpha);
-    }
-
-    @Override
     public void clear(Tile tile, float red, float green, float blue, float alpha) {
         requireInside(tile);
         GL3 gl = gl();
@@ -154,28 +151,15 @@ final class GlFloatTarget extends GlResource implements FloatTarget {
     @Override
     public float[] read(int color, Tile tile) {
         requireColor(color);
-        GL3 gl = bindForReading(tile);
-        gl.glReadBuffer(GL3.GL_COLOR_ATTACHMENT0 + color);
-        return readPixels(gl, tile, GL3.GL_RGBA, 4);
-    }
-
-    @Override
-    public float[] readDepth(Tile tile) {
-        if (!spec.depth()) {
-            throw new IllegalStateException("target '" + label() + "' has no depth");
-        }
-        return readPixels(bindForReading(tile), tile, GL3.GL_DEPTH_COMPONENT, 1);
-    }
-
-    private GL3 bindForReading(Tile tile) {
         requireInside(tile);
         GL3 gl = gl();
         gl.glBindFramebuffer(GL3.GL_FRAMEBUFFER, framebuffer[0]);
-        return gl;
+        gl.glReadBuffer(GL3.GL_COLOR_ATTACHMENT0 + color);
+        return readPixels(gl, tile);
     }
 
-    private float[] readPixels(GL3 gl, Tile tile, int format, int channels) {
-        long length = tile.pixels() * channels;
+    private float[] readPixels(GL3 gl, Tile tile) {
+        long length = tile.pixels() * CHANNELS;
         if (length > Integer.MAX_VALUE - 8) {
             throw new GraphicsException("reading " + tile.width() + " x " + tile.height() + " pixels of '" + label()
                     + "' needs " + length + " floats, more than an array has; read smaller tiles");
@@ -185,9 +169,15 @@ final class GlFloatTarget extends GlResource implements FloatTarget {
         gl.glFinish();
         gl.glPixelStorei(GL3.GL_PACK_ALIGNMENT, 4);
         gl.glReadPixels(
-                tile.x(), bottomOf(tile), tile.width(), tile.height(), format, GL3.GL_FLOAT, FloatBuffer.wrap(pixels));
+                tile.x(),
+                bottomOf(tile),
+                tile.width(),
+                tile.height(),
+                GL3.GL_RGBA,
+                GL3.GL_FLOAT,
+                FloatBuffer.wrap(pixels));
         device().check(gl, "reading '" + label() + "'");
-        turnUpsideDown(pixels, tile.width() * channels);
+        turnUpsideDown(pixels, tile.width() * CHANNELS);
         return pixels;
     }
 

@@ -6,6 +6,7 @@ import java.util.BitSet;
 import jrtr.Filter;
 import jrtr.FloatTexture;
 import jrtr.FloatTextureSpec;
+import jrtr.Wrap;
 
 /** A float texture, 2-D or 2-D array. */
 final class GlFloatTexture extends GlResource implements FloatTexture, GlTexture {
@@ -27,7 +28,7 @@ final class GlFloatTexture extends GlResource implements FloatTexture, GlTexture
         TextureMemory memory = new TextureMemory(device, label);
         memory.requireSides(spec.width(), spec.height(), spec.layers());
         int target = spec.array() ? GL3.GL_TEXTURE_2D_ARRAY : GL3.GL_TEXTURE_2D;
-        int name = memory.create(gl, target, spec.wrap());
+        int name = memory.create(gl, target, Wrap.CLAMP);
         GlFloatTexture texture = new GlFloatTexture(device, label, spec, target, name);
         try {
             texture.allocate(gl, memory);
@@ -56,22 +57,12 @@ final class GlFloatTexture extends GlResource implements FloatTexture, GlTexture
 
     @Override
     public void upload(float[] texels) {
-        upload(FloatBuffer.wrap(texels));
-    }
-
-    @Override
-    public void upload(FloatBuffer texels) {
-        requireLength(texels.remaining(), spec.floats());
+        requireLength(texels.length, spec.floats());
+        int length = Math.toIntExact(spec.floatsPerLayer());
         for (int layer = 0; layer < spec.layers(); layer++) {
-            int layerStart = texels.position() + Math.toIntExact(layer * spec.floatsPerLayer());
-            put(layer, texels.slice(layerStart, Math.toIntExact(spec.floatsPerLayer())));
+            put(layer, FloatBuffer.wrap(texels).slice(layer * length, length));
         }
         device().check(gl(), "uploading '" + label() + "'");
-    }
-
-    @Override
-    public void uploadLayer(int layer, float[] texels) {
-        uploadLayer(layer, FloatBuffer.wrap(texels));
     }
 
     @Override

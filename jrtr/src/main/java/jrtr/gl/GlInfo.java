@@ -36,7 +36,6 @@ final class GlInfo {
                 viewport[1],
                 integer(gl, GL3.GL_MAX_TEXTURE_IMAGE_UNITS),
                 integer(gl, GL3.GL_MAX_FRAGMENT_UNIFORM_COMPONENTS),
-                integer(gl, GL3.GL_MAX_VERTEX_UNIFORM_COMPONENTS),
                 Math.min(integer(gl, GL3.GL_MAX_COLOR_ATTACHMENTS), integer(gl, GL3.GL_MAX_DRAW_BUFFERS)));
     }
 

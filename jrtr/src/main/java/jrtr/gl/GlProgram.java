@@ -3,7 +3,6 @@ package jrtr.gl;
 import com.jogamp.opengl.GL3;
 import java.util.Set;
 import java.util.TreeSet;
-import java.util.stream.Collectors;
 import jrtr.ShaderProgram;
 import jrtr.ShaderSource;
 import jrtr.glsl.DeclaredUniforms;
@@ -73,15 +72,6 @@ final class GlProgram extends GlResource implements ShaderProgram {
         GlUniform found = uniforms.findOfType(uniform, "int", GL3.GL_INT);
         if (found != null) {
             gl.glUniform1i(found.location(), value);
-        }
-    }
-
-    @Override
-    public void set(String uniform, boolean value) {
-        GL3 gl = current();
-        GlUniform found = uniforms.findOfType(uniform, "bool", GL3.GL_BOOL);
-        if (found != null) {
-            gl.glUniform1i(found.location(), value ? 1 : 0);
         }
     }
 
@@ -176,19 +166,6 @@ final class GlProgram extends GlResource implements ShaderProgram {
     @Override
     public boolean isActive(String uniform) {
         return uniforms.active().containsKey(uniform);
-    }
-
-    @Override
-    public Set<String> uniforms() {
-        return uniforms.active().values().stream()
-                .filter(uniform -> !uniform.isSampler())
-                .map(GlUniform::name)
-                .collect(Collectors.toCollection(TreeSet::new));
-    }
-
-    @Override
-    public Set<String> samplers() {
-        return samplers.names();
     }
 
     @Override

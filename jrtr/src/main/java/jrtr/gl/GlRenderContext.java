@@ -5,7 +5,6 @@ import java.util.List;
 import jrtr.Binding;
 import jrtr.ContextInfo;
 import jrtr.ContextOptions;
-import jrtr.DepthUse;
 import jrtr.FloatTarget;
 import jrtr.FloatTargetSpec;
 import jrtr.FloatTexture;
@@ -49,11 +48,6 @@ final class GlRenderContext implements RenderContext {
     }
 
     @Override
-    public ShaderProgram createProgram(ShaderSource vertex, ShaderSource fragment) {
-        return GlProgram.create(device, vertex, fragment);
-    }
-
-    @Override
     public ShaderProgram createFullScreenProgram(ShaderSource fragment) {
         return GlProgram.create(device, fullScreen.vertexShader(), fragment);
     }
@@ -94,14 +88,8 @@ final class GlRenderContext implements RenderContext {
     }
 
     @Override
-    public void draw(
-            ShaderProgram program,
-            List<Binding> bindings,
-            VertexBuffer mesh,
-            DepthUse depth,
-            FloatTarget target,
-            Tile tile) {
-        meshDraw.draw((GlProgram) program, bindings, (GlVertexBuffer) mesh, depth, (GlFloatTarget) target, tile);
+    public void draw(ShaderProgram program, List<Binding> bindings, VertexBuffer mesh, FloatTarget target, Tile tile) {
+        meshDraw.draw((GlProgram) program, bindings, (GlVertexBuffer) mesh, (GlFloatTarget) target, tile);
     }
 
     @Override

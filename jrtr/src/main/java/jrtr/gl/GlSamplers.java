@@ -2,12 +2,9 @@ package jrtr.gl;
 
 import com.jogamp.opengl.GL3;
 import java.util.Arrays;
-import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Set;
-import java.util.TreeSet;
 import jrtr.Binding;
 import jrtr.ShaderException;
 
@@ -33,10 +30,6 @@ final class GlSamplers {
             }
         }
         this.boundUnits = new boolean[units.size()];
-    }
-
-    Set<String> names() {
-        return Collections.unmodifiableSet(new TreeSet<>(units.keySet()));
     }
 
     /**

@@ -10,7 +10,6 @@ import jrtr.VertexData;
 
 /** A vertex array over one buffer per attribute and one of indices. */
 final class GlVertexBuffer extends GlResource implements VertexBuffer {
-    private final int vertices;
     private final int triangles;
     private final BoundingSphere bounds;
     private final int[] vertexArray = new int[1];
@@ -18,7 +17,6 @@ final class GlVertexBuffer extends GlResource implements VertexBuffer {
 
     private GlVertexBuffer(GlDevice device, String label, VertexData data) {
         super(device, label);
-        this.vertices = data.vertices();
         this.triangles = data.triangles();
         this.bounds = data.bounds();
     }
@@ -81,16 +79,6 @@ final class GlVertexBuffer extends GlResource implements VertexBuffer {
     void delete(GL3 gl) {
         gl.glDeleteVertexArrays(1, vertexArray, 0);
         gl.glDeleteBuffers(buffers.length, buffers, 0);
-    }
-
-    @Override
-    public int vertices() {
-        return vertices;
-    }
-
-    @Override
-    public int triangles() {
-        return triangles;
     }
 
     @Override

@@ -3,7 +3,6 @@ package jrtr.gl;
 import com.jogamp.opengl.GL3;
 import java.util.List;
 import jrtr.Binding;
-import jrtr.DepthUse;
 import jrtr.Tile;
 
 /** Draws triangles; sets all state that the draw depends on. */
@@ -14,13 +13,7 @@ final class MeshDraw {
         this.device = device;
     }
 
-    void draw(
-            GlProgram program,
-            List<Binding> bindings,
-            GlVertexBuffer mesh,
-            DepthUse depth,
-            GlFloatTarget target,
-            Tile tile) {
+    void draw(GlProgram program, List<Binding> bindings, GlVertexBuffer mesh, GlFloatTarget target, Tile tile) {
         GL3 gl = device.gl();
         program.requireUsableBy(device);
         mesh.requireUsableBy(device);
@@ -33,26 +26,18 @@ final class MeshDraw {
         program.glSamplers().bind(gl, device, bindings, target);
         program.use(gl);
         target.bindForDrawing(gl, tile);
-        setState(gl, depth);
+        setState(gl);
         mesh.draw(gl);
-        restoreMasks(gl);
+        gl.glDisable(GL3.GL_DEPTH_TEST);
         device.check(gl, "drawing '" + mesh.label() + "'");
     }
 
-    private static void setState(GL3 gl, DepthUse depth) {
-        boolean colors = depth != DepthUse.DEPTH_ONLY;
+    private static void setState(GL3 gl) {
         gl.glDisable(GL3.GL_BLEND);
         gl.glDisable(GL3.GL_CULL_FACE);
         gl.glEnable(GL3.GL_DEPTH_TEST);
-        gl.glDepthFunc(depth == DepthUse.EQUAL ? GL3.GL_EQUAL : GL3.GL_LESS);
-        gl.glDepthMask(depth != DepthUse.EQUAL);
-        gl.glColorMask(colors, colors, colors, colors);
-    }
-
-    /** Masks also stop clears, so none is left closed. */
-    private static void restoreMasks(GL3 gl) {
+        gl.glDepthFunc(GL3.GL_LESS);
         gl.glDepthMask(true);
         gl.glColorMask(true, true, true, true);
-        gl.glDisable(GL3.GL_DEPTH_TEST);
     }
 }

@@ -4,11 +4,8 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.Map;
 import java.util.Optional;
-import java.util.TreeMap;
 import jrtr.ShaderException;
 import jrtr.ShaderSource;
 
@@ -59,12 +56,6 @@ public interface ShaderLibrary {
         return name -> text(name).or(() -> other.text(name));
     }
 
-    /** Files from memory. */
-    static ShaderLibrary ofMap(Map<String, String> files) {
-        Map<String, String> copy = new TreeMap<>(files);
-        return name -> Optional.ofNullable(copy.get(name));
-    }
-
     /**
      * Files (UTF-8) from the class path.
      *
@@ -79,18 +70,6 @@ public interface ShaderLibrary {
                         : Optional.of(new String(stream.readAllBytes(), StandardCharsets.UTF_8));
             } catch (IOException failure) {
                 throw new UncheckedIOException("shader " + name + " cannot be read", failure);
-            }
-        };
-    }
-
-    /** Files (UTF-8) from a folder. */
-    static ShaderLibrary ofFolder(Path folder) {
-        return name -> {
-            Path file = folder.resolve(name);
-            try {
-                return Files.isRegularFile(file) ? Optional.of(Files.readString(file)) : Optional.empty();
-            } catch (IOException failure) {
-                throw new UncheckedIOException("shader " + file + " cannot be read", failure);
             }
         };
     }

@@ -9,19 +9,14 @@ import java.util.stream.StreamSupport;
 /** A scene from a graph. */
 public final class GraphSceneManager implements SceneManagerInterface {
     private final Node root;
-    private Camera camera;
-    private Frustum frustum;
+    private final Camera camera;
+    private final Frustum frustum;
 
-    /** A scene whose graph, camera and frustum may change between draws. */
+    /** A scene whose graph may change between draws. */
     public GraphSceneManager(Node root, Camera camera, Frustum frustum) {
         this.root = Objects.requireNonNull(root, "root");
-        setCamera(camera);
-        setFrustum(frustum);
-    }
-
-    /** The graph's top. */
-    public Node root() {
-        return root;
+        this.camera = Objects.requireNonNull(camera, "camera");
+        this.frustum = Objects.requireNonNull(frustum, "frustum");
     }
 
     @Override
@@ -53,18 +48,8 @@ public final class GraphSceneManager implements SceneManagerInterface {
         return camera;
     }
 
-    /** Moves the eye. */
-    public void setCamera(Camera value) {
-        camera = Objects.requireNonNull(value, "camera");
-    }
-
     @Override
     public Frustum frustum() {
         return frustum;
-    }
-
-    /** Changes what the eye sees. */
-    public void setFrustum(Frustum value) {
-        frustum = Objects.requireNonNull(value, "frustum");
     }
 }

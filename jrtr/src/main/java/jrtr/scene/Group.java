@@ -25,11 +25,6 @@ public sealed class Group implements Node permits TransformGroup {
         children.add(child);
     }
 
-    /** Takes out the child, once; returns whether it was there. */
-    public final boolean remove(Node child) {
-        return children.remove(child);
-    }
-
     /** The children; a view that shows later changes. */
     public final List<Node> children() {
         return Collections.unmodifiableList(children);

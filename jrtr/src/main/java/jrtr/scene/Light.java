@@ -23,11 +23,6 @@ public record Light(Vector3fc towards, Vector3fc radiance) {
         radiance = new Vector3f(radiance);
     }
 
-    /** A light of radiance 1 in each channel. */
-    public static Light white(Vector3fc towards) {
-        return new Light(towards, new Vector3f(1));
-    }
-
     /** This light with its direction turned by a matrix's linear part. */
     public Light transformed(Matrix4fc transformation) {
         return new Light(transformation.transformDirection(towards, new Vector3f()), radiance);

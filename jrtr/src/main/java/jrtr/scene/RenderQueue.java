@@ -15,9 +15,8 @@ import org.joml.Vector3fc;
  * What of a scene has to be drawn, nearest first: what is drawn first hides most of the rest.
  *
  * @param items whose bounding spheres reach into the frustum
- * @param culled number of shapes left out
  */
-public record RenderQueue(List<RenderItem> items, int culled) {
+public record RenderQueue(List<RenderItem> items) {
     // Planes from float matrices are off by a few units of the sixth digit; spheres are widened by more than that.
     private static final float WIDER = 1.001f;
 
@@ -34,18 +33,15 @@ public record RenderQueue(List<RenderItem> items, int culled) {
         Matrix4f worldToClip = scene.frustum().cameraToClip(area).mul(worldToCamera);
         FrustumIntersection planes = new FrustumIntersection(worldToClip);
         List<Candidate> visible = new ArrayList<>();
-        int culled = 0;
         for (Iterator<RenderItem> shapes = scene.shapes(); shapes.hasNext(); ) {
             RenderItem item = shapes.next();
             BoundingSphere bounds = item.bounds();
             if (planes.testSphere(bounds.center(), WIDER * bounds.radius())) {
                 visible.add(new Candidate(item, nearestDepth(worldToCamera, bounds)));
-            } else {
-                culled++;
             }
         }
         visible.sort(Comparator.comparingDouble(Candidate::nearestDepth));
-        return new RenderQueue(visible.stream().map(Candidate::item).toList(), culled);
+        return new RenderQueue(visible.stream().map(Candidate::item).toList());
     }
 
     private static float nearestDepth(Matrix4fc worldToCamera, BoundingSphere bounds) {

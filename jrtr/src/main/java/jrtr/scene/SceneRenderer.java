@@ -1,35 +1,18 @@
 package jrtr.scene;
 
-import java.util.List;
-import jrtr.DepthUse;
 import jrtr.FloatTarget;
 import jrtr.RenderContext;
 import jrtr.ShaderProgram;
 import jrtr.Tile;
-import jrtr.glsl.EngineShaders;
 import org.joml.Matrix4f;
 
-/**
- * Draws scenes, costly materials in two passes: first depth alone and then colours where depth is final, so that their
- * fragment shaders run once per pixel.
- *
- * <p>Owns its depth shader only.
- */
-public final class SceneRenderer implements AutoCloseable {
+/** Draws scenes. */
+public final class SceneRenderer {
     private final RenderContext context;
-    private final ShaderProgram depthProgram;
 
-    /** Compiles the depth shader. */
+    /** Draws with a context, of which it keeps nothing. */
     public SceneRenderer(RenderContext context) {
         this.context = context;
-        this.depthProgram = context.createMeshProgram(EngineShaders.library().load("jrtr/depth.frag.glsl"));
-    }
-
-    /** As {@link #draw(SceneManagerInterface, PictureArea, FloatTarget, Tile)} with the target showing all. */
-    public RenderQueue draw(SceneManagerInterface scene, FloatTarget target, Tile tile) {
-        PictureArea whole =
-                PictureArea.whole(target.spec().width(), target.spec().height());
-        return draw(scene, whole, target, tile);
     }
 
     /**
@@ -40,11 +23,10 @@ public final class SceneRenderer implements AutoCloseable {
      * @param area what the target shows; its part is as large as the target
      * @param target with depth
      * @param tile inside the target
-     * @return what was drawn
      * @throws IllegalArgumentException if the scene has more than {@link LightUniforms#MOST} lights, or target, area and
      *     tile do not fit together
      */
-    public RenderQueue draw(SceneManagerInterface scene, PictureArea area, FloatTarget target, Tile tile) {
+    public void draw(SceneManagerInterface scene, PictureArea area, FloatTarget target, Tile tile) {
         if (area.part().width() != target.spec().width()
                 || area.part().height() != target.spec().height()) {
             throw new IllegalArgumentException("target '" + target.label() + "' of "
@@ -56,29 +38,12 @@ public final class SceneRenderer implements AutoCloseable {
         Matrix4f worldToClip =
                 scene.frustum().cameraToClip(area).mul(scene.camera().worldToCamera());
         for (RenderItem item : queue.items()) {
-            if (item.shape().material().isCostly()) {
-                PlaceUniforms.set(depthProgram, item.modelToWorld(), worldToClip);
-                context.draw(depthProgram, List.of(), item.shape().vertices(), DepthUse.DEPTH_ONLY, target, tile);
-            } else {
-                drawColors(item, scene.camera(), lights, worldToClip, DepthUse.NEARER, target, tile);
-            }
+            draw(item, scene.camera(), lights, worldToClip, target, tile);
         }
-        for (RenderItem item : queue.items()) {
-            if (item.shape().material().isCostly()) {
-                drawColors(item, scene.camera(), lights, worldToClip, DepthUse.EQUAL, target, tile);
-            }
-        }
-        return queue;
     }
 
-    private void drawColors(
-            RenderItem item,
-            Camera camera,
-            LightUniforms lights,
-            Matrix4f worldToClip,
-            DepthUse depth,
-            FloatTarget target,
-            Tile tile) {
+    private void draw(
+            RenderItem item, Camera camera, LightUniforms lights, Matrix4f worldToClip, FloatTarget target, Tile tile) {
         Material material = item.shape().material();
         ShaderProgram program = material.program();
         PlaceUniforms.set(program, item.modelToWorld(), worldToClip);
@@ -86,12 +51,7 @@ public final class SceneRenderer implements AutoCloseable {
             program.set("eyePosition", camera.centerOfProjection());
         }
         lights.applyTo(program);
-        material.uniforms().applyTo(program);
-        context.draw(program, material.textures(), item.shape().vertices(), depth, target, tile);
-    }
-
-    @Override
-    public void close() {
-        depthProgram.close();
+        material.uniforms().forEach((name, value) -> program.set(name, value.floatValue()));
+        context.draw(program, material.textures(), item.shape().vertices(), target, tile);
     }
 }

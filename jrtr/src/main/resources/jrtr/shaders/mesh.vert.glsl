@@ -20,9 +20,6 @@ out vec3 worldNormal;
 out vec4 worldTangent;
 out vec2 surfaceCoordinate;
 
-// Two programs with this vertex shader must agree in depth to the last bit: the second pass draws where depths are equal.
-invariant gl_Position;
-
 void main() {
     vec4 world = modelToWorld * vec4(position, 1.0);
     worldPosition = world.xyz;

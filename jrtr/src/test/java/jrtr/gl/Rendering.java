@@ -10,14 +10,14 @@ import jrtr.RenderContext;
 import jrtr.ShaderProgram;
 import jrtr.ShaderSource;
 import jrtr.Tile;
-import jrtr.glsl.ShaderLibrary;
+import jrtr.glsl.ShaderTexts;
 
 /** A context with short ways to small drawings. Debug output is on, so that no driver's complaint goes unseen. */
 final class Rendering implements AutoCloseable {
     final RenderContext context = RenderContexts.offscreen(ContextOptions.withDebugOutput());
 
     static ShaderSource fragment(String code) {
-        return ShaderLibrary.ofMap(Map.of("test.frag.glsl", "#version 330 core\n" + code))
+        return ShaderTexts.of(Map.of("test.frag.glsl", "#version 330 core\n" + code))
                 .load("test.frag.glsl");
     }
 

@@ -14,7 +14,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 
 class CompilerLogTest {
     /** Expanded line 4 is line 2 of lens.glsl. */
-    private final ShaderSource source = ShaderLibrary.ofMap(Map.of(
+    private final ShaderSource source = ShaderTexts.of(Map.of(
                     "root.glsl", "#version 330 core\nfloat a;\n#include \"lens.glsl\"\n",
                     "lens.glsl", "float b;\n    float c = foo; // why\n"))
             .load("root.glsl");

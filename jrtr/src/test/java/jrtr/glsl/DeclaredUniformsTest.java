@@ -24,7 +24,7 @@ class DeclaredUniformsTest {
                 float not_uniform; int uniformity;
                 """;
 
-        assertThat(DeclaredUniforms.in(ShaderLibrary.ofMap(Map.of("x", text)).load("x")))
+        assertThat(DeclaredUniforms.in(ShaderTexts.of(Map.of("x", text)).load("x")))
                 .containsExactly("a", "b", "c", "d", "hidden", "light", "plain", "table");
     }
 }

@@ -13,7 +13,7 @@ class IncludeExpansionTest {
     private static final String VERSION = "#version 330 core\n";
 
     private static ShaderSource load(Map<String, String> files) {
-        return ShaderLibrary.ofMap(files).load("root.glsl");
+        return ShaderTexts.of(files).load("root.glsl");
     }
 
     @Test
@@ -47,7 +47,7 @@ class IncludeExpansionTest {
 
     @Test
     void definesFollowTheVersionSortedByName() {
-        ShaderSource source = ShaderLibrary.ofMap(Map.of("root.glsl", "// first\n" + VERSION + "code\n"))
+        ShaderSource source = ShaderTexts.of(Map.of("root.glsl", "// first\n" + VERSION + "code\n"))
                 .load("root.glsl", Map.of("TERMS", "37", "FLAG", "", "RADIUS", "(2.5)"));
 
         assertThat(source.text())
@@ -139,7 +139,7 @@ class IncludeExpansionTest {
 
     @Test
     void aDefineInBracesChoosesTheFile() {
-        ShaderLibrary library = ShaderLibrary.ofMap(Map.of(
+        ShaderLibrary library = ShaderTexts.of(Map.of(
                 "root.glsl", VERSION + "#include \"shape/{SHAPE}_{SIDES}.glsl\"\n",
                 "shape/prism_3.glsl", "three\n",
                 "shape/prism_4.glsl", "four\n"));
@@ -169,7 +169,7 @@ class IncludeExpansionTest {
 
     @Test
     void definesMustBeOneLineWithALegalName() {
-        ShaderLibrary library = ShaderLibrary.ofMap(Map.of("root.glsl", VERSION));
+        ShaderLibrary library = ShaderTexts.of(Map.of("root.glsl", VERSION));
         for (Map<String, String> bad : java.util.List.of(
                 Map.of("A B", "1"), Map.of("1A", ""), Map.of("GL_x", ""), Map.of("a__b", ""), Map.of("A", "1\n2"))) {
             assertThatThrownBy(() -> library.load("root.glsl", bad))

@@ -2,12 +2,8 @@ package jrtr.glsl;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.io.IOException;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 
 class ShaderLibraryTest {
 
@@ -21,21 +17,9 @@ class ShaderLibraryTest {
     }
 
     @Test
-    void findsFilesInAFolder(@TempDir Path folder) throws IOException {
-        Files.createDirectories(folder.resolve("sub"));
-        Files.writeString(folder.resolve("sub/a.glsl"), "float λ; // text as it is");
-
-        ShaderLibrary library = ShaderLibrary.ofFolder(folder);
-
-        assertThat(library.text("sub/a.glsl")).hasValue("float λ; // text as it is");
-        assertThat(library.text("sub")).isEmpty();
-        assertThat(library.text("b.glsl")).isEmpty();
-    }
-
-    @Test
     void anotherLibraryFillsTheGaps() {
-        ShaderLibrary first = ShaderLibrary.ofMap(Map.of("a", "first a"));
-        ShaderLibrary second = ShaderLibrary.ofMap(Map.of("a", "second a", "b", "second b"));
+        ShaderLibrary first = ShaderTexts.of(Map.of("a", "first a"));
+        ShaderLibrary second = ShaderTexts.of(Map.of("a", "second a", "b", "second b"));
 
         ShaderLibrary both = first.orElse(second);
 

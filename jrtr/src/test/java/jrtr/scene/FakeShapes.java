@@ -2,6 +2,7 @@ package jrtr.scene;
 
 import java.lang.reflect.Proxy;
 import java.util.List;
+import java.util.Map;
 import jrtr.BoundingSphere;
 import jrtr.ShaderProgram;
 import jrtr.VertexBuffer;
@@ -12,16 +13,6 @@ final class FakeShapes {
     private FakeShapes() {}
 
     private record Ball(String label, BoundingSphere bounds) implements VertexBuffer {
-        @Override
-        public int vertices() {
-            return 3;
-        }
-
-        @Override
-        public int triangles() {
-            return 1;
-        }
-
         @Override
         public boolean isClosed() {
             return false;
@@ -39,6 +30,6 @@ final class FakeShapes {
                 });
         return new Shape(
                 new Ball(label, new BoundingSphere(new Vector3f(), radius)),
-                new Material((ShaderProgram) program, List.of()));
+                new Material((ShaderProgram) program, List.of(), Map.of()));
     }
 }

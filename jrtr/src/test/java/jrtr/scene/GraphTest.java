@@ -37,7 +37,7 @@ class GraphTest {
     void shapesComeDepthFirstInTheOrderInWhichTheyWereAdded() {
         Group root = new Group();
         Group first = new Group();
-        Group second = new TransformGroup();
+        Group second = new TransformGroup(new Matrix4f());
         root.add(ball("a"));
         root.add(first);
         root.add(new Group());
@@ -75,8 +75,6 @@ class GraphTest {
 
         assertThat(items.get(0).modelToWorld()).isEqualTo(new Matrix4f(outer).mul(inner));
         assertThat(items.get(1).modelToWorld()).isEqualTo(outer);
-        child.setTransformation(new Matrix4f());
-        assertThat(items(root).get(0).modelToWorld()).isEqualTo(outer);
     }
 
     @Test
@@ -90,19 +88,18 @@ class GraphTest {
         // One rotation in float32.
         assertThat(light.towards().equals(new Vector3f(0, 1, 0), 1e-6f)).isTrue();
         assertThat(light.radiance()).isEqualTo(new Vector3f(1, 2, 3));
-        assertThatThrownBy(() -> Light.white(new Vector3f())).isInstanceOf(IllegalArgumentException.class);
+        assertThatThrownBy(() -> new Light(new Vector3f(), new Vector3f(1)))
+                .isInstanceOf(IllegalArgumentException.class);
     }
 
     @Test
     void aGroupCannotStandInsideItself() {
         Group outer = new Group();
-        Group inner = new TransformGroup();
+        Group inner = new TransformGroup(new Matrix4f());
         outer.add(inner);
 
         assertThatThrownBy(() -> inner.add(outer)).isInstanceOf(IllegalArgumentException.class);
         assertThatThrownBy(() -> outer.add(outer)).isInstanceOf(IllegalArgumentException.class);
-        assertThat(outer.remove(inner)).isTrue();
-        assertThat(outer.children()).isEmpty();
     }
 
     @Test

@@ -8,7 +8,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import jrtr.ContextOptions;
-import jrtr.DepthUse;
 import jrtr.FloatTarget;
 import jrtr.FloatTargetSpec;
 import jrtr.RenderContext;
@@ -19,7 +18,7 @@ import jrtr.VertexData;
 import jrtr.gl.NeedsDisplay;
 import jrtr.gl.RenderContexts;
 import jrtr.glsl.EngineShaders;
-import jrtr.glsl.ShaderLibrary;
+import jrtr.glsl.ShaderTexts;
 import org.joml.Matrix4f;
 import org.joml.Vector3f;
 import org.junit.jupiter.api.AfterAll;
@@ -44,7 +43,7 @@ class SceneRendererTest {
     void open() {
         context = RenderContexts.offscreen(ContextOptions.withDebugOutput());
         renderer = new SceneRenderer(context);
-        target = context.createFloatTarget("picture", FloatTargetSpec.colorAndDepth(WIDTH, HEIGHT));
+        target = context.createFloatTarget("picture", new FloatTargetSpec(WIDTH, HEIGHT, 1, true));
     }
 
     @AfterAll
@@ -55,17 +54,17 @@ class SceneRendererTest {
     private ShaderProgram program(String declarations, String color) {
         String text = "#version 330 core\n#include \"jrtr/tangent_frame.glsl\"\n" + declarations
                 + "\nlayout(location = 0) out vec4 color;\nvoid main() { color = " + color + "; }\n";
-        return context.createMeshProgram(ShaderLibrary.ofMap(Map.of("test.frag", text))
+        return context.createMeshProgram(ShaderTexts.of(Map.of("test.frag", text))
                 .orElse(EngineShaders.library())
                 .load("test.frag"));
     }
 
     private Shape shape(VertexData data, ShaderProgram program) {
-        return shape(data, new Material(program, List.of()));
+        return shape(data, program, Map.of());
     }
 
-    private Shape shape(VertexData data, Material material) {
-        return new Shape(context.createVertexBuffer("mesh", data), material);
+    private Shape shape(VertexData data, ShaderProgram program, Map<String, Float> uniforms) {
+        return new Shape(context.createVertexBuffer("mesh", data), new Material(program, List.of(), uniforms));
     }
 
     private static GraphSceneManager scene(Node root) {
@@ -79,8 +78,13 @@ class SceneRendererTest {
     }
 
     private float[] drawn(SceneManagerInterface scene) {
-        renderer.draw(scene, target, Tile.whole(WIDTH, HEIGHT));
+        draw(scene, target, Tile.whole(WIDTH, HEIGHT));
         return target.read(0);
+    }
+
+    private void draw(SceneManagerInterface scene, FloatTarget whole, Tile tile) {
+        renderer.draw(
+                scene, PictureArea.whole(whole.spec().width(), whole.spec().height()), whole, tile);
     }
 
     /** From the eye through the middle of a pixel; by the camera's own vectors, without matrices. */
@@ -126,9 +130,8 @@ class SceneRendererTest {
 
     @Test
     void aPlanesDepthIsTheAnalyticOne() {
-        Shape plane = shape(TestMeshes.square(), program("", "vec4(1)"));
-        renderer.draw(scene(at(new Matrix4f().scale(1.2f), plane)), target, Tile.whole(WIDTH, HEIGHT));
-        float[] depth = target.readDepth(Tile.whole(WIDTH, HEIGHT));
+        Shape plane = shape(TestMeshes.square(), program("", "vec4(gl_FragCoord.z, 0, 0, 1)"));
+        float[] pixels = drawn(scene(at(new Matrix4f().scale(1.2f), plane)));
         Vector3f forward = new Vector3f(CAMERA.lookAtPoint())
                 .sub(CAMERA.centerOfProjection())
                 .normalize();
@@ -140,7 +143,7 @@ class SceneRendererTest {
                 float distance = -CAMERA.centerOfProjection().z() / direction.z;
                 Vector3f hit = new Vector3f(direction).mul(distance).add(CAMERA.centerOfProjection());
                 float reach = Math.max(Math.abs(hit.x), Math.abs(hit.y));
-                float found = depth[row * WIDTH + column];
+                float found = pixels[4 * (row * WIDTH + column)];
                 if (distance > 0 && reach < 1.17f) {
                     float z = distance * direction.dot(forward);
                     float expected = (20f / 19f) * (1 - 1 / z);
@@ -148,7 +151,9 @@ class SceneRendererTest {
                     assertThat(found).isCloseTo(expected, within(3e-6f));
                     compared++;
                 } else if (distance < 0 || reach > 1.23f) {
-                    assertThat(found).isEqualTo(1);
+                    assertThat(pixels[4 * (row * WIDTH + column) + 3])
+                            .as("the far plane hides nothing, but nothing is there")
+                            .isZero();
                 }
             }
         }
@@ -156,16 +161,10 @@ class SceneRendererTest {
     }
 
     private Group crowd() {
-        return crowd(true, true);
-    }
-
-    private Group crowd(boolean costlySphere, boolean costlySquare) {
         ShaderProgram program = program(
                 "", "vec4(viewDirection(tangentFrame()), 1) + vec4(surfaceCoordinate, 0, 0) * sin(worldPosition.x)");
-        Material costly = new Material(program, List.of());
-        Material cheap = Material.cheap(program, List.of());
-        Shape sphere = shape(TestMeshes.sphere(40, 20), costlySphere ? costly : cheap);
-        Shape square = shape(TestMeshes.square(), costlySquare ? costly : cheap);
+        Shape sphere = shape(TestMeshes.sphere(40, 20), program);
+        Shape square = shape(TestMeshes.square(), program);
         Group root = new Group();
         root.add(at(new Matrix4f().scale(3), square));
         root.add(at(new Matrix4f().translate(0.2f, 0, 0.4f).scale(0.6f), sphere));
@@ -178,49 +177,13 @@ class SceneRendererTest {
     void tilesGiveTheSamePictureAsOneDrawBitForBit() {
         GraphSceneManager scene = scene(crowd());
         float[] atOnce = drawn(scene);
-        target.clear(5, 5, 5, 5);
+        target.clear(Tile.whole(WIDTH, HEIGHT), 5, 5, 5, 5);
 
         for (Tile tile : Tile.cover(WIDTH, HEIGHT, 17)) {
-            renderer.draw(scene, target, tile);
+            draw(scene, target, tile);
         }
 
         assertThat(target.read(0)).isEqualTo(atOnce);
-        assertThat(renderer.draw(scene, target, Tile.whole(WIDTH, HEIGHT)).culled())
-                .isEqualTo(1);
-    }
-
-    @Test
-    void costlyAndCheapMaterialsHideEachOtherAlike() {
-        float[] twoPasses = drawn(scene(crowd(true, true)));
-
-        assertThat(drawn(scene(crowd(false, false)))).as("one pass").isEqualTo(twoPasses);
-        assertThat(drawn(scene(crowd(true, false)))).as("costly spheres").isEqualTo(twoPasses);
-        assertThat(drawn(scene(crowd(false, true)))).as("a costly square").isEqualTo(twoPasses);
-    }
-
-    @Test
-    void hiddenFragmentsAreNotShadedInTheSecondPass() {
-        ShaderProgram program = program("uniform float value;", "vec4(value)");
-        Shape square = shape(TestMeshes.square(), program);
-        Matrix4f worldToClip =
-                FRUSTUM.cameraToClip(PictureArea.whole(WIDTH, HEIGHT)).mul(CAMERA.worldToCamera());
-        Matrix4f near = new Matrix4f().translate(0, 0, 0.2f);
-        target.clear(0, 0, 0, 0);
-
-        draw(square, near, worldToClip, DepthUse.DEPTH_ONLY, 1);
-        assertThat(target.read(0)).containsOnly(0);
-        draw(square, new Matrix4f(), worldToClip, DepthUse.EQUAL, 2);
-        int middle = 4 * (HEIGHT / 2 * WIDTH + WIDTH / 2);
-        assertThat(target.read(0)).doesNotContain(2);
-        draw(square, near, worldToClip, DepthUse.EQUAL, 3);
-        assertThat(target.read(0)[middle]).isEqualTo(3);
-    }
-
-    private void draw(Shape shape, Matrix4f place, Matrix4f worldToClip, DepthUse depth, float value) {
-        ShaderProgram program = shape.material().program();
-        PlaceUniforms.set(program, place, worldToClip);
-        program.set("value", value);
-        context.draw(program, List.of(), shape.vertices(), depth, target, Tile.whole(WIDTH, HEIGHT));
     }
 
     @Test
@@ -228,7 +191,7 @@ class SceneRendererTest {
         GraphSceneManager scene = scene(crowd());
         float[] whole = drawn(scene);
         Tile part = new Tile(33, 11, 40, 30);
-        try (FloatTarget small = context.createFloatTarget("part", FloatTargetSpec.colorAndDepth(40, 30))) {
+        try (FloatTarget small = context.createFloatTarget("part", new FloatTargetSpec(40, 30, 1, true))) {
             renderer.draw(scene, new PictureArea(WIDTH, HEIGHT, part), small, Tile.whole(40, 30));
             float[] pixels = small.read(0);
 
@@ -242,7 +205,7 @@ class SceneRendererTest {
             }
             // Only pixels that an edge just touches may belong to another shape.
             assertThat(different).isLessThan(4 * 20);
-            assertThatThrownBy(() -> renderer.draw(scene, small, new Tile(30, 0, 20, 5)))
+            assertThatThrownBy(() -> draw(scene, small, new Tile(30, 0, 20, 5)))
                     .isInstanceOf(IllegalArgumentException.class);
             assertThatThrownBy(() -> renderer.draw(scene, PictureArea.whole(41, 30), small, Tile.whole(40, 30)))
                     .isInstanceOf(IllegalArgumentException.class);
@@ -250,28 +213,44 @@ class SceneRendererTest {
     }
 
     @Test
-    void changesOfTheSceneShowInTheNextDraw() {
+    void lightsAndUniformsAreThoseOfTheScene() {
         ShaderProgram program = program(
                 "uniform float strength;",
                 "vec4(strength * max(0.0, lightDirection(tangentFrame(), 0).z) * lightRadiances[0], 1)");
-        Shape square = shape(TestMeshes.square(), program);
-        TransformGroup light = new TransformGroup();
-        light.add(new LightNode(new Light(new Vector3f(0, 0, 2), new Vector3f(1, 0.5f, 0))));
-        Group root = new Group();
-        root.add(light);
-        root.add(new ShapeNode(square));
-        square.material().uniforms().set("strength", 2f);
         int middle = 4 * (HEIGHT / 2 * WIDTH + WIDTH / 2);
 
-        float[] first = drawn(scene(root));
-        light.setTransformation(new Matrix4f().rotateX((float) Math.PI / 3));
-        square.material().uniforms().set("strength", 8f);
-        float[] second = drawn(scene(root));
+        float[] first = drawn(lit(program, 2, new Matrix4f()));
+        float[] second = drawn(lit(program, 8, new Matrix4f().rotateX((float) Math.PI / 3)));
 
         // Lambert: cos 0 = 1, then cos 60 = 1/2; float32 rounding.
         assertThat(first[middle]).isCloseTo(2, within(1e-5f));
         assertThat(first[middle + 1]).isCloseTo(1, within(1e-5f));
         assertThat(second[middle]).isCloseTo(4, within(1e-5f));
+    }
+
+    private GraphSceneManager lit(ShaderProgram program, float strength, Matrix4f place) {
+        TransformGroup light = new TransformGroup(place);
+        light.add(new LightNode(new Light(new Vector3f(0, 0, 2), new Vector3f(1, 0.5f, 0))));
+        Group root = new Group();
+        root.add(light);
+        root.add(new ShapeNode(shape(TestMeshes.square(), program, Map.of("strength", strength))));
+        return scene(root);
+    }
+
+    @Test
+    void whatIsNearerHidesWhatIsBehindInWhateverOrderTheyAreDrawn() {
+        Shape large = shape(TestMeshes.square(), program("", "vec4(1)"));
+        Shape front = shape(TestMeshes.square(), program("", "vec4(2)"));
+        Shape back = shape(TestMeshes.square(), program("", "vec4(3)"));
+        Group root = new Group();
+        // The large square's bounding sphere comes nearest, so that it is drawn first.
+        root.add(at(new Matrix4f().translate(0, 0, 0.2f).scale(0.1f), front));
+        root.add(at(new Matrix4f().scale(1.5f), large));
+        root.add(at(new Matrix4f().translate(0, 0, -0.2f).scale(0.3f), back));
+
+        float[] pixels = drawn(scene(root));
+
+        assertThat(pixels).contains(1, 2).doesNotContain(3);
     }
 
     @Test
@@ -280,17 +259,17 @@ class SceneRendererTest {
         List<Node> lights = new ArrayList<>();
         Group root = new Group();
         for (int i = 0; i < 5; i++) {
-            lights.add(new LightNode(Light.white(new Vector3f(0, 0, 1))));
+            lights.add(new LightNode(new Light(new Vector3f(0, 0, 1), new Vector3f(1))));
             root.add(lights.get(i));
         }
 
         assertThatThrownBy(() -> drawn(scene(root))).hasMessageContaining("5 lights");
-        square.material().uniforms().set("noSuchThing", 1f);
-        assertThatThrownBy(() -> drawn(scene(new ShapeNode(square))))
+        Shape unknown = shape(TestMeshes.square(), square.material().program(), Map.of("noSuchThing", 1f));
+        assertThatThrownBy(() -> drawn(scene(new ShapeNode(unknown))))
                 .isInstanceOf(ShaderException.class)
                 .hasMessageContaining("noSuchThing");
         try (FloatTarget flat = context.createFloatTarget("flat", FloatTargetSpec.color(WIDTH, HEIGHT))) {
-            assertThatThrownBy(() -> renderer.draw(scene(new ShapeNode(square)), flat, Tile.whole(WIDTH, HEIGHT)))
+            assertThatThrownBy(() -> draw(scene(new ShapeNode(square)), flat, Tile.whole(WIDTH, HEIGHT)))
                     .isInstanceOf(IllegalStateException.class)
                     .hasMessageContaining("no depth");
         }

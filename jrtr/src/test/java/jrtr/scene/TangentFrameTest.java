@@ -14,7 +14,7 @@ import jrtr.VertexData;
 import jrtr.gl.NeedsDisplay;
 import jrtr.gl.RenderContexts;
 import jrtr.glsl.EngineShaders;
-import jrtr.glsl.ShaderLibrary;
+import jrtr.glsl.ShaderTexts;
 import org.joml.Matrix4f;
 import org.joml.Vector3f;
 import org.joml.Vector3fc;
@@ -80,20 +80,24 @@ class TangentFrameTest {
 
     private Images drawn(VertexData data, Matrix4f place, float rotation) {
         Material material = new Material(
-                context.createMeshProgram(ShaderLibrary.ofMap(Map.of("frame.frag", SHADER))
+                context.createMeshProgram(ShaderTexts.of(Map.of("frame.frag", SHADER))
                         .orElse(EngineShaders.library())
                         .load("frame.frag")),
-                List.of());
-        material.uniforms().set("tangentRotation", rotation);
+                List.of(),
+                Map.of("tangentRotation", rotation));
         TransformGroup root = new TransformGroup(place);
         root.add(new ShapeNode(new Shape(context.createVertexBuffer("mesh", data), material)));
         Group all = new Group();
         all.add(root);
-        all.add(new LightNode(Light.white(towardsLight)));
+        all.add(new LightNode(new Light(towardsLight, new Vector3f(1))));
         Frustum frustum = new Frustum(0.5f, 0.5f, 20);
-        try (SceneRenderer renderer = new SceneRenderer(context);
-                FloatTarget target = context.createFloatTarget("frames", new FloatTargetSpec(SIDE, SIDE, 5, true))) {
-            renderer.draw(new GraphSceneManager(all, camera, frustum), target, Tile.whole(SIDE, SIDE));
+        try (FloatTarget target = context.createFloatTarget("frames", new FloatTargetSpec(SIDE, SIDE, 5, true))) {
+            new SceneRenderer(context)
+                    .draw(
+                            new GraphSceneManager(all, camera, frustum),
+                            PictureArea.whole(SIDE, SIDE),
+                            target,
+                            Tile.whole(SIDE, SIDE));
             return new Images(List.of(target.read(0), target.read(1), target.read(2), target.read(3), target.read(4)));
         }
     }

@@ -5,7 +5,7 @@ import sunbeam.app.directions.DirectionsRenderer.Query;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.Direction;
-import sunbeam.precompute.optics.Geometry;
+import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.patch.HeightMap;
 
 /** Random pairs of directions with a wavelength, the same for the same seed. */
@@ -28,7 +28,7 @@ public final class DirectionSampler {
 
     /** Both directions uniform on the hemisphere, the wavelength uniform in 380..780 nm. */
     public Query uniform() {
-        return new Query(new Geometry(hemisphere(), hemisphere()), wavelength());
+        return new Query(new DirectionPair(hemisphere(), hemisphere()), wavelength());
     }
 
     /**
@@ -46,7 +46,7 @@ public final class DirectionSampler {
             double y = -light.y() - wavelength * (fy + sigmaFrequency * random.nextGaussian());
             Direction view = Direction.ofDisc(x, y);
             if (view.z() > LOWEST_COSINE) {
-                return new Query(new Geometry(light, view), wavelength);
+                return new Query(new DirectionPair(light, view), wavelength);
             }
         }
     }

@@ -6,7 +6,7 @@ import org.apache.commons.math3.complex.Complex;
 import sunbeam.app.accuracy.ReferenceSamples.Power;
 import sunbeam.app.certificate.RelativeError;
 import sunbeam.precompute.expansion.Expansion;
-import sunbeam.precompute.optics.Geometry;
+import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.patch.HeightLevels;
 import sunbeam.precompute.reference.ReferenceEvaluator;
 
@@ -42,8 +42,8 @@ final class DoubleSums {
     }
 
     private double[] coefficients(Power sample) {
-        Geometry geometry = sample.query().geometry();
-        return expansion.coefficients(expansion.scale().phase(sample.query().wavelength(), Math.abs(geometry.w())));
+        DirectionPair pair = sample.query().pair();
+        return expansion.coefficients(expansion.scale().phase(sample.query().wavelength(), Math.abs(pair.w())));
     }
 
     /** T_n at every height that occurs: real parts, imaginary parts. */
@@ -59,9 +59,9 @@ final class DoubleSums {
     }
 
     private Complex sum(double[][] term, Power sample) {
-        Geometry geometry = sample.query().geometry();
+        DirectionPair pair = sample.query().pair();
         double wavelength = sample.query().wavelength();
-        return evaluator.windowed(term[0], term[1], geometry.u() / wavelength, geometry.v() / wavelength);
+        return evaluator.windowed(term[0], term[1], pair.u() / wavelength, pair.v() / wavelength);
     }
 
     private static double[] errors(List<Power> samples, Complex... amplitudes) {

@@ -51,7 +51,7 @@ final class MethodMeter {
                 setup,
                 method,
                 request,
-                VisibleRange.of(queries.stream().map(Query::geometry).toList()));
+                VisibleRange.of(queries.stream().map(Query::pair).toList()));
         ErrorStatistics errors;
         try (UploadedTables drawn = upload(plan)) {
             double[][] xyz = evaluate(drawn, queries);

@@ -75,12 +75,12 @@ public final class ReferenceSamples {
     }
 
     private Power power(Query query) {
-        double power = evaluator.coherent(query.geometry(), query.wavelength());
+        double power = evaluator.coherent(query.pair(), query.wavelength());
         return power > RelativeError.FLOOR ? new Power(query, power) : null;
     }
 
     private static Color color(ReferenceColor color, Query query) {
-        double[] xyz = color.xyz(query.geometry(), false);
+        double[] xyz = color.xyz(query.pair(), false);
         return RelativeError.largest(xyz) > RelativeError.FLOOR ? new Color(query, xyz) : null;
     }
 

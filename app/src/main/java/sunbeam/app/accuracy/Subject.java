@@ -11,7 +11,7 @@ import sunbeam.app.directions.DirectionsRenderer.Query;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.setup.DiffractionSetup;
 import sunbeam.precompute.optics.CoherenceWindow;
-import sunbeam.precompute.optics.Geometry;
+import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.WindowOrigin;
 import sunbeam.precompute.plan.Plan;
 import sunbeam.precompute.plan.PlanRequest;
@@ -91,8 +91,8 @@ final class Subject {
 
     /** A plan for some directions. */
     Plan plan(PlanRequest request, List<Query> queries) {
-        List<Geometry> geometries = queries.stream().map(Query::geometry).toList();
-        return setup.plan(request, VisibleRange.of(geometries));
+        List<DirectionPair> pairs = queries.stream().map(Query::pair).toList();
+        return setup.plan(request, VisibleRange.of(pairs));
     }
 
     /** Relative errors of powers that the GPU computes. */

@@ -2,7 +2,7 @@ package sunbeam.app.benchmark;
 
 import java.util.stream.IntStream;
 import sunbeam.precompute.optics.Direction;
-import sunbeam.precompute.optics.Geometry;
+import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.reference.ReferenceEvaluator;
 
 /** How fast the exact reference is: directions times wavelengths per second, both averages of the power each. */
@@ -22,7 +22,7 @@ final class ReferenceRate {
         IntStream.range(0, SAMPLES).parallel().forEach(i -> {
             Direction light = Direction.ofDegrees(2.0 * i, 15.0 * i);
             Direction view = Direction.ofDegrees(70 - 2.0 * i, 11.0 * i);
-            evaluator.powers(new Geometry(light, view), 400e-9 + 10e-9 * i);
+            evaluator.powers(new DirectionPair(light, view), 400e-9 + 10e-9 * i);
         });
     }
 }

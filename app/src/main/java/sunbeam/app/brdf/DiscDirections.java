@@ -2,7 +2,7 @@ package sunbeam.app.brdf;
 
 import sunbeam.app.picture.AutoExposure;
 import sunbeam.precompute.optics.Direction;
-import sunbeam.precompute.optics.Geometry;
+import sunbeam.precompute.optics.DirectionPair;
 
 /**
  * The directions that the pixels of a BRDF map show, at their centres, as shaders/brdf_map.frag has them.
@@ -17,8 +17,8 @@ public record DiscDirections(int size, Direction light) {
      *
      * @param pixel counted row by row from the top left; must lie inside the disc
      */
-    public Geometry at(int pixel) {
-        return new Geometry(light, Direction.ofDisc(x(pixel), y(pixel)));
+    public DirectionPair at(int pixel) {
+        return new DirectionPair(light, Direction.ofDisc(x(pixel), y(pixel)));
     }
 
     /** The pixels that show a direction within a radius of the specular one, measured on the disc. */

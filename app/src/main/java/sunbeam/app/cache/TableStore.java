@@ -12,6 +12,7 @@ import sunbeam.app.output.OutputException;
 import sunbeam.app.output.Overwrite;
 import sunbeam.app.progress.Progress;
 import sunbeam.precompute.expansion.Expansion;
+import sunbeam.precompute.files.Sha256;
 import sunbeam.precompute.method.MethodPlan;
 import sunbeam.precompute.method.Surface;
 import sunbeam.precompute.plan.Plan;
@@ -22,7 +23,6 @@ import sunbeam.precompute.table.FourierTable;
 import sunbeam.precompute.table.TableBuilder;
 import sunbeam.precompute.table.TableException;
 import sunbeam.precompute.table.TableFile;
-import sunbeam.precompute.text.Sha256;
 
 /**
  * Tables of one surface in the cache folder, each under a hash of all that determines it; made where they are missing. A
@@ -108,7 +108,7 @@ public final class TableStore {
     }
 
     private Optional<Path> file(String key, String ending) {
-        String name = Sha256.hexadecimal(key).substring(0, 32) + "." + ending;
+        String name = Sha256.of(key).substring(0, 32) + "." + ending;
         return folder.open(warning).map(path -> path.resolve(name));
     }
 

@@ -7,8 +7,8 @@ import java.util.Random;
 import java.util.stream.IntStream;
 import sunbeam.app.picture.LinearPicture;
 import sunbeam.app.progress.Progress;
+import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.Gain;
-import sunbeam.precompute.optics.Geometry;
 
 /** Compares random pixels of a picture with the exact reference. */
 public final class Certifier {
@@ -16,17 +16,17 @@ public final class Certifier {
     private static final int LARGEST_DARK_SHARE = 4;
 
     private final ExactColor reference;
-    private final PixelGeometry geometries;
+    private final PixelDirections pairs;
 
     /** Which pair of directions a pixel shows. */
     @FunctionalInterface
-    public interface PixelGeometry {
+    public interface PixelDirections {
         /**
          * The directions at a pixel's centre.
          *
          * @param pixel counted row by row from the top left
          */
-        Geometry at(int pixel);
+        DirectionPair at(int pixel);
     }
 
     /**
@@ -34,9 +34,9 @@ public final class Certifier {
      *
      * @param reference of the same patch and window as the picture
      */
-    public Certifier(ExactColor reference, PixelGeometry geometries) {
+    public Certifier(ExactColor reference, PixelDirections pairs) {
         this.reference = reference;
-        this.geometries = geometries;
+        this.pairs = pairs;
     }
 
     /**
@@ -76,7 +76,7 @@ public final class Certifier {
         List<Integer> dark = new ArrayList<>();
         for (int pixel = 0; pixel < picture.width() * picture.height(); pixel++) {
             if (picture.covered(pixel)) {
-                double floor = RelativeError.FLOOR * Gain.relativeRadiance(geometries.at(pixel));
+                double floor = RelativeError.FLOOR * Gain.relativeRadiance(pairs.at(pixel));
                 // A NaN or an infinity among X and Z is to be looked at.
                 (RelativeError.largest(drawn(picture, pixel)) <= floor ? dark : bright).add(pixel);
             }
@@ -92,9 +92,9 @@ public final class Certifier {
     }
 
     private Comparison compare(LinearPicture picture, int pixel) {
-        Geometry geometry = geometries.at(pixel);
-        double gain = Gain.relativeRadiance(geometry);
-        double[] exact = reference.xyz(geometry);
+        DirectionPair pair = pairs.at(pixel);
+        double gain = Gain.relativeRadiance(pair);
+        double[] exact = reference.xyz(pair);
         for (int c = 0; c < 3; c++) {
             exact[c] *= gain;
         }

@@ -2,6 +2,7 @@ package sunbeam.app.certificate;
 
 import java.util.Arrays;
 import java.util.Locale;
+import sunbeam.precompute.numerics.Quantiles;
 
 /**
  * What a set of errors comes to; all NaN when the set is empty.
@@ -18,24 +19,11 @@ public record ErrorStatistics(int count, double median, double percentile95, dou
 
     /** Of errors in any order; a NaN counts as infinitely wrong. */
     public static ErrorStatistics of(double... errors) {
-        double[] sorted = Arrays.stream(errors)
+        double[] counted = Arrays.stream(errors)
                 .map(error -> Double.isNaN(error) ? Double.POSITIVE_INFINITY : error)
-                .sorted()
                 .toArray();
-        return new ErrorStatistics(sorted.length, quantile(sorted, 0.5), quantile(sorted, 0.95), quantile(sorted, 1));
-    }
-
-    /** Linear between neighbours, so that the extremes are quantiles 0 and 1. */
-    private static double quantile(double[] sorted, double share) {
-        if (sorted.length == 0) {
-            return Double.NaN;
-        }
-        double position = share * (sorted.length - 1);
-        int below = (int) position;
-        int above = Math.min(sorted.length - 1, below + 1);
-        double fraction = position - below;
-        // An infinite neighbour counts only where it is reached.
-        return fraction == 0 ? sorted[below] : sorted[below] * (1 - fraction) + sorted[above] * fraction;
+        return new ErrorStatistics(
+                counted.length, Quantiles.of(counted, 0.5), Quantiles.of(counted, 0.95), Quantiles.of(counted, 1));
     }
 
     /** Whether the median is at most the tolerance and the 95th percentile at most three times it; true when empty. */

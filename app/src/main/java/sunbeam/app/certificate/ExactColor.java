@@ -3,7 +3,7 @@ package sunbeam.app.certificate;
 import sunbeam.app.gpu.MethodKind;
 import sunbeam.app.setup.DiffractionSetup;
 import sunbeam.app.setup.MethodRequest;
-import sunbeam.precompute.optics.Geometry;
+import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.PlanRequest;
 import sunbeam.precompute.reference.ReferenceColor;
@@ -17,7 +17,7 @@ import sunbeam.precompute.reference.ReplicaEvaluator;
 public interface ExactColor {
 
     /** X, Y, Z of power, without any gain. */
-    double[] xyz(Geometry geometry);
+    double[] xyz(DirectionPair pair);
 
     /**
      * What a method's colours are to be: under the Gaussian window, or for {@code pq} of the replicas with sharp edges
@@ -33,7 +33,7 @@ public interface ExactColor {
                 new ReferenceEvaluator(setup.patch().heights(), request.window(), request.windowOrigin());
         ReferenceColor color = new ReferenceColor(evaluator, request.window(), setup.cie(), Quadrature.INTEGRATED);
         boolean ensemble = request.average().orElse(Average.COHERENT) == Average.ENSEMBLE;
-        return geometry -> color.xyz(geometry, ensemble);
+        return pair -> color.xyz(pair, ensemble);
     }
 
     /** Of the patch repeated as often as the method asks for, with sharp edges. */

@@ -3,7 +3,7 @@ package sunbeam.app.certificate;
 import sunbeam.app.gpu.MethodKind;
 import sunbeam.app.setup.DiffractionSetup;
 import sunbeam.app.setup.MethodRequest;
-import sunbeam.precompute.optics.Geometry;
+import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.patch.HeightMap;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.PlanRequest;
@@ -19,7 +19,7 @@ public interface ExactPower {
      *
      * @param wavelength metres
      */
-    double power(Geometry geometry, double wavelength);
+    double power(DirectionPair pair, double wavelength);
 
     /** What a method's power is to be: as {@link ExactColor#of}. */
     static ExactPower of(DiffractionSetup setup, MethodRequest method, PlanRequest request) {
@@ -29,8 +29,7 @@ public interface ExactPower {
         }
         ReferenceEvaluator evaluator = new ReferenceEvaluator(map, request.window(), request.windowOrigin());
         return request.average().orElse(Average.COHERENT) == Average.ENSEMBLE
-                ? (geometry, wavelength) ->
-                        evaluator.powers(geometry, wavelength).ensemble()
+                ? (pair, wavelength) -> evaluator.powers(pair, wavelength).ensemble()
                 : evaluator::coherent;
     }
 }

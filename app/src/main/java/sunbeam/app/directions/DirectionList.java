@@ -6,7 +6,7 @@ import java.util.List;
 import sunbeam.app.input.CsvTable;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.optics.Direction;
-import sunbeam.precompute.optics.Geometry;
+import sunbeam.precompute.optics.DirectionPair;
 
 /** Directions from a CSV file, with or without a wavelength each. */
 public final class DirectionList {
@@ -76,9 +76,9 @@ public final class DirectionList {
         return rows.get(index).clone();
     }
 
-    public Geometry geometry(int index) {
+    public DirectionPair pair(int index) {
         double[] cells = rows.get(index);
-        return new Geometry(Direction.ofDegrees(cells[0], cells[1]), Direction.ofDegrees(cells[2], cells[3]));
+        return new DirectionPair(Direction.ofDegrees(cells[0], cells[1]), Direction.ofDegrees(cells[2], cells[3]));
     }
 
     /** Wavelength of a row in metres. */
@@ -86,10 +86,10 @@ public final class DirectionList {
         return rows.get(index)[4] * 1e-9;
     }
 
-    public List<Geometry> geometries() {
-        List<Geometry> all = new ArrayList<>(size());
+    public List<DirectionPair> pairs() {
+        List<DirectionPair> all = new ArrayList<>(size());
         for (int i = 0; i < size(); i++) {
-            all.add(geometry(i));
+            all.add(pair(i));
         }
         return all;
     }

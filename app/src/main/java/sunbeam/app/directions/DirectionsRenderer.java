@@ -15,7 +15,7 @@ import jrtr.ShaderProgram;
 import jrtr.Tile;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.precompute.optics.Direction;
-import sunbeam.precompute.optics.Geometry;
+import sunbeam.precompute.optics.DirectionPair;
 
 /** Evaluates directions on the GPU, one fragment each (shaders/directions.frag). */
 public final class DirectionsRenderer implements AutoCloseable {
@@ -39,7 +39,7 @@ public final class DirectionsRenderer implements AutoCloseable {
     }
 
     /** One direction to evaluate; the wavelength in metres is ignored where colours are computed. */
-    public record Query(Geometry geometry, double wavelength) {}
+    public record Query(DirectionPair pair, double wavelength) {}
 
     /**
      * Evaluates all queries.
@@ -71,10 +71,10 @@ public final class DirectionsRenderer implements AutoCloseable {
     private static float[] texels(List<Query> batch) {
         float[] texels = new float[4 * 3 * BATCH];
         for (int i = 0; i < batch.size(); i++) {
-            Geometry geometry = batch.get(i).geometry();
-            put(texels, i, 0, geometry.wi(), 0);
-            put(texels, i, 1, geometry.wr(), 0);
-            Direction uvw = new Direction(geometry.u(), geometry.v(), geometry.w());
+            DirectionPair pair = batch.get(i).pair();
+            put(texels, i, 0, pair.wi(), 0);
+            put(texels, i, 1, pair.wr(), 0);
+            Direction uvw = new Direction(pair.u(), pair.v(), pair.w());
             put(texels, i, 2, uvw, batch.get(i).wavelength());
         }
         return texels;

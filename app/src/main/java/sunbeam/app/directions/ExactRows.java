@@ -20,12 +20,12 @@ record ExactRows(DiffractionSetup setup, MethodRequest method, PlanRequest reque
             ExactPower exact = ExactPower.of(setup, method, request);
             return new TableCertifier(
                     row -> new double[] {results.get(row)[column]},
-                    row -> new double[] {exact.power(list.geometry(row), list.wavelength(row))},
+                    row -> new double[] {exact.power(list.pair(row), list.wavelength(row))},
                     "power");
         }
         ExactColor exact = ExactColor.of(setup, method, request);
         IntFunction<double[]> computed =
                 row -> new double[] {results.get(row)[0], results.get(row)[1], results.get(row)[2]};
-        return new TableCertifier(computed, row -> exact.xyz(list.geometry(row)), "XYZ");
+        return new TableCertifier(computed, row -> exact.xyz(list.pair(row)), "XYZ");
     }
 }

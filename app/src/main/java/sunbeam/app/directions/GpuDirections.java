@@ -26,7 +26,7 @@ final class GpuDirections {
         List<DirectionsRenderer.Query> queries = new ArrayList<>(list.size());
         for (int row = 0; row < list.size(); row++) {
             double wavelength = list.spectral() ? list.wavelength(row) : 0;
-            queries.add(new DirectionsRenderer.Query(list.geometry(row), wavelength));
+            queries.add(new DirectionsRenderer.Query(list.pair(row), wavelength));
         }
         ShaderTables tables = setup.tables(plan, use);
         try (RenderContext context = RenderContexts.offscreen();

@@ -5,8 +5,8 @@ import java.util.List;
 import java.util.stream.IntStream;
 import sunbeam.app.progress.Progress;
 import sunbeam.app.setup.DiffractionSetup;
+import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.Gain;
-import sunbeam.precompute.optics.Geometry;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.PlanRequest;
 import sunbeam.precompute.reference.ReferenceColor;
@@ -28,7 +28,7 @@ final class ReferenceDirections {
         double[][] results = new double[list.size()][];
         try (Progress progress = Progress.start("Reference", list.size())) {
             IntStream.range(0, list.size()).parallel().forEach(row -> {
-                results[row] = list.spectral() ? spectral(list, row) : colour(list.geometry(row));
+                results[row] = list.spectral() ? spectral(list, row) : colour(list.pair(row));
                 progress.step(1);
             });
         }
@@ -36,22 +36,22 @@ final class ReferenceDirections {
     }
 
     private double[] spectral(DirectionList list, int row) {
-        Geometry geometry = list.geometry(row);
+        DirectionPair pair = list.pair(row);
         double wavelength = list.wavelength(row);
-        ReferenceEvaluator.Power power = evaluator.powers(geometry, wavelength);
+        ReferenceEvaluator.Power power = evaluator.powers(pair, wavelength);
         double chosen = ensemble() ? power.ensemble() : power.coherent();
         return new double[] {
             power.coherent(),
             power.ensemble(),
-            Gain.relativeRadiance(geometry) * chosen,
-            Gain.brdf(geometry, request.window(), wavelength) * chosen
+            Gain.relativeRadiance(pair) * chosen,
+            Gain.brdf(pair, request.window(), wavelength) * chosen
         };
     }
 
-    private double[] colour(Geometry geometry) {
+    private double[] colour(DirectionPair pair) {
         ReferenceColor color = new ReferenceColor(evaluator, request.window(), setup.cie());
-        double[] xyz = color.xyz(geometry, ensemble());
-        return new double[] {xyz[0], xyz[1], xyz[2], Gain.relativeRadiance(geometry)};
+        double[] xyz = color.xyz(pair, ensemble());
+        return new double[] {xyz[0], xyz[1], xyz[2], Gain.relativeRadiance(pair)};
     }
 
     private boolean ensemble() {

@@ -101,7 +101,7 @@ public final class ReflectanceCommand implements Callable<Integer> {
     private List<double[]> evaluate(
             DiffractionSetup setup, MethodRequest method, PlanRequest request, DirectionList list) {
         if (method.kind() != MethodKind.REFERENCE) {
-            MethodPlan plan = Methods.plan(setup, method, request, VisibleRange.of(list.geometries()));
+            MethodPlan plan = Methods.plan(setup, method, request, VisibleRange.of(list.pairs()));
             planOptions.print(plan, specification.commandLine().getErr());
             return new GpuDirections(setup, plan).evaluate(list);
         }

@@ -8,8 +8,8 @@ import sunbeam.app.progress.Progress;
 import sunbeam.app.setup.DiffractionSetup;
 import sunbeam.app.setup.MethodRequest;
 import sunbeam.precompute.optics.CoherenceWindow;
+import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.Gain;
-import sunbeam.precompute.optics.Geometry;
 import sunbeam.precompute.optics.Replicas;
 import sunbeam.precompute.patch.HeightMap;
 import sunbeam.precompute.plan.Average;
@@ -38,23 +38,23 @@ final class ReplicaDirections {
         double[][] results = new double[list.size()][];
         try (Progress progress = Progress.start("Reference", list.size())) {
             IntStream.range(0, list.size()).parallel().forEach(row -> {
-                Geometry geometry = list.geometry(row);
-                results[row] = list.spectral() ? spectral(geometry, list.wavelength(row)) : colour(geometry);
+                DirectionPair pair = list.pair(row);
+                results[row] = list.spectral() ? spectral(pair, list.wavelength(row)) : colour(pair);
                 progress.step(1);
             });
         }
         return Arrays.asList(results);
     }
 
-    private double[] spectral(Geometry geometry, double wavelength) {
-        double power = evaluator.power(geometry, wavelength);
+    private double[] spectral(DirectionPair pair, double wavelength) {
+        double power = evaluator.power(pair, wavelength);
         return new double[] {
-            power, power, Gain.relativeRadiance(geometry) * power, Gain.brdf(geometry, equalArea, wavelength) * power
+            power, power, Gain.relativeRadiance(pair) * power, Gain.brdf(pair, equalArea, wavelength) * power
         };
     }
 
-    private double[] colour(Geometry geometry) {
-        double[] xyz = color.xyz(geometry);
-        return new double[] {xyz[0], xyz[1], xyz[2], Gain.relativeRadiance(geometry)};
+    private double[] colour(DirectionPair pair) {
+        double[] xyz = color.xyz(pair);
+        return new double[] {xyz[0], xyz[1], xyz[2], Gain.relativeRadiance(pair)};
     }
 }

@@ -5,12 +5,14 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.SplittableRandom;
+import org.apache.commons.math3.stat.StatUtils;
 import sunbeam.app.progress.Progress;
 import sunbeam.precompute.evaluation.BinSums;
 import sunbeam.precompute.evaluation.FirstOrder;
 import sunbeam.precompute.evaluation.GratingMeasurement;
 import sunbeam.precompute.evaluation.ResponseMatrix;
 import sunbeam.precompute.evaluation.WindowPlace;
+import sunbeam.precompute.numerics.Quantiles;
 
 /**
  * The period as single coherence areas see it, from window positions drawn at random all over the patch: what one such
@@ -68,27 +70,15 @@ record Positions(List<WindowPlace> places, double[] periods, double ensemble) {
 
     /** The period below which a share, 0..1, of the positions lies; NaN where none has one. */
     double quantile(double share) {
-        double[] sorted = sorted();
-        if (sorted.length == 0) {
-            return Double.NaN;
-        }
-        double position = share * (sorted.length - 1);
-        int index = (int) position;
-        double next = sorted[Math.min(sorted.length - 1, index + 1)];
-        return sorted[index] + (position - index) * (next - sorted[index]);
+        return Quantiles.of(sorted(), share);
     }
 
     double mean() {
-        return Arrays.stream(sorted()).average().orElse(Double.NaN);
+        return StatUtils.mean(sorted());
     }
 
     /** Standard deviation over the positions, metres. */
     double deviation() {
-        double[] sorted = sorted();
-        double mean = mean();
-        double sum = Arrays.stream(sorted)
-                .map(period -> (period - mean) * (period - mean))
-                .sum();
-        return sorted.length < 2 ? Double.NaN : Math.sqrt(sum / (sorted.length - 1));
+        return Math.sqrt(StatUtils.variance(sorted()));
     }
 }

@@ -19,7 +19,7 @@ import sunbeam.precompute.evaluation.ResponseGrid;
 import sunbeam.precompute.evaluation.ResponseMatrix;
 import sunbeam.precompute.evaluation.WindowPlace;
 import sunbeam.precompute.method.MethodPlan;
-import sunbeam.precompute.optics.Geometry;
+import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.PlanRequest;
 import sunbeam.precompute.plan.VisibleRange;
@@ -85,11 +85,11 @@ final class Responses {
         int count = power.length * columns;
         try (Progress progress = Progress.start("Reference", count)) {
             IntStream.range(0, count).parallel().forEach(i -> {
-                Geometry geometry = grid.plane().geometry(grid.angles()[i % columns]);
+                DirectionPair pair = grid.plane().pair(grid.angles()[i % columns]);
                 double wavelength = grid.wavelengths()[i / columns];
                 power[i / columns][i % columns] = ensemble()
-                        ? evaluator.powers(geometry, wavelength).ensemble()
-                        : evaluator.coherent(geometry, wavelength);
+                        ? evaluator.powers(pair, wavelength).ensemble()
+                        : evaluator.coherent(pair, wavelength);
                 progress.step(1);
             });
         }
@@ -116,9 +116,9 @@ final class Responses {
     }
 
     private ResponseMatrix onGpu(MethodKind kind) {
-        List<Geometry> directions = new ArrayList<>(grid.angles().length);
+        List<DirectionPair> directions = new ArrayList<>(grid.angles().length);
         for (double angle : grid.angles()) {
-            directions.add(grid.plane().geometry(angle));
+            directions.add(grid.plane().pair(angle));
         }
         MethodPlan method = Methods.plan(setup, MethodRequest.of(kind), request, VisibleRange.of(directions));
         plan = method.summary();
@@ -133,7 +133,7 @@ final class Responses {
         }
     }
 
-    private double[][] render(DirectionsRenderer renderer, List<Geometry> directions, Progress progress) {
+    private double[][] render(DirectionsRenderer renderer, List<DirectionPair> directions, Progress progress) {
         int columns = directions.size();
         double[][] power = new double[grid.wavelengths().length][columns];
         int channel = ensemble() ? 1 : 0;

@@ -11,6 +11,7 @@ import sunbeam.app.output.OutputException;
 import sunbeam.app.output.Overwrite;
 import sunbeam.app.output.PngWriter;
 import sunbeam.app.picture.PictureParameters;
+import sunbeam.precompute.files.Sha256;
 
 /** The folder of pictures: what is there already with its parameters is kept, so that a run goes on where one ended. */
 final class PanelStore {
@@ -60,7 +61,7 @@ final class PanelStore {
     }
 
     private String hash(Panel panel) {
-        return PictureParameters.hash(String.join(
+        return Sha256.of(String.join(
                 "|",
                 Version.number(),
                 Integer.toString(size),

@@ -1,29 +1,41 @@
 package sunbeam.app.input;
 
+import de.siegmar.fastcsv.reader.CsvParseException;
+import de.siegmar.fastcsv.reader.CsvReader;
+import de.siegmar.fastcsv.reader.CsvRecord;
+import de.siegmar.fastcsv.reader.CsvRecordHandler;
+import de.siegmar.fastcsv.reader.FieldMismatchStrategy;
 import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Arrays;
+import java.util.Iterator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.Set;
+import java.util.stream.DoubleStream;
+import java.util.stream.LongStream;
 import sunbeam.precompute.units.Decimals;
 
 /**
  * Named columns of finite numbers from comma-separated text with a header row. Columns that were not asked for are
- * skipped and may hold anything. Fields may be quoted; a quoted field does not cross lines. Blank lines count for
- * nothing. At most 10 million rows of at most 65,536 characters.
+ * skipped and may hold anything. Fields may be quoted (RFC 4180). Blank lines count for nothing. At most 10 million rows
+ * of at most 65,536 characters.
  */
 public final class CsvTable {
     private static final int MOST_ROWS = 10_000_000;
+    private static final int LONGEST_ROW = 1 << 16;
 
     private final Path file;
     private final int rows;
     private final Map<String, double[]> columns;
-    private final int[] lineNumbers;
+    private final long[] lineNumbers;
 
-    private CsvTable(Path file, int rows, Map<String, double[]> columns, int[] lineNumbers) {
+    private CsvTable(Path file, int rows, Map<String, double[]> columns, long[] lineNumbers) {
         this.file = file;
         this.rows = rows;
         this.columns = columns;
@@ -39,15 +51,46 @@ public final class CsvTable {
      *     one twice, or has a row of another length or a wanted field that is not a finite number
      */
     public static CsvTable read(Path file, List<String> required, List<String> optional) {
-        try (CsvLines lines = new CsvLines(file)) {
-            if (!lines.next()) {
+        if (Files.isDirectory(file)) {
+            throw new InputException("cannot read " + file + ": it is a folder; name a file in it");
+        }
+        try (CsvReader<CsvRecord> reader = reader(Files.newInputStream(file))) {
+            Iterator<CsvRecord> records =
+                    reader.stream().filter(record -> !isBlank(record)).iterator();
+            if (!records.hasNext()) {
                 throw new InputException("cannot read " + file + ": it is empty; its first line must name the columns");
             }
-            List<String> header = lines.fields().stream().map(String::strip).toList();
-            return readRows(file, lines, header.size(), wantedColumns(file, header, required, optional));
+            List<String> header =
+                    records.next().getFields().stream().map(String::strip).toList();
+            return readRows(file, records, header.size(), wantedColumns(file, header, required, optional));
+        } catch (CsvParseException broken) {
+            throw new InputException("cannot use " + file + ": " + broken.getMessage() + "; is this a table?", broken);
+        } catch (UncheckedIOException failure) {
+            throw InputException.of(file, failure.getCause());
         } catch (IOException failure) {
             throw InputException.of(file, failure);
         }
+    }
+
+    /** Malformed bytes become replacement characters: harmless in columns that nobody wants, no number elsewhere. */
+    private static CsvReader<CsvRecord> reader(InputStream stream) {
+        return CsvReader.builder()
+                .detectBomHeader(true)
+                .allowUnclosedQuote(false)
+                // Counted here, so that the message can say how many there should be.
+                .extraFieldStrategy(FieldMismatchStrategy.IGNORE)
+                .missingFieldStrategy(FieldMismatchStrategy.IGNORE)
+                .maxBufferSize(2 * LONGEST_ROW)
+                .build(
+                        CsvRecordHandler.of(limits -> limits.maxFields(LONGEST_ROW)
+                                .maxFieldSize(LONGEST_ROW)
+                                .maxRecordSize(LONGEST_ROW)),
+                        stream,
+                        StandardCharsets.UTF_8);
+    }
+
+    private static boolean isBlank(CsvRecord record) {
+        return record.getFieldCount() == 1 && record.getField(0).isBlank();
     }
 
     /** Number of rows, at least 1. */
@@ -123,41 +166,36 @@ public final class CsvTable {
         return position;
     }
 
-    private static CsvTable readRows(Path file, CsvLines lines, int width, Map<String, Integer> positions)
-            throws IOException {
-        Map<String, double[]> columns = new LinkedHashMap<>();
-        positions.keySet().forEach(name -> columns.put(name, new double[16]));
-        int[] lineNumbers = new int[16];
+    private static CsvTable readRows(
+            Path file, Iterator<CsvRecord> records, int width, Map<String, Integer> positions) {
+        Map<String, DoubleStream.Builder> columns = new LinkedHashMap<>();
+        positions.keySet().forEach(name -> columns.put(name, DoubleStream.builder()));
+        LongStream.Builder lines = LongStream.builder();
         int rows = 0;
-        while (lines.next()) {
+        while (records.hasNext()) {
+            CsvRecord record = records.next();
+            long line = record.getStartingLineNumber();
             if (rows == MOST_ROWS) {
                 throw new InputException("cannot use " + file + ": more than " + MOST_ROWS + " rows; split it");
             }
-            List<String> fields = lines.fields();
-            if (fields.size() != width) {
-                throw new InputException("cannot use " + file + ", line " + lines.number() + ": " + fields.size()
+            if (record.getFieldCount() != width) {
+                throw new InputException("cannot use " + file + ", line " + line + ": " + record.getFieldCount()
                         + " fields, but the header has " + width);
             }
-            int row = rows++;
-            if (row == lineNumbers.length) {
-                lineNumbers = Arrays.copyOf(lineNumbers, 2 * row);
-                columns.replaceAll((name, values) -> Arrays.copyOf(values, 2 * row));
-            }
-            lineNumbers[row] = lines.number();
-            for (Map.Entry<String, Integer> wanted : positions.entrySet()) {
-                String field = fields.get(wanted.getValue());
-                columns.get(wanted.getKey())[row] = number(file, lines.number(), wanted.getKey(), field);
-            }
+            positions.forEach(
+                    (name, position) -> columns.get(name).add(number(file, line, name, record.getField(position))));
+            lines.add(line);
+            rows++;
         }
         if (rows == 0) {
             throw new InputException("cannot use " + file + ": it has a header but no row");
         }
-        int count = rows;
-        columns.replaceAll((name, values) -> Arrays.copyOf(values, count));
-        return new CsvTable(file, rows, columns, lineNumbers);
+        Map<String, double[]> values = new LinkedHashMap<>();
+        columns.forEach((name, column) -> values.put(name, column.build().toArray()));
+        return new CsvTable(file, rows, values, lines.build().toArray());
     }
 
-    private static double number(Path file, int line, String column, String field) {
+    private static double number(Path file, long line, String column, String field) {
         OptionalDouble value = Decimals.parse(field);
         if (value.isEmpty()) {
             throw fieldFailure(file, line, column, "'" + abbreviated(field) + "'", "is not a finite number");
@@ -165,7 +203,7 @@ public final class CsvTable {
         return value.getAsDouble();
     }
 
-    private static InputException fieldFailure(Path file, int line, String column, String value, String remedy) {
+    private static InputException fieldFailure(Path file, long line, String column, String value, String remedy) {
         return new InputException(
                 "cannot use " + file + ", line " + line + ", column " + column + ": " + value + " " + remedy);
     }

@@ -10,22 +10,6 @@ public final class SrgbImage {
     private SrgbImage() {}
 
     /**
-     * From linear light: clipped to [0, 1], put through the sRGB curve and rounded.
-     *
-     * @param linear {@code height x width x 3}; a pixel with a NaN becomes transparent
-     * @throws IllegalArgumentException when the array's length does not fit
-     */
-    public static BufferedImage fromLinear(int width, int height, float[] linear) {
-        checkLength(width, height, linear.length, CHANNELS);
-        int[] argb = new int[width * height];
-        for (int pixel = 0; pixel < argb.length; pixel++) {
-            int first = CHANNELS * pixel;
-            argb[pixel] = pack(encode(linear[first]), encode(linear[first + 1]), encode(linear[first + 2]));
-        }
-        return fromArgb(width, height, argb);
-    }
-
-    /**
      * From values that have been through the sRGB curve: clipped to [0, 1] and rounded.
      *
      * @param encoded {@code height x width x 3}; a pixel with a NaN becomes transparent
@@ -57,11 +41,6 @@ public final class SrgbImage {
         BufferedImage image = new BufferedImage(width, height, type);
         image.setRGB(0, 0, width, height, argb, 0, width);
         return image;
-    }
-
-    /** The sRGB curve, IEC 61966-2-1; NaN stays NaN. */
-    static double encode(double linear) {
-        return linear <= 0.0031308 ? 12.92 * linear : 1.055 * Math.pow(linear, 1 / 2.4) - 0.055;
     }
 
     private static int pack(double red, double green, double blue) {

@@ -1,11 +1,7 @@
 package sunbeam.app.picture;
 
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.security.MessageDigest;
-import java.security.NoSuchAlgorithmException;
-import java.util.HexFormat;
 import java.util.Map;
 import java.util.Optional;
 import sunbeam.app.input.InputException;
@@ -17,20 +13,6 @@ public final class PictureParameters {
     public static final String KEYWORD = "Parameters";
 
     private PictureParameters() {}
-
-    /** The hash of a description of all that determines a picture. */
-    public static String hash(String description) {
-        return HexFormat.of().formatHex(sha256().digest(description.getBytes(StandardCharsets.UTF_8)));
-    }
-
-    /** A new SHA-256. */
-    public static MessageDigest sha256() {
-        try {
-            return MessageDigest.getInstance("SHA-256");
-        } catch (NoSuchAlgorithmException e) {
-            throw new IllegalStateException("every Java has SHA-256", e);
-        }
-    }
 
     /** The texts of a picture with this hash; empty where there is none, or another, or a damaged one, or no PNG. */
     public static Optional<Map<String, String>> find(Path file, String hash) {

@@ -1,27 +1,49 @@
 package sunbeam.app.plot;
 
+import java.awt.BasicStroke;
 import java.awt.Color;
-import java.awt.Graphics2D;
-import java.awt.RenderingHints;
+import java.awt.Paint;
+import java.awt.geom.Line2D;
 import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
-import java.util.Map;
+import org.jfree.chart.ChartRenderingInfo;
+import org.jfree.chart.JFreeChart;
+import org.jfree.chart.axis.AxisLocation;
+import org.jfree.chart.axis.AxisSpace;
+import org.jfree.chart.axis.NumberAxis;
+import org.jfree.chart.axis.NumberTickUnit;
+import org.jfree.chart.axis.ValueAxis;
+import org.jfree.chart.plot.SeriesRenderingOrder;
+import org.jfree.chart.plot.XYPlot;
+import org.jfree.chart.renderer.PaintScale;
+import org.jfree.chart.renderer.xy.XYLineAndShapeRenderer;
+import org.jfree.chart.title.LegendTitle;
+import org.jfree.chart.title.PaintScaleLegend;
+import org.jfree.chart.ui.Layer;
+import org.jfree.chart.ui.RectangleEdge;
+import org.jfree.chart.ui.RectangleInsets;
+import org.jfree.data.xy.DefaultXYDataset;
 
 /**
  * A matrix of values in colour over two axes, with a colour bar, curves and marks on top, in the look of {@link Plot}
- * and drawn without a display.
+ * and drawn without a display, once.
  */
 public final class HeatMap {
     // A strip thinner than this is drawn broader than it is.
     private static final double THINNEST = 10;
-    static final int TITLE_HEIGHT = 48;
-    private static final int LEFT = 92;
-    private static final int BOTTOM = 66;
-    private static final int RIGHT = 118;
+    // For tick labels and the label, pixels.
+    private static final double SPACE_LEFT = 76;
+    private static final double SPACE_BELOW = 64;
+    private static final double GAP = 12;
+    private static final float CURVE_WIDTH = 1.7f;
+    private static final BasicStroke SOLID = new BasicStroke(CURVE_WIDTH, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND);
+    private static final BasicStroke DASHED =
+            new BasicStroke(CURVE_WIDTH, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 1, new float[] {10, 8}, 0);
 
     private final Frame frame;
     private final Values values;
-    private final HeatMapOverlays overlays = new HeatMapOverlays();
+    private final DefaultXYDataset curves = new DefaultXYDataset();
+    private final XYLineAndShapeRenderer renderer = new XYLineAndShapeRenderer(true, false);
 
     /**
      * What stands around the matrix.
@@ -79,110 +101,129 @@ public final class HeatMap {
 
     /** Adds a curve with an entry in the legend; points that are NaN or outside the axes interrupt it. */
     public HeatMap curve(String name, double[] x, double[] y, int rgb, boolean dashed) {
-        overlays.curve(name, x, y, new Color(rgb), dashed);
+        int index = curves.getSeriesCount();
+        curves.addSeries(name, new double[][] {x, y});
+        renderer.setSeriesPaint(index, new Color(rgb));
+        renderer.setSeriesStroke(index, dashed ? DASHED : SOLID);
         return this;
     }
 
     /** Adds a ring around a point with a label beside it. */
     public HeatMap mark(String label, double x, double y) {
-        overlays.mark(label, x, y);
+        renderer.addAnnotation(Overlay.ring(label, x, y));
         return this;
     }
 
     /** Adds a bar of that length along x, in the lower left corner. */
     public HeatMap scaleBar(String label, double length) {
-        overlays.scaleBar(label, length);
+        renderer.addAnnotation(Overlay.scaleBar(label, length));
         return this;
     }
 
     /** The picture. */
     public BufferedImage draw() {
-        BufferedImage image = new BufferedImage(frame.width(), frame.height(), BufferedImage.TYPE_INT_RGB);
-        Graphics2D graphics = image.createGraphics();
-        try {
-            graphics.setRenderingHints(Map.of(
-                    RenderingHints.KEY_ANTIALIASING,
-                    RenderingHints.VALUE_ANTIALIAS_ON,
-                    RenderingHints.KEY_TEXT_ANTIALIASING,
-                    RenderingHints.VALUE_TEXT_ANTIALIAS_ON));
-            graphics.setColor(Color.WHITE);
-            graphics.fillRect(0, 0, frame.width(), frame.height());
-            PlotArea area = area();
-            drawCells(graphics, area);
-            overlays.draw(graphics, area);
-            HeatMapAxes axes = new HeatMapAxes(graphics, area);
-            axes.drawAxes(frame);
-            axes.drawBar(values.colors());
-            overlays.drawLegend(graphics, area, new Color(values.colors().map().at(0.2)));
-        } finally {
-            graphics.dispose();
-        }
-        return image;
+        return draw(new ChartRenderingInfo());
     }
 
-    private PlotArea area() {
-        int bottom = BOTTOM + overlays.legendHeight();
-        double width = frame.width() - LEFT - RIGHT;
-        double height = frame.height() - TITLE_HEIGHT - bottom;
-        double left = LEFT;
-        double top = TITLE_HEIGHT;
+    /** The picture, and where its parts lie. */
+    BufferedImage draw(ChartRenderingInfo info) {
+        ValueAxis horizontal = PlotStyle.horizontal(Plot.Axis.linear(frame.xLabel()), 0, 1);
+        horizontal.setRange(values.xRange()[0], values.xRange()[1]);
+        ValueAxis upright = PlotStyle.upright(Plot.Axis.linear(frame.yLabel()), 0, 1);
+        upright.setRange(values.yRange()[0], values.yRange()[1]);
+        XYPlot plot = PlotStyle.plot(horizontal, upright);
+        plot.setDomainGridlinesVisible(false);
+        plot.setRangeGridlinesVisible(false);
+        plot.setDataset(curves);
+        plot.setRenderer(renderer);
+        plot.setSeriesRenderingOrder(SeriesRenderingOrder.FORWARD);
+        // Or else each of a curve's pieces begins with a dash of its own.
+        renderer.setDrawSeriesLineAsPath(true);
+        renderer.setLegendLine(new Line2D.Double(-16, 0, 16, 0));
+        HeatMapCells cells = new HeatMapCells(values);
+        renderer.addAnnotation(
+                new Overlay((graphics, area, alongX, alongY) -> cells.paint(graphics, area)), Layer.BACKGROUND);
+        AxisSpace space = new AxisSpace();
+        space.setLeft(SPACE_LEFT);
+        space.setBottom(SPACE_BELOW);
+        plot.setFixedRangeAxisSpace(space);
+        plot.setFixedDomainAxisSpace(space);
+        JFreeChart chart = PlotStyle.chart(frame.title(), plot);
+        if (curves.getSeriesCount() > 0) {
+            LegendTitle legend = PlotStyle.legend(plot, RectangleEdge.BOTTOM);
+            legend.setBackgroundPaint(new Color(values.colors().map().at(0.2)));
+            legend.setItemPaint(Color.WHITE);
+            chart.addSubtitle(legend);
+        }
+        PaintScaleLegend bar = colourBar();
+        chart.addSubtitle(bar);
+        // The bar's labels, and with them its width, depend on its height.
+        for (int pass = 0; pass < 2; pass++) {
+            RectangleInsets insets = frame.equalScales() ? equalScales(chart) : RectangleInsets.ZERO_INSETS;
+            plot.setInsets(insets);
+            bar.setMargin(insets.getTop(), GAP, insets.getBottom() + SPACE_BELOW, 0);
+        }
+        return image(chart, info);
+    }
+
+    private BufferedImage image(JFreeChart chart, ChartRenderingInfo info) {
+        return chart.createBufferedImage(frame.width(), frame.height(), BufferedImage.TYPE_INT_RGB, info);
+    }
+
+    /** What must be left free around the matrix; known once the chart has been laid out. */
+    private RectangleInsets equalScales(JFreeChart chart) {
         double extentX = values.xRange()[1] - values.xRange()[0];
         double extentY = values.yRange()[1] - values.yRange()[0];
-        boolean drawable = extentX < THINNEST * extentY && extentY < THINNEST * extentX;
-        if (frame.equalScales() && drawable) {
-            double scale = Math.min(width / extentX, height / extentY);
-            left += 0.5 * (width - scale * extentX);
-            top += 0.5 * (height - scale * extentY);
-            width = scale * extentX;
-            height = scale * extentY;
+        if (extentX >= THINNEST * extentY || extentY >= THINNEST * extentX) {
+            return RectangleInsets.ZERO_INSETS;
         }
-        return new PlotArea(new Rectangle2D.Double(left, top, width, height), values.xRange(), values.yRange());
+        ChartRenderingInfo info = new ChartRenderingInfo();
+        chart.getXYPlot().setInsets(RectangleInsets.ZERO_INSETS);
+        image(chart, info);
+        Rectangle2D area = info.getPlotInfo().getDataArea();
+        double scale = Math.min(area.getWidth() / extentX, area.getHeight() / extentY);
+        double besides = 0.5 * (area.getWidth() - scale * extentX);
+        double above = 0.5 * (area.getHeight() - scale * extentY);
+        return new RectangleInsets(above, besides, above, besides);
     }
 
-    private int cells(int axis) {
-        return axis == 0 ? values.rows()[0].length : values.rows().length;
-    }
-
-    private void drawCells(Graphics2D graphics, PlotArea area) {
-        int width = Math.max(1, (int) Math.round(area.rectangle().getWidth()));
-        int height = Math.max(1, (int) Math.round(area.rectangle().getHeight()));
-        BufferedImage cells = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
-        int[] columns = edges(width, cells(0));
-        int[] rows = edges(height, cells(1));
-        for (int y = 0; y < height; y++) {
-            for (int x = 0; x < width; x++) {
-                double value = values.reduction() == Reduction.LARGEST
-                        ? largest(columns, x, rows, height - 1 - y)
-                        : values.rows()[middle(rows, height - 1 - y)][middle(columns, x)];
-                cells.setRGB(x, y, values.colors().map().at(values.colors().position(value)));
-            }
+    /** JFreeChart shades a bar in even steps of its axis, so a logarithmic one has exponents along it. */
+    private PaintScaleLegend colourBar() {
+        Colors colors = values.colors();
+        boolean linear = colors.scale() == Plot.Scale.LINEAR;
+        double low = linear ? colors.low() : Math.log10(colors.low());
+        double high = linear ? colors.high() : Math.log10(colors.high());
+        NumberAxis axis = (NumberAxis) PlotStyle.upright(Plot.Axis.linear(colors.label()), low, high);
+        axis.setRange(low, high);
+        if (!linear) {
+            axis.setNumberFormatOverride(PlotStyle.POWERS_BY_EXPONENT);
+            axis.setTickUnit(new NumberTickUnit(1));
         }
-        graphics.drawImage(
-                cells,
-                (int) Math.round(area.rectangle().getX()),
-                (int) Math.round(area.rectangle().getY()),
-                null);
+        PaintScaleLegend bar = new PaintScaleLegend(new Shades(low, high, colors.map()), axis);
+        bar.setMargin(0, GAP, 0, 0);
+        bar.setPosition(RectangleEdge.RIGHT);
+        bar.setAxisLocation(AxisLocation.BOTTOM_OR_RIGHT);
+        bar.setStripWidth(18);
+        bar.setSubdivisionCount(256);
+        bar.setStripOutlineVisible(true);
+        bar.setStripOutlinePaint(PlotStyle.INK);
+        return bar;
     }
 
-    private static int middle(int[] edges, int pixel) {
-        return Math.min(edges[edges.length - 1] - 1, (edges[pixel] + edges[pixel + 1]) / 2);
-    }
-
-    private static int[] edges(int pixels, int cells) {
-        int[] edges = new int[pixels + 1];
-        for (int i = 0; i <= pixels; i++) {
-            edges[i] = (int) ((long) i * cells / pixels);
+    private record Shades(double low, double high, ColorMap map) implements PaintScale {
+        @Override
+        public double getLowerBound() {
+            return low;
         }
-        return edges;
-    }
 
-    private double largest(int[] columns, int x, int[] rows, int y) {
-        double largest = Double.NEGATIVE_INFINITY;
-        for (int row = rows[y]; row < Math.max(rows[y] + 1, rows[y + 1]); row++) {
-            for (int column = columns[x]; column < Math.max(columns[x] + 1, columns[x + 1]); column++) {
-                largest = Math.max(largest, values.rows()[row][column]);
-            }
+        @Override
+        public double getUpperBound() {
+            return high;
         }
-        return largest;
+
+        @Override
+        public Paint getPaint(double value) {
+            return new Color(map.at((value - low) / (high - low)));
+        }
     }
 }

@@ -1,5 +1,6 @@
 package sunbeam.app.plot;
 
+import java.awt.geom.Line2D;
 import java.awt.image.BufferedImage;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -8,11 +9,13 @@ import java.util.DoubleSummaryStatistics;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Function;
-import org.knowm.xchart.BitmapEncoder;
-import org.knowm.xchart.XYChart;
-import org.knowm.xchart.XYSeries;
-import org.knowm.xchart.XYSeries.XYSeriesRenderStyle;
-import org.knowm.xchart.style.markers.SeriesMarkers;
+import org.jfree.chart.JFreeChart;
+import org.jfree.chart.plot.DatasetRenderingOrder;
+import org.jfree.chart.plot.XYPlot;
+import org.jfree.chart.renderer.xy.XYLineAndShapeRenderer;
+import org.jfree.chart.ui.RectangleEdge;
+import org.jfree.data.xy.DefaultXYDataset;
+import org.jfree.data.xy.XYDataset;
 import sunbeam.app.output.Overwrite;
 import sunbeam.app.output.PngWriter;
 
@@ -22,9 +25,6 @@ import sunbeam.app.output.PngWriter;
  * added.
  */
 public final class Plot {
-    /** An inner place of a range, in no simple ratio to it. */
-    private static final double OFF_GRID = 0.3819660113;
-
     private final Frame frame;
     private final List<Series> allSeries = new ArrayList<>();
 
@@ -35,13 +35,11 @@ public final class Plot {
         RINGS
     }
 
-    private record Series(String name, List<Double> x, List<Double> y, Form form) {
-        static Series of(String name, double[] x, double[] y, Form form) {
-            return new Series(
-                    name,
-                    Arrays.stream(x).boxed().toList(),
-                    Arrays.stream(y).boxed().toList(),
-                    form);
+    private record Series(String name, double[] x, double[] y, Form form) {
+        XYDataset dataset() {
+            DefaultXYDataset dataset = new DefaultXYDataset();
+            dataset.addSeries(name, new double[][] {x, y});
+            return dataset;
         }
     }
 
@@ -85,17 +83,17 @@ public final class Plot {
 
     /** Adds points joined by a line, without marks: many points on a smooth curve. */
     public Plot line(String name, double[] x, double[] y) {
-        return add(Series.of(name, x, y, Form.LINE));
+        return add(new Series(name, x, y, Form.LINE));
     }
 
     /** Adds points joined by a line, with marks: few points, such as errors over a number of terms. */
     public Plot lineWithPoints(String name, double[] x, double[] y) {
-        return add(Series.of(name, x, y, Form.LINE_WITH_POINTS));
+        return add(new Series(name, x, y, Form.LINE_WITH_POINTS));
     }
 
     /** Adds points alone: scattered measurements. */
     public Plot points(String name, double[] x, double[] y) {
-        return add(Series.of(name, x, y, Form.POINTS));
+        return add(new Series(name, x, y, Form.POINTS));
     }
 
     /**
@@ -103,7 +101,7 @@ public final class Plot {
      * series after the first as frames.
      */
     public Plot rings(String name, double[] x, double[] y) {
-        return add(Series.of(name, x, y, Form.RINGS));
+        return add(new Series(name, x, y, Form.RINGS));
     }
 
     /**
@@ -115,18 +113,24 @@ public final class Plot {
         if (allSeries.isEmpty()) {
             throw new IllegalStateException("the plot '" + frame.title() + "' has no series");
         }
-        XYChart chart = new XYChart(frame.width(), frame.height());
-        chart.setTitle(frame.title());
-        chart.setXAxisTitle(frame.x().label());
-        chart.setYAxisTitle(frame.y().label());
-        PlotStyle.apply(chart.getStyler(), frame.x().scale(), frame.y().scale());
+        DoubleSummaryStatistics xRange = range(Series::x);
+        DoubleSummaryStatistics yRange = range(Series::y);
+        XYPlot plot = PlotStyle.plot(
+                PlotStyle.horizontal(frame.x(), xRange.getMin(), xRange.getMax()),
+                PlotStyle.upright(frame.y(), yRange.getMin(), yRange.getMax()));
         for (int index = 0; index < allSeries.size(); index++) {
-            addTo(chart, allSeries.get(index), index);
+            Series series = allSeries.get(index);
+            plot.setDataset(index, series.dataset());
+            plot.setRenderer(index, renderer(series, index));
         }
+        // Rings come last, before all others.
+        plot.setDatasetRenderingOrder(DatasetRenderingOrder.FORWARD);
+        JFreeChart chart = PlotStyle.chart(frame.title(), plot);
         // The title already says what a single series is.
-        chart.getStyler().setLegendVisible(allSeries.size() > 1);
-        addTickBreaker(chart);
-        return BitmapEncoder.getBufferedImage(chart);
+        if (allSeries.size() > 1) {
+            chart.addSubtitle(PlotStyle.legend(plot, RectangleEdge.RIGHT));
+        }
+        return chart.createBufferedImage(frame.width(), frame.height(), BufferedImage.TYPE_INT_RGB, null);
     }
 
     /**
@@ -140,9 +144,9 @@ public final class Plot {
     }
 
     private Plot add(Series series) {
-        if (series.x.size() != series.y.size() || series.x.isEmpty()) {
-            throw new IllegalArgumentException("series '" + series.name + "' has " + series.x.size() + " x values and "
-                    + series.y.size() + " y values");
+        if (series.x.length != series.y.length || series.x.length == 0) {
+            throw new IllegalArgumentException("series '" + series.name + "' has " + series.x.length + " x values and "
+                    + series.y.length + " y values");
         }
         check(series.name, "x", series.x, frame.x().scale());
         check(series.name, "y", series.y, frame.y().scale());
@@ -150,7 +154,7 @@ public final class Plot {
         return this;
     }
 
-    private static void check(String name, String axis, List<Double> values, Scale scale) {
+    private static void check(String name, String axis, double[] values, Scale scale) {
         for (double value : values) {
             boolean drawable = Double.isFinite(value) && (scale == Scale.LINEAR || value > 0);
             if (!drawable) {
@@ -160,19 +164,27 @@ public final class Plot {
         }
     }
 
-    private void addTo(XYChart chart, Series series, int index) {
-        XYSeries drawn = chart.addSeries(series.name, series.x, series.y);
+    private DoubleSummaryStatistics range(Function<Series, double[]> axis) {
+        return allSeries.stream()
+                .flatMapToDouble(series -> Arrays.stream(axis.apply(series)))
+                .summaryStatistics();
+    }
+
+    private XYLineAndShapeRenderer renderer(Series series, int index) {
         boolean joined = series.form == Form.LINE || series.form == Form.LINE_WITH_POINTS;
-        drawn.setXYSeriesRenderStyle(joined ? XYSeriesRenderStyle.Line : XYSeriesRenderStyle.Scatter);
-        drawn.setMarker(
-                switch (series.form) {
-                    case LINE -> SeriesMarkers.NONE;
-                    case RINGS -> new RingMarker(isFirstOfRings(series));
-                    default -> PlotStyle.marker(index);
-                });
+        XYLineAndShapeRenderer renderer = new XYLineAndShapeRenderer(joined, series.form != Form.LINE);
+        renderer.setSeriesPaint(0, series.form == Form.RINGS ? PlotStyle.INK : PlotStyle.colour(index));
+        renderer.setSeriesStroke(0, PlotStyle.LINE);
+        renderer.setSeriesShape(0, PlotStyle.shape(index));
+        renderer.setLegendLine(new Line2D.Double(-12, 0, 12, 0));
         if (series.form == Form.RINGS) {
-            drawn.setMarkerColor(PlotStyle.INK);
+            renderer.setSeriesShape(0, isFirstOfRings(series) ? PlotStyle.RING : PlotStyle.FRAME);
+            renderer.setSeriesShapesFilled(0, false);
+            renderer.setSeriesOutlineStroke(0, PlotStyle.RING_STROKE);
+            renderer.setUseOutlinePaint(true);
+            renderer.setSeriesOutlinePaint(0, PlotStyle.INK);
         }
+        return renderer;
     }
 
     private boolean isFirstOfRings(Series series) {
@@ -181,26 +193,5 @@ public final class Plot {
                 .findFirst()
                 .filter(series::equals)
                 .isPresent();
-    }
-
-    /**
-     * XChart 4.0.3 labels an axis whose values are evenly spaced at every so many of them (380, 397, 414), too closely.
-     * One more point, which is not seen, makes it take round numbers.
-     */
-    private void addTickBreaker(XYChart chart) {
-        double[] x = {innerValue(Series::x)};
-        double[] y = {innerValue(Series::y)};
-        XYSeries breaker = chart.addSeries(" ", x, y);
-        breaker.setXYSeriesRenderStyle(XYSeriesRenderStyle.Scatter);
-        breaker.setMarker(SeriesMarkers.NONE);
-        breaker.setShowInLegend(false);
-    }
-
-    private double innerValue(Function<Series, List<Double>> axis) {
-        DoubleSummaryStatistics range = allSeries.stream()
-                .flatMap(series -> axis.apply(series).stream())
-                .mapToDouble(Double::doubleValue)
-                .summaryStatistics();
-        return range.getMin() + OFF_GRID * (range.getMax() - range.getMin());
     }
 }

@@ -127,11 +127,6 @@ public record Scene(
         return changed(draft -> draft.blend = value);
     }
 
-    /** The same before another background. */
-    public Scene withBackground(SceneColor value) {
-        return changed(draft -> draft.background = value);
-    }
-
     private Scene changed(Consumer<Draft> change) {
         Draft draft = new Draft(this);
         change.accept(draft);

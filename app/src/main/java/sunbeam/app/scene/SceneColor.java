@@ -2,6 +2,7 @@ package sunbeam.app.scene;
 
 import java.util.Locale;
 import java.util.regex.Pattern;
+import sunbeam.precompute.color.Srgb;
 import sunbeam.precompute.text.Quoted;
 
 /**
@@ -11,10 +12,6 @@ import sunbeam.precompute.text.Quoted;
  */
 public record SceneColor(int rgb) {
     private static final Pattern HEXADECIMAL = Pattern.compile("#[0-9a-fA-F]{6}");
-    // Linear sRGB to XYZ, IEC 61966-2-1; the inverse of the matrix in shaders/include/srgb.glsl.
-    private static final double[][] TO_XYZ = {
-        {0.4124564, 0.3575761, 0.1804375}, {0.2126729, 0.7151522, 0.0721750}, {0.0193339, 0.1191920, 0.9503041}
-    };
 
     /** Rejects what does not fit in 24 bits. */
     public SceneColor {
@@ -37,19 +34,7 @@ public record SceneColor(int rgb) {
 
     /** CIE XYZ of the colour, Y = 1 for white. */
     public double[] xyz() {
-        double[] linear = {linear(rgb >> 16), linear(rgb >> 8 & 0xff), linear(rgb & 0xff)};
-        double[] xyz = new double[3];
-        for (int c = 0; c < 3; c++) {
-            for (int i = 0; i < 3; i++) {
-                xyz[c] += TO_XYZ[c][i] * linear[i];
-            }
-        }
-        return xyz;
-    }
-
-    private static double linear(int value) {
-        double encoded = value / 255.0;
-        return encoded <= 0.04045 ? encoded / 12.92 : Math.pow((encoded + 0.055) / 1.055, 2.4);
+        return Srgb.xyz(Srgb.linear(rgb >> 16), Srgb.linear(rgb >> 8 & 0xff), Srgb.linear(rgb & 0xff));
     }
 
     /** As {@link #parse} reads it. */

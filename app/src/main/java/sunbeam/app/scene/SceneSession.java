@@ -54,7 +54,7 @@ public final class SceneSession implements AutoCloseable {
         this.picking = new Picking(context);
         try {
             update(data);
-        } catch (RuntimeException failure) {
+        } catch (RuntimeException | OutOfMemoryError failure) {
             close();
             throw failure;
         }
@@ -91,7 +91,7 @@ public final class SceneSession implements AutoCloseable {
                     : context.createVertexBuffer("mesh", next.mesh().toVertexData());
             nextBody = nextBody != null ? nextBody : upload(next.body());
             nextSkin = nextSkin != null ? nextSkin : SkinSurface.create(context, next);
-        } catch (RuntimeException failure) {
+        } catch (RuntimeException | OutOfMemoryError failure) {
             closeUnlessSame(nextMesh, mesh);
             closeUnlessSame(nextBody, body);
             closeUnlessSame(nextSkin, skin);
@@ -260,6 +260,5 @@ public final class SceneSession implements AutoCloseable {
         closeUnlessSame(bodyShading, null);
         shading.close();
         buffers.close();
-        renderer.close();
     }
 }

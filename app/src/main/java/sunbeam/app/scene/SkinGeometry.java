@@ -1,6 +1,7 @@
 package sunbeam.app.scene;
 
 import java.util.List;
+import java.util.Map;
 import jrtr.Binding;
 import jrtr.ImageTexture;
 import jrtr.ShaderProgram;
@@ -35,8 +36,8 @@ record SkinGeometry(
 
     /** For the program shaders/geometry.frag. */
     GraphSceneManager graph(ShaderProgram program) {
-        Material material = Material.cheap(program, List.of(new Binding("bodyTexture", body)));
-        material.uniforms().set("tangentRotation", (float) rotatePatch);
+        Material material = new Material(
+                program, List.of(new Binding("bodyTexture", body)), Map.of("tangentRotation", (float) rotatePatch));
         return SceneGraphs.unlit(view, orientation, mesh, material);
     }
 }

@@ -25,7 +25,7 @@ final class SkinSurface implements AutoCloseable {
         UploadedTables method = UploadedTables.upload(context, data.tables());
         try {
             return new SkinSurface(method, method.program("skin.frag"));
-        } catch (RuntimeException failure) {
+        } catch (RuntimeException | OutOfMemoryError failure) {
             method.close();
             throw failure;
         }

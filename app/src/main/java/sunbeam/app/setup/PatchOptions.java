@@ -1,10 +1,6 @@
 package sunbeam.app.setup;
 
-import java.util.LinkedHashMap;
-import java.util.Map;
-import java.util.function.Supplier;
 import picocli.CommandLine.Option;
-import sunbeam.precompute.patch.HeightMap;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.patch.PatchLoader;
 import sunbeam.precompute.patch.PatchRequest;
@@ -60,14 +56,6 @@ public final class PatchOptions {
 
     /** Loads a patch that is asked for elsewhere; built-in names are known. */
     public static Patch load(PatchRequest request) {
-        return loader().load(request);
-    }
-
-    private static PatchLoader loader() {
-        Map<String, Supplier<HeightMap>> builtIn = new LinkedHashMap<>();
-        for (String name : BuiltInPatches.names()) {
-            builtIn.put(name, () -> BuiltInPatches.generate(name));
-        }
-        return new PatchLoader(sunbeam.precompute.patch.BuiltInPatches.of(builtIn));
+        return new PatchLoader(BuiltInPatches.names(), BuiltInPatches::generate).load(request);
     }
 }

@@ -6,6 +6,7 @@ import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import javax.swing.SwingUtilities;
+import sunbeam.app.failure.Failure;
 
 /** Work off the event thread, one after the other, whose outcomes come back on it. */
 final class Background implements AutoCloseable {
@@ -32,7 +33,7 @@ final class Background implements AutoCloseable {
                 T result = work.call();
                 SwingUtilities.invokeLater(() -> done.accept(result));
             } catch (Exception | OutOfMemoryError failure) {
-                String message = Problems.message(failure);
+                String message = Failure.of(failure).message();
                 SwingUtilities.invokeLater(() -> problem.accept(message));
             }
         });

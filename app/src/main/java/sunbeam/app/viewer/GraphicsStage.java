@@ -16,7 +16,7 @@ import sunbeam.app.scene.SceneSession;
 import sunbeam.precompute.optics.Direction;
 
 /** Everything of the viewer that lives on the graphics card. Belongs to the thread that made it. */
-final class GraphicsStage implements AutoCloseable {
+class GraphicsStage implements AutoCloseable {
     private final RenderContext context;
     private final SceneDisplay display;
     private final MapStage map;
@@ -52,7 +52,7 @@ final class GraphicsStage implements AutoCloseable {
         fine.update(state.fine());
         try {
             coarse.update(state.coarse());
-        } catch (RuntimeException failure) {
+        } catch (RuntimeException | OutOfMemoryError failure) {
             fine.update(before);
             throw failure;
         }

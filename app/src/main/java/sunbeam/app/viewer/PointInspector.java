@@ -8,7 +8,7 @@ import sunbeam.app.scene.Pick;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneData;
 import sunbeam.precompute.optics.Direction;
-import sunbeam.precompute.optics.Geometry;
+import sunbeam.precompute.optics.DirectionPair;
 
 /** The picked point of the skin: finds it, keeps it while it stays where it was, and fills its panel. */
 final class PointInspector implements AutoCloseable {
@@ -78,7 +78,7 @@ final class PointInspector implements AutoCloseable {
             return;
         }
         measuring.run(
-                () -> Spectrum.of(data, new Geometry(wi, wr), () -> number != newestSpectrum.get()),
+                () -> Spectrum.of(data, new DirectionPair(wi, wr), () -> number != newestSpectrum.get()),
                 powers -> {
                     if (number == newestSpectrum.get()) {
                         window.pick().showSpectrum(powers);

@@ -12,7 +12,7 @@ interface RenderListener {
     /** Nothing more will be drawn, and why, in one line. */
     void failed(String message);
 
-    /** A state could not be shown, and why; the last one stays. */
+    /** Something could not be drawn, and why, in one line; what is on screen stays, and drawing goes on. */
     void refused(String message);
 
     /**

@@ -4,6 +4,7 @@ import java.awt.image.BufferedImage;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import jrtr.Tile;
+import sunbeam.app.failure.Failure;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.ScenePicture;
 import sunbeam.app.scene.ScenePreview;
@@ -67,10 +68,10 @@ final class RenderLoop implements AutoCloseable {
             while (!inbox.isClosed()) {
                 inbox.await();
                 doTasks(stage);
-                inbox.state().ifPresent(state -> show(stage, state));
+                inbox.state().ifPresent(state -> guarded(() -> show(stage, state)));
             }
         } catch (RuntimeException | LinkageError | OutOfMemoryError failure) {
-            listener.failed(Problems.message(failure));
+            listener.failed(Failure.of(failure).message());
         } catch (InterruptedException failure) {
             listener.failed("the render thread was interrupted");
         }
@@ -78,17 +79,22 @@ final class RenderLoop implements AutoCloseable {
 
     private void doTasks(GraphicsStage stage) {
         for (var task = inbox.task(); task.isPresent(); task = inbox.task()) {
-            task.get().accept(stage);
+            Consumer<GraphicsStage> due = task.get();
+            guarded(() -> due.accept(stage));
+        }
+    }
+
+    /** What has no room on the card or in the heap, or cannot be drawn, is given up; what is asked for next may do. */
+    private void guarded(Runnable work) {
+        try {
+            work.run();
+        } catch (RuntimeException | OutOfMemoryError failure) {
+            listener.refused(Failure.of(failure).message());
         }
     }
 
     private void show(GraphicsStage stage, ViewState state) {
-        try {
-            stage.update(state);
-        } catch (RuntimeException failure) {
-            listener.refused(Problems.message(failure));
-            return;
-        }
+        stage.update(state);
         double exposure = preview(stage, state);
         if (isStill(stage)) {
             boolean done = map(stage, state, false) && refine(stage, state, exposure) && map(stage, state, true);
@@ -167,16 +173,16 @@ final class RenderLoop implements AutoCloseable {
         return true;
     }
 
+    /** Draws the BRDF map, if it is shown; false if it was interrupted. The picture does not wait for one that fails. */
     private boolean map(GraphicsStage stage, ViewState state, boolean isFinal) {
-        if (state.mapLight().isEmpty()) {
-            return true;
-        }
-        int size = isFinal ? MapStage.SIZE : MapStage.PREVIEW_SIZE;
-        BufferedImage image = stage.map(state.mapLight().get(), size, inbox::isInterrupted);
-        if (image == null) {
-            return false;
-        }
-        listener.map(state, image, isFinal);
-        return true;
+        state.mapLight()
+                .ifPresent(light -> guarded(() -> {
+                    int size = isFinal ? MapStage.SIZE : MapStage.PREVIEW_SIZE;
+                    BufferedImage image = stage.map(light, size, inbox::isInterrupted);
+                    if (image != null) {
+                        listener.map(state, image, isFinal);
+                    }
+                }));
+        return !inbox.isInterrupted();
     }
 }

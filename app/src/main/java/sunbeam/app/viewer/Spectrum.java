@@ -2,7 +2,7 @@ package sunbeam.app.viewer;
 
 import java.util.function.BooleanSupplier;
 import sunbeam.app.scene.SceneData;
-import sunbeam.precompute.optics.Geometry;
+import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.PlanRequest;
 import sunbeam.precompute.reference.ReferenceEvaluator;
@@ -21,7 +21,7 @@ final class Spectrum {
      * @param outdated asked before every wavelength
      * @return none where nobody waits for it any more
      */
-    static double[] of(SceneData data, Geometry geometry, BooleanSupplier outdated) {
+    static double[] of(SceneData data, DirectionPair pair, BooleanSupplier outdated) {
         PlanRequest plan = data.scene().plan();
         ReferenceEvaluator reference =
                 new ReferenceEvaluator(data.patch().heights(), plan.window(), plan.windowOrigin());
@@ -33,8 +33,8 @@ final class Spectrum {
             }
             double wavelength = FIRST + i * STEP;
             powers[i] = coherent
-                    ? reference.coherent(geometry, wavelength)
-                    : reference.powers(geometry, wavelength).ensemble();
+                    ? reference.coherent(pair, wavelength)
+                    : reference.powers(pair, wavelength).ensemble();
         }
         return powers;
     }

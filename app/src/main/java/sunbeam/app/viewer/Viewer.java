@@ -273,6 +273,10 @@ final class Viewer {
         @Override
         public void refused(String message) {
             window.status().message(message);
+            firstPicture.cannotCome(message);
+            if (window.picture().picture().isEmpty()) {
+                window.picture().showMessage(message);
+            }
         }
 
         @Override

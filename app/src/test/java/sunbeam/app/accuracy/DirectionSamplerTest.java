@@ -9,7 +9,7 @@ import org.junit.jupiter.api.Test;
 import sunbeam.app.directions.DirectionsRenderer.Query;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.Direction;
-import sunbeam.precompute.optics.Geometry;
+import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.patch.HeightMap;
 
 final class DirectionSamplerTest {
@@ -39,8 +39,7 @@ final class DirectionSamplerTest {
                         Stream.generate(sampler::aimed).limit(500))
                 .toList();
         for (Query query : queries) {
-            for (Direction direction :
-                    List.of(query.geometry().wi(), query.geometry().wr())) {
+            for (Direction direction : List.of(query.pair().wi(), query.pair().wr())) {
                 assertThat(direction.dot(direction)).isCloseTo(1, within(1e-12));
                 assertThat(direction.z()).isPositive();
             }
@@ -53,7 +52,7 @@ final class DirectionSamplerTest {
         DirectionSampler sampler = sampler(2);
         double mean = Stream.generate(sampler::uniform)
                 .limit(4000)
-                .mapToDouble(query -> query.geometry().wi().z())
+                .mapToDouble(query -> query.pair().wi().z())
                 .average()
                 .orElseThrow();
         // Cosines are uniform in 0.01..1: mean 0.505, standard error 0.286 / sqrt(4000) = 0.0045; five of them.
@@ -66,9 +65,9 @@ final class DirectionSamplerTest {
         double sigma = WINDOW.sigmaFrequency();
         for (int i = 0; i < 300; i++) {
             Query query = sampler.aimed();
-            Geometry geometry = query.geometry();
-            double fx = geometry.u() / query.wavelength();
-            double fy = geometry.v() / query.wavelength();
+            DirectionPair pair = query.pair();
+            double fx = pair.u() / query.wavelength();
+            double fy = pair.v() / query.wavelength();
             // Six standard deviations of a normal deviate; orders lie 41 and 51 of them apart.
             assertThat(Math.abs(fx - Math.rint(fx * 2.5e-6) / 2.5e-6)).isLessThan(6 * sigma);
             assertThat(Math.abs(fy - Math.rint(fy * 2e-6) / 2e-6)).isLessThan(6 * sigma);

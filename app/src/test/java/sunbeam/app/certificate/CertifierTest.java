@@ -10,8 +10,8 @@ import sunbeam.app.picture.LinearPicture;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.Direction;
+import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.Gain;
-import sunbeam.precompute.optics.Geometry;
 import sunbeam.precompute.optics.WindowOrigin;
 import sunbeam.precompute.patch.HeightMap;
 import sunbeam.precompute.reference.ReferenceColor;
@@ -33,26 +33,26 @@ final class CertifierTest {
         HeightMap map = new HeightMap(40, 1, 62.5e-9, 2.5e-6, heights);
         ReferenceEvaluator evaluator = new ReferenceEvaluator(map, WINDOW, WindowOrigin.CENTRE);
         ReferenceColor color = new ReferenceColor(evaluator, WINDOW, CieTable.load(), Quadrature.INTEGRATED);
-        reference = geometry -> color.xyz(geometry, false);
+        reference = pair -> color.xyz(pair, false);
         exact = new float[3 * WIDTH];
         Arrays.fill(exact, Float.NaN);
         // The last ten pixels show no surface.
         for (int pixel = 0; pixel < WIDTH - 10; pixel++) {
-            Geometry geometry = geometry(pixel);
-            double[] xyz = reference.xyz(geometry);
+            DirectionPair pair = pair(pixel);
+            double[] xyz = reference.xyz(pair);
             for (int c = 0; c < 3; c++) {
-                exact[3 * pixel + c] = (float) (xyz[c] * Gain.relativeRadiance(geometry));
+                exact[3 * pixel + c] = (float) (xyz[c] * Gain.relativeRadiance(pair));
             }
         }
     }
 
-    private static Geometry geometry(int pixel) {
+    private static DirectionPair pair(int pixel) {
         double x = (2.0 * pixel + 1) / WIDTH - 1;
-        return new Geometry(Direction.ofDegrees(0, 0), Direction.ofDisc(x, 0));
+        return new DirectionPair(Direction.ofDegrees(0, 0), Direction.ofDisc(x, 0));
     }
 
     private static Certificate certify(float[] xyz, int count) {
-        return new Certifier(reference, CertifierTest::geometry)
+        return new Certifier(reference, CertifierTest::pair)
                 .certify(new LinearPicture(WIDTH, 1, xyz), count, 5, 1, 1e-3);
     }
 

@@ -10,7 +10,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledIfEnvironmentVariable;
 import org.junit.jupiter.api.io.TempDir;
 import sunbeam.app.cli.UsageException;
-import sunbeam.precompute.optics.Geometry;
+import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.plan.VisibleRange;
 
 class GemMethodTest {
@@ -25,7 +25,7 @@ class GemMethodTest {
     void coloursFollowTheGratingEquation() {
         MethodProbe probe = new MethodProbe(home, "--patch", "blaze");
         // Spacing 1 um: the first order of 460 nm, 560 nm and 680 nm, and the dark between the orders.
-        List<Geometry> directions = List.of(
+        List<DirectionPair> directions = List.of(
                 MethodProbe.inPlane(0, Math.toDegrees(Math.asin(0.46))),
                 MethodProbe.inPlane(0, Math.toDegrees(Math.asin(0.58))),
                 MethodProbe.inPlane(0, Math.toDegrees(Math.asin(0.68))),

@@ -20,7 +20,7 @@ import sunbeam.app.setup.PatchOptions;
 import sunbeam.app.setup.PlanOptions;
 import sunbeam.precompute.method.MethodPlan;
 import sunbeam.precompute.optics.Direction;
-import sunbeam.precompute.optics.Geometry;
+import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.shader.MethodUse;
 
@@ -38,18 +38,18 @@ final class MethodProbe {
     }
 
     /** Light and viewer in the plane of incidence along x; angles in degrees, negative ones to the left. */
-    static Geometry inPlane(double lightDegrees, double viewDegrees) {
-        return new Geometry(Direction.ofDegrees(lightDegrees, 0), Direction.ofDegrees(viewDegrees, 0));
+    static DirectionPair inPlane(double lightDegrees, double viewDegrees) {
+        return new DirectionPair(Direction.ofDegrees(lightDegrees, 0), Direction.ofDegrees(viewDegrees, 0));
     }
 
     /** Directions along the grating's plane, lit from the normal, from the left horizon to the right. */
-    static List<Geometry> gratingPlane(int count) {
-        List<Geometry> geometries = new ArrayList<>();
+    static List<DirectionPair> gratingPlane(int count) {
+        List<DirectionPair> pairs = new ArrayList<>();
         for (int i = 0; i < count; i++) {
             double sine = -0.97 + 1.94 * i / (count - 1);
-            geometries.add(inPlane(0, Math.toDegrees(Math.asin(sine))));
+            pairs.add(inPlane(0, Math.toDegrees(Math.asin(sine))));
         }
-        return geometries;
+        return pairs;
     }
 
     MethodPlan plan(VisibleRange range, String... options) {
@@ -60,20 +60,20 @@ final class MethodProbe {
     }
 
     /** X, Y, Z of the power. */
-    List<float[]> colours(List<Geometry> geometries, String... options) {
-        return evaluate(geometries, 0, MethodUse.COLOUR, options);
+    List<float[]> colours(List<DirectionPair> pairs, String... options) {
+        return evaluate(pairs, 0, MethodUse.COLOUR, options);
     }
 
     /** Coherent power, ensemble power, rho, BRDF at one wavelength in metres. */
-    List<float[]> powers(List<Geometry> geometries, double wavelength, String... options) {
-        return evaluate(geometries, wavelength, MethodUse.SPECTRAL, options);
+    List<float[]> powers(List<DirectionPair> pairs, double wavelength, String... options) {
+        return evaluate(pairs, wavelength, MethodUse.SPECTRAL, options);
     }
 
-    private List<float[]> evaluate(List<Geometry> geometries, double wavelength, MethodUse use, String... options) {
+    private List<float[]> evaluate(List<DirectionPair> pairs, double wavelength, MethodUse use, String... options) {
         List<DirectionsRenderer.Query> queries = new ArrayList<>();
-        geometries.forEach(geometry -> queries.add(new DirectionsRenderer.Query(geometry, wavelength)));
+        pairs.forEach(pair -> queries.add(new DirectionsRenderer.Query(pair, wavelength)));
         try (RenderContext context = RenderContexts.offscreen();
-                UploadedTables method = upload(context, plan(VisibleRange.of(geometries), options), use);
+                UploadedTables method = upload(context, plan(VisibleRange.of(pairs), options), use);
                 DirectionsRenderer renderer = new DirectionsRenderer(context, method, use == MethodUse.SPECTRAL)) {
             return renderer.evaluate(queries, count -> {});
         }

@@ -15,7 +15,7 @@ import sunbeam.app.cli.UsageException;
 import sunbeam.app.picture.LinearPicture;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.Direction;
-import sunbeam.precompute.optics.Geometry;
+import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.WindowOrigin;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.reference.ReferenceColor;
@@ -49,7 +49,7 @@ class NmmMethodTest {
     @ValueSource(strings = {"blaze", "sinusoid", "lamellar"})
     void agreesWithFullAlongAGratingsPlane(String patch) {
         MethodProbe probe = new MethodProbe(home, "--patch", patch);
-        List<Geometry> plane = MethodProbe.gratingPlane(301);
+        List<DirectionPair> plane = MethodProbe.gratingPlane(301);
         List<Double> errors =
                 errors(probe.colours(plane, "--method", "nmm"), probe.colours(plane, "--tolerance", "1e-4"));
         assertThat(errors).hasSizeGreaterThan(150);
@@ -59,12 +59,12 @@ class NmmMethodTest {
     @Test
     void agreesWithFullBesideTheGratingsPlane() {
         MethodProbe probe = new MethodProbe(home, "--patch", "blaze");
-        List<Geometry> beside = new ArrayList<>();
-        for (Geometry geometry : MethodProbe.gratingPlane(201)) {
+        List<DirectionPair> beside = new ArrayList<>();
+        for (DirectionPair pair : MethodProbe.gratingPlane(201)) {
             // The window's spectrum is sigma_f lambda = 0.005 wide in v.
-            double x = geometry.wr().x();
+            double x = pair.wr().x();
             double y = 0.004;
-            beside.add(new Geometry(geometry.wi(), new Direction(x, y, Math.sqrt(1 - x * x - y * y))));
+            beside.add(new DirectionPair(pair.wi(), new Direction(x, y, Math.sqrt(1 - x * x - y * y))));
         }
         List<Double> errors =
                 errors(probe.colours(beside, "--method", "nmm"), probe.colours(beside, "--tolerance", "1e-4"));
@@ -79,9 +79,9 @@ class NmmMethodTest {
                 new ReferenceEvaluator(probe.setup().patch().heights(), window, WindowOrigin.CENTRE);
         ReferenceColor color =
                 new ReferenceColor(evaluator, window, probe.setup().cie());
-        List<Geometry> plane = MethodProbe.gratingPlane(9);
+        List<DirectionPair> plane = MethodProbe.gratingPlane(9);
         List<float[]> expected = plane.parallelStream()
-                .map(geometry -> color.xyz(geometry, false))
+                .map(pair -> color.xyz(pair, false))
                 .map(xyz -> new float[] {(float) xyz[0], (float) xyz[1], (float) xyz[2]})
                 .toList();
         List<Double> errors = errors(probe.colours(plane, "--method", "nmm"), expected);
@@ -91,9 +91,9 @@ class NmmMethodTest {
     @Test
     void theEnsembleOfAMeasuredLikePatchKeepsEachOrderApart() {
         MethodProbe probe = new MethodProbe(home, "--patch", "disc");
-        List<Geometry> directions = new ArrayList<>();
+        List<DirectionPair> directions = new ArrayList<>();
         for (int i = 0; i < 60; i++) {
-            directions.add(new Geometry(Direction.ofDegrees(20, 0), Direction.ofDegrees(1.3 * i + 3, 47.0 * i)));
+            directions.add(new DirectionPair(Direction.ofDegrees(20, 0), Direction.ofDegrees(1.3 * i + 3, 47.0 * i)));
         }
         List<Double> errors = errors(
                 probe.colours(directions, "--method", "nmm", "--average", "ensemble"),
@@ -104,11 +104,11 @@ class NmmMethodTest {
     @Test
     void theThesissFormHasAPurpleCast() {
         MethodProbe probe = new MethodProbe(home, "--patch", "blaze");
-        List<Geometry> plane = MethodProbe.gratingPlane(301);
+        List<DirectionPair> plane = MethodProbe.gratingPlane(301);
         double full = blueness(probe.colours(plane));
         double weighted = blueness(probe.colours(plane, "--method", "nmm"));
         // Without the white disc around u = v = 0, which no wavelength explains.
-        List<Geometry> orders =
+        List<DirectionPair> orders =
                 plane.stream().filter(g -> Math.abs(g.u()) > 0.16).toList();
         double thesis = blueness(probe.colours(orders, "--method", "nmm", "--preset", "thesis"));
         assertThat(weighted / full).isBetween(0.99, 1.01);
@@ -131,7 +131,7 @@ class NmmMethodTest {
     @Test
     void theSpecularDirectionHasItsLimit() {
         MethodProbe probe = new MethodProbe(home, "--patch", "blaze");
-        List<Geometry> specular =
+        List<DirectionPair> specular =
                 List.of(MethodProbe.inPlane(0, 0), MethodProbe.inPlane(0, 0.01), MethodProbe.inPlane(0, 0.6));
         List<float[]> full = probe.colours(specular, "--tolerance", "1e-4");
         List<float[]> nmm = probe.colours(specular, "--method", "nmm");

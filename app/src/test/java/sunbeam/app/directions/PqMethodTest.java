@@ -15,7 +15,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.app.picture.LinearPicture;
 import sunbeam.precompute.optics.Direction;
-import sunbeam.precompute.optics.Geometry;
+import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.Replicas;
 import sunbeam.precompute.reference.ReplicaColor;
 import sunbeam.precompute.reference.ReplicaEvaluator;
@@ -38,20 +38,20 @@ class PqMethodTest {
         blaze = new MethodProbe(home, "--patch", "blaze");
     }
 
-    private double exact(Geometry geometry, int replicas) {
+    private double exact(DirectionPair pair, int replicas) {
         return new ReplicaEvaluator(blaze.setup().patch().heights(), new Replicas(replicas, replicas))
-                .power(geometry, WAVELENGTH);
+                .power(pair, WAVELENGTH);
     }
 
     /** Lit from the normal, seen in the order's direction. */
-    private static Geometry order(int n) {
+    private static DirectionPair order(int n) {
         return MethodProbe.inPlane(0, -Math.toDegrees(Math.asin(n * WAVELENGTH / PERIOD)));
     }
 
     @ParameterizedTest
     @ValueSource(strings = {"sinc", "linear"})
     void ordersAreExactWithEitherInterpolation(String interpolation) {
-        List<Geometry> orders = new ArrayList<>();
+        List<DirectionPair> orders = new ArrayList<>();
         for (int n = -4; n <= 4; n++) {
             orders.add(order(n));
         }
@@ -75,9 +75,9 @@ class PqMethodTest {
     @Test
     void sincIsExactBetweenOrders() {
         SplittableRandom random = new SplittableRandom(11);
-        List<Geometry> directions = new ArrayList<>();
+        List<DirectionPair> directions = new ArrayList<>();
         for (int i = 0; i < 200; i++) {
-            directions.add(new Geometry(
+            directions.add(new DirectionPair(
                     Direction.ofDegrees(60 * random.nextDouble(), 360 * random.nextDouble()),
                     Direction.ofDegrees(80 * random.nextDouble(), 360 * random.nextDouble())));
         }
@@ -93,7 +93,7 @@ class PqMethodTest {
 
     @Test
     void aSingleRowOfDirectionsThroughAnOrderFollowsTheArrayFactor() {
-        List<Geometry> directions = new ArrayList<>();
+        List<DirectionPair> directions = new ArrayList<>();
         double middle = Math.asin(WAVELENGTH / PERIOD);
         for (int i = -40; i <= 40; i++) {
             directions.add(MethodProbe.inPlane(0, -Math.toDegrees(middle + i * 2e-4)));
@@ -110,7 +110,7 @@ class PqMethodTest {
     void colourAgreesWithTheExactSum() {
         ReplicaEvaluator evaluator = new ReplicaEvaluator(blaze.setup().patch().heights(), new Replicas(26, 26));
         ReplicaColor color = new ReplicaColor(evaluator, blaze.setup().cie());
-        List<Geometry> directions =
+        List<DirectionPair> directions =
                 List.of(MethodProbe.inPlane(0, -12), MethodProbe.inPlane(10, -31), MethodProbe.inPlane(0, 25));
         List<float[]> colours = blaze.colours(directions, "--method", "pq");
         for (int i = 0; i < directions.size(); i++) {

@@ -6,7 +6,7 @@ import jrtr.RenderContext;
 import sunbeam.app.directions.DirectionsRenderer;
 import sunbeam.app.directions.DirectionsRenderer.Query;
 import sunbeam.precompute.color.CieTable;
-import sunbeam.precompute.optics.Geometry;
+import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.patch.HeightDigest;
 import sunbeam.precompute.patch.HeightLevels;
 import sunbeam.precompute.patch.HeightMap;
@@ -41,8 +41,8 @@ final class Comparison {
     }
 
     Plan plan(List<Query> queries) {
-        List<Geometry> geometries = queries.stream().map(Query::geometry).toList();
-        return new Planner(map, HeightLevels.of(map), cie).plan(request, VisibleRange.of(geometries));
+        List<DirectionPair> pairs = queries.stream().map(Query::pair).toList();
+        return new Planner(map, HeightLevels.of(map), cie).plan(request, VisibleRange.of(pairs));
     }
 
     /** Coherent power, ensemble power, rho and brdf of each query, from the shaders. */
@@ -51,8 +51,8 @@ final class Comparison {
     }
 
     /** X, Y, Z of power and the gain of each direction, from the shaders. */
-    List<float[]> colours(List<Geometry> geometries) {
-        return evaluate(geometries.stream().map(g -> new Query(g, 0)).toList(), false);
+    List<float[]> colours(List<DirectionPair> pairs) {
+        return evaluate(pairs.stream().map(g -> new Query(g, 0)).toList(), false);
     }
 
     private List<float[]> evaluate(List<Query> queries, boolean spectral) {
@@ -78,7 +78,7 @@ final class Comparison {
                 .parallel()
                 .mapToDouble(i -> {
                     Query query = queries.get(i);
-                    ReferenceEvaluator.Power exact = reference.powers(query.geometry(), query.wavelength());
+                    ReferenceEvaluator.Power exact = reference.powers(query.pair(), query.wavelength());
                     double wanted = ensemble ? exact.ensemble() : exact.coherent();
                     return wanted < FAINTEST ? -1 : Math.abs(computed.get(i)[ensemble ? 1 : 0] - wanted) / wanted;
                 })
@@ -88,13 +88,13 @@ final class Comparison {
     }
 
     /** Errors of the colours as vectors, where there is any power. */
-    Errors colourErrors(List<Geometry> geometries) {
-        List<float[]> computed = colours(geometries);
+    Errors colourErrors(List<DirectionPair> pairs) {
+        List<float[]> computed = colours(pairs);
         ReferenceColor color =
                 new ReferenceColor(reference, request.window(), cie, ReferenceColor.Quadrature.INTEGRATED);
-        double[] errors = IntStream.range(0, geometries.size())
+        double[] errors = IntStream.range(0, pairs.size())
                 .parallel()
-                .mapToDouble(i -> relative(computed.get(i), color.xyz(geometries.get(i), ensemble())))
+                .mapToDouble(i -> relative(computed.get(i), color.xyz(pairs.get(i), ensemble())))
                 .filter(error -> !(error < 0))
                 .toArray();
         return Errors.of(errors);

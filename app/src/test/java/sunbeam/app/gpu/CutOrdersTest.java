@@ -8,7 +8,7 @@ import java.util.stream.IntStream;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.precompute.optics.Direction;
-import sunbeam.precompute.optics.Geometry;
+import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.patch.HeightMap;
 import sunbeam.precompute.plan.Average;
 
@@ -22,8 +22,8 @@ class CutOrdersTest extends InAContext {
     @ValueSource(doubles = {25e-6, 65e-6})
     void ordersAcrossTheEndsOfTheBand(double coherenceLength) {
         Direction light = Direction.ofDegrees(0, 0);
-        List<Geometry> plane = IntStream.range(0, 60)
-                .mapToObj(i -> new Geometry(light, Direction.ofDisc(-0.95 * (i + 0.5) / 60, 0)))
+        List<DirectionPair> plane = IntStream.range(0, 60)
+                .mapToObj(i -> new DirectionPair(light, Direction.ofDisc(-0.95 * (i + 0.5) / 60, 0)))
                 .toList();
 
         Errors errors =

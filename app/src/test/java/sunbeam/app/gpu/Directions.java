@@ -7,7 +7,7 @@ import java.util.stream.IntStream;
 import sunbeam.app.directions.DirectionsRenderer.Query;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.Direction;
-import sunbeam.precompute.optics.Geometry;
+import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.patch.HeightMap;
 
 /** Directions for tests, the same at every run. */
@@ -19,23 +19,23 @@ final class Directions {
     }
 
     /** Both directions anywhere in the hemisphere, evenly in the disc. */
-    List<Geometry> anywhere(int count) {
+    List<DirectionPair> anywhere(int count) {
         return IntStream.range(0, count)
-                .mapToObj(i -> new Geometry(direction(1), direction(1)))
+                .mapToObj(i -> new DirectionPair(direction(1), direction(1)))
                 .toList();
     }
 
     /** Both directions anywhere in the hemisphere and any visible wavelength. */
     List<Query> queries(int count) {
         return anywhere(count).stream()
-                .map(geometry -> new Query(geometry, 380e-9 + 400e-9 * random.nextDouble()))
+                .map(pair -> new Query(pair, 380e-9 + 400e-9 * random.nextDouble()))
                 .toList();
     }
 
     /** Light of one direction, views evenly in the disc. */
-    List<Geometry> views(Direction light, int count) {
+    List<DirectionPair> views(Direction light, int count) {
         return IntStream.range(0, count)
-                .mapToObj(i -> new Geometry(light, direction(1)))
+                .mapToObj(i -> new DirectionPair(light, direction(1)))
                 .toList();
     }
 
@@ -56,7 +56,7 @@ final class Directions {
             double x = -fx * wavelength - light.x();
             double y = -fy * wavelength - light.y();
             if (x * x + y * y < 0.95) {
-                queries.add(new Query(new Geometry(light, Direction.ofDisc(x, y)), wavelength));
+                queries.add(new Query(new DirectionPair(light, Direction.ofDisc(x, y)), wavelength));
             }
         }
         return queries;
@@ -72,7 +72,7 @@ final class Directions {
     static Query seeing(double thetaDegrees, double fx, double fy, double wavelength) {
         Direction light = Direction.ofDegrees(thetaDegrees, 0);
         Direction view = Direction.ofDisc(-fx * wavelength - light.x(), -fy * wavelength - light.y());
-        return new Query(new Geometry(light, view), wavelength);
+        return new Query(new DirectionPair(light, view), wavelength);
     }
 
     private static double order(double frequency, double period) {

@@ -38,7 +38,7 @@ class GratingsOnGpuTest extends InAContext {
         double[] errors = new double[queries.size()];
         for (int i = 0; i < errors.length; i++) {
             Query query = queries.get(i);
-            double exact = power.applyAsDouble(i % 7 - 3, query.geometry().w() / query.wavelength());
+            double exact = power.applyAsDouble(i % 7 - 3, query.pair().w() / query.wavelength());
             errors[i] = Math.abs(computed.get(i)[average == Average.ENSEMBLE ? 1 : 0] - exact) / exact;
         }
         Errors.of(errors).assertWithin(TOLERANCE, "orders");

@@ -12,8 +12,8 @@ import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.app.directions.DirectionsRenderer.Query;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.Direction;
+import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.Gain;
-import sunbeam.precompute.optics.Geometry;
 import sunbeam.precompute.patch.HeightMap;
 import sunbeam.precompute.plan.Average;
 
@@ -32,13 +32,13 @@ class HardDirectionsTest extends InAContext {
     void exactlySpecular(double coherenceLength) {
         List<Query> queries = new ArrayList<>();
         for (double theta = 0; theta <= 85; theta += 5) {
-            Geometry geometry = new Geometry(Direction.ofDegrees(theta, 30), Direction.ofDegrees(theta, 210));
-            queries.add(new Query(geometry, 500e-9));
+            DirectionPair pair = new DirectionPair(Direction.ofDegrees(theta, 30), Direction.ofDegrees(theta, 210));
+            queries.add(new Query(pair, 500e-9));
         }
         Comparison comparison = comparison(coherenceLength);
 
         comparison.powerErrors(queries).assertWithin(TOLERANCE, "power");
-        comparison.colourErrors(queries.stream().map(Query::geometry).toList()).assertWithin(TOLERANCE, "XYZ");
+        comparison.colourErrors(queries.stream().map(Query::pair).toList()).assertWithin(TOLERANCE, "XYZ");
     }
 
     @Test
@@ -46,7 +46,7 @@ class HardDirectionsTest extends InAContext {
         Directions directions = new Directions(52);
         for (double wavelength : new double[] {380e-9, 780e-9}) {
             List<Query> queries = directions.anywhere(60).stream()
-                    .map(geometry -> new Query(geometry, wavelength))
+                    .map(pair -> new Query(pair, wavelength))
                     .toList();
             comparison(3e-6).powerErrors(queries).assertWithin(TOLERANCE, "power at the band's end");
         }
@@ -59,10 +59,12 @@ class HardDirectionsTest extends InAContext {
         List<Query> queries = new ArrayList<>();
         for (double phi = 0; phi < 360; phi += 15) {
             // cos(89.9 degrees) = 1.7e-3, |w| = 3.5e-3; and one of both grazing only.
+            queries.add(new Query(
+                    new DirectionPair(Direction.ofDegrees(89.9, phi), Direction.ofDegrees(89.9, 100)), 450e-9));
             queries.add(
-                    new Query(new Geometry(Direction.ofDegrees(89.9, phi), Direction.ofDegrees(89.9, 100)), 450e-9));
-            queries.add(new Query(new Geometry(Direction.ofDegrees(89.9, phi), Direction.ofDegrees(20, 100)), 450e-9));
-            queries.add(new Query(new Geometry(Direction.ofDegrees(30, phi), Direction.ofDegrees(89.9, 100)), 450e-9));
+                    new Query(new DirectionPair(Direction.ofDegrees(89.9, phi), Direction.ofDegrees(20, 100)), 450e-9));
+            queries.add(
+                    new Query(new DirectionPair(Direction.ofDegrees(30, phi), Direction.ofDegrees(89.9, 100)), 450e-9));
         }
         Comparison comparison = comparison(coherenceLength);
 
@@ -70,10 +72,10 @@ class HardDirectionsTest extends InAContext {
 
         for (int i = 0; i < queries.size(); i++) {
             float[] result = computed.get(i);
-            Geometry geometry = queries.get(i).geometry();
+            DirectionPair pair = queries.get(i).pair();
             // The factors are sums and cosines of float32 directions: 89.9 degrees has a cosine right to 4e-5, squared.
-            double rho = Gain.relativeRadiance(geometry) * result[0];
-            double brdf = Gain.brdf(geometry, window, 450e-9) * result[0];
+            double rho = Gain.relativeRadiance(pair) * result[0];
+            double brdf = Gain.brdf(pair, window, 450e-9) * result[0];
             assertThat((double) result[2]).as("rho %d", i).isCloseTo(rho, within(TOLERANCE * rho));
             assertThat((double) result[3]).as("brdf %d", i).isCloseTo(brdf, within(TOLERANCE * brdf));
         }
@@ -85,7 +87,7 @@ class HardDirectionsTest extends InAContext {
 
     private static List<Query> grazing(List<Query> queries, boolean both) {
         return queries.stream()
-                .filter(query -> (-query.geometry().w() < 0.01) == both)
+                .filter(query -> (-query.pair().w() < 0.01) == both)
                 .toList();
     }
 }

@@ -6,8 +6,9 @@ import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 
 /** Tests that share one render context. */
-abstract class InAContext {
-    static RenderContext context;
+public abstract class InAContext {
+    /** Open while the tests run. */
+    protected static RenderContext context;
 
     @BeforeAll
     static void open() {

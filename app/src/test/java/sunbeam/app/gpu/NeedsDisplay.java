@@ -13,4 +13,4 @@ import org.junit.jupiter.api.condition.EnabledIfEnvironmentVariable;
         named = "DISPLAY",
         matches = ".+",
         disabledReason = "DISPLAY is not set: rendering is not tested. Run ./sunbeam test, or start Xvfb")
-@interface NeedsDisplay {}
+public @interface NeedsDisplay {}

@@ -13,8 +13,8 @@ import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.app.directions.DirectionsRenderer.Query;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.Direction;
+import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.Gain;
-import sunbeam.precompute.optics.Geometry;
 import sunbeam.precompute.patch.HeightMap;
 import sunbeam.precompute.plan.Average;
 
@@ -74,9 +74,9 @@ class TruthsOnGpuTest extends InAContext {
 
     @Test
     void aFlatMirrorIsWhiteInSpecularDirection() {
-        List<Geometry> specular = new ArrayList<>();
+        List<DirectionPair> specular = new ArrayList<>();
         for (double theta : new double[] {0, 45, 89, 89.9}) {
-            specular.add(new Geometry(Direction.ofDegrees(theta, 0), Direction.ofDegrees(theta, 180)));
+            specular.add(new DirectionPair(Direction.ofDegrees(theta, 0), Direction.ofDegrees(theta, 180)));
         }
         // CIE 15, D65 and the 2 degree observer.
         double[] white = {0.95047, 1, 1.08883};
@@ -93,7 +93,7 @@ class TruthsOnGpuTest extends InAContext {
         List<Query> there = new Directions(41).queries(60);
         List<Query> back = there.stream()
                 .map(query -> new Query(
-                        new Geometry(query.geometry().wr(), query.geometry().wi()), query.wavelength()))
+                        new DirectionPair(query.pair().wr(), query.pair().wi()), query.wavelength()))
                 .toList();
         Comparison rough = new Comparison(context, ROUGH, Requests.of(ROUGH_WINDOW, Average.COHERENT));
         List<float[]> forth = rough.spectral(there);
@@ -111,9 +111,8 @@ class TruthsOnGpuTest extends InAContext {
         List<Query> queries = new Directions(42).queries(60);
         List<Query> turned = queries.stream()
                 .map(query -> new Query(
-                        new Geometry(
-                                turned(query.geometry().wi()),
-                                turned(query.geometry().wr())),
+                        new DirectionPair(
+                                turned(query.pair().wi()), turned(query.pair().wr())),
                         query.wavelength()))
                 .toList();
         HeightMap upsideDown = ROUGH.map(height -> -height);

@@ -56,6 +56,13 @@ final class CsvTableTest {
     }
 
     @Test
+    void aQuotedFieldMayCrossLinesWhichAreCounted() throws IOException {
+        CsvTable table = read("note,theta,phi\n\"two\nlines\",1,2\n,3,4\n");
+        assertThat(table.column("phi")).containsExactly(2, 4);
+        assertThat(table.failure(1, "phi", "")).hasMessageContaining("line 4");
+    }
+
+    @Test
     void manyRowsAreRead() throws IOException {
         CsvTable table = read("theta,phi\n" + "1,2\n".repeat(1000));
         assertThat(table.rows()).isEqualTo(1000);
@@ -92,7 +99,7 @@ final class CsvTableTest {
     void aRowOfAnotherLengthIsNamed() throws IOException {
         assertRefused("theta,phi\n1,2\n1\n").hasMessageContaining("line 3: 1 fields, but the header has 2");
         assertRefused("theta,phi\n0,5,1\n").hasMessageContaining("line 2: 3 fields");
-        assertRefused("theta,phi\n\"1,2\n").hasMessageContaining("line 2: a quote is not closed");
+        assertRefused("theta,phi\n\"1,2\n").hasMessageContainingAll("Unclosed quoted field", "line 2");
     }
 
     @Test
@@ -103,7 +110,10 @@ final class CsvTableTest {
 
     @Test
     void aLineWithoutEndTakesNoMemory() throws IOException {
-        assertRefused("theta,phi\n" + "1".repeat(70_000)).hasMessageContaining("line 2: longer than 65536");
+        assertRefused("theta,phi\n" + "1".repeat(70_000))
+                .hasMessageContainingAll("line 2", "65536", "is this a table?");
+        assertRefused("theta,phi\n" + "1,".repeat(70_000)).hasMessageContainingAll("line 2", "65536");
+        assertRefused("theta,phi\n1,\"" + "2\n".repeat(70_000)).hasMessageContaining("line 2");
     }
 
     @Test

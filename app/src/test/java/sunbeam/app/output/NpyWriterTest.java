@@ -8,20 +8,10 @@ import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.Arrays;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.ValueSource;
-import sunbeam.app.input.InputException;
-import sunbeam.app.input.NpyArray;
 
 final class NpyWriterTest {
-    @TempDir
-    private Path folder;
-
     @Test
     void theBytesAreThoseOfTheFormat() throws IOException {
         ByteArrayOutputStream stream = new ByteArrayOutputStream();
@@ -39,23 +29,20 @@ final class NpyWriterTest {
     }
 
     @Test
-    void whatIsWrittenInPiecesIsReadAsOneArray() {
-        Path target = folder.resolve("out.npy");
+    void whatIsWrittenInPiecesIsOneArray() throws IOException {
         float[] values = new float[3 * 7001 * 2];
+        ByteBuffer expected = ByteBuffer.allocate(Float.BYTES * values.length).order(ByteOrder.LITTLE_ENDIAN);
         for (int index = 0; index < values.length; index++) {
             values[index] = index;
+            expected.putFloat(index);
         }
-        AtomicFile.write(target, Overwrite.REFUSE, stream -> {
-            try (NpyWriter writer = new NpyWriter(stream, 3, 7001, 2)) {
-                writer.append(values, 0, 5);
-                writer.append(values, 5, 40_000);
-                writer.append(values, 40_005, values.length - 40_005);
-            }
-        });
-        NpyArray array = NpyArray.read(target);
-        assertThat(array.shape()).containsExactly(3, 7001, 2);
-        assertThat(array.toArray()).isEqualTo(values);
-        assertThat(array.at(1, 5, 1)).isEqualTo(7001 * 2 + 5 * 2 + 1);
+        ByteArrayOutputStream stream = new ByteArrayOutputStream();
+        try (NpyWriter writer = new NpyWriter(stream, 3, 7001, 2)) {
+            writer.append(values, 0, 5);
+            writer.append(values, 5, 40_000);
+            writer.append(values, 40_005, values.length - 40_005);
+        }
+        assertThat(Arrays.copyOfRange(stream.toByteArray(), 128, stream.size())).isEqualTo(expected.array());
     }
 
     @Test
@@ -70,23 +57,6 @@ final class NpyWriterTest {
         NpyWriter writer = new NpyWriter(new ByteArrayOutputStream(), 2);
         assertThatThrownBy(() -> writer.append(new float[3], 0, 3)).isInstanceOf(IllegalArgumentException.class);
         assertThatThrownBy(writer::close).isInstanceOf(IllegalStateException.class);
-    }
-
-    @ParameterizedTest
-    @ValueSource(strings = {"(2147483647, 2147483647)", "(3,)", "(99999999999,)", "(4)x"})
-    void aHeaderThatPromisesWhatTheFileLacksIsRefused(String shape) throws IOException {
-        Path file = folder.resolve("bad.npy");
-        NpyWriter.write(file, Overwrite.REFUSE, new float[4], 4);
-        byte[] bytes = Files.readAllBytes(file);
-        byte[] header = ("{'descr': '<f4', 'fortran_order': False, 'shape': " + shape + ", }" + " ".repeat(40))
-                .substring(0, 90)
-                .getBytes(StandardCharsets.US_ASCII);
-        Arrays.fill(bytes, 10, 128, (byte) ' ');
-        System.arraycopy(header, 0, bytes, 10, header.length);
-        Files.write(file, bytes);
-        assertThatThrownBy(() -> NpyArray.read(file))
-                .isInstanceOf(InputException.class)
-                .hasMessageContaining(file.toString());
     }
 
     private static String headerOf(int... shape) throws IOException {

@@ -1,8 +1,11 @@
 package sunbeam.app.plot;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
+import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
+import org.jfree.chart.ChartRenderingInfo;
 import org.junit.jupiter.api.Test;
 
 final class HeatMapTest {
@@ -16,18 +19,23 @@ final class HeatMapTest {
                 new HeatMap.Values(rows, new double[] {0, 10}, new double[] {0, 10}, colors, reduction));
     }
 
-    /** Grey level in the middle of a cell of a 2 x 2 matrix over the plot's area. */
-    private static int grey(BufferedImage image, double x, double y) {
-        // The area's edges are where the border is drawn: left 92, right 118, top 48, bottom 66 pixels.
-        int column = (int) (92 + x * (WIDTH - 92 - 118));
-        int row = (int) (HEIGHT - 66 - y * (HEIGHT - 48 - 66));
+    private final ChartRenderingInfo places = new ChartRenderingInfo();
+
+    private Rectangle2D area() {
+        return places.getPlotInfo().getDataArea();
+    }
+
+    /** Grey level at a place of the matrix, 0..1 to the right and up. */
+    private int grey(BufferedImage image, double x, double y) {
+        int column = (int) (area().getX() + x * area().getWidth());
+        int row = (int) (area().getMaxY() - y * area().getHeight());
         return image.getRGB(column, row) & 0xFF;
     }
 
     @Test
     void rowsGoUpAndColumnsGoRight() {
         BufferedImage image = map(new double[][] {{0, 1}, {0.5, 0}}, HeatMap.Reduction.LARGEST)
-                .draw();
+                .draw(places);
         assertThat(grey(image, 0.25, 0.25)).isZero();
         assertThat(grey(image, 0.75, 0.25)).isEqualTo(255);
         assertThat(grey(image, 0.25, 0.75)).isEqualTo(128);
@@ -40,16 +48,16 @@ final class HeatMapTest {
         for (double[] row : rows) {
             row[10_003] = 1;
         }
-        assertThat(whitePixelsAcross(map(rows, HeatMap.Reduction.LARGEST).draw()))
+        assertThat(whitePixelsAcross(map(rows, HeatMap.Reduction.LARGEST).draw(places)))
                 .isEqualTo(1);
-        assertThat(whitePixelsAcross(map(rows, HeatMap.Reduction.MIDDLE).draw()))
+        assertThat(whitePixelsAcross(map(rows, HeatMap.Reduction.MIDDLE).draw(places)))
                 .isZero();
     }
 
-    private static int whitePixelsAcross(BufferedImage image) {
+    private int whitePixelsAcross(BufferedImage image) {
         int count = 0;
-        for (int x = 94; x < WIDTH - 120; x++) {
-            count += (image.getRGB(x, HEIGHT / 2) & 0xFF) == 255 ? 1 : 0;
+        for (int x = (int) area().getX() + 2; x < area().getMaxX() - 2; x++) {
+            count += (image.getRGB(x, (int) area().getCenterY()) & 0xFF) == 255 ? 1 : 0;
         }
         return count;
     }
@@ -58,10 +66,31 @@ final class HeatMapTest {
     void curvesLieOnTheirValues() {
         BufferedImage image = map(new double[][] {{0}}, HeatMap.Reduction.LARGEST)
                 .curve("level", new double[] {0, 10}, new double[] {7.5, 7.5}, 0xFFFFFF, false)
-                .draw();
-        int row = HEIGHT - 66 - 28 - (int) Math.round(0.75 * (HEIGHT - 48 - 66 - 28));
-        assertThat(image.getRGB(200, row) & 0xFF).isGreaterThan(150);
-        assertThat(image.getRGB(200, row + 10) & 0xFF).isZero();
+                .draw(places);
+        assertThat(grey(image, 0.4, 0.75)).isGreaterThan(150);
+        assertThat(grey(image, 0.4, 0.7)).isZero();
+    }
+
+    @Test
+    void aUnitIsAsLongAlongBothAxesWhereThatIsAskedFor() {
+        HeatMap.Colors colors = new HeatMap.Colors("value", 0, 1, Plot.Scale.LINEAR, ColorMap.GREY);
+        HeatMap.Frame frame = new HeatMap.Frame("title", "x", "y", WIDTH, HEIGHT, true);
+        HeatMap.Values values = new HeatMap.Values(
+                new double[][] {{0}}, new double[] {0, 3}, new double[] {0, 1}, colors, HeatMap.Reduction.LARGEST);
+        new HeatMap(frame, values).draw(places);
+        // The corners of the area are whole pixels.
+        assertThat(area().getHeight()).isCloseTo(area().getWidth() / 3, within(2.0));
+    }
+
+    @Test
+    void theColourBarIsAsHighAsTheMatrix() {
+        BufferedImage image =
+                map(new double[][] {{0.5}}, HeatMap.Reduction.LARGEST).draw(places);
+        // Left of it is the gap, right of it are the ticks.
+        int bar = (int) area().getMaxX() + 12 + 9;
+        assertThat(image.getRGB(bar, (int) area().getMinY() + 3) & 0xFF).isGreaterThan(250);
+        assertThat(image.getRGB(bar, (int) area().getMaxY() - 3) & 0xFF).isLessThan(5);
+        assertThat(image.getRGB(bar, (int) area().getMaxY() + 4) & 0xFF).isEqualTo(255);
     }
 
     @Test
@@ -83,14 +112,5 @@ final class HeatMapTest {
         }
         assertThat(ColorMap.VIRIDIS.at(-3)).isEqualTo(0x440154);
         assertThat(ColorMap.VIRIDIS.at(7)).isEqualTo(0xFDE725);
-    }
-
-    @Test
-    void ticksAreRound() {
-        assertThat(Ticks.between(380, 780, 8).values()).containsExactly(400, 450, 500, 550, 600, 650, 700, 750);
-        Ticks fine = Ticks.between(-0.25, 0.31, 6);
-        assertThat(fine.values()[0]).isEqualTo(-0.2);
-        assertThat(fine.label(0)).isEqualTo("-0.2");
-        assertThat(Ticks.powersOfTen(2e-5, 0.5).values()).containsExactly(1e-4, 1e-3, 1e-2, 1e-1);
     }
 }

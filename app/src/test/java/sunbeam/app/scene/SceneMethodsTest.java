@@ -19,8 +19,8 @@ import sunbeam.app.cli.UsageException;
 import sunbeam.app.gpu.MethodKind;
 import sunbeam.app.setup.MethodRequest;
 import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.Gain;
-import sunbeam.precompute.optics.Geometry;
 import sunbeam.precompute.optics.Replicas;
 import sunbeam.precompute.patch.PatchRequest;
 import sunbeam.precompute.plan.Average;
@@ -102,9 +102,9 @@ class SceneMethodsTest {
                 int pixel = ranked[rank];
                 Pick pick = session.pick(pixel % WIDTH, pixel / WIDTH, WIDTH, HEIGHT)
                         .orElseThrow();
-                Geometry geometry = new Geometry(pick.wi(), pick.wr());
-                double[] exact = reference.xyz(geometry);
-                double gain = Gain.relativeRadiance(geometry);
+                DirectionPair pair = new DirectionPair(pick.wi(), pick.wr());
+                double[] exact = reference.xyz(pair);
+                double gain = Gain.relativeRadiance(pair);
                 double scale = gain * Math.max(exact[0], Math.max(exact[1], exact[2]));
                 for (int c = 0; c < 3; c++) {
                     // As for full: the tolerance of 1e-3 for each of five sources.

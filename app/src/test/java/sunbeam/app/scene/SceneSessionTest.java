@@ -24,8 +24,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import sunbeam.app.cli.Environment;
 import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.Gain;
-import sunbeam.precompute.optics.Geometry;
 import sunbeam.precompute.patch.PatchRequest;
 import sunbeam.precompute.reference.ReferenceColor;
 import sunbeam.precompute.reference.ReferenceEvaluator;
@@ -83,10 +83,10 @@ class SceneSessionTest {
         for (int rank : new int[] {0, 5, 20, 60, 150}) {
             int[] at = {byLuminance[rank] % WIDTH, byLuminance[rank] / WIDTH};
             Pick pick = session.pick(at[0], at[1], WIDTH, HEIGHT).orElseThrow();
-            Geometry geometry = new Geometry(pick.wi(), pick.wr());
-            double[] exact = reference.xyz(geometry, true);
+            DirectionPair pair = new DirectionPair(pick.wi(), pick.wr());
+            double[] exact = reference.xyz(pair, true);
             float[] drawn = pixel(picture, at[0], at[1]);
-            double gain = Gain.relativeRadiance(geometry);
+            double gain = Gain.relativeRadiance(pair);
             brightest = Math.max(brightest, gain * exact[1]);
             for (int c = 0; c < 3; c++) {
                 // The plan's tolerance is 1e-3 for each of five sources; directions in float32 add 1e-4 where an

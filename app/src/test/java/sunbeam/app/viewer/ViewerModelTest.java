@@ -198,6 +198,25 @@ class ViewerModelTest {
         assertThat(onEvents(() -> opened)).containsExactly(faint);
     }
 
+    @Test
+    void aCoherenceLengthBelowThePatchsSamplesIsRefusedInThePlannersWords() throws Exception {
+        Scene before = onEvents(() -> model.scene());
+        onEvents(() -> {
+            // Its samples are 65 um / 1024 apart; a Gaussian of 150 nm has fewer than three of them.
+            model.change(scene -> scene.withPatch(PatchRequest.of("elaphe-like"))
+                    .withPlan(PlanChange.coherenceLength(scene.plan(), 150e-9)));
+            return null;
+        });
+        awaitLoads();
+
+        assertThat(onEvents(() -> problems))
+                .singleElement()
+                .asString()
+                .startsWith("a coherence length of 150 nm is less than")
+                .doesNotContain("internal error");
+        assertThat(onEvents(() -> model.scene())).isEqualTo(before);
+    }
+
     private void open(Scene scene) throws Exception {
         onEvents(() -> {
             model.open(scene, () -> {

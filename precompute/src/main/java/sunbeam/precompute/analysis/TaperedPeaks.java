@@ -3,6 +3,7 @@ package sunbeam.precompute.analysis;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import sunbeam.precompute.numerics.LogParabola;
 
 /**
  * Peaks in the spectrum of a piece of a surface, found in bins averaged with their neighbours. Natural surfaces keep no
@@ -130,8 +131,8 @@ final class TaperedPeaks {
 
     private SpectrumPeak refined(Scale scale, int jx, int jy) {
         HeightSpectrum smoothed = scale.smoothed();
-        double shiftX = parabolaTop(smoothed.at(jx - 1, jy), smoothed.at(jx, jy), smoothed.at(jx + 1, jy));
-        double shiftY = parabolaTop(smoothed.at(jx, jy - 1), smoothed.at(jx, jy), smoothed.at(jx, jy + 1));
+        double shiftX = LogParabola.top(smoothed.at(jx - 1, jy), smoothed.at(jx, jy), smoothed.at(jx + 1, jy));
+        double shiftY = LogParabola.top(smoothed.at(jx, jy - 1), smoothed.at(jx, jy), smoothed.at(jx, jy + 1));
         double[] bin = sharpened(jx + shiftX, jy + shiftY, 2 * scale.sigmaBins());
         double x = bin[0] / spectrum.width();
         double y = bin[1] / spectrum.height();
@@ -166,18 +167,6 @@ final class TaperedPeaks {
             }
         }
         return sum > SHARP_SHARE * all ? new double[] {sumX / sum, sumY / sum} : new double[] {binX, binY};
-    }
-
-    /** Where the parabola through three logarithms has its top, -1/2..1/2: exact for a Gaussian. */
-    private static double parabolaTop(double before, double here, double after) {
-        if (!(before > 0 && after > 0)) {
-            return 0;
-        }
-        double a = Math.log(before);
-        double b = Math.log(here);
-        double c = Math.log(after);
-        double curvature = a - 2 * b + c;
-        return curvature < 0 ? Math.max(-0.5, Math.min(0.5, 0.5 * (a - c) / curvature)) : 0;
     }
 
     /** Of the heights whose bins, and their mirror images, lie within two deviations of the average. */

@@ -1,16 +1,14 @@
 package sunbeam.precompute.color;
 
-import java.io.BufferedReader;
+import de.siegmar.fastcsv.reader.CommentStrategy;
+import de.siegmar.fastcsv.reader.CsvReader;
+import de.siegmar.fastcsv.reader.NamedCsvRecord;
 import java.io.IOException;
-import java.io.InputStream;
-import java.io.InputStreamReader;
 import java.io.UncheckedIOException;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
-import java.security.MessageDigest;
-import java.util.ArrayList;
-import java.util.List;
-import sunbeam.precompute.text.Sha256;
+import java.util.stream.Stream;
+import sunbeam.precompute.files.Sha256;
 
 /**
  * CIE 1931 2-degree colour matching functions (CIE 018:2019) times the relative power of illuminant D65 (ISO/CIE
@@ -32,26 +30,20 @@ public final class CieTable {
 
     /** Reads the table that comes with Sunbeam. */
     public static CieTable load() {
-        List<double[]> rows = new ArrayList<>();
-        try (InputStream stream = CieTable.class.getResourceAsStream(RESOURCE);
-                BufferedReader reader = new BufferedReader(new InputStreamReader(stream, StandardCharsets.UTF_8))) {
-            reader.lines()
-                    .filter(line -> !line.startsWith("#") && !line.startsWith("wavelength"))
-                    .forEach(line -> rows.add(parse(line)));
+        try (CsvReader<NamedCsvRecord> rows = CsvReader.builder()
+                .commentStrategy(CommentStrategy.SKIP)
+                .ofNamedCsvRecord(CieTable.class.getResourceAsStream(RESOURCE), StandardCharsets.UTF_8)) {
+            return new CieTable(rows.stream().map(CieTable::weighted).toArray(double[][]::new));
         } catch (IOException e) {
             throw new UncheckedIOException("cannot read " + RESOURCE, e);
         }
-        return new CieTable(rows.toArray(double[][]::new));
     }
 
-    private static double[] parse(String line) {
-        String[] cells = line.split(",", -1);
-        double illuminant = Double.parseDouble(cells[4]);
-        return new double[] {
-            Double.parseDouble(cells[1]) * illuminant,
-            Double.parseDouble(cells[2]) * illuminant,
-            Double.parseDouble(cells[3]) * illuminant
-        };
+    private static double[] weighted(NamedCsvRecord row) {
+        double illuminant = Double.parseDouble(row.getField("d65"));
+        return Stream.of("x_bar", "y_bar", "z_bar")
+                .mapToDouble(name -> Double.parseDouble(row.getField(name)) * illuminant)
+                .toArray();
     }
 
     /**
@@ -74,13 +66,13 @@ public final class CieTable {
 
     /** SHA-256 of all values, in hexadecimal: equal for equal tables. */
     public String digest() {
-        MessageDigest digest = Sha256.digest();
+        Sha256 digest = new Sha256();
         for (double[] row : weighted) {
             ByteBuffer bytes = ByteBuffer.allocate(row.length * Double.BYTES);
             bytes.asDoubleBuffer().put(row);
-            digest.update(bytes);
+            digest.add(bytes);
         }
-        return Sha256.hexadecimal(digest);
+        return digest.hex();
     }
 
     /** Integral of S ybar over the band (trapezoid on the 1 nm table, exact for linear interpolation), in metres. */

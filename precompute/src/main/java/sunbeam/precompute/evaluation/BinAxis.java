@@ -49,16 +49,4 @@ record BinAxis(double period, double sigmaFrequency, int radius) {
             weights[i] = Math.exp(-0.5 * distance * distance);
         }
     }
-
-    /** exp(2 pi i bin shift / samples) for each bin: cosines, sines. */
-    static double[][] phases(Band band, int samples, int shift) {
-        double[][] result = new double[2][band.count()];
-        for (int i = 0; i < band.count(); i++) {
-            long turns = Math.floorMod((long) (band.first() + i) * shift, (long) samples);
-            double angle = 2 * Math.PI * turns / samples;
-            result[0][i] = Math.cos(angle);
-            result[1][i] = Math.sin(angle);
-        }
-        return result;
-    }
 }

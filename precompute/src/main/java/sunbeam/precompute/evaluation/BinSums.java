@@ -71,10 +71,10 @@ public final class BinSums {
         int rows = table.patch().rows();
         // Rows run downwards, y upwards.
         double[][][] phasesX = places.stream()
-                .map(place -> BinAxis.phases(table.bandX(), columns, -place.column()))
+                .map(place -> table.bandX().phases(columns, -place.column()))
                 .toArray(double[][][]::new);
         double[][][] phasesY = places.stream()
-                .map(place -> BinAxis.phases(table.bandY(), rows, place.row()))
+                .map(place -> table.bandY().phases(rows, place.row()))
                 .toArray(double[][][]::new);
         double[][][] power = new double[places.size()][grid.wavelengths().length][grid.angles().length];
         forEachDirection(progress, (row, column, bins) -> {

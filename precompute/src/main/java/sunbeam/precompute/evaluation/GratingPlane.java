@@ -1,7 +1,7 @@
 package sunbeam.precompute.evaluation;
 
 import sunbeam.precompute.optics.Direction;
-import sunbeam.precompute.optics.Geometry;
+import sunbeam.precompute.optics.DirectionPair;
 
 /**
  * The directions into which a grating can send one light: those whose (u, v) lies along the grating's direction. With
@@ -56,10 +56,10 @@ public record GratingPlane(double thetaI, double phiI, double azimuth) {
     }
 
     /** Both directions in the patch's frame. */
-    public Geometry geometry(double thetaR) {
+    public DirectionPair pair(double thetaR) {
         Direction wi = rotated(lightAlong(), lightAcross(), Math.cos(thetaI));
         Direction wr = rotated(Math.sin(thetaR), -lightAcross(), cosine(thetaR));
-        return new Geometry(wi, wr);
+        return new DirectionPair(wi, wr);
     }
 
     /** cos of the viewer's angle to the normal. */

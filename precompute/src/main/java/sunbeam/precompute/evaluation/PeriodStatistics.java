@@ -1,5 +1,7 @@
 package sunbeam.precompute.evaluation;
 
+import org.apache.commons.math3.stat.StatUtils;
+
 /**
  * A period from its values at several wavelengths, as in the thesis's Table 4.1.
  *
@@ -18,15 +20,7 @@ public record PeriodStatistics(int count, double mean, double variance) {
         if (periods.length < 2) {
             throw new IllegalArgumentException("a variance needs two values, got " + periods.length);
         }
-        double mean = 0;
-        for (double period : periods) {
-            mean += period / periods.length;
-        }
-        double sum = 0;
-        for (double period : periods) {
-            sum += (period - mean) * (period - mean);
-        }
-        return new PeriodStatistics(periods.length, mean, sum / (periods.length - 1));
+        return new PeriodStatistics(periods.length, StatUtils.mean(periods), StatUtils.variance(periods));
     }
 
     /** Of the mean, as if the wavelengths' values were independent, metres. */

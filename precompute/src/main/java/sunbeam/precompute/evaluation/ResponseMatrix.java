@@ -26,7 +26,7 @@ public record ResponseMatrix(ResponseGrid grid, double[][] values) {
     /** Power to relative radiance rho, what a map shows of it (see {@link Gain#relativeRadiance}). */
     public ResponseMatrix toRelativeRadiance() {
         double[] gains = Arrays.stream(grid.angles())
-                .map(angle -> Gain.relativeRadiance(grid.plane().geometry(angle)))
+                .map(angle -> Gain.relativeRadiance(grid.plane().pair(angle)))
                 .toArray();
         double[][] radiance = new double[values.length][gains.length];
         for (int row = 0; row < radiance.length; row++) {

@@ -3,6 +3,7 @@ package sunbeam.precompute.evaluation;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import sunbeam.precompute.numerics.LogParabola;
 
 /**
  * Ridges of a response: frequencies f = u / lambda = +-1 / d along whose curves, the grating equation's, the response is
@@ -48,7 +49,7 @@ public final class RidgeSearch {
             for (int i = -1; i <= count + 1; i++) {
                 double after = strength(response, sign * (1 / longest + i * step));
                 if (i > 0 && here > before && here >= after) {
-                    double top = 1 / longest + (i - 1 + parabolaTop(before, here, after)) * step;
+                    double top = 1 / longest + (i - 1 + LogParabola.top(before, here, after)) * step;
                     found.add(new Candidate(sign * top, here));
                 }
                 before = here;
@@ -57,13 +58,6 @@ public final class RidgeSearch {
         }
         found.sort(Comparator.comparingDouble(Candidate::strength).reversed());
         return found;
-    }
-
-    /** Where the parabola through three logarithms has its top, in steps; 0 where there is none. */
-    private static double parabolaTop(double before, double here, double after) {
-        double left = Math.log(here / before);
-        double right = Math.log(here / after);
-        return before > 0 && after > 0 && left + right > 0 ? 0.5 * (left - right) / (left + right) : 0;
     }
 
     /** Mean over the wavelengths at which the frequency's angle is on the grid; 0 where these are too few. */

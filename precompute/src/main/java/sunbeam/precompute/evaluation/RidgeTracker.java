@@ -2,6 +2,7 @@ package sunbeam.precompute.evaluation;
 
 import java.util.ArrayList;
 import java.util.List;
+import sunbeam.precompute.numerics.LogParabola;
 
 /**
  * Follows one ridge through a response. Each wavelength's local maxima near the grating equation's curve are candidates;
@@ -72,24 +73,13 @@ public final class RidgeTracker {
                     <= CORRIDOR * sigmaFrequency;
             boolean maximum = values[column] > values[column - 1] && values[column] >= values[column + 1];
             if (near && maximum) {
-                double angle = top(grid.angles(), values, column);
+                double shift = LogParabola.top(values[column - 1], values[column], values[column + 1]);
+                double step = 0.5 * (grid.angles()[column + 1] - grid.angles()[column - 1]);
+                double angle = grid.angles()[column] + shift * step;
                 peaks.add(new Peak(column, angle, grid.plane().u(angle) / wavelength, values[column]));
             }
         }
         return peaks;
-    }
-
-    /** Top of the parabola through the logarithms of three samples: exact for a Gaussian on even steps. */
-    private static double top(double[] angles, double[] values, int column) {
-        double before = Math.log(values[column - 1]);
-        double here = Math.log(values[column]);
-        double after = Math.log(values[column + 1]);
-        double curvature = before - 2 * here + after;
-        if (!(curvature < 0) || !Double.isFinite(curvature)) {
-            return angles[column];
-        }
-        double shift = 0.5 * (before - after) / curvature;
-        return angles[column] + shift * 0.5 * (angles[column + 1] - angles[column - 1]);
     }
 
     private void advance(List<Peak> from, List<Peak> to) {

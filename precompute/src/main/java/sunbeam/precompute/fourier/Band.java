@@ -34,6 +34,24 @@ public record Band(int first, int count) {
         return of(-reach, reach);
     }
 
+    /**
+     * exp(2 pi i bin shift / samples) for each bin, which moves the origin of a DFT.
+     *
+     * @param samples of the transform
+     * @param shift samples
+     * @return cosines, then sines, of each bin
+     */
+    public double[][] phases(int samples, int shift) {
+        double[][] phases = new double[2][count];
+        for (int i = 0; i < count; i++) {
+            long turns = Math.floorMod((long) (first + i) * shift, (long) samples);
+            double angle = 2 * Math.PI * turns / samples;
+            phases[0][i] = Math.cos(angle);
+            phases[1][i] = Math.sin(angle);
+        }
+        return phases;
+    }
+
     public boolean contains(Band other) {
         return first <= other.first && last() >= other.last();
     }

@@ -19,34 +19,24 @@ public final class Gain {
     }
 
     /** Shadowing and masking of V-shaped cavities, 0..1 (Torrance and Sparrow 1967; Cook and Torrance 1982 eq. 8). */
-    public static double mask(Geometry geometry) {
-        double halfLength = 2 * geometry.cosThetaD();
-        double cosHalf = (geometry.cosThetaI() + geometry.cosThetaR()) / halfLength;
-        double factor = 2 * cosHalf / geometry.cosThetaD();
-        return Math.min(1, factor * Math.min(geometry.cosThetaR(), geometry.cosThetaI()));
+    public static double mask(DirectionPair pair) {
+        double halfLength = 2 * pair.cosThetaD();
+        double cosHalf = (pair.cosThetaI() + pair.cosThetaR()) / halfLength;
+        double factor = 2 * cosHalf / pair.cosThetaD();
+        return Math.min(1, factor * Math.min(pair.cosThetaR(), pair.cosThetaI()));
     }
 
     /** Relative radiance per power: rho = relativeRadiance * power; 1 for the flat mirror seen along the normal. */
-    public static double relativeRadiance(Geometry geometry) {
-        double kirchhoff = 1 + geometry.wi().dot(geometry.wr());
-        double sum = geometry.cosThetaI() + geometry.cosThetaR();
-        return reflectance(geometry.cosThetaD())
-                / R0
-                * kirchhoff
-                * kirchhoff
-                / (sum * sum * geometry.cosThetaR())
-                * mask(geometry);
+    public static double relativeRadiance(DirectionPair pair) {
+        double kirchhoff = 1 + pair.wi().dot(pair.wr());
+        double sum = pair.cosThetaI() + pair.cosThetaR();
+        return reflectance(pair.cosThetaD()) / R0 * kirchhoff * kirchhoff / (sum * sum * pair.cosThetaR()) * mask(pair);
     }
 
     /** BRDF in 1/sr per power, without the mask; the Gaussian's effective area is pi sigma^2. */
-    public static double brdf(Geometry geometry, CoherenceWindow window, double wavelength) {
-        double kirchhoff = 1 + geometry.wi().dot(geometry.wr());
-        double ratio = kirchhoff * window.sigmaMetres() / (wavelength * geometry.w());
-        return reflectance(geometry.cosThetaD())
-                * 4
-                * Math.PI
-                * ratio
-                * ratio
-                / (geometry.cosThetaI() * geometry.cosThetaR());
+    public static double brdf(DirectionPair pair, CoherenceWindow window, double wavelength) {
+        double kirchhoff = 1 + pair.wi().dot(pair.wr());
+        double ratio = kirchhoff * window.sigmaMetres() / (wavelength * pair.w());
+        return reflectance(pair.cosThetaD()) * 4 * Math.PI * ratio * ratio / (pair.cosThetaI() * pair.cosThetaR());
     }
 }

@@ -1,11 +1,10 @@
 package sunbeam.precompute.patch;
 
-import java.io.IOException;
 import java.nio.file.Files;
-import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import sunbeam.precompute.files.OwnFolder;
 import sunbeam.precompute.text.Quoted;
 
 /** Reads {@link PatchDescriptor}s. A descriptor may come from anywhere, so it reaches no file outside its folder. */
@@ -38,43 +37,20 @@ final class PatchDescriptorReader {
 
     /** The image that the descriptor names, which after following all links must lie in the descriptor's folder. */
     private static Path imageInside(Path descriptor, String name, String heights) {
-        Path relative = relativePath(name, heights);
-        boolean leaves = relative.isAbsolute() || relative.getRoot() != null;
-        for (Path part : relative) {
-            leaves |= part.toString().equals("..");
-        }
-        if (leaves || heights.isBlank()) {
-            throw new PatchException("%s is %s; name an image in the descriptor's own folder, without .. or leading /"
-                    .formatted(name, Quoted.of(heights)));
-        }
-        Path image = descriptor.resolveSibling(relative);
-        if (!Files.exists(image)) {
-            throw new PatchException(
-                    "%s is %s, but there is no file %s; check the name".formatted(name, Quoted.of(heights), image));
+        if (heights.isBlank()) {
+            throw new PatchException(name + " is empty; name an image in the descriptor's own folder");
         }
         try {
-            Path folder = descriptor.toAbsolutePath().getParent().toRealPath();
-            if (!image.toRealPath().startsWith(folder)) {
+            OwnFolder folder = new OwnFolder(descriptor, "descriptor");
+            Path image = folder.file(heights);
+            if (!Files.exists(image)) {
                 throw new PatchException(
-                        "%s is %s, a link that leads out of the descriptor's folder; copy the image there"
-                                .formatted(name, Quoted.of(heights)));
+                        "%s is %s, but there is no file %s; check the name".formatted(name, Quoted.of(heights), image));
             }
-        } catch (IOException e) {
-            throw new PatchException(
-                    "%s is %s, which cannot be followed (%s); check the file"
-                            .formatted(name, Quoted.of(heights), e.getMessage()),
-                    e);
-        }
-        return image;
-    }
-
-    private static Path relativePath(String name, String heights) {
-        try {
-            return Path.of(heights);
-        } catch (InvalidPathException e) {
-            throw new PatchException(
-                    "%s is %s, which is no file name (%s); mend it".formatted(name, Quoted.of(heights), e.getReason()),
-                    e);
+            folder.requireNoWayOut(heights, image);
+            return image;
+        } catch (IllegalArgumentException wrong) {
+            throw new PatchException(name + ": " + wrong.getMessage(), wrong);
         }
     }
 }

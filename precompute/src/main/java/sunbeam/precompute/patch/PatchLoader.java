@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.function.Function;
 import sunbeam.precompute.text.Quoted;
 import sunbeam.precompute.units.Lengths;
 
@@ -15,10 +16,16 @@ import sunbeam.precompute.units.Lengths;
  * then an image, which needs a scale. A file called like a built-in patch is reached as {@code ./blaze}.
  */
 public final class PatchLoader {
-    private final BuiltInPatches builtIn;
+    private final List<String> builtIn;
+    private final Function<String, HeightMap> generator;
 
-    public PatchLoader(BuiltInPatches builtIn) {
-        this.builtIn = builtIn;
+    /**
+     * @param builtIn names of the patches that need no file, in the order in which they are shown to users
+     * @param generator makes the heights of the patch of such a name, metres
+     */
+    public PatchLoader(List<String> builtIn, Function<String, HeightMap> generator) {
+        this.builtIn = List.copyOf(builtIn);
+        this.generator = generator;
     }
 
     /**
@@ -31,9 +38,8 @@ public final class PatchLoader {
         if (name.isEmpty()) {
             throw new PatchException("--patch is empty; " + choices());
         }
-        Optional<HeightMap> generated = builtIn.find(name);
-        if (generated.isPresent()) {
-            return fromBuiltIn(name, generated.get(), request);
+        if (builtIn.contains(name)) {
+            return fromBuiltIn(name, generator.apply(name), request);
         }
         Path file = existing(name);
         return name.toLowerCase(Locale.ROOT).endsWith(".json")
@@ -55,8 +61,7 @@ public final class PatchLoader {
     }
 
     private String choices() {
-        String names =
-                builtIn.names().isEmpty() ? "" : "a built-in patch (" + String.join(", ", builtIn.names()) + "), ";
+        String names = builtIn.isEmpty() ? "" : "a built-in patch (" + String.join(", ", builtIn) + "), ";
         return "give " + names + "a descriptor (.json) or an image with --width and --max-height";
     }
 

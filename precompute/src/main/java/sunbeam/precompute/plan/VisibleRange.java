@@ -3,7 +3,7 @@ package sunbeam.precompute.plan;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.fourier.Band;
 import sunbeam.precompute.optics.Direction;
-import sunbeam.precompute.optics.Geometry;
+import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.resample.AxisGrid;
 
 /**
@@ -27,11 +27,11 @@ public record VisibleRange(
     }
 
     /** The smallest range that holds all of some pairs of directions; at least one is needed. */
-    public static VisibleRange of(Iterable<Geometry> geometries) {
+    public static VisibleRange of(Iterable<DirectionPair> pairs) {
         double[] low = {Double.MAX_VALUE, Double.MAX_VALUE, Double.MAX_VALUE};
         double[] high = {-Double.MAX_VALUE, -Double.MAX_VALUE, -Double.MAX_VALUE};
-        for (Geometry geometry : geometries) {
-            double[] uvw = {geometry.u(), geometry.v(), -geometry.w()};
+        for (DirectionPair pair : pairs) {
+            double[] uvw = {pair.u(), pair.v(), -pair.w()};
             for (int axis = 0; axis < 3; axis++) {
                 low[axis] = Math.min(low[axis], uvw[axis]);
                 high[axis] = Math.max(high[axis], uvw[axis]);

@@ -4,7 +4,7 @@ import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.IntegratedNodes;
 import sunbeam.precompute.color.WavelengthNodes;
 import sunbeam.precompute.optics.CoherenceWindow;
-import sunbeam.precompute.optics.Geometry;
+import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.patch.HeightLevels;
 
 /** X, Y, Z of the reference's power over 380..780 nm. */
@@ -51,15 +51,15 @@ public final class ReferenceColor {
     }
 
     /** The wavelengths that a direction needs: an order is sigma_f / (sqrt 2 |(u, v)|) wide in 1 / lambda. */
-    public WavelengthNodes nodes(Geometry geometry) {
-        double uv = Math.max(1e-9, Math.hypot(geometry.u(), geometry.v()));
+    public WavelengthNodes nodes(DirectionPair pair) {
+        double uv = Math.max(1e-9, Math.hypot(pair.u(), pair.v()));
         double deviation = window.sigmaFrequency() / (Math.sqrt(2) * uv);
         if (quadrature == Quadrature.TRAPEZOID) {
             double shortest = CieTable.MINIMUM_WAVELENGTH * CieTable.MINIMUM_WAVELENGTH * deviation;
             return WavelengthNodes.uniform(cie, Math.min(COARSEST_STEP, STEP_PER_DEVIATION * shortest));
         }
         HeightLevels heights = evaluator.heights();
-        double fringes = Math.abs(geometry.w()) * (heights.maximum() - heights.minimum());
+        double fringes = Math.abs(pair.w()) * (heights.maximum() - heights.minimum());
         // What oscillates independently may beat: bandwidths add up.
         double nodesPerUnit = NODES_PER_DEVIATION / deviation + NODES_PER_FRINGE * fringes + 1 / WIDEST_STEP;
         return IntegratedNodes.of(cie, 1 / nodesPerUnit);
@@ -70,14 +70,13 @@ public final class ReferenceColor {
      *
      * @param ensemble whether the mean over all positions of the window is meant
      */
-    public double[] xyz(Geometry geometry, boolean ensemble) {
-        WavelengthNodes nodes = nodes(geometry);
+    public double[] xyz(DirectionPair pair, boolean ensemble) {
+        WavelengthNodes nodes = nodes(pair);
         double[] sum = new double[3];
         for (int i = 0; i < nodes.count(); i++) {
             double wavelength = nodes.wavelengths()[i];
-            double power = ensemble
-                    ? evaluator.powers(geometry, wavelength).ensemble()
-                    : evaluator.coherent(geometry, wavelength);
+            double power =
+                    ensemble ? evaluator.powers(pair, wavelength).ensemble() : evaluator.coherent(pair, wavelength);
             for (int c = 0; c < 3; c++) {
                 sum[c] += power * nodes.weights()[i][c];
             }

@@ -3,7 +3,7 @@ package sunbeam.precompute.reference;
 import java.util.Arrays;
 import org.apache.commons.math3.complex.Complex;
 import sunbeam.precompute.optics.CoherenceWindow;
-import sunbeam.precompute.optics.Geometry;
+import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.WindowOrigin;
 import sunbeam.precompute.patch.HeightLevels;
 import sunbeam.precompute.patch.HeightMap;
@@ -54,10 +54,10 @@ public final class ReferenceEvaluator {
     }
 
     /** Power of one coherence area, for a wavelength in metres; 1 for a flat mirror in specular direction. */
-    public double coherent(Geometry geometry, double wavelength) {
-        AxisSums sums = surface.overRows(
-                geometry.w(), wavelength, AxisWeights.ofWindow(geometry.v() / wavelength, axisY, windowY));
-        return sums.power(0, AxisWeights.ofWindow(geometry.u() / wavelength, axisX, windowX));
+    public double coherent(DirectionPair pair, double wavelength) {
+        AxisSums sums =
+                surface.overRows(pair.w(), wavelength, AxisWeights.ofWindow(pair.v() / wavelength, axisY, windowY));
+        return sums.power(0, AxisWeights.ofWindow(pair.u() / wavelength, axisX, windowX));
     }
 
     /**
@@ -75,9 +75,9 @@ public final class ReferenceEvaluator {
     }
 
     /** Power of one coherence area and its mean over all positions of the window, for a wavelength in metres. */
-    public Power powers(Geometry geometry, double wavelength) {
-        double fx = geometry.u() / wavelength;
-        double fy = geometry.v() / wavelength;
+    public Power powers(DirectionPair pair, double wavelength) {
+        double fx = pair.u() / wavelength;
+        double fy = pair.v() / wavelength;
         int[] binsX = binsNear(fx, axisX);
         int[] binsY = binsNear(fy, axisY);
         AxisWeights[] alongY = new AxisWeights[binsY.length + 1];
@@ -85,7 +85,7 @@ public final class ReferenceEvaluator {
             alongY[i] = AxisWeights.ofBin(binsY[i], axisY);
         }
         alongY[binsY.length] = AxisWeights.ofWindow(fy, axisY, windowY);
-        AxisSums sums = surface.overRows(geometry.w(), wavelength, alongY);
+        AxisSums sums = surface.overRows(pair.w(), wavelength, alongY);
         double ensemble = 0;
         for (int jx : binsX) {
             AxisWeights alongX = AxisWeights.ofBin(jx, axisX);

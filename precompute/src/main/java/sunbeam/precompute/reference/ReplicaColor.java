@@ -2,7 +2,7 @@ package sunbeam.precompute.reference;
 
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.WavelengthNodes;
-import sunbeam.precompute.optics.Geometry;
+import sunbeam.precompute.optics.DirectionPair;
 
 /** X, Y, Z of the power of replicated patches: a trapezoid over 380..780 nm fine enough for all of their extent. */
 public final class ReplicaColor {
@@ -21,14 +21,14 @@ public final class ReplicaColor {
     }
 
     /** X, Y, Z of the power, without any gain. */
-    public double[] xyz(Geometry geometry) {
-        double cycles = Math.abs(geometry.u()) * evaluator.width() + Math.abs(geometry.v()) * evaluator.height();
+    public double[] xyz(DirectionPair pair) {
+        double cycles = Math.abs(pair.u()) * evaluator.width() + Math.abs(pair.v()) * evaluator.height();
         double shortest = CieTable.MINIMUM_WAVELENGTH;
         double step = Math.min(COARSEST_STEP, shortest * shortest / (NODES_PER_CYCLE * Math.max(1e-9, cycles)));
         WavelengthNodes nodes = WavelengthNodes.uniform(cie, step);
         double[] sum = new double[3];
         for (int i = 0; i < nodes.count(); i++) {
-            double power = evaluator.power(geometry, nodes.wavelengths()[i]);
+            double power = evaluator.power(pair, nodes.wavelengths()[i]);
             for (int c = 0; c < 3; c++) {
                 sum[c] += power * nodes.weights()[i][c];
             }

@@ -1,6 +1,6 @@
 package sunbeam.precompute.reference;
 
-import sunbeam.precompute.optics.Geometry;
+import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.Replicas;
 import sunbeam.precompute.optics.WindowOrigin;
 import sunbeam.precompute.patch.HeightMap;
@@ -32,10 +32,10 @@ public final class ReplicaEvaluator {
     }
 
     /** Power at a wavelength in metres; 1 for a flat mirror in specular direction. */
-    public double power(Geometry geometry, double wavelength) {
-        AxisWeights alongX = AxisWeights.ofReplicas(geometry.u() / wavelength, x, replicas.alongX());
-        AxisWeights alongY = AxisWeights.ofReplicas(geometry.v() / wavelength, y, replicas.alongY());
-        return surface.overRows(geometry.w(), wavelength, alongY).power(0, alongX);
+    public double power(DirectionPair pair, double wavelength) {
+        AxisWeights alongX = AxisWeights.ofReplicas(pair.u() / wavelength, x, replicas.alongX());
+        AxisWeights alongY = AxisWeights.ofReplicas(pair.v() / wavelength, y, replicas.alongY());
+        return surface.overRows(pair.w(), wavelength, alongY).power(0, alongX);
     }
 
     /** Extent of all replicas along x, metres. */

@@ -39,11 +39,6 @@ final class KaiserBessel {
         return shape * taps / peak;
     }
 
-    /** Frequency where the transform first vanishes. */
-    double firstZero() {
-        return Math.hypot(Math.PI, beta) / (Math.PI * taps);
-    }
-
     /** Modified Bessel function of order 0 by its power series, whose terms are all positive. */
     private static double besselI0(double x) {
         double term = 1;

@@ -5,18 +5,15 @@ import io.jhdf.WritableHdfFile;
 import io.jhdf.api.Dataset;
 import java.io.IOException;
 import java.io.UncheckedIOException;
-import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.security.MessageDigest;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
 import sunbeam.precompute.expansion.CoefficientTable;
+import sunbeam.precompute.files.Sha256;
 import sunbeam.precompute.fourier.Band;
-import sunbeam.precompute.text.Sha256;
 
 /**
  * Fourier tables as HDF5: dataset {@code terms} of float32, shape (terms, 2, rows, columns) with real and imaginary
@@ -169,24 +166,16 @@ public final class TableFile {
     }
 
     private static String checksum(TableAttributes attributes, FourierTable table) {
-        MessageDigest digest = Sha256.digest();
-        digest.update(attributes.canonical().getBytes(StandardCharsets.UTF_8));
+        Sha256 checksum = new Sha256().add(attributes.canonical());
         for (int n = 0; n < table.terms(); n++) {
-            update(digest, table.real()[n]);
-            update(digest, table.imaginary()[n]);
+            checksum.add(table.real()[n]).add(table.imaginary()[n]);
         }
         table.coefficients().ifPresent(coefficients -> {
             for (float[] row : coefficients.values()) {
-                update(digest, row);
+                checksum.add(row);
             }
         });
-        return Sha256.hexadecimal(digest);
-    }
-
-    private static void update(MessageDigest digest, float[] values) {
-        ByteBuffer bytes = ByteBuffer.allocate(4 * values.length);
-        bytes.asFloatBuffer().put(values);
-        digest.update(bytes);
+        return checksum.hex();
     }
 
     private static String rootMessage(Throwable failure) {

@@ -1,7 +1,6 @@
 package sunbeam.precompute.table;
 
 import org.apache.commons.math3.complex.Complex;
-import sunbeam.precompute.fourier.Band;
 import sunbeam.precompute.fourier.ComplexVector;
 import sunbeam.precompute.optics.WindowOrigin;
 
@@ -18,21 +17,9 @@ public final class WindowPhase {
         this.table = table;
         int columns = table.patch().columns();
         int rows = table.patch().rows();
-        alongX = phases(table.bandX(), columns, -origin.sample(columns));
+        alongX = table.bandX().phases(columns, -origin.sample(columns));
         // Rows run downwards, y upwards.
-        alongY = phases(table.bandY(), rows, origin.sample(rows));
-    }
-
-    /** exp(2 pi i bin shift / samples) for each bin: cosines, sines. */
-    private static double[][] phases(Band band, int samples, int shift) {
-        double[][] result = new double[2][band.count()];
-        for (int i = 0; i < band.count(); i++) {
-            long turns = Math.floorMod((long) (band.first() + i) * shift, (long) samples);
-            double angle = 2 * Math.PI * turns / samples;
-            result[0][i] = Math.cos(angle);
-            result[1][i] = Math.sin(angle);
-        }
-        return result;
+        alongY = table.bandY().phases(rows, origin.sample(rows));
     }
 
     /** One term with the moved origin, in the table's order of bins. */

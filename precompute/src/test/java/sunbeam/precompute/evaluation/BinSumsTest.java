@@ -7,7 +7,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import sunbeam.precompute.Surfaces;
 import sunbeam.precompute.optics.CoherenceWindow;
-import sunbeam.precompute.optics.Geometry;
+import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.WindowOrigin;
 import sunbeam.precompute.patch.HeightLevels;
 import sunbeam.precompute.patch.HeightMap;
@@ -50,10 +50,10 @@ final class BinSumsTest {
             double[][] ensemble = sums.ensemble(row -> {}).values();
             for (int row = 0; row < WAVELENGTHS.length; row++) {
                 for (int column = 0; column < ANGLES.length; column++) {
-                    Geometry geometry = grid.plane().geometry(ANGLES[column]);
-                    ReferenceEvaluator.Power exact = reference.powers(geometry, WAVELENGTHS[row]);
+                    DirectionPair pair = grid.plane().pair(ANGLES[column]);
+                    ReferenceEvaluator.Power exact = reference.powers(pair, WAVELENGTHS[row]);
                     assertThat(coherent[row][column])
-                            .as("%s, %s", grid.plane(), geometry)
+                            .as("%s, %s", grid.plane(), pair)
                             .isCloseTo(exact.coherent(), within(allowed(exact.coherent())));
                     assertThat(ensemble[row][column]).isCloseTo(exact.ensemble(), within(allowed(exact.ensemble())));
                 }

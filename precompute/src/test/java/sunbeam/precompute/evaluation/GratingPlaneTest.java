@@ -8,7 +8,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import sunbeam.precompute.optics.Direction;
-import sunbeam.precompute.optics.Geometry;
+import sunbeam.precompute.optics.DirectionPair;
 
 final class GratingPlaneTest {
     private static final double ROUNDING = 1e-14;
@@ -19,12 +19,12 @@ final class GratingPlaneTest {
         GratingPlane plane = new GratingPlane(Math.toRadians(theta), Math.toRadians(phi), Math.toRadians(azimuth));
         for (double share : new double[] {-0.99, -0.3, 0, 0.5, 0.9}) {
             double angle = share * plane.largestThetaR();
-            Geometry geometry = plane.geometry(angle);
-            assertThat(geometry.wi().dot(geometry.wi())).isCloseTo(1, within(ROUNDING));
-            assertThat(geometry.wr().dot(geometry.wr())).isCloseTo(1, within(ROUNDING));
-            assertThat(geometry.u()).isCloseTo(plane.u(angle) * Math.cos(plane.azimuth()), within(ROUNDING));
-            assertThat(geometry.v()).isCloseTo(plane.u(angle) * Math.sin(plane.azimuth()), within(ROUNDING));
-            assertThat(geometry.w()).isCloseTo(plane.w(angle), within(ROUNDING));
+            DirectionPair pair = plane.pair(angle);
+            assertThat(pair.wi().dot(pair.wi())).isCloseTo(1, within(ROUNDING));
+            assertThat(pair.wr().dot(pair.wr())).isCloseTo(1, within(ROUNDING));
+            assertThat(pair.u()).isCloseTo(plane.u(angle) * Math.cos(plane.azimuth()), within(ROUNDING));
+            assertThat(pair.v()).isCloseTo(plane.u(angle) * Math.sin(plane.azimuth()), within(ROUNDING));
+            assertThat(pair.w()).isCloseTo(plane.w(angle), within(ROUNDING));
             assertThat(plane.thetaR(plane.u(angle))).isCloseTo(angle, within(1e-12));
         }
     }
@@ -33,7 +33,7 @@ final class GratingPlaneTest {
     void theLightIsWhereItsAnglesSay() {
         GratingPlane plane = new GratingPlane(Math.toRadians(75), Math.toRadians(10), Math.toRadians(100));
         Direction expected = Direction.ofDegrees(75, 110);
-        Direction light = plane.geometry(0.1).wi();
+        Direction light = plane.pair(0.1).wi();
         assertThat(light.x()).isCloseTo(expected.x(), within(ROUNDING));
         assertThat(light.y()).isCloseTo(expected.y(), within(ROUNDING));
     }

@@ -7,7 +7,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
-import java.util.Map;
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -20,7 +20,7 @@ class PatchLoaderTest {
     @TempDir
     Path folder;
 
-    private final PatchLoader loader = new PatchLoader(BuiltInPatches.of(Map.of("step", () -> STEP)));
+    private final PatchLoader loader = new PatchLoader(List.of("step"), name -> STEP);
 
     private String ramp() throws IOException {
         return TestImages.write(TestImages.grey8(256, 2, (c, r, b) -> c), folder.resolve("ramp.png"))

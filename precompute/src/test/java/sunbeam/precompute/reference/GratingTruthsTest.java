@@ -10,7 +10,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.precompute.Surfaces;
 import sunbeam.precompute.optics.CoherenceWindow;
-import sunbeam.precompute.optics.Geometry;
+import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.WindowOrigin;
 import sunbeam.precompute.patch.HeightMap;
 
@@ -31,8 +31,9 @@ class GratingTruthsTest {
     private static void assertOrders(HeightMap map, double relief, Order order) {
         ReferenceEvaluator reference = new ReferenceEvaluator(map, WINDOW, WindowOrigin.CORNER);
         for (double position = -4; position <= 4; position += 0.125) {
-            Geometry geometry = Geometries.seeing(10, position / PERIOD, 0.3 * WINDOW.sigmaFrequency(), WAVELENGTH);
-            double phase = 2 * Math.PI / WAVELENGTH * geometry.w() * relief;
+            DirectionPair pair =
+                    DirectionPairs.seeing(10, position / PERIOD, 0.3 * WINDOW.sigmaFrequency(), WAVELENGTH);
+            double phase = 2 * Math.PI / WAVELENGTH * pair.w() * relief;
             Complex amplitude = Complex.ZERO;
             double ensemble = 0;
             for (int m = -9; m <= 9; m++) {
@@ -42,7 +43,7 @@ class GratingTruthsTest {
                 amplitude = amplitude.add(part);
                 ensemble += squaredMagnitude(part);
             }
-            ReferenceEvaluator.Power power = reference.powers(geometry, WAVELENGTH);
+            ReferenceEvaluator.Power power = reference.powers(pair, WAVELENGTH);
             double coherent = squaredMagnitude(amplitude);
             assertThat(coherent).as("power worth testing at %f", position).isGreaterThan(1e-11);
             assertThat(power.coherent()).as("coherent at %f", position).isCloseTo(coherent, relative(coherent));
@@ -120,12 +121,12 @@ class GratingTruthsTest {
         ReferenceEvaluator reference =
                 new ReferenceEvaluator(map, new CoherenceWindow(4 * PERIOD), WindowOrigin.CENTRE);
         for (int m = -3; m <= 4; m++) {
-            Geometry geometry = Geometries.seeing(10, m / PERIOD, 0, WAVELENGTH);
+            DirectionPair pair = DirectionPairs.seeing(10, m / PERIOD, 0, WAVELENGTH);
             // w is negative, so the bright order lies at positive u: the light leaves towards -x (design section 2).
-            double offset = Math.PI * (height * geometry.w() / WAVELENGTH + m);
+            double offset = Math.PI * (height * pair.w() / WAVELENGTH + m);
             double sincSquared = Math.pow(Math.sin(offset) / offset, 2);
             // Samples instead of a slope: a Dirichlet kernel, larger by offset^2 / (3 samples^2).
-            assertThat(reference.coherent(geometry, WAVELENGTH))
+            assertThat(reference.coherent(pair, WAVELENGTH))
                     .as("order %d", m)
                     .isCloseTo(sincSquared, within(sincSquared * offset * offset / ((double) samples * samples)));
         }

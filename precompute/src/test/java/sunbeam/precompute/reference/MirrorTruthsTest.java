@@ -9,8 +9,8 @@ import org.junit.jupiter.params.provider.CsvSource;
 import sunbeam.precompute.Surfaces;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.Direction;
+import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.Gain;
-import sunbeam.precompute.optics.Geometry;
 import sunbeam.precompute.optics.WindowOrigin;
 import sunbeam.precompute.patch.HeightMap;
 
@@ -26,9 +26,9 @@ class MirrorTruthsTest {
         ReferenceEvaluator reference = new ReferenceEvaluator(FLAT, window, WindowOrigin.CENTRE);
         for (double deviations = 0; deviations <= 2.5; deviations += 0.5) {
             double frequency = deviations * window.sigmaFrequency();
-            Geometry geometry = Geometries.seeing(0, frequency, -0.5 * frequency, WAVELENGTH);
+            DirectionPair pair = DirectionPairs.seeing(0, frequency, -0.5 * frequency, WAVELENGTH);
             double expected = Math.exp(-1.25 * deviations * deviations);
-            ReferenceEvaluator.Power power = reference.powers(geometry, WAVELENGTH);
+            ReferenceEvaluator.Power power = reference.powers(pair, WAVELENGTH);
             assertThat(power.coherent()).isCloseTo(expected, within(1e-9 * expected));
             assertThat(power.ensemble()).isCloseTo(expected, within(1e-9 * expected));
         }
@@ -55,8 +55,9 @@ class MirrorTruthsTest {
         double sum = 0;
         for (int i = -12; i <= 12; i++) {
             for (int j = -12; j <= 12; j++) {
-                Geometry geometry = new Geometry(light, Direction.ofDisc(-light.x() + i * step, -light.y() + j * step));
-                sum += Gain.brdf(geometry, window, WAVELENGTH) * reference.coherent(geometry, WAVELENGTH);
+                DirectionPair pair =
+                        new DirectionPair(light, Direction.ofDisc(-light.x() + i * step, -light.y() + j * step));
+                sum += Gain.brdf(pair, window, WAVELENGTH) * reference.coherent(pair, WAVELENGTH);
             }
         }
         return sum * step * step;
@@ -67,9 +68,9 @@ class MirrorTruthsTest {
         CoherenceWindow window = CoherenceWindow.ofCoherenceLength(CoherenceWindow.SUNLIGHT_COHERENCE_LENGTH);
         ReferenceEvaluator reference = new ReferenceEvaluator(FLAT, window, WindowOrigin.CENTRE);
         for (double theta : new double[] {0, 45, 89, 89.9}) {
-            Geometry geometry = new Geometry(Direction.ofDegrees(theta, 0), Direction.ofDegrees(theta, 180));
-            assertThat(reference.powers(geometry, 380e-9).coherent()).isCloseTo(1, within(1e-9));
-            assertThat(reference.powers(geometry, 780e-9).ensemble()).isCloseTo(1, within(1e-9));
+            DirectionPair pair = new DirectionPair(Direction.ofDegrees(theta, 0), Direction.ofDegrees(theta, 180));
+            assertThat(reference.powers(pair, 380e-9).coherent()).isCloseTo(1, within(1e-9));
+            assertThat(reference.powers(pair, 780e-9).ensemble()).isCloseTo(1, within(1e-9));
         }
     }
 }

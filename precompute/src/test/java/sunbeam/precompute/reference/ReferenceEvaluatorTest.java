@@ -12,7 +12,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.precompute.Surfaces;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.Direction;
-import sunbeam.precompute.optics.Geometry;
+import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.WindowOrigin;
 import sunbeam.precompute.patch.HeightMap;
 import sunbeam.precompute.reference.ReferenceEvaluator.Power;
@@ -32,8 +32,8 @@ class ReferenceEvaluatorTest {
         double u = 0.005;
         double ratio = u / WAVELENGTH / SUNLIGHT.sigmaFrequency();
 
-        Power specular = evaluator(flat).powers(geometry(0), WAVELENGTH);
-        Power beside = evaluator(flat).powers(geometry(u), WAVELENGTH);
+        Power specular = evaluator(flat).powers(pair(0), WAVELENGTH);
+        Power beside = evaluator(flat).powers(pair(u), WAVELENGTH);
 
         assertThat(specular.coherent()).isCloseTo(1, ROUNDING);
         assertThat(specular.ensemble()).isCloseTo(1, ROUNDING);
@@ -48,10 +48,10 @@ class ReferenceEvaluatorTest {
         double amplitude = 100e-9;
         HeightMap sinusoid =
                 Surfaces.of(128, 4, PERIOD / 128, (x, y) -> amplitude * Math.sin(2 * Math.PI * x / PERIOD));
-        Geometry geometry = geometry(order * WAVELENGTH / PERIOD);
-        double phase = 2 * Math.PI / WAVELENGTH * -geometry.w() * amplitude;
+        DirectionPair pair = pair(order * WAVELENGTH / PERIOD);
+        double phase = 2 * Math.PI / WAVELENGTH * -pair.w() * amplitude;
 
-        Power power = evaluator(sinusoid).powers(geometry, WAVELENGTH);
+        Power power = evaluator(sinusoid).powers(pair, WAVELENGTH);
 
         double expected = Math.pow(BesselJ.value(Math.abs(order), phase), 2);
         assertThat(power.coherent()).isCloseTo(expected, ROUNDING);
@@ -65,15 +65,15 @@ class ReferenceEvaluatorTest {
         int samples = 128;
         double height = 250e-9;
         HeightMap ramp = Surfaces.of(samples, 1, PERIOD / samples, (x, y) -> height * x / PERIOD);
-        Geometry geometry = geometry(order * WAVELENGTH / PERIOD);
+        DirectionPair pair = pair(order * WAVELENGTH / PERIOD);
 
-        double power = evaluator(ramp).powers(geometry, WAVELENGTH).coherent();
+        double power = evaluator(ramp).powers(pair, WAVELENGTH).coherent();
 
-        double turns = geometry.w() * height / WAVELENGTH + order;
+        double turns = pair.w() * height / WAVELENGTH + order;
         double expected = Math.pow(Math.sin(Math.PI * turns) / (samples * Math.sin(Math.PI * turns / samples)), 2);
         assertThat(power).isCloseTo(expected, ROUNDING);
         if (order == 1) {
-            assertThat(geometry.wr().x()).isNegative();
+            assertThat(pair.wr().x()).isNegative();
             assertThat(power).isGreaterThan(0.9);
         }
     }
@@ -84,7 +84,7 @@ class ReferenceEvaluatorTest {
         double pitch = 0.3e-6;
         HeightMap rough = Surfaces.random(side, side, pitch, 200e-9, 7);
         CoherenceWindow narrow = new CoherenceWindow(0.5e-6);
-        Geometry geometry = new Geometry(Direction.ofDegrees(20, 40), Direction.ofDegrees(35, 250));
+        DirectionPair pair = new DirectionPair(Direction.ofDegrees(20, 40), Direction.ofDegrees(35, 250));
 
         double sum = 0;
         for (int shift = 0; shift < side * side; shift++) {
@@ -95,11 +95,11 @@ class ReferenceEvaluatorTest {
                 heights[i] = rough.at((i % side + right) % side, (i / side + down) % side);
             }
             HeightMap shifted = new HeightMap(side, side, pitch, pitch, heights);
-            sum += new ReferenceEvaluator(shifted, narrow, WindowOrigin.CENTRE).coherent(geometry, WAVELENGTH);
+            sum += new ReferenceEvaluator(shifted, narrow, WindowOrigin.CENTRE).coherent(pair, WAVELENGTH);
         }
 
         double ensemble = new ReferenceEvaluator(rough, narrow, WindowOrigin.CENTRE)
-                .powers(geometry, WAVELENGTH)
+                .powers(pair, WAVELENGTH)
                 .ensemble();
         // Positions are whole samples, not a continuum; the window is 1.7 samples wide, aliased to exp(-2 (pi 1.7)^2).
         assertThat(ensemble).isCloseTo(sum / (side * side), within(1e-9 * ensemble));
@@ -110,7 +110,7 @@ class ReferenceEvaluatorTest {
     }
 
     /** Light along the normal, seen where u has the given value: left of the centre for positive ones. */
-    private static Geometry geometry(double u) {
-        return new Geometry(new Direction(0, 0, 1), Direction.ofDisc(-u, 0));
+    private static DirectionPair pair(double u) {
+        return new DirectionPair(new Direction(0, 0, 1), Direction.ofDisc(-u, 0));
     }
 }

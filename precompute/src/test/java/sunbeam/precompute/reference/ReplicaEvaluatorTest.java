@@ -8,7 +8,7 @@ import sunbeam.precompute.Surfaces;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.Direction;
-import sunbeam.precompute.optics.Geometry;
+import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.Replicas;
 import sunbeam.precompute.patch.HeightMap;
 
@@ -17,8 +17,8 @@ class ReplicaEvaluatorTest {
     // Sums of a thousand terms in double precision.
     private static final double ROUNDING = 1e-12;
 
-    private static Geometry seeing(double u, double v, double w) {
-        return new Geometry(new Direction(-u, -v, -w), new Direction(0, 0, 0));
+    private static DirectionPair seeing(double u, double v, double w) {
+        return new DirectionPair(new Direction(-u, -v, -w), new Direction(0, 0, 0));
     }
 
     @Test
@@ -40,9 +40,9 @@ class ReplicaEvaluatorTest {
     @Test
     void replicasAreOnePeriodTimesTheArrayFactor() {
         HeightMap map = Surfaces.random(12, 9, 90e-9, 200e-9, 3);
-        Geometry geometry = seeing(0.37, 0.22, -1.7);
-        double one = new ReplicaEvaluator(map, new Replicas(1, 1)).power(geometry, WAVELENGTH);
-        double many = new ReplicaEvaluator(map, new Replicas(5, 4)).power(geometry, WAVELENGTH);
+        DirectionPair pair = seeing(0.37, 0.22, -1.7);
+        double one = new ReplicaEvaluator(map, new Replicas(1, 1)).power(pair, WAVELENGTH);
+        double many = new ReplicaEvaluator(map, new Replicas(5, 4)).power(pair, WAVELENGTH);
         double arrayX = dirichlet(0.37 / WAVELENGTH * map.width(), 5);
         double arrayY = dirichlet(0.22 / WAVELENGTH * map.height(), 4);
         assertThat(many).isCloseTo(one * Math.pow(arrayX * arrayY, 2), within(ROUNDING));
@@ -51,14 +51,14 @@ class ReplicaEvaluatorTest {
     @Test
     void anOrderHasTheSamePowerWhateverTheReplicas() {
         HeightMap map = Surfaces.random(12, 9, 90e-9, 200e-9, 3);
-        Geometry order = seeing(2 * WAVELENGTH / map.width(), -WAVELENGTH / map.height(), -1.2);
+        DirectionPair order = seeing(2 * WAVELENGTH / map.width(), -WAVELENGTH / map.height(), -1.2);
         double one = new ReplicaEvaluator(map, new Replicas(1, 1)).power(order, WAVELENGTH);
         assertThat(new ReplicaEvaluator(map, new Replicas(7, 7)).power(order, WAVELENGTH))
                 .isCloseTo(one, within(ROUNDING));
         // On a bin the Gaussian window and the sharp edge see the same order; neighbours are 40 deviations away.
         CoherenceWindow wide = new CoherenceWindow(7e-6);
         HeightMap grid = Surfaces.random(12, 12, 90e-9, 200e-9, 3);
-        Geometry onBin = seeing(2 * WAVELENGTH / grid.width(), WAVELENGTH / grid.height(), -1.2);
+        DirectionPair onBin = seeing(2 * WAVELENGTH / grid.width(), WAVELENGTH / grid.height(), -1.2);
         assertThat(new ReferenceEvaluator(grid, wide, sunbeam.precompute.optics.WindowOrigin.CENTRE)
                         .coherent(onBin, WAVELENGTH))
                 .isCloseTo(new ReplicaEvaluator(grid, new Replicas(1, 1)).power(onBin, WAVELENGTH), within(1e-9));

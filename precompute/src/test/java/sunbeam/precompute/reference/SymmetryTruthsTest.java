@@ -7,8 +7,8 @@ import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import sunbeam.precompute.Surfaces;
 import sunbeam.precompute.optics.CoherenceWindow;
+import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.Gain;
-import sunbeam.precompute.optics.Geometry;
 import sunbeam.precompute.optics.WindowOrigin;
 import sunbeam.precompute.patch.HeightMap;
 import sunbeam.precompute.reference.ReferenceEvaluator.Power;
@@ -28,8 +28,8 @@ class SymmetryTruthsTest {
     @Test
     void lightAndViewMayChangePlaces() {
         for (int i = 0; i < 50; i++) {
-            Geometry there = Geometries.random(random);
-            Geometry back = new Geometry(there.wr(), there.wi());
+            DirectionPair there = DirectionPairs.random(random);
+            DirectionPair back = new DirectionPair(there.wr(), there.wi());
             double wavelength = wavelength();
             double brdf = Gain.brdf(there, WINDOW, wavelength);
             assertThat(Gain.brdf(back, WINDOW, wavelength)).isCloseTo(brdf, within(1e-9 * brdf));
@@ -40,11 +40,9 @@ class SymmetryTruthsTest {
     @Test
     void powerStaysWhenUvwChangesItsSign() {
         for (int i = 0; i < 50; i++) {
-            Geometry geometry = Geometries.random(random);
+            DirectionPair pair = DirectionPairs.random(random);
             double wavelength = wavelength();
-            assertSame(
-                    reference.powers(geometry, wavelength),
-                    reference.powers(Geometries.opposite(geometry), wavelength));
+            assertSame(reference.powers(pair, wavelength), reference.powers(DirectionPairs.opposite(pair), wavelength));
         }
     }
 
@@ -55,9 +53,9 @@ class SymmetryTruthsTest {
         ReferenceEvaluator raised =
                 new ReferenceEvaluator(ROUGH.map(height -> height + 1e-3), WINDOW, WindowOrigin.CENTRE);
         for (int i = 0; i < 50; i++) {
-            Geometry geometry = Geometries.random(random);
+            DirectionPair pair = DirectionPairs.random(random);
             double wavelength = wavelength();
-            assertSame(reference.powers(geometry, wavelength), raised.powers(geometry, wavelength));
+            assertSame(reference.powers(pair, wavelength), raised.powers(pair, wavelength));
         }
     }
 

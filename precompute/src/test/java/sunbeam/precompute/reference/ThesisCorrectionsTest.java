@@ -10,7 +10,7 @@ import sunbeam.precompute.Surfaces;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.WavelengthNodes;
 import sunbeam.precompute.optics.CoherenceWindow;
-import sunbeam.precompute.optics.Geometry;
+import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.WindowOrigin;
 import sunbeam.precompute.patch.HeightMap;
 
@@ -27,15 +27,15 @@ class ThesisCorrectionsTest {
         double pitch = 100e-9;
         CoherenceWindow window = new CoherenceWindow(1e-6);
         HeightMap map = Surfaces.random(samples, 1, pitch, 200e-9, 8);
-        Geometry geometry = Geometries.seeing(12, 0.7e6, 0, WAVELENGTH);
+        DirectionPair pair = DirectionPairs.seeing(12, 0.7e6, 0, WAVELENGTH);
 
         Complex sum = Complex.ZERO;
         for (int bin = -12; bin < 12; bin++) {
             double distance = (0.7e6 - bin / map.width()) / window.sigmaFrequency();
-            sum = sum.add(dft(map, geometry.w(), bin).multiply(Math.exp(-0.5 * distance * distance)));
+            sum = sum.add(dft(map, pair.w(), bin).multiply(Math.exp(-0.5 * distance * distance)));
         }
 
-        double exact = new ReferenceEvaluator(map, window, WindowOrigin.CORNER).coherent(geometry, WAVELENGTH);
+        double exact = new ReferenceEvaluator(map, window, WindowOrigin.CORNER).coherent(pair, WAVELENGTH);
         // Eq. 2.55's factor would make it pi^2 times as bright, and a DFT without 1 / N 24^2 times. The window's
         // samples
         // repeat its spectrum; the next repetition's bins, 3 um^-1 away, are e^-170.

@@ -7,7 +7,7 @@ import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import sunbeam.precompute.Surfaces;
 import sunbeam.precompute.optics.CoherenceWindow;
-import sunbeam.precompute.optics.Geometry;
+import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.WindowOrigin;
 import sunbeam.precompute.patch.HeightMap;
 
@@ -22,7 +22,7 @@ class WindowPositionsTest {
 
     private final SplittableRandom random = new SplittableRandom(8);
 
-    private static double coherent(int right, int down, Geometry geometry) {
+    private static double coherent(int right, int down, DirectionPair pair) {
         double[] heights = new double[COLUMNS * ROWS];
         for (int row = 0; row < ROWS; row++) {
             for (int column = 0; column < COLUMNS; column++) {
@@ -31,26 +31,26 @@ class WindowPositionsTest {
             }
         }
         HeightMap shifted = new HeightMap(COLUMNS, ROWS, ROUGH.pitchX(), ROUGH.pitchY(), heights);
-        return new ReferenceEvaluator(shifted, WINDOW, WindowOrigin.CENTRE).coherent(geometry, WAVELENGTH);
+        return new ReferenceEvaluator(shifted, WINDOW, WindowOrigin.CENTRE).coherent(pair, WAVELENGTH);
     }
 
-    private static double ensemble(Geometry geometry) {
+    private static double ensemble(DirectionPair pair) {
         return new ReferenceEvaluator(ROUGH, WINDOW, WindowOrigin.CENTRE)
-                .powers(geometry, WAVELENGTH)
+                .powers(pair, WAVELENGTH)
                 .ensemble();
     }
 
     @Test
     void meanOverAllPositionsIsTheEnsembleAverage() {
         for (int i = 0; i < 20; i++) {
-            Geometry geometry = Geometries.random(random);
+            DirectionPair pair = DirectionPairs.random(random);
             double sum = 0;
             for (int right = 0; right < COLUMNS; right++) {
                 for (int down = 0; down < ROWS; down++) {
-                    sum += coherent(right, down, geometry);
+                    sum += coherent(right, down, pair);
                 }
             }
-            double expected = ensemble(geometry);
+            double expected = ensemble(pair);
             // Cross terms of different bins cancel to the last digit over whole periods.
             assertThat(sum / (COLUMNS * ROWS)).isCloseTo(expected, within(1e-9 * expected));
         }
@@ -58,15 +58,15 @@ class WindowPositionsTest {
 
     @Test
     void meanOverRandomPositionsConvergesToTheEnsembleAverage() {
-        Geometry geometry = Geometries.seeing(20, 1.1e6, -0.7e6, WAVELENGTH);
-        double expected = ensemble(geometry);
+        DirectionPair pair = DirectionPairs.seeing(20, 1.1e6, -0.7e6, WAVELENGTH);
+        double expected = ensemble(pair);
         double sum = 0;
         double squares = 0;
         int drawn = 0;
         double firstError = Double.NaN;
         for (int count : new int[] {25, 2500}) {
             for (; drawn < count; drawn++) {
-                double power = coherent(random.nextInt(COLUMNS), random.nextInt(ROWS), geometry);
+                double power = coherent(random.nextInt(COLUMNS), random.nextInt(ROWS), pair);
                 sum += power;
                 squares += power * power;
             }

@@ -10,7 +10,7 @@ import sunbeam.precompute.expansion.HeightScale;
 import sunbeam.precompute.fourier.Band;
 import sunbeam.precompute.fourier.ComplexVector;
 import sunbeam.precompute.optics.Direction;
-import sunbeam.precompute.optics.Geometry;
+import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.Replicas;
 import sunbeam.precompute.patch.HeightLevels;
 import sunbeam.precompute.patch.HeightMap;
@@ -38,8 +38,8 @@ class PeriodSpectrumTest {
             double u = (onBins ? Math.rint(binX) : binX) / map.width() * WAVELENGTH;
             double v = (onBins ? Math.rint(binY) : binY) / map.height() * WAVELENGTH;
             // Not unit vectors, but all that the sum sees of them is (u, v, w).
-            Geometry geometry = new Geometry(new Direction(-u, -v, -W), new Direction(0, 0, 0));
-            double amplitude = Math.sqrt(exact.power(geometry, WAVELENGTH));
+            DirectionPair pair = new DirectionPair(new Direction(-u, -v, -W), new Direction(0, 0, 0));
+            double amplitude = Math.sqrt(exact.power(pair, WAVELENGTH));
             largest = Math.max(largest, Math.abs(reader.amplitude(u / WAVELENGTH, v / WAVELENGTH) - amplitude));
         }
         return largest;

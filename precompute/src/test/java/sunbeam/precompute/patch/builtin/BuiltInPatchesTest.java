@@ -30,8 +30,6 @@ class BuiltInPatchesTest {
     void offersTheSixPatches() {
         assertThat(BuiltInPatches.names())
                 .isEqualTo(List.of("blaze", "sinusoid", "lamellar", "disc", "elaphe-like", "xenopeltis-like"));
-        assertThat(BuiltInPatches.contains("disc")).isTrue();
-        assertThat(BuiltInPatches.contains("disk")).isFalse();
     }
 
     @Test
@@ -40,13 +38,6 @@ class BuiltInPatchesTest {
                 .isInstanceOf(PatchException.class)
                 .hasMessageContaining("'elaphe'")
                 .hasMessageContainingAll(BuiltInPatches.names().toArray(String[]::new));
-        assertThatThrownBy(() -> BuiltInPatches.description("x")).isInstanceOf(PatchException.class);
-    }
-
-    @ParameterizedTest
-    @MethodSource("names")
-    void isDescribedInOneLine(String name) {
-        assertThat(BuiltInPatches.description(name)).isNotBlank().doesNotContain("\n");
     }
 
     @ParameterizedTest

@@ -4,7 +4,7 @@ package sunbeam.precompute.optics;
  * A pair of directions: {@code wi} towards the light, {@code wr} towards the viewer, and what the diffraction integral
  * sees of them, (u, v, w) = -(wi + wr), so w is at most 0 (Stam 1999, section 4).
  */
-public record Geometry(Direction wi, Direction wr) {
+public record DirectionPair(Direction wi, Direction wr) {
 
     public double u() {
         return -(wi.x() + wr.x());

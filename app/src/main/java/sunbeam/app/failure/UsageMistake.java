@@ -1,4 +1,4 @@
-package sunbeam.app;
+package sunbeam.app.failure;
 
 import java.util.List;
 import java.util.Locale;

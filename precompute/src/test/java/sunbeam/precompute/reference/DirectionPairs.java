@@ -2,11 +2,11 @@ package sunbeam.precompute.reference;
 
 import java.util.SplittableRandom;
 import sunbeam.precompute.optics.Direction;
-import sunbeam.precompute.optics.Geometry;
+import sunbeam.precompute.optics.DirectionPair;
 
 /** Directions for tests. */
-final class Geometries {
-    private Geometries() {}
+final class DirectionPairs {
+    private DirectionPairs() {}
 
     /**
      * Light in the xz plane, and the view that sees a frequency.
@@ -16,19 +16,19 @@ final class Geometries {
      * @param fy v / lambda, cycles per metre
      * @throws IllegalArgumentException when no view sees it
      */
-    static Geometry seeing(double thetaDegrees, double fx, double fy, double wavelength) {
+    static DirectionPair seeing(double thetaDegrees, double fx, double fy, double wavelength) {
         Direction light = Direction.ofDegrees(thetaDegrees, 0);
         double x = -fx * wavelength - light.x();
         double y = -fy * wavelength - light.y();
         if (x * x + y * y > 1) {
             throw new IllegalArgumentException("evanescent: " + x + ", " + y);
         }
-        return new Geometry(light, Direction.ofDisc(x, y));
+        return new DirectionPair(light, Direction.ofDisc(x, y));
     }
 
     /** Both directions anywhere above the surface. */
-    static Geometry random(SplittableRandom random) {
-        return new Geometry(direction(random), direction(random));
+    static DirectionPair random(SplittableRandom random) {
+        return new DirectionPair(direction(random), direction(random));
     }
 
     private static Direction direction(SplittableRandom random) {
@@ -36,8 +36,8 @@ final class Geometries {
     }
 
     /** The same pair of directions seen from below: (u, v, w) changes its sign. */
-    static Geometry opposite(Geometry geometry) {
-        return new Geometry(opposite(geometry.wi()), opposite(geometry.wr()));
+    static DirectionPair opposite(DirectionPair pair) {
+        return new DirectionPair(opposite(pair.wi()), opposite(pair.wr()));
     }
 
     private static Direction opposite(Direction direction) {

@@ -1,4 +1,0 @@
-#version 330 core
-// Depth comes from the rasteriser; nothing is left to do.
-void main() {
-}

@@ -1,0 +1,32 @@
+package sunbeam.precompute.color;
+
+/** sRGB (IEC 61966-2-1): its curve, and its primaries with the white of D65. shaders/include/srgb.glsl has the same. */
+public final class Srgb {
+    private static final double[][] TO_XYZ = {
+        {0.4124564, 0.3575761, 0.1804375}, {0.2126729, 0.7151522, 0.0721750}, {0.0193339, 0.1191920, 0.9503041}
+    };
+
+    private Srgb() {}
+
+    /** Linear light of a channel of 8 bits: 0 to 1 for 0 to 255. */
+    public static double linear(int channel) {
+        double encoded = channel / 255.0;
+        return encoded <= 0.04045 ? encoded / 12.92 : Math.pow((encoded + 0.055) / 1.055, 2.4);
+    }
+
+    /** The channel of 8 bits, 0 to 255, nearest to this linear light, which is clipped to [0, 1]. */
+    public static int channel(double linear) {
+        double clipped = Math.min(1, Math.max(0, linear));
+        double encoded = clipped <= 0.0031308 ? 12.92 * clipped : 1.055 * Math.pow(clipped, 1 / 2.4) - 0.055;
+        return (int) Math.round(255 * encoded);
+    }
+
+    /** CIE XYZ of linear red, green and blue; Y = 1 for white. */
+    public static double[] xyz(double red, double green, double blue) {
+        double[] xyz = new double[3];
+        for (int c = 0; c < 3; c++) {
+            xyz[c] = TO_XYZ[c][0] * red + TO_XYZ[c][1] * green + TO_XYZ[c][2] * blue;
+        }
+        return xyz;
+    }
+}

@@ -1,0 +1,61 @@
+package sunbeam.precompute.files;
+
+import java.io.IOException;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import sunbeam.precompute.text.Quoted;
+
+/**
+ * The files that a file may name which may have come from anywhere: those in its own folder and below.
+ *
+ * @param owner the file that names others
+ * @param kind what it is, for messages: {@code scene}
+ */
+public record OwnFolder(Path owner, String kind) {
+
+    /**
+     * The file of a name, which need not exist.
+     *
+     * @throws IllegalArgumentException if the name is none or leads out of the folder, with a message for the user
+     */
+    public Path file(String name) {
+        Path relative = parsed(name);
+        boolean leaves = relative.isAbsolute() || relative.getRoot() != null;
+        for (Path part : relative) {
+            leaves |= part.toString().equals("..");
+        }
+        if (leaves) {
+            throw new IllegalArgumentException(Quoted.of(name) + " leads out of the " + kind
+                    + "'s own folder; name a file in it, without .. or leading /");
+        }
+        return owner.resolveSibling(relative);
+    }
+
+    /**
+     * Follows all links of a file that exists.
+     *
+     * @param name as it was given
+     * @throws IllegalArgumentException if they lead out of the folder or cannot be followed, with a message for the user
+     */
+    public void requireNoWayOut(String name, Path file) {
+        try {
+            Path folder = owner.toAbsolutePath().getParent().toRealPath();
+            if (!file.toRealPath().startsWith(folder)) {
+                throw new IllegalArgumentException(Quoted.of(name) + " is a link that leads out of the " + kind
+                        + "'s folder; copy the file there");
+            }
+        } catch (IOException failure) {
+            throw new IllegalArgumentException(
+                    Quoted.of(name) + " cannot be followed (" + failure.getMessage() + "); check the file", failure);
+        }
+    }
+
+    private static Path parsed(String name) {
+        try {
+            return Path.of(name);
+        } catch (InvalidPathException broken) {
+            throw new IllegalArgumentException(
+                    Quoted.of(name) + " is no file name (" + broken.getReason() + "); mend it", broken);
+        }
+    }
+}

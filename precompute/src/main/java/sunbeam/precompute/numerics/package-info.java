@@ -1,0 +1,2 @@
+/** Small numerics that several rooms share. */
+package sunbeam.precompute.numerics;
