@@ -17,7 +17,8 @@ import sunbeam.app.input.InputException;
 import sunbeam.app.mesh.MeshException;
 import sunbeam.app.output.OutputException;
 import sunbeam.precompute.patch.PatchException;
-import sunbeam.precompute.plan.PlanException;
+import sunbeam.precompute.setting.Origin;
+import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.table.TableException;
 
 /** What a failure says to the user and to scripts: one line on standard error and an exit code, chosen by its type. */
@@ -26,7 +27,6 @@ final class Failures {
     private static final Map<Class<? extends Throwable>, ExitCode> CODES = Map.ofEntries(
             Map.entry(ParameterException.class, ExitCode.USAGE),
             Map.entry(UsageException.class, ExitCode.USAGE),
-            Map.entry(PlanException.class, ExitCode.USAGE),
             Map.entry(PatchException.class, ExitCode.UNUSABLE_INPUT),
             Map.entry(TableException.class, ExitCode.UNUSABLE_INPUT),
             Map.entry(InputException.class, ExitCode.UNUSABLE_INPUT),
@@ -62,6 +62,9 @@ final class Failures {
 
     /** By the failure's class or the nearest class above it; anything unknown is a bug. */
     private static ExitCode codeOf(Throwable failure) {
+        if (failure instanceof SettingException choice) {
+            return choice.place() == Origin.Place.FILE ? ExitCode.UNUSABLE_INPUT : ExitCode.USAGE;
+        }
         for (Class<?> type = failure.getClass(); type != null; type = type.getSuperclass()) {
             ExitCode code = CODES.get(type);
             if (code != null) {

@@ -13,13 +13,12 @@ import sunbeam.app.certificate.RelativeError;
 import sunbeam.app.directions.DirectionsRenderer;
 import sunbeam.app.directions.DirectionsRenderer.Query;
 import sunbeam.app.gpu.DiffractionMethod;
-import sunbeam.app.gpu.MethodKind;
 import sunbeam.app.gpu.MethodUse;
 import sunbeam.app.setup.DiffractionSetup;
 import sunbeam.app.setup.MethodFactory;
-import sunbeam.app.setup.MethodRequest;
+import sunbeam.precompute.method.GemMethod;
+import sunbeam.precompute.method.Method;
 import sunbeam.precompute.optics.Direction;
-import sunbeam.precompute.plan.PlanRequest;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.table.FourierTable;
 
@@ -44,31 +43,30 @@ final class MethodMeter {
      *
      * @param note what it approximates, see {@link Entry}
      */
-    Entry measure(String name, MethodRequest method, PlanRequest request, String note) {
-        List<Color> colors = subject.samplesFor(request).colors();
+    Entry measure(String name, Method method, String note) {
+        List<Color> colors = subject.samplesFor(method).colors();
         List<Query> queries = colors.stream().map(Color::query).toList();
         DiffractionSetup setup = subject.setup();
         MethodFactory factory = new MethodFactory(
                 setup,
                 method,
-                request,
                 VisibleRange.of(queries.stream().map(Query::geometry).toList()));
         Optional<FourierTable> table = factory.plan().map(setup::freshTable);
         ErrorStatistics errors;
         try (DiffractionMethod drawn = factory.create(context, MethodUse.COLOUR, table)) {
             double[][] xyz = evaluate(drawn, queries);
-            if (method.kind() == MethodKind.GEM) {
+            if (method instanceof GemMethod) {
                 scale(xyz, colors);
             }
             errors = errors(xyz, colors);
         }
-        return new Entry(name, errors, time(method, request), note);
+        return new Entry(name, errors, time(method), note);
     }
 
     /** Time per pixel of a map lit from the normal, microseconds, by a plan for that map: what a scene would draw with. */
-    private double time(MethodRequest method, PlanRequest request) {
+    private double time(Method method) {
         DiffractionSetup setup = subject.setup();
-        MethodFactory factory = new MethodFactory(setup, method, request, VisibleRange.of(NORMAL));
+        MethodFactory factory = new MethodFactory(setup, method, VisibleRange.of(NORMAL));
         Optional<FourierTable> table = factory.plan().map(setup::freshTable);
         try (DiffractionMethod drawn = factory.create(context, MethodUse.COLOUR, table)) {
             return new FrameTimer(context, mapSize, FRAMES).time(drawn, NORMAL).fastestMicrosecondsPerPixel();

@@ -9,14 +9,16 @@ import sunbeam.app.certificate.RelativeError;
 import sunbeam.app.directions.DirectionsRenderer;
 import sunbeam.app.directions.DirectionsRenderer.Query;
 import sunbeam.app.gpu.DiffractionMethod;
-import sunbeam.app.gpu.FullMethod;
 import sunbeam.app.gpu.MethodUse;
 import sunbeam.app.setup.DiffractionSetup;
+import sunbeam.precompute.method.FullMethod;
+import sunbeam.precompute.method.Method;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.Geometry;
 import sunbeam.precompute.optics.WindowOrigin;
+import sunbeam.precompute.plan.CoherenceArea;
+import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.Plan;
-import sunbeam.precompute.plan.PlanRequest;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.table.FourierTable;
 
@@ -85,14 +87,15 @@ final class Subject {
     }
 
     /** The thesis's window lies on the corner, and so must that of the exact values it is compared with. */
-    ReferenceSamples samplesFor(PlanRequest request) {
-        return request.windowOrigin() == WindowOrigin.CENTRE ? centred : cornered;
+    ReferenceSamples samplesFor(Method method) {
+        CoherenceArea exact = method.exact(setup.patch().heights()).area();
+        return exact instanceof GaussianArea area && area.origin() == WindowOrigin.CORNER ? cornered : centred;
     }
 
     /** A plan for some directions. */
-    Plan plan(PlanRequest request, List<Query> queries) {
+    Plan plan(FullMethod method, List<Query> queries) {
         List<Geometry> geometries = queries.stream().map(Query::geometry).toList();
-        return setup.plan(request, VisibleRange.of(geometries));
+        return setup.plan(method, VisibleRange.of(geometries));
     }
 
     /** Relative errors of powers that the GPU computes. */
@@ -122,7 +125,7 @@ final class Subject {
     }
 
     private List<float[]> evaluate(Plan plan, FourierTable table, MethodUse use, List<Query> queries) {
-        try (DiffractionMethod method = FullMethod.create(context, plan, table, use, setup.cie());
+        try (DiffractionMethod method = sunbeam.app.gpu.FullMethod.create(context, plan, table, use, setup.cie());
                 DirectionsRenderer renderer = new DirectionsRenderer(context, method, use == MethodUse.SPECTRAL)) {
             return new ArrayList<>(renderer.evaluate(queries, done -> {}));
         }

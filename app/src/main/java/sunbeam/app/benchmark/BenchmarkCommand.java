@@ -17,19 +17,20 @@ import sunbeam.app.cli.Environment;
 import sunbeam.app.cli.ExitCode;
 import sunbeam.app.cli.UsageException;
 import sunbeam.app.gpu.DiffractionMethod;
-import sunbeam.app.gpu.MethodKind;
 import sunbeam.app.gpu.MethodUse;
 import sunbeam.app.setup.DiffractionSetup;
 import sunbeam.app.setup.LightOptions;
 import sunbeam.app.setup.MethodFactory;
 import sunbeam.app.setup.MethodOptions;
-import sunbeam.app.setup.MethodRequest;
 import sunbeam.app.setup.PatchOptions;
-import sunbeam.app.setup.PlanOptions;
+import sunbeam.precompute.method.FullMethod;
+import sunbeam.precompute.method.Method;
+import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.optics.Direction;
-import sunbeam.precompute.plan.PlanRequest;
+import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.reference.ReferenceEvaluator;
+import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.table.FourierTable;
 
 /** {@code sunbeam benchmark}: time per frame of a BRDF map, as a ratio to the thesis's shader in the same run. */
@@ -48,9 +49,6 @@ public final class BenchmarkCommand implements Callable<Integer> {
 
     @Mixin
     private LightOptions light;
-
-    @Mixin
-    private PlanOptions planOptions;
 
     @Mixin
     private MethodOptions methodOptions;
@@ -78,6 +76,11 @@ public final class BenchmarkCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
+        Choices choices = methodOptions.choices();
+        return choices.located(() -> measure(Methods.of(choices), GaussianArea.of(choices)));
+    }
+
+    private int measure(Method method, GaussianArea area) {
         if (size < 16 || size > 2048) {
             throw new UsageException("--size " + size + " is out of range; give 16 to 2048");
         }
@@ -89,15 +92,8 @@ public final class BenchmarkCommand implements Callable<Integer> {
                 patchOptions, environment, specification.commandLine().getErr());
         VisibleRange range = VisibleRange.of(wi);
         List<Contender> contenders = List.of(
-                new Contender(
-                        "thesis",
-                        new MethodFactory(
-                                setup,
-                                MethodRequest.of(MethodKind.FULL),
-                                PlanRequest.of(PlanRequest.Preset.THESIS),
-                                range)),
-                new Contender(
-                        "asked for", new MethodFactory(setup, methodOptions.request(), planOptions.request(), range)));
+                new Contender("thesis", new MethodFactory(setup, FullMethod.thesis(), range)),
+                new Contender("asked for", new MethodFactory(setup, method, range)));
         try (RenderContext context = RenderContexts.offscreen()) {
             List<FrameTime> times = new ArrayList<>();
             for (Contender contender : contenders) {
@@ -105,9 +101,8 @@ public final class BenchmarkCommand implements Callable<Integer> {
             }
             report(specification.commandLine().getOut(), context, setup, times);
         }
-        PlanRequest request = planOptions.request();
-        double rate = ReferenceRate.measure(
-                new ReferenceEvaluator(setup.patch().heights(), request.window(), request.windowOrigin()));
+        double rate =
+                ReferenceRate.measure(new ReferenceEvaluator(setup.patch().heights(), area.window(), area.origin()));
         specification
                 .commandLine()
                 .getOut()

@@ -1,5 +1,8 @@
 package sunbeam.app.brdf;
 
+import static sunbeam.precompute.method.Methods.METHOD;
+import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
+
 import java.awt.image.BufferedImage;
 import java.io.PrintWriter;
 import java.nio.file.Path;
@@ -38,12 +41,12 @@ import sunbeam.app.setup.DiffractionSetup;
 import sunbeam.app.setup.LightOptions;
 import sunbeam.app.setup.MethodFactory;
 import sunbeam.app.setup.MethodOptions;
-import sunbeam.app.setup.MethodRequest;
 import sunbeam.app.setup.PatchOptions;
-import sunbeam.app.setup.PlanOptions;
+import sunbeam.precompute.method.Method;
+import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.optics.Direction;
-import sunbeam.precompute.plan.PlanRequest;
 import sunbeam.precompute.plan.VisibleRange;
+import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.units.Decimals;
 
 /** {@code sunbeam brdf-map}: from a height map to the picture of its BRDF. */
@@ -64,9 +67,6 @@ public final class BrdfMapCommand implements Callable<Integer> {
 
     @Mixin
     private LightOptions light;
-
-    @Mixin
-    private PlanOptions planOptions;
 
     @Mixin
     private MethodOptions methodOptions;
@@ -114,13 +114,17 @@ public final class BrdfMapCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
+        Choices choices = methodOptions.choices();
+        return choices.located(() -> draw(choices));
+    }
+
+    private int draw(Choices choices) {
         if (size < 1 || size > LARGEST) {
             throw new UsageException("--size " + size + " is out of range; give 1 to " + LARGEST);
         }
         certify.count();
         double fixedExposure = parseExposure();
-        MethodRequest methodRequest = methodOptions.request();
-        PlanRequest request = planOptions.request(methodRequest.kind());
+        Method chosen = Methods.of(choices);
         Direction wi = light.direction();
         PrintWriter err = specification.commandLine().getErr();
         DiffractionSetup setup = new DiffractionSetup(patchOptions, environment, err);
@@ -133,9 +137,9 @@ public final class BrdfMapCommand implements Callable<Integer> {
             checkDifferent(picture);
             AtomicFile.checkWritable(linear, overwrite);
         }
-        MethodFactory factory = new MethodFactory(setup, methodRequest, request, VisibleRange.of(wi));
+        MethodFactory factory = new MethodFactory(setup, chosen, VisibleRange.of(wi));
         PrintWriter out = specification.commandLine().getOut();
-        planOptions.print(factory, err);
+        methodOptions.print(factory, err);
         Optional<Certificate> certificate;
         try (RenderContext context = RenderContexts.offscreen();
                 DiffractionMethod method = factory.create(context, MethodUse.COLOUR);
@@ -146,10 +150,9 @@ public final class BrdfMapCommand implements Callable<Integer> {
             double factor = fixedExposure > 0
                     ? fixedExposure
                     : AutoExposure.of(map, directions.specular(method.specularReach()));
-            certificate = certify.certificate(
-                    count -> new Certifier(ExactColor.of(setup, methodRequest, request), directions::at)
-                            .certify(map, count, CertifyOption.SEED, factor, request.tolerance()));
-            Map<String, String> text = describe(setup, methodRequest, factory.summary(), factor, context);
+            certificate = certify.certificate(count -> new Certifier(ExactColor.of(setup, chosen), directions::at)
+                    .certify(map, count, CertifyOption.SEED, factor, choices.get(TOLERANCE)));
+            Map<String, String> text = describe(setup, choices, factory.summary(), factor, context);
             certificate.ifPresent(stated -> text.put("Certificate", stated.summary()));
             BufferedImage image = SrgbImage.fromEncoded(size, size, display.srgb(map, factor));
             write(picture, stream -> PngWriter.write(stream, image, text), map);
@@ -202,13 +205,13 @@ public final class BrdfMapCommand implements Callable<Integer> {
     }
 
     private Map<String, String> describe(
-            DiffractionSetup setup, MethodRequest methodRequest, String plan, double factor, RenderContext context) {
+            DiffractionSetup setup, Choices choices, String plan, double factor, RenderContext context) {
         Map<String, String> text = new LinkedHashMap<>();
         text.put("Title", "BRDF map of " + setup.patch().name());
         text.put("Patch", setup.patch().source());
         text.put("Light", light.describe());
-        text.put("Method", methodRequest.describe());
-        text.put("Options", planOptions.describe());
+        text.put("Method", choices.get(METHOD).label());
+        text.put("Options", Methods.describe(choices));
         text.put("Plan", plan);
         text.put("Exposure", Double.toString(factor));
         text.put("Renderer", context.info().renderer());

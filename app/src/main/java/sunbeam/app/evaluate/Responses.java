@@ -9,21 +9,21 @@ import jrtr.RenderContext;
 import jrtr.gl.RenderContexts;
 import sunbeam.app.directions.DirectionsRenderer;
 import sunbeam.app.gpu.DiffractionMethod;
-import sunbeam.app.gpu.MethodKind;
 import sunbeam.app.gpu.MethodUse;
 import sunbeam.app.progress.Progress;
 import sunbeam.app.setup.DiffractionSetup;
 import sunbeam.app.setup.MethodFactory;
-import sunbeam.app.setup.MethodRequest;
 import sunbeam.precompute.evaluation.BinSums;
 import sunbeam.precompute.evaluation.ResponseGrid;
 import sunbeam.precompute.evaluation.ResponseMatrix;
 import sunbeam.precompute.evaluation.WindowPlace;
+import sunbeam.precompute.method.Method;
 import sunbeam.precompute.optics.Geometry;
 import sunbeam.precompute.plan.Average;
-import sunbeam.precompute.plan.PlanRequest;
+import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.reference.ReferenceEvaluator;
+import sunbeam.precompute.setting.Choices;
 
 /** The power over a grid, by one of the methods. */
 final class Responses {
@@ -31,37 +31,36 @@ final class Responses {
     private static final int PORTION = 1 << 14;
 
     private final DiffractionSetup setup;
-    private final PlanRequest request;
+    private final ResponseMethod by;
+    private final Method method;
+    private final GaussianArea area;
     private final ResponseGrid grid;
     private final Consumer<MethodFactory> planned;
     private String plan;
 
-    /** Who evaluates. */
-    enum Method {
-        /** Direct sums over the surface. */
-        REFERENCE,
-        FULL,
-        NMM,
-        PQ,
-        /** {@link BinSums}. */
-        BINS
-    }
-
-    /** @param planned told of the method that a shader uses, once it is planned */
-    Responses(DiffractionSetup setup, PlanRequest request, ResponseGrid grid, Consumer<MethodFactory> planned) {
+    /**
+     * @param choices that suit the method
+     * @param planned told of the method that a shader uses, once it is planned
+     */
+    Responses(
+            DiffractionSetup setup,
+            ResponseMethod by,
+            Choices choices,
+            ResponseGrid grid,
+            Consumer<MethodFactory> planned) {
         this.setup = setup;
-        this.request = request;
+        this.by = by;
+        this.method = by.of(choices);
+        this.area = GaussianArea.of(choices);
         this.grid = grid;
         this.planned = planned;
     }
 
-    /** The power that the request's average means. */
-    ResponseMatrix power(Method method) {
-        return switch (method) {
+    /** The power that the chosen average means. */
+    ResponseMatrix power() {
+        return switch (by) {
             case REFERENCE -> reference();
-            case FULL -> onGpu(MethodKind.FULL);
-            case NMM -> onGpu(MethodKind.NMM);
-            case PQ -> onGpu(MethodKind.PQ);
+            case FULL, NMM, PQ -> onGpu();
             case BINS -> bins();
         };
     }
@@ -72,12 +71,11 @@ final class Responses {
     }
 
     private boolean ensemble() {
-        return request.average().orElse(Average.COHERENT) == Average.ENSEMBLE;
+        return area.average() == Average.ENSEMBLE;
     }
 
     private ResponseMatrix reference() {
-        ReferenceEvaluator evaluator =
-                new ReferenceEvaluator(setup.patch().heights(), request.window(), request.windowOrigin());
+        ReferenceEvaluator evaluator = new ReferenceEvaluator(setup.patch().heights(), area.window(), area.origin());
         double[][] power = new double[grid.wavelengths().length][grid.angles().length];
         int columns = grid.angles().length;
         int count = power.length * columns;
@@ -101,30 +99,28 @@ final class Responses {
                 return sums.ensemble(progress::step);
             }
             WindowPlace place = WindowPlace.of(
-                    request.windowOrigin(),
-                    setup.identity().columns(),
-                    setup.identity().rows());
+                    area.origin(), setup.identity().columns(), setup.identity().rows());
             return sums.coherent(List.of(place), progress::step).get(0);
         }
     }
 
     /** Sums over bins for any position of the window. */
     BinSums binSums() {
-        return BinSums.of(setup.identity(), setup.heights(), request.window(), grid);
+        return BinSums.of(setup.identity(), setup.heights(), area.window(), grid);
     }
 
-    private ResponseMatrix onGpu(MethodKind kind) {
+    private ResponseMatrix onGpu() {
         List<Geometry> directions = new ArrayList<>(grid.angles().length);
         for (double angle : grid.angles()) {
             directions.add(grid.plane().geometry(angle));
         }
-        MethodFactory factory = new MethodFactory(setup, MethodRequest.of(kind), request, VisibleRange.of(directions));
+        MethodFactory factory = new MethodFactory(setup, method, VisibleRange.of(directions));
         plan = factory.summary();
         planned.accept(factory);
         long count = (long) grid.wavelengths().length * directions.size();
         try (RenderContext context = RenderContexts.offscreen();
-                DiffractionMethod method = factory.create(context, MethodUse.SPECTRAL);
-                DirectionsRenderer renderer = new DirectionsRenderer(context, method, true);
+                DiffractionMethod shader = factory.create(context, MethodUse.SPECTRAL);
+                DirectionsRenderer renderer = new DirectionsRenderer(context, shader, true);
                 Progress progress = Progress.start("Response", count)) {
             return new ResponseMatrix(grid, render(renderer, directions, progress));
         }

@@ -5,12 +5,14 @@ import java.math.MathContext;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import sunbeam.app.setup.MethodBridge;
 import sunbeam.precompute.analysis.HeightSpectrum;
 import sunbeam.precompute.analysis.HeightStatistics;
 import sunbeam.precompute.analysis.PeriodFinder;
 import sunbeam.precompute.analysis.Periodicity;
 import sunbeam.precompute.analysis.SpectrumPeak;
 import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.patch.HeightLevels;
 import sunbeam.precompute.patch.HeightMap;
 import sunbeam.precompute.patch.Patch;
@@ -18,6 +20,7 @@ import sunbeam.precompute.patch.SamplingCheck;
 import sunbeam.precompute.plan.PlanReport;
 import sunbeam.precompute.plan.PlanRequest;
 import sunbeam.precompute.plan.Planner;
+import sunbeam.precompute.plan.Tolerances;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.units.Lengths;
 
@@ -44,7 +47,7 @@ record Inspection(
 
     private static PlanReport plan(HeightMap map) {
         Planner planner = new Planner(map, HeightLevels.of(map), CieTable.load());
-        PlanRequest standard = PlanRequest.of(PlanRequest.Preset.NONE);
+        PlanRequest standard = MethodBridge.planRequest(FullMethod.within(Tolerances.STANDARD));
         return new PlanReport(planner.plan(standard, VisibleRange.all()));
     }
 

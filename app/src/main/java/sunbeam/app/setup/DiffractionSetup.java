@@ -7,12 +7,14 @@ import sunbeam.app.cache.TableStore;
 import sunbeam.app.cli.Environment;
 import sunbeam.app.cli.Messages;
 import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.method.Method;
 import sunbeam.precompute.patch.HeightLevels;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.plan.Plan;
 import sunbeam.precompute.plan.PlanRequest;
 import sunbeam.precompute.plan.Planner;
 import sunbeam.precompute.plan.VisibleRange;
+import sunbeam.precompute.setting.Sentence;
 import sunbeam.precompute.table.FourierTable;
 import sunbeam.precompute.table.PatchIdentity;
 
@@ -80,8 +82,13 @@ public final class DiffractionSetup {
         return new Planner(patch.heights(), heights, cie).plan(request, range);
     }
 
+    /** Plans a method for the directions that can occur. */
+    public Plan plan(Method method, VisibleRange range) {
+        return plan(MethodBridge.planRequest(method), range);
+    }
+
     /** What of a plan breaks its tolerance, one line each. */
-    public List<String> warnings(Plan plan) {
+    public List<Sentence> warnings(Plan plan) {
         return new Planner(patch.heights(), heights, cie).warnings(plan);
     }
 

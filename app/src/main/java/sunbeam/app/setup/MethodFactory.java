@@ -11,11 +11,13 @@ import sunbeam.app.gpu.MethodKind;
 import sunbeam.app.gpu.MethodUse;
 import sunbeam.app.gpu.NmmMethod;
 import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.method.Method;
 import sunbeam.precompute.patch.HeightMap;
 import sunbeam.precompute.plan.Plan;
 import sunbeam.precompute.plan.PlanReport;
 import sunbeam.precompute.plan.PlanRequest;
 import sunbeam.precompute.plan.VisibleRange;
+import sunbeam.precompute.setting.Sentence;
 import sunbeam.precompute.table.FourierTable;
 import sunbeam.precompute.units.Lengths;
 
@@ -29,6 +31,11 @@ public final class MethodFactory {
     private final PlanRequest request;
     private final Plan plan;
     private final PqPlan pqPlan;
+
+    /** As the other constructor. */
+    public MethodFactory(DiffractionSetup setup, Method method, VisibleRange range) {
+        this(setup, MethodBridge.methodRequest(method), MethodBridge.planRequest(method), range);
+    }
 
     /**
      * Checks that the method can do what is asked for, and plans it.
@@ -97,7 +104,7 @@ public final class MethodFactory {
     }
 
     /** What breaks the tolerance, one line each. */
-    public List<String> warnings() {
+    public List<Sentence> warnings() {
         return method.kind() == MethodKind.FULL ? setup.warnings(plan) : List.of();
     }
 

@@ -18,10 +18,11 @@ import sunbeam.app.setup.DiffractionSetup;
 import sunbeam.app.setup.MethodFactory;
 import sunbeam.app.setup.MethodOptions;
 import sunbeam.app.setup.PatchOptions;
-import sunbeam.app.setup.PlanOptions;
+import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.Geometry;
 import sunbeam.precompute.plan.VisibleRange;
+import sunbeam.precompute.setting.Choices;
 
 /** One patch, and methods on it as the command line asks for them. */
 final class MethodProbe {
@@ -52,10 +53,9 @@ final class MethodProbe {
     }
 
     MethodFactory factory(VisibleRange range, String... options) {
-        CommandLine line = new CommandLine(new Options()).setCaseInsensitiveEnumValuesAllowed(true);
-        Options parsed = line.getCommand();
-        line.parseArgs(options);
-        return new MethodFactory(setup, parsed.method.request(), parsed.plan.request(), range);
+        MethodOptions parsed = CommandLine.populateCommand(new MethodOptions(), options);
+        Choices choices = parsed.choices();
+        return choices.located(() -> new MethodFactory(setup, Methods.of(choices), range));
     }
 
     /** X, Y, Z of the power. */
@@ -99,13 +99,5 @@ final class MethodProbe {
             size += Math.pow(expected[c], 2);
         }
         return Math.sqrt(difference / size);
-    }
-
-    private static final class Options {
-        @CommandLine.Mixin
-        private MethodOptions method;
-
-        @CommandLine.Mixin
-        private PlanOptions plan;
     }
 }

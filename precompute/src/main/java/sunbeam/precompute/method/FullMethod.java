@@ -1,6 +1,7 @@
 package sunbeam.precompute.method;
 
 import java.util.Optional;
+import sunbeam.precompute.patch.HeightMap;
 import sunbeam.precompute.plan.Accuracy;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.Neighbourhood;
@@ -52,5 +53,10 @@ public record FullMethod(TableChoices table, Optional<Neighbourhood> neighbourho
     @Override
     public MethodType type() {
         return TYPE;
+    }
+
+    @Override
+    public ReferenceMethod exact(HeightMap map) {
+        return new ReferenceMethod(area);
     }
 }

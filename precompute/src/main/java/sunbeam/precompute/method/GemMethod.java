@@ -6,6 +6,7 @@ import static sunbeam.precompute.plan.MethodSettings.SPACING;
 import java.util.List;
 import java.util.OptionalDouble;
 import sunbeam.precompute.optics.CoherenceWindow;
+import sunbeam.precompute.patch.HeightMap;
 import sunbeam.precompute.plan.GaussianArea;
 
 /**
@@ -31,5 +32,10 @@ public record GemMethod(OptionalDouble spacing, CoherenceWindow window) implemen
     @Override
     public MethodType type() {
         return TYPE;
+    }
+
+    @Override
+    public ReferenceMethod exact(HeightMap map) {
+        return new ReferenceMethod(GaussianArea.STANDARD.with(window));
     }
 }

@@ -1,6 +1,7 @@
 package sunbeam.precompute.method;
 
 import java.util.Optional;
+import sunbeam.precompute.patch.HeightMap;
 import sunbeam.precompute.plan.Accuracy;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.Neighbourhood;
@@ -33,5 +34,10 @@ public record NmmMethod(TableChoices table, Optional<Neighbourhood> neighbourhoo
     @Override
     public MethodType type() {
         return TYPE;
+    }
+
+    @Override
+    public ReferenceMethod exact(HeightMap map) {
+        return new ReferenceMethod(area);
     }
 }

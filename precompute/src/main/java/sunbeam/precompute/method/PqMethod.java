@@ -13,6 +13,7 @@ import sunbeam.precompute.patch.HeightMap;
 import sunbeam.precompute.plan.Accuracy;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.GaussianArea;
+import sunbeam.precompute.plan.ReplicatedArea;
 import sunbeam.precompute.plan.TableChoices;
 import sunbeam.precompute.resample.PeriodInterpolation;
 import sunbeam.precompute.setting.Choices;
@@ -90,5 +91,10 @@ public record PqMethod(TableChoices table, PeriodInterpolation interpolation, Re
     @Override
     public MethodType type() {
         return TYPE;
+    }
+
+    @Override
+    public ReferenceMethod exact(HeightMap map) {
+        return new ReferenceMethod(new ReplicatedArea(repetition.of(map)));
     }
 }

@@ -1,9 +1,13 @@
 package sunbeam.precompute.plan;
 
+import static sunbeam.precompute.plan.MethodSettings.COHERENCE_LENGTH;
+import static sunbeam.precompute.plan.MethodSettings.TERMS;
+import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
+
 import java.util.Locale;
 import sunbeam.precompute.fourier.Band;
 import sunbeam.precompute.resample.AxisGrid;
-import sunbeam.precompute.units.Lengths;
+import sunbeam.precompute.setting.SettingException;
 
 /**
  * What a plan takes, estimated from above before any of it is taken.
@@ -79,7 +83,7 @@ record MemoryNeed(long heapBytes, long textureBytes, long longestSide) {
      * Refuses what does not fit.
      *
      * @param heapLimit largest size of the heap, bytes
-     * @throws PlanException when more is needed than there is
+     * @throws SettingException when more is needed than there is
      */
     void require(long heapLimit, Plan plan) {
         if (fits(heapLimit)) {
@@ -87,27 +91,42 @@ record MemoryNeed(long heapBytes, long textureBytes, long longestSide) {
         }
         String what = String.format(
                 Locale.ROOT,
-                "a coherence length of %s and %d x %d DFT bins in %d terms",
-                Lengths.format(plan.window().coherenceLength()),
+                "and %d x %d DFT bins in %d terms",
                 plan.bandX().count(),
                 plan.bandY().count(),
                 plan.expansion().terms());
-        String remedy = "; crop the patch, or give a coarser --tolerance, fewer --terms or another --coherence-length";
         if (longestSide > LONGEST_SIDE) {
-            throw new PlanException("%s need textures of %d texels along a side, more than the %d of common drivers%s"
-                    .formatted(what, longestSide, LONGEST_SIDE, remedy));
+            throw complaint(
+                    plan,
+                    "%s need textures of %d texels along a side, more than the %d of common drivers"
+                            .formatted(what, longestSide, LONGEST_SIDE),
+                    "");
         }
         if (textureBytes > MOST_TEXTURE_BYTES) {
-            throw new PlanException("%s need %s of textures, more than the %s that Sunbeam takes%s"
-                    .formatted(what, inWords(textureBytes), inWords(MOST_TEXTURE_BYTES), remedy));
+            throw complaint(
+                    plan,
+                    "%s need %s of textures, more than the %s that Sunbeam takes"
+                            .formatted(what, inWords(textureBytes), inWords(MOST_TEXTURE_BYTES)),
+                    "");
         }
-        throw new PlanException("%s need %s of memory, but Java's heap may take %s%s or SUNBEAM_JAVA_OPTIONS=-Xmx%dm"
-                .formatted(
-                        what,
-                        inWords(heapBytes),
-                        inWords(heapLimit),
-                        remedy,
-                        (long) (heapBytes / USABLE_HEAP / (1 << 20)) + 1));
+        throw complaint(
+                plan,
+                "%s need %s of memory, but Java's heap may take %s"
+                        .formatted(what, inWords(heapBytes), inWords(heapLimit)),
+                " or SUNBEAM_JAVA_OPTIONS=-Xmx%dm".formatted((long) (heapBytes / USABLE_HEAP / (1 << 20)) + 1));
+    }
+
+    private static SettingException complaint(Plan plan, String problem, String otherRemedy) {
+        return SettingException.of(
+                COHERENCE_LENGTH,
+                plan.window().coherenceLength(),
+                problem + "; crop the patch, or give a coarser ",
+                TOLERANCE,
+                ", fewer ",
+                TERMS,
+                " or another ",
+                COHERENCE_LENGTH,
+                otherRemedy);
     }
 
     private static String inWords(long bytes) {

@@ -1,5 +1,9 @@
 package sunbeam.precompute.plan;
 
+import static sunbeam.precompute.plan.MethodSettings.RADIUS;
+import static sunbeam.precompute.plan.MethodSettings.TERMS;
+import static sunbeam.precompute.plan.MethodSettings.WAVELENGTH_STEP;
+
 import java.math.BigDecimal;
 import java.math.MathContext;
 import java.math.RoundingMode;
@@ -11,6 +15,7 @@ import sunbeam.precompute.expansion.Expansion;
 import sunbeam.precompute.expansion.LowRankExpansion;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.setting.Sentence;
 import sunbeam.precompute.units.Lengths;
 
 /** What breaks the tolerance that is promised: parts that a user fixed, or a tolerance at the edge of float32. */
@@ -23,9 +28,9 @@ final class PlanWarnings {
         this.map = map;
     }
 
-    /** One line each; none for what was planned for a tolerance well within float32, nor for the thesis's choices, which promise nothing. */
-    List<String> lines() {
-        List<String> lines = new ArrayList<>();
+    /** One each; none for what was planned for a tolerance well within float32, nor for the thesis's choices, which promise nothing. */
+    List<Sentence> lines() {
+        List<Sentence> lines = new ArrayList<>();
         if (Double.isNaN(plan.tolerance())) {
             return lines;
         }
@@ -38,49 +43,55 @@ final class PlanWarnings {
         return lines;
     }
 
-    private void checkFloat32(List<String> lines) {
+    private void checkFloat32(List<Sentence> lines) {
         if (plan.tolerance() < Tolerances.FINEST_CERTAIN) {
-            lines.add(format(
+            lines.add(Sentence.of(format(
                     "float32 keeps the tolerance %s in the median, but leaves errors of up to %s at the 95th percentile of"
-                            + " power, of which three times the tolerance is promised; 'reflectance --method reference'"
-                            + " goes further",
-                    shown(plan.tolerance()), shown(Tolerances.FLOAT32_PERCENTILE)));
+                            + " power, of which three times the tolerance is promised; method reference goes further",
+                    shown(plan.tolerance()), shown(Tolerances.FLOAT32_PERCENTILE))));
         }
     }
 
-    private void checkTerms(List<String> lines) {
+    private void checkTerms(List<Sentence> lines) {
         Expansion expansion = plan.expansion();
         double error = expansion instanceof LowRankExpansion lowRank
                 ? lowRank.rootMeanSquareError()
                 : expansion.errorBound(expansion.maximumPhase());
         if (error > plan.tolerance()) {
-            lines.add(format(
-                    "%d %s terms leave an error of %.1g, more than the tolerance %s; give more --terms, or leave it out",
-                    expansion.terms(), expansion.kind().label(), error, plan.tolerance()));
+            lines.add(Sentence.of(
+                    format(
+                            "%d %s terms leave an error of %.1g, more than the tolerance %s; give more ",
+                            expansion.terms(), expansion.kind().label(), error, plan.tolerance()),
+                    TERMS,
+                    ", or leave it out"));
         }
     }
 
-    private void checkRadius(int radius, List<String> lines) {
+    private void checkRadius(int radius, List<Sentence> lines) {
         double sigmaBins = plan.window().sigmaFrequency() * Math.max(map.width(), map.height());
         int needed = SamplingPlanner.neighbourhoodRadius(sigmaBins, new Tolerances(plan.tolerance()));
         if (radius < needed) {
-            lines.add(format(
-                    "radius %d cuts the window's spectrum, which is %.2f DFT bins wide; the tolerance %s takes --radius %d",
-                    radius, sigmaBins, plan.tolerance(), needed));
+            lines.add(Sentence.of(
+                    format(
+                            "radius %d cuts the window's spectrum, which is %.2f DFT bins wide; the tolerance %s takes ",
+                            radius, sigmaBins, plan.tolerance()),
+                    RADIUS,
+                    " " + needed));
         }
     }
 
-    private void checkWavelengths(int count, List<String> lines) {
+    private void checkWavelengths(int count, List<Sentence> lines) {
         double step = (CieTable.MAXIMUM_WAVELENGTH - CieTable.MINIMUM_WAVELENGTH) / (count - 1);
         double needed = coarsestWavelengthStep(plan.window(), plan.range(), plan.tolerance());
         // 1e-9: a step that was planned comes back by way of a count.
         if (step > needed * (1 + 1e-9)) {
-            lines.add(format(
-                    "wavelengths %s apart miss parts of the orders farthest from the specular direction; the tolerance %s"
-                            + " takes --wavelength-step %s",
-                    Lengths.format(step),
-                    plan.tolerance(),
-                    Lengths.format(roundedDown(needed)).replace(" ", "")));
+            lines.add(Sentence.of(
+                    format(
+                            "wavelengths %s apart miss parts of the orders farthest from the specular direction; the"
+                                    + " tolerance %s takes ",
+                            Lengths.format(step), plan.tolerance()),
+                    WAVELENGTH_STEP,
+                    " " + Lengths.format(roundedDown(needed)).replace(" ", "")));
         }
     }
 

@@ -11,6 +11,7 @@ import sunbeam.precompute.expansion.LowRankExpansion;
 import sunbeam.precompute.expansion.TaylorExpansion;
 import sunbeam.precompute.patch.HeightLevels;
 import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.setting.Sentence;
 
 /** Makes a {@link Plan} for a patch, what the user fixes, and the directions that a scene can reach. */
 public final class Planner {
@@ -44,7 +45,7 @@ public final class Planner {
     /**
      * The plan: the fastest that keeps the tolerance and fits into memory.
      *
-     * @throws PlanException when none does, or when what is fixed makes no sense together
+     * @throws sunbeam.precompute.setting.SettingException when none does, or when what is fixed makes no sense for the patch
      */
     public Plan plan(PlanRequest request, VisibleRange range) {
         PlanChecks.check(request, map);
@@ -61,7 +62,7 @@ public final class Planner {
     }
 
     /** What the user fixed of a plan that breaks its tolerance, one line each. */
-    public List<String> warnings(Plan plan) {
+    public List<Sentence> warnings(Plan plan) {
         return new PlanWarnings(plan, map).lines();
     }
 
@@ -89,7 +90,7 @@ public final class Planner {
         double sigmaBins = request.window().sigmaFrequency() * Math.max(map.width(), map.height());
         int radius = request.radius()
                 .orElseGet(() -> thesis ? 1 : SamplingPlanner.neighbourhoodRadius(sigmaBins, tolerances));
-        PlanChecks.checkRadius(radius, sigmaBins);
+        PlanChecks.checkRadius(radius, request.window(), sigmaBins);
         Neighbourhood.Anchor anchor =
                 request.anchor().orElse(thesis ? Neighbourhood.Anchor.FLOOR : Neighbourhood.Anchor.NEAREST);
         double step = request.wavelengthStep()
