@@ -13,11 +13,15 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 import sunbeam.app.cli.CancelledException;
+import sunbeam.app.cli.OptionOrigin;
 import sunbeam.app.cli.UsageException;
 import sunbeam.app.input.InputException;
 import sunbeam.app.output.OutputException;
 import sunbeam.precompute.patch.PatchException;
-import sunbeam.precompute.plan.PlanException;
+import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.setting.Kinds;
+import sunbeam.precompute.setting.Setting;
+import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.table.TableException;
 
 final class FailuresTest {
@@ -30,7 +34,6 @@ final class FailuresTest {
     static Stream<Arguments> failures() {
         return Stream.of(
                 Arguments.of(new UsageException("what"), 2),
-                Arguments.of(new PlanException("what"), 2),
                 Arguments.of(new PatchException("what"), 4),
                 Arguments.of(new TableException("what"), 4),
                 Arguments.of(new InputException("what"), 4),
@@ -46,6 +49,15 @@ final class FailuresTest {
     void eachKindHasItsExitCodeAndOneLine(Throwable failure, int code) {
         assertThat(report(failure, false)).isEqualTo(code);
         assertThat(err.toString()).isEqualToNormalizingNewlines("sunbeam: what\n");
+    }
+
+    @Test
+    void whatIsWrongWithAChoiceDependsOnItsPlace() {
+        Setting<String> setting = new Setting<>("mesh", Kinds.text("MESH"), "Which.");
+        assertThat(report(new SettingException(setting, "is odd"), false)).isEqualTo(2);
+        Choices options = Choices.at(OptionOrigin.INSTANCE).with(setting, "cube");
+        assertThat(report(options.complaint(setting, "is odd"), false)).isEqualTo(2);
+        assertThat(err.toString()).isEqualToNormalizingNewlines("sunbeam: mesh is odd\nsunbeam: --mesh cube is odd\n");
     }
 
     @Test

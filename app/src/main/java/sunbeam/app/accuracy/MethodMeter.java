@@ -11,14 +11,11 @@ import sunbeam.app.certificate.ErrorStatistics;
 import sunbeam.app.certificate.RelativeError;
 import sunbeam.app.directions.DirectionsRenderer;
 import sunbeam.app.directions.DirectionsRenderer.Query;
-import sunbeam.app.gpu.MethodKind;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.setup.DiffractionSetup;
-import sunbeam.app.setup.MethodRequest;
-import sunbeam.app.setup.Methods;
+import sunbeam.precompute.method.Method;
 import sunbeam.precompute.method.MethodPlan;
 import sunbeam.precompute.optics.Direction;
-import sunbeam.precompute.plan.PlanRequest;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.shader.MethodUse;
 
@@ -43,30 +40,28 @@ final class MethodMeter {
      *
      * @param note what it approximates, see {@link Entry}
      */
-    Entry measure(String name, MethodRequest method, PlanRequest request, String note) {
-        List<Color> colors = subject.samplesFor(request).colors();
+    Entry measure(String name, Method method, String note) {
+        List<Color> colors = subject.samplesFor(method).colors();
         List<Query> queries = colors.stream().map(Color::query).toList();
         DiffractionSetup setup = subject.setup();
-        MethodPlan plan = Methods.plan(
-                setup,
-                method,
-                request,
+        MethodPlan plan = method.plan(
+                setup.surface(),
                 VisibleRange.of(queries.stream().map(Query::pair).toList()));
         ErrorStatistics errors;
         try (UploadedTables drawn = upload(plan)) {
             double[][] xyz = evaluate(drawn, queries);
-            if (method.kind() == MethodKind.GEM) {
+            if (method.brightness() == Method.Brightness.UNRELATED) {
                 scale(xyz, colors);
             }
             errors = errors(xyz, colors);
         }
-        return new Entry(name, errors, time(method, request), note);
+        return new Entry(name, errors, time(method), note);
     }
 
     /** Time per pixel of a map lit from the normal, microseconds, by a plan for that map: what a scene would draw with. */
-    private double time(MethodRequest method, PlanRequest request) {
+    private double time(Method method) {
         DiffractionSetup setup = subject.setup();
-        MethodPlan plan = Methods.plan(setup, method, request, VisibleRange.of(NORMAL));
+        MethodPlan plan = method.plan(setup.surface(), VisibleRange.of(NORMAL));
         try (UploadedTables drawn = upload(plan)) {
             return new FrameTimer(context, mapSize, FRAMES).time(drawn, NORMAL).fastestMicrosecondsPerPixel();
         }

@@ -3,19 +3,21 @@ package sunbeam.app.accuracy;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalDouble;
-import java.util.OptionalInt;
 import jrtr.GraphicsException;
 import sunbeam.app.accuracy.MethodsFigure.Entry;
-import sunbeam.app.gpu.MethodKind;
-import sunbeam.app.setup.MethodRequest;
 import sunbeam.precompute.analysis.PeriodFinder;
 import sunbeam.precompute.analysis.Periodicity;
+import sunbeam.precompute.method.FullMethod;
+import sunbeam.precompute.method.GemMethod;
+import sunbeam.precompute.method.Method;
+import sunbeam.precompute.method.NmmMethod;
+import sunbeam.precompute.method.PqMethod;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.patch.HeightMap;
-import sunbeam.precompute.plan.PlanException;
-import sunbeam.precompute.plan.PlanRequest;
+import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.Tolerances;
 import sunbeam.precompute.resample.PeriodInterpolation;
+import sunbeam.precompute.setting.SettingException;
 
 /** Where the thesis's methods stand: error of X, Y, Z against the reference, and time per pixel. */
 final class MethodsExperiment implements Experiment {
@@ -32,33 +34,29 @@ final class MethodsExperiment implements Experiment {
     public Figure run(Subject subject) {
         List<Entry> entries = new ArrayList<>();
         List<String> remarks = new ArrayList<>();
-        entries.add(subject.methods()
-                .measure("full, thesis", full(), PlanRequest.of(PlanRequest.Preset.THESIS), MethodsFigure.FULL));
+        entries.add(subject.methods().measure("full, thesis", FullMethod.thesis(), MethodsFigure.FULL));
         for (double tolerance : TOLERANCES) {
             String name = "full, tolerance " + ErrorFigure.number(tolerance);
             try {
-                entries.add(
-                        subject.methods().measure(name, full(), Requests.withTolerance(tolerance), MethodsFigure.FULL));
-            } catch (GraphicsException | PlanException tooLarge) {
+                entries.add(subject.methods().measure(name, FullMethod.within(tolerance), MethodsFigure.FULL));
+            } catch (GraphicsException | SettingException tooLarge) {
                 remarks.add(name + " was not measured: " + tooLarge.getMessage() + ".");
             }
         }
-        PlanRequest standard = Requests.withTolerance(Tolerances.STANDARD);
         entries.add(subject.methods()
-                .measure("nmm", MethodRequest.of(MethodKind.NMM), standard, "meant for patches of one period"));
+                .measure("nmm", NmmMethod.within(Tolerances.STANDARD), "meant for patches of one period"));
         for (PeriodInterpolation interpolation : PeriodInterpolation.values()) {
             entries.add(subject.methods()
                     .measure(
                             "pq, " + interpolation.label(),
-                            pq(interpolation),
-                            standard,
+                            PqMethod.within(Tolerances.STANDARD, interpolation),
                             "evenly lit replicas with sharp edges instead of the Gaussian window"));
         }
-        gem(subject, standard, entries, remarks);
+        gem(subject, entries, remarks);
         return new MethodsFigure(subject.name(), entries, remarks);
     }
 
-    private static void gem(Subject subject, PlanRequest request, List<Entry> entries, List<String> remarks) {
+    private static void gem(Subject subject, List<Entry> entries, List<String> remarks) {
         OptionalDouble spacing = spacing(subject.setup().patch().heights());
         if (spacing.isEmpty()) {
             remarks.add("gem was not measured: the patch has no period to take for its spacing.");
@@ -66,17 +64,8 @@ final class MethodsExperiment implements Experiment {
         }
         String note = "lines %.0f nm apart and nothing of the surface; its brightness, which means nothing, is fitted"
                 .formatted(1e9 * spacing.getAsDouble());
-        MethodRequest method =
-                new MethodRequest(MethodKind.GEM, PeriodInterpolation.SINC, OptionalInt.empty(), spacing);
-        entries.add(subject.methods().measure("gem", method, request, note));
-    }
-
-    private static MethodRequest full() {
-        return MethodRequest.of(MethodKind.FULL);
-    }
-
-    private static MethodRequest pq(PeriodInterpolation interpolation) {
-        return new MethodRequest(MethodKind.PQ, interpolation, OptionalInt.empty(), OptionalDouble.empty());
+        Method method = new GemMethod(spacing, GaussianArea.STANDARD.window());
+        entries.add(subject.methods().measure("gem", method, note));
     }
 
     /** The width of a patch of one period; otherwise the clearest period along x, across the lines. */

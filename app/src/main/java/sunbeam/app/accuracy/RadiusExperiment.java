@@ -49,7 +49,7 @@ final class RadiusExperiment implements Experiment {
 
     private static Plan plan(Subject subject, List<Power> powers, Neighbourhood neighbourhood) {
         return subject.plan(
-                Requests.ofNeighbourhood(neighbourhood),
+                Variants.ofNeighbourhood(neighbourhood),
                 powers.stream().map(Power::query).toList());
     }
 }

@@ -10,11 +10,14 @@ import sunbeam.app.directions.DirectionsRenderer;
 import sunbeam.app.directions.DirectionsRenderer.Query;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.setup.DiffractionSetup;
+import sunbeam.precompute.method.FullMethod;
+import sunbeam.precompute.method.Method;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.WindowOrigin;
+import sunbeam.precompute.plan.CoherenceArea;
+import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.Plan;
-import sunbeam.precompute.plan.PlanRequest;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.shader.MethodUse;
 import sunbeam.precompute.shader.ShaderTables;
@@ -85,14 +88,15 @@ final class Subject {
     }
 
     /** The thesis's window lies on the corner, and so must that of the exact values it is compared with. */
-    ReferenceSamples samplesFor(PlanRequest request) {
-        return request.windowOrigin() == WindowOrigin.CENTRE ? centred : cornered;
+    ReferenceSamples samplesFor(Method method) {
+        CoherenceArea exact = method.exact(setup.patch().heights()).area();
+        return exact instanceof GaussianArea area && area.origin() == WindowOrigin.CORNER ? cornered : centred;
     }
 
     /** A plan for some directions. */
-    Plan plan(PlanRequest request, List<Query> queries) {
+    Plan plan(FullMethod method, List<Query> queries) {
         List<DirectionPair> pairs = queries.stream().map(Query::pair).toList();
-        return setup.plan(request, VisibleRange.of(pairs));
+        return method.tablePlan(setup.surface(), VisibleRange.of(pairs));
     }
 
     /** Relative errors of powers that the GPU computes. */

@@ -32,7 +32,7 @@ final class TermsExperiment implements Experiment {
         List<ErrorCurve> curves = new ArrayList<>();
         for (ExpansionKind kind : ExpansionKind.values()) {
             int most = kind == ExpansionKind.LOWRANK ? MOST_LOWRANK_TERMS : MOST_TERMS;
-            Plan plan = subject.plan(Requests.ofExpansion(kind, most), queries);
+            Plan plan = subject.plan(Variants.ofExpansion(kind, most), queries);
             FourierTable table = subject.setup().freshTable(plan);
             int[] counts = counts(table.terms());
             ErrorCurve.Builder single = new ErrorCurve.Builder(kind.label() + " float32");
@@ -55,7 +55,7 @@ final class TermsExperiment implements Experiment {
     }
 
     private static ErrorCurve thesis(Subject subject, List<Power> powers, List<Query> queries) {
-        Plan plan = subject.plan(Requests.ofThesisExpansion(), queries);
+        Plan plan = subject.plan(Variants.ofThesisExpansion(), queries);
         FourierTable table = subject.setup().freshTable(plan);
         return ErrorCurve.point(
                 "thesis", plan.expansion().terms(), ErrorStatistics.of(subject.powerErrors(plan, table, powers)));

@@ -9,9 +9,9 @@ import sunbeam.app.accuracy.ReferenceSamples.Power;
 import sunbeam.app.certificate.ErrorStatistics;
 import sunbeam.app.directions.DirectionsRenderer.Query;
 import sunbeam.app.plot.Plot.Axis;
+import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.plan.Plan;
-import sunbeam.precompute.plan.PlanException;
-import sunbeam.precompute.plan.PlanRequest;
+import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.table.FourierTable;
 
 /** What a tolerance promises and what comes of it: power and X, Y, Z of plans made for nothing but a tolerance. */
@@ -30,15 +30,15 @@ final class ToleranceExperiment implements Experiment {
         List<String> remarks = new ArrayList<>();
         for (double tolerance : TOLERANCES) {
             try {
-                double[][] errors = errors(subject, Requests.withTolerance(tolerance));
+                double[][] errors = errors(subject, FullMethod.within(tolerance));
                 power.add(tolerance, errors[0]);
                 color.add(tolerance, errors[1]);
-            } catch (GraphicsException | PlanException tooLarge) {
+            } catch (GraphicsException | SettingException tooLarge) {
                 remarks.add("Tolerance " + ErrorFigure.number(tolerance) + " was not measured: " + tooLarge.getMessage()
                         + ".");
             }
         }
-        double[][] thesis = errors(subject, PlanRequest.of(PlanRequest.Preset.THESIS));
+        double[][] thesis = errors(subject, FullMethod.thesis());
         // It has no tolerance; its points stand where the coarsest one is.
         double place = TOLERANCES[TOLERANCES.length - 1];
         return new ErrorFigure(
@@ -56,13 +56,13 @@ final class ToleranceExperiment implements Experiment {
     }
 
     /** Errors of power, errors of X, Y, Z. */
-    private static double[][] errors(Subject subject, PlanRequest request) {
-        List<Power> powers = subject.samplesFor(request).powers();
-        List<Color> colors = subject.samplesFor(request).colors();
+    private static double[][] errors(Subject subject, FullMethod method) {
+        List<Power> powers = subject.samplesFor(method).powers();
+        List<Color> colors = subject.samplesFor(method).colors();
         List<Query> queries = new ArrayList<>();
         Stream.concat(powers.stream().map(Power::query), colors.stream().map(Color::query))
                 .forEach(queries::add);
-        Plan plan = subject.plan(request, queries);
+        Plan plan = subject.plan(method, queries);
         FourierTable table = subject.setup().freshTable(plan);
         return new double[][] {subject.powerErrors(plan, table, powers), subject.colorErrors(plan, table, colors)};
     }

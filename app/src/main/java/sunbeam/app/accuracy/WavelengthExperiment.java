@@ -24,7 +24,7 @@ final class WavelengthExperiment implements Experiment {
         FourierTable table = null;
         ErrorCurve.Builder builder = new ErrorCurve.Builder("XYZ");
         for (double step : STEPS_NM) {
-            Plan plan = subject.plan(Requests.ofWavelengthStep(step * 1e-9), queries);
+            Plan plan = subject.plan(Variants.ofWavelengthStep(step * 1e-9), queries);
             // Only the wavelengths differ from plan to plan.
             table = table == null ? subject.setup().freshTable(plan) : table;
             builder.add(step, subject.colorErrors(plan, table, colors));

@@ -15,19 +15,19 @@ import picocli.CommandLine.Spec;
 import sunbeam.app.cli.Environment;
 import sunbeam.app.cli.ExitCode;
 import sunbeam.app.cli.UsageException;
-import sunbeam.app.gpu.MethodKind;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.setup.DiffractionSetup;
 import sunbeam.app.setup.LightOptions;
 import sunbeam.app.setup.MethodOptions;
-import sunbeam.app.setup.MethodRequest;
-import sunbeam.app.setup.Methods;
 import sunbeam.app.setup.PatchOptions;
-import sunbeam.app.setup.PlanOptions;
+import sunbeam.precompute.method.FullMethod;
+import sunbeam.precompute.method.Method;
+import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.optics.Direction;
-import sunbeam.precompute.plan.PlanRequest;
+import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.reference.ReferenceEvaluator;
+import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.shader.MethodUse;
 import sunbeam.precompute.shader.ShaderTables;
 
@@ -47,9 +47,6 @@ public final class BenchmarkCommand implements Callable<Integer> {
 
     @Mixin
     private LightOptions light;
-
-    @Mixin
-    private PlanOptions planOptions;
 
     @Mixin
     private MethodOptions methodOptions;
@@ -77,6 +74,11 @@ public final class BenchmarkCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
+        Choices choices = methodOptions.choices();
+        return choices.located(() -> measure(Methods.of(choices), GaussianArea.of(choices)));
+    }
+
+    private int measure(Method method, GaussianArea area) {
         if (size < 16 || size > 2048) {
             throw new UsageException("--size " + size + " is out of range; give 16 to 2048");
         }
@@ -88,14 +90,8 @@ public final class BenchmarkCommand implements Callable<Integer> {
                 patchOptions, environment, specification.commandLine().getErr());
         VisibleRange range = VisibleRange.of(wi);
         List<Contender> contenders = List.of(
-                new Contender(
-                        "thesis",
-                        Methods.plan(
-                                setup,
-                                MethodRequest.of(MethodKind.FULL),
-                                PlanRequest.of(PlanRequest.Preset.THESIS),
-                                range)),
-                new Contender("asked for", Methods.plan(setup, methodOptions.request(), planOptions.request(), range)));
+                new Contender("thesis", FullMethod.thesis().plan(setup.surface(), range)),
+                new Contender("asked for", method.plan(setup.surface(), range)));
         try (RenderContext context = RenderContexts.offscreen()) {
             List<FrameTime> times = new ArrayList<>();
             for (Contender contender : contenders) {
@@ -103,9 +99,8 @@ public final class BenchmarkCommand implements Callable<Integer> {
             }
             report(specification.commandLine().getOut(), context, setup, times);
         }
-        PlanRequest request = planOptions.request();
-        double rate = ReferenceRate.measure(
-                new ReferenceEvaluator(setup.patch().heights(), request.window(), request.windowOrigin()));
+        double rate =
+                ReferenceRate.measure(new ReferenceEvaluator(setup.patch().heights(), area.window(), area.origin()));
         specification
                 .commandLine()
                 .getOut()

@@ -1,5 +1,8 @@
 package sunbeam.app.brdf;
 
+import static sunbeam.precompute.method.Methods.METHOD;
+import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
+
 import java.awt.image.BufferedImage;
 import java.io.PrintWriter;
 import java.nio.file.Path;
@@ -36,14 +39,13 @@ import sunbeam.app.progress.Progress;
 import sunbeam.app.setup.DiffractionSetup;
 import sunbeam.app.setup.LightOptions;
 import sunbeam.app.setup.MethodOptions;
-import sunbeam.app.setup.MethodRequest;
-import sunbeam.app.setup.Methods;
 import sunbeam.app.setup.PatchOptions;
-import sunbeam.app.setup.PlanOptions;
+import sunbeam.precompute.method.Method;
 import sunbeam.precompute.method.MethodPlan;
+import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.optics.Direction;
-import sunbeam.precompute.plan.PlanRequest;
 import sunbeam.precompute.plan.VisibleRange;
+import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.shader.MethodUse;
 import sunbeam.precompute.shader.ShaderTables;
 import sunbeam.precompute.units.Decimals;
@@ -66,9 +68,6 @@ public final class BrdfMapCommand implements Callable<Integer> {
 
     @Mixin
     private LightOptions light;
-
-    @Mixin
-    private PlanOptions planOptions;
 
     @Mixin
     private MethodOptions methodOptions;
@@ -116,13 +115,17 @@ public final class BrdfMapCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
+        Choices choices = methodOptions.choices();
+        return choices.located(() -> draw(choices));
+    }
+
+    private int draw(Choices choices) {
         if (size < 1 || size > LARGEST) {
             throw new UsageException("--size " + size + " is out of range; give 1 to " + LARGEST);
         }
         certify.count();
         double fixedExposure = parseExposure();
-        MethodRequest methodRequest = methodOptions.request();
-        PlanRequest request = planOptions.request(methodRequest.kind());
+        Method chosen = Methods.of(choices);
         Direction wi = light.direction();
         PrintWriter err = specification.commandLine().getErr();
         DiffractionSetup setup = new DiffractionSetup(patchOptions, environment, err);
@@ -135,9 +138,9 @@ public final class BrdfMapCommand implements Callable<Integer> {
             checkDifferent(picture);
             AtomicFile.checkWritable(linear, overwrite);
         }
-        MethodPlan plan = Methods.plan(setup, methodRequest, request, VisibleRange.of(wi));
+        MethodPlan plan = chosen.plan(setup.surface(), VisibleRange.of(wi));
         PrintWriter out = specification.commandLine().getOut();
-        planOptions.print(plan, err);
+        methodOptions.print(plan, err);
         ShaderTables tables = setup.tables(plan, MethodUse.COLOUR);
         Optional<Certificate> certificate;
         try (RenderContext context = RenderContexts.offscreen();
@@ -149,10 +152,9 @@ public final class BrdfMapCommand implements Callable<Integer> {
             double factor = fixedExposure > 0
                     ? fixedExposure
                     : AutoExposure.of(map, directions.specular(method.specularReach()));
-            certificate = certify.certificate(
-                    count -> new Certifier(ExactColor.of(setup, methodRequest, request), directions::at)
-                            .certify(map, count, CertifyOption.SEED, factor, request.tolerance()));
-            Map<String, String> text = describe(setup, methodRequest, plan.summary(), factor, context);
+            certificate = certify.certificate(count -> new Certifier(ExactColor.of(setup, chosen), directions::at)
+                    .certify(map, count, CertifyOption.SEED, factor, choices.get(TOLERANCE)));
+            Map<String, String> text = describe(setup, choices, plan.summary(), factor, context);
             certificate.ifPresent(stated -> text.put("Certificate", stated.summary()));
             BufferedImage image = SrgbImage.fromEncoded(size, size, display.srgb(map, factor));
             write(picture, stream -> PngWriter.write(stream, image, text), map);
@@ -205,13 +207,13 @@ public final class BrdfMapCommand implements Callable<Integer> {
     }
 
     private Map<String, String> describe(
-            DiffractionSetup setup, MethodRequest methodRequest, String plan, double factor, RenderContext context) {
+            DiffractionSetup setup, Choices choices, String plan, double factor, RenderContext context) {
         Map<String, String> text = new LinkedHashMap<>();
         text.put("Title", "BRDF map of " + setup.patch().name());
         text.put("Patch", setup.patch().source());
         text.put("Light", light.describe());
-        text.put("Method", methodRequest.describe());
-        text.put("Options", planOptions.describe());
+        text.put("Method", choices.get(METHOD).label());
+        text.put("Options", Methods.describe(choices));
         text.put("Plan", plan);
         text.put("Exposure", Double.toString(factor));
         text.put("Renderer", context.info().renderer());

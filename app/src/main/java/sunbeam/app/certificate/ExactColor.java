@@ -1,11 +1,13 @@
 package sunbeam.app.certificate;
 
-import sunbeam.app.gpu.MethodKind;
 import sunbeam.app.setup.DiffractionSetup;
-import sunbeam.app.setup.MethodRequest;
+import sunbeam.precompute.method.Method;
 import sunbeam.precompute.optics.DirectionPair;
+import sunbeam.precompute.patch.HeightMap;
 import sunbeam.precompute.plan.Average;
-import sunbeam.precompute.plan.PlanRequest;
+import sunbeam.precompute.plan.CoherenceArea;
+import sunbeam.precompute.plan.GaussianArea;
+import sunbeam.precompute.plan.ReplicatedArea;
 import sunbeam.precompute.reference.ReferenceColor;
 import sunbeam.precompute.reference.ReferenceColor.Quadrature;
 import sunbeam.precompute.reference.ReferenceEvaluator;
@@ -23,23 +25,18 @@ public interface ExactColor {
      * What a method's colours are to be: under the Gaussian window, or for {@code pq} of the replicas with sharp edges
      * that it stands for. {@code gem} knows nothing of the surface, and is held against the surface all the same.
      */
-    static ExactColor of(DiffractionSetup setup, MethodRequest method, PlanRequest request) {
-        return method.kind() == MethodKind.PQ ? ofReplicas(setup, method, request) : ofWindow(setup, request);
+    static ExactColor of(DiffractionSetup setup, Method method) {
+        HeightMap map = setup.patch().heights();
+        CoherenceArea area = method.exact(map).area();
+        return area instanceof ReplicatedArea replicated
+                ? new ReplicaColor(new ReplicaEvaluator(map, replicated.replicas()), setup.cie())::xyz
+                : ofWindow(setup, (GaussianArea) area);
     }
 
-    /** Under the Gaussian coherence window that the request asks for, averaged as it says. */
-    static ExactColor ofWindow(DiffractionSetup setup, PlanRequest request) {
-        ReferenceEvaluator evaluator =
-                new ReferenceEvaluator(setup.patch().heights(), request.window(), request.windowOrigin());
-        ReferenceColor color = new ReferenceColor(evaluator, request.window(), setup.cie(), Quadrature.INTEGRATED);
-        boolean ensemble = request.average().orElse(Average.COHERENT) == Average.ENSEMBLE;
+    private static ExactColor ofWindow(DiffractionSetup setup, GaussianArea area) {
+        ReferenceEvaluator evaluator = new ReferenceEvaluator(setup.patch().heights(), area.window(), area.origin());
+        ReferenceColor color = new ReferenceColor(evaluator, area.window(), setup.cie(), Quadrature.INTEGRATED);
+        boolean ensemble = area.average() == Average.ENSEMBLE;
         return pair -> color.xyz(pair, ensemble);
-    }
-
-    /** Of the patch repeated as often as the method asks for, with sharp edges. */
-    static ExactColor ofReplicas(DiffractionSetup setup, MethodRequest method, PlanRequest request) {
-        ReplicaEvaluator evaluator = new ReplicaEvaluator(
-                setup.patch().heights(), method.replicasOf(setup.patch().heights(), request.window()));
-        return new ReplicaColor(evaluator, setup.cie())::xyz;
     }
 }

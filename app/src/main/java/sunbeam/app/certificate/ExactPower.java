@@ -1,12 +1,13 @@
 package sunbeam.app.certificate;
 
-import sunbeam.app.gpu.MethodKind;
 import sunbeam.app.setup.DiffractionSetup;
-import sunbeam.app.setup.MethodRequest;
+import sunbeam.precompute.method.Method;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.patch.HeightMap;
 import sunbeam.precompute.plan.Average;
-import sunbeam.precompute.plan.PlanRequest;
+import sunbeam.precompute.plan.CoherenceArea;
+import sunbeam.precompute.plan.GaussianArea;
+import sunbeam.precompute.plan.ReplicatedArea;
 import sunbeam.precompute.reference.ReferenceEvaluator;
 import sunbeam.precompute.reference.ReplicaEvaluator;
 
@@ -22,13 +23,15 @@ public interface ExactPower {
     double power(DirectionPair pair, double wavelength);
 
     /** What a method's power is to be: as {@link ExactColor#of}. */
-    static ExactPower of(DiffractionSetup setup, MethodRequest method, PlanRequest request) {
+    static ExactPower of(DiffractionSetup setup, Method method) {
         HeightMap map = setup.patch().heights();
-        if (method.kind() == MethodKind.PQ) {
-            return new ReplicaEvaluator(map, method.replicasOf(map, request.window()))::power;
+        CoherenceArea area = method.exact(map).area();
+        if (area instanceof ReplicatedArea replicated) {
+            return new ReplicaEvaluator(map, replicated.replicas())::power;
         }
-        ReferenceEvaluator evaluator = new ReferenceEvaluator(map, request.window(), request.windowOrigin());
-        return request.average().orElse(Average.COHERENT) == Average.ENSEMBLE
+        GaussianArea gaussian = (GaussianArea) area;
+        ReferenceEvaluator evaluator = new ReferenceEvaluator(map, gaussian.window(), gaussian.origin());
+        return gaussian.average() == Average.ENSEMBLE
                 ? (pair, wavelength) -> evaluator.powers(pair, wavelength).ensemble()
                 : evaluator::coherent;
     }

@@ -8,20 +8,20 @@ import sunbeam.app.setup.DiffractionSetup;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.Gain;
 import sunbeam.precompute.plan.Average;
-import sunbeam.precompute.plan.PlanRequest;
+import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.reference.ReferenceColor;
 import sunbeam.precompute.reference.ReferenceEvaluator;
 
 /** Directions by the exact reference, in parallel over rows. */
 final class ReferenceDirections {
     private final DiffractionSetup setup;
-    private final PlanRequest request;
+    private final GaussianArea area;
     private final ReferenceEvaluator evaluator;
 
-    ReferenceDirections(DiffractionSetup setup, PlanRequest request) {
+    ReferenceDirections(DiffractionSetup setup, GaussianArea area) {
         this.setup = setup;
-        this.request = request;
-        this.evaluator = new ReferenceEvaluator(setup.patch().heights(), request.window(), request.windowOrigin());
+        this.area = area;
+        this.evaluator = new ReferenceEvaluator(setup.patch().heights(), area.window(), area.origin());
     }
 
     List<double[]> evaluate(DirectionList list) {
@@ -44,17 +44,17 @@ final class ReferenceDirections {
             power.coherent(),
             power.ensemble(),
             Gain.relativeRadiance(pair) * chosen,
-            Gain.brdf(pair, request.window(), wavelength) * chosen
+            Gain.brdf(pair, area.window(), wavelength) * chosen
         };
     }
 
     private double[] colour(DirectionPair pair) {
-        ReferenceColor color = new ReferenceColor(evaluator, request.window(), setup.cie());
+        ReferenceColor color = new ReferenceColor(evaluator, area.window(), setup.cie());
         double[] xyz = color.xyz(pair, ensemble());
         return new double[] {xyz[0], xyz[1], xyz[2], Gain.relativeRadiance(pair)};
     }
 
     private boolean ensemble() {
-        return request.average().orElse(Average.COHERENT) == Average.ENSEMBLE;
+        return area.average() == Average.ENSEMBLE;
     }
 }

@@ -1,5 +1,7 @@
 package sunbeam.app.directions;
 
+import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
+
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -16,19 +18,20 @@ import sunbeam.app.certificate.CertifyOption;
 import sunbeam.app.cli.Environment;
 import sunbeam.app.cli.ExitCode;
 import sunbeam.app.cli.UsageException;
-import sunbeam.app.gpu.MethodKind;
 import sunbeam.app.output.AtomicFile;
 import sunbeam.app.output.CsvWriter;
 import sunbeam.app.output.ForceOption;
 import sunbeam.app.setup.DiffractionSetup;
 import sunbeam.app.setup.MethodOptions;
-import sunbeam.app.setup.MethodRequest;
-import sunbeam.app.setup.Methods;
 import sunbeam.app.setup.PatchOptions;
-import sunbeam.app.setup.PlanOptions;
+import sunbeam.precompute.method.Method;
 import sunbeam.precompute.method.MethodPlan;
-import sunbeam.precompute.plan.PlanRequest;
+import sunbeam.precompute.method.Methods;
+import sunbeam.precompute.method.ReferenceMethod;
+import sunbeam.precompute.plan.GaussianArea;
+import sunbeam.precompute.plan.ReplicatedArea;
 import sunbeam.precompute.plan.VisibleRange;
+import sunbeam.precompute.setting.Choices;
 
 /** {@code sunbeam reflectance}: numbers for a list of directions, the interface by which anybody can check Sunbeam. */
 @Command(
@@ -47,9 +50,6 @@ public final class ReflectanceCommand implements Callable<Integer> {
 
     @Mixin
     private PatchOptions patchOptions;
-
-    @Mixin
-    private PlanOptions planOptions;
 
     @Mixin
     private MethodOptions methodOptions;
@@ -75,9 +75,12 @@ public final class ReflectanceCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
-        MethodRequest method = methodOptions.request();
-        PlanRequest request = planOptions.request(method.kind());
-        if (certify.count().isPresent() && method.kind() == MethodKind.REFERENCE) {
+        Choices choices = methodOptions.choices();
+        return choices.located(() -> tabulate(Methods.of(choices), choices.get(TOLERANCE)));
+    }
+
+    private int tabulate(Method method, double tolerance) {
+        if (certify.count().isPresent() && method instanceof ReferenceMethod) {
             throw new UsageException("--certify compares with --method reference; leave out one of them");
         }
         DirectionList list = DirectionList.read(directions);
@@ -85,10 +88,9 @@ public final class ReflectanceCommand implements Callable<Integer> {
         DiffractionSetup setup = new DiffractionSetup(
                 patchOptions, environment, specification.commandLine().getErr());
         PrintWriter out = specification.commandLine().getOut();
-        List<double[]> results = evaluate(setup, method, request, list);
-        Optional<Certificate> certificate = certify.certificate(count -> new ExactRows(setup, method, request, list)
-                .certifier(results)
-                .certify(list.size(), count, request.tolerance()));
+        List<double[]> results = evaluate(setup, method, list);
+        Optional<Certificate> certificate = certify.certificate(
+                count -> new ExactRows(setup, method, list).certifier(results).certify(list.size(), count, tolerance));
         write(list, results);
         out.println(output);
         return certificate
@@ -98,16 +100,15 @@ public final class ReflectanceCommand implements Callable<Integer> {
                 .code();
     }
 
-    private List<double[]> evaluate(
-            DiffractionSetup setup, MethodRequest method, PlanRequest request, DirectionList list) {
-        if (method.kind() != MethodKind.REFERENCE) {
-            MethodPlan plan = Methods.plan(setup, method, request, VisibleRange.of(list.pairs()));
-            planOptions.print(plan, specification.commandLine().getErr());
+    private List<double[]> evaluate(DiffractionSetup setup, Method method, DirectionList list) {
+        if (!(method instanceof ReferenceMethod reference)) {
+            MethodPlan plan = method.plan(setup.surface(), VisibleRange.of(list.pairs()));
+            methodOptions.print(plan, specification.commandLine().getErr());
             return new GpuDirections(setup, plan).evaluate(list);
         }
-        return method.replicas().isPresent()
-                ? new ReplicaDirections(setup, method, request).evaluate(list)
-                : new ReferenceDirections(setup, request).evaluate(list);
+        return reference.area() instanceof GaussianArea area
+                ? new ReferenceDirections(setup, area).evaluate(list)
+                : new ReplicaDirections(setup, ((ReplicatedArea) reference.area()).replicas()).evaluate(list);
     }
 
     private void write(DirectionList list, List<double[]> results) {

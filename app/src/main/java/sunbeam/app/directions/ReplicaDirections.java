@@ -3,17 +3,13 @@ package sunbeam.app.directions;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.IntStream;
-import sunbeam.app.cli.UsageException;
 import sunbeam.app.progress.Progress;
 import sunbeam.app.setup.DiffractionSetup;
-import sunbeam.app.setup.MethodRequest;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.Gain;
 import sunbeam.precompute.optics.Replicas;
 import sunbeam.precompute.patch.HeightMap;
-import sunbeam.precompute.plan.Average;
-import sunbeam.precompute.plan.PlanRequest;
 import sunbeam.precompute.reference.ReplicaColor;
 import sunbeam.precompute.reference.ReplicaEvaluator;
 
@@ -23,12 +19,8 @@ final class ReplicaDirections {
     private final ReplicaColor color;
     private final CoherenceWindow equalArea;
 
-    ReplicaDirections(DiffractionSetup setup, MethodRequest method, PlanRequest request) {
-        if (request.average().orElse(Average.COHERENT) == Average.ENSEMBLE) {
-            throw new UsageException("--average ensemble is not for --replicas, which lie at one place; leave out one");
-        }
+    ReplicaDirections(DiffractionSetup setup, Replicas replicas) {
         HeightMap map = setup.patch().heights();
-        Replicas replicas = method.replicasOf(map, request.window());
         evaluator = new ReplicaEvaluator(map, replicas);
         color = new ReplicaColor(evaluator, setup.cie());
         equalArea = replicas.equalAreaWindow(map.width(), map.height());

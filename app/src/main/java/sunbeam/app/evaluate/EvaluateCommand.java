@@ -23,10 +23,12 @@ import sunbeam.app.output.ForceOption;
 import sunbeam.app.output.Overwrite;
 import sunbeam.app.output.PngWriter;
 import sunbeam.app.setup.DiffractionSetup;
+import sunbeam.app.setup.MethodOptions;
 import sunbeam.app.setup.PatchOptions;
-import sunbeam.app.setup.PlanOptions;
-import sunbeam.precompute.plan.Average;
-import sunbeam.precompute.plan.PlanRequest;
+import sunbeam.precompute.method.FullMethod;
+import sunbeam.precompute.method.Methods;
+import sunbeam.precompute.plan.GaussianArea;
+import sunbeam.precompute.setting.Choices;
 
 /** {@code sunbeam evaluate}: a patch's period from its response, as in the thesis's chapter 4. */
 @Command(
@@ -48,7 +50,7 @@ public final class EvaluateCommand implements Callable<Integer> {
     private GratingOptions gratingOptions;
 
     @Mixin
-    private PlanOptions planOptions;
+    private final MethodOptions methodOptions = MethodOptions.of(FullMethod.TYPE);
 
     @Mixin
     private ForceOption force;
@@ -62,7 +64,7 @@ public final class EvaluateCommand implements Callable<Integer> {
                     + " draws the maps. nmm, pq: the thesis's other methods. bins: the sums of full in double precision"
                     + " on the processor. reference: direct sums over the surface; exact, for a few hundred"
                     + " directions.")
-    private Responses.Method method;
+    private ResponseMethod method;
 
     @Option(
             names = "--quantity",
@@ -101,8 +103,13 @@ public final class EvaluateCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
+        Choices choices = methodOptions.choices();
+        return choices.located(() -> evaluate(choices));
+    }
+
+    private int evaluate(Choices choices) {
         gratingOptions.request();
-        planOptions.request();
+        method.of(choices);
         if (positions < 0 || positions > MOST_POSITIONS) {
             throw new UsageException("--positions " + positions + " is out of range; give 0 to " + MOST_POSITIONS);
         }
@@ -110,7 +117,7 @@ public final class EvaluateCommand implements Callable<Integer> {
                 patchOptions, environment, specification.commandLine().getErr());
         Overwrite overwrite = force.overwrite();
         OutputFiles files = OutputFiles.of(output, setup.patch().name() + "-evaluate", endings(), overwrite);
-        evaluate(setup, files, overwrite, specification.commandLine().getOut());
+        evaluate(setup, choices, files, overwrite, specification.commandLine().getOut());
         return ExitCode.OK.code();
     }
 
@@ -120,13 +127,18 @@ public final class EvaluateCommand implements Callable<Integer> {
                 : List.of(".png", ".json", ".csv", ".npy");
     }
 
-    private void evaluate(DiffractionSetup setup, OutputFiles files, Overwrite overwrite, PrintWriter out) {
-        PlanRequest request = planOptions.request();
+    private void evaluate(
+            DiffractionSetup setup, Choices choices, OutputFiles files, Overwrite overwrite, PrintWriter out) {
         PrintWriter err = specification.commandLine().getErr();
         Evaluation evaluation = Evaluation.of(
-                setup, gratingOptions.request(), request, method, quantity, planned -> planOptions.print(planned, err));
+                setup,
+                gratingOptions.request(),
+                choices,
+                method,
+                quantity,
+                planned -> methodOptions.print(planned, err));
         GratingTarget target = evaluation.target();
-        Map<String, Object> report = describe(setup, evaluation);
+        Map<String, Object> report = describe(setup, choices, evaluation);
         report.putAll(EvaluationReport.tree(evaluation.measurement()));
         String title = evaluation.title();
         out.println(title);
@@ -144,7 +156,7 @@ public final class EvaluateCommand implements Callable<Integer> {
                     draw,
                     quantity,
                     target.order(),
-                    request.window().sigmaFrequency());
+                    GaussianArea.windowOf(choices).sigmaFrequency());
             report.put("positions", EvaluationReport.tree(all, seed));
             EvaluationReport.lines(all).forEach(out::println);
             written.add(files.path("-positions.csv"));
@@ -155,7 +167,7 @@ public final class EvaluateCommand implements Callable<Integer> {
                         files.path("-positions.png"),
                         overwrite,
                         PositionFiles.draw(title, all),
-                        text(setup, title, Responses.Method.BINS));
+                        text(setup, choices, title, ResponseMethod.BINS));
             }
         }
         MatrixFiles.writeCsv(files.path(".csv"), overwrite, evaluation.response());
@@ -165,38 +177,37 @@ public final class EvaluateCommand implements Callable<Integer> {
                 overwrite,
                 stream -> stream.write(
                         new ObjectMapper().writerWithDefaultPrettyPrinter().writeValueAsBytes(report)));
-        Map<String, String> text = text(setup, title, method);
+        Map<String, String> text = text(setup, choices, title, method);
         evaluation.plan().ifPresent(plan -> text.put("Plan", plan));
         PngWriter.write(files.path(".png"), overwrite, evaluation.plot(), text);
         List.of(".csv", ".npy", ".json", ".png").forEach(ending -> written.add(files.path(ending)));
         written.forEach(out::println);
     }
 
-    private Map<String, Object> describe(DiffractionSetup setup, Evaluation evaluation) {
+    private Map<String, Object> describe(DiffractionSetup setup, Choices choices, Evaluation evaluation) {
         Map<String, Object> report = new LinkedHashMap<>();
         report.put("program", "Sunbeam " + Version.number());
         report.put("patch", setup.patch().name());
         report.put("source", setup.patch().source());
-        report.put("method", method.name().toLowerCase(Locale.ROOT));
+        report.put("method", method.label());
         report.put("quantity", quantity.name().toLowerCase(Locale.ROOT));
-        report.put("options", planOptions.describe());
+        report.put("options", Methods.describe(method.in(choices)));
         evaluation.plan().ifPresent(plan -> report.put("plan", plan));
-        report.put(
-                "average",
-                planOptions.request().average().orElse(Average.COHERENT).name().toLowerCase(Locale.ROOT));
-        report.put("window_origin", planOptions.request().windowOrigin().name().toLowerCase(Locale.ROOT));
-        report.put("coherence_length_m", planOptions.request().window().coherenceLength());
+        GaussianArea area = GaussianArea.of(choices);
+        report.put("average", area.average().name().toLowerCase(Locale.ROOT));
+        report.put("window_origin", area.origin().name().toLowerCase(Locale.ROOT));
+        report.put("coherence_length_m", area.window().coherenceLength());
         report.putAll(EvaluationReport.tree(evaluation.grid()));
         report.put("heights", EvaluationReport.tree(evaluation.target().heights()));
         return report;
     }
 
-    private Map<String, String> text(DiffractionSetup setup, String title, Responses.Method by) {
+    private Map<String, String> text(DiffractionSetup setup, Choices choices, String title, ResponseMethod by) {
         Map<String, String> text = new LinkedHashMap<>();
         text.put("Title", title);
         text.put("Patch", setup.patch().source());
-        text.put("Method", by.name().toLowerCase(Locale.ROOT));
-        text.put("Options", planOptions.describe());
+        text.put("Method", by.label());
+        text.put("Options", Methods.describe(by.in(choices)));
         return text;
     }
 }

@@ -8,7 +8,9 @@ import sunbeam.precompute.evaluation.GratingMeasurement;
 import sunbeam.precompute.evaluation.ResponseGrid;
 import sunbeam.precompute.evaluation.ResponseMatrix;
 import sunbeam.precompute.method.MethodPlan;
-import sunbeam.precompute.plan.PlanRequest;
+import sunbeam.precompute.optics.CoherenceWindow;
+import sunbeam.precompute.plan.GaussianArea;
+import sunbeam.precompute.setting.Choices;
 
 /** A patch's response in the plane of incidence and the period that it shows. */
 public final class Evaluation {
@@ -37,25 +39,27 @@ public final class Evaluation {
     /**
      * Evaluates the relative radiance by method {@code full}.
      *
+     * @param choices of that method's settings
      * @throws NoPeriodException where the surface or its response has no period
      */
-    public static Evaluation ofRadiance(DiffractionSetup setup, GratingRequest grating, PlanRequest request) {
-        return of(setup, grating, request, Responses.Method.FULL, Quantity.RHO, method -> {});
+    public static Evaluation ofRadiance(DiffractionSetup setup, GratingRequest grating, Choices choices) {
+        return of(setup, grating, choices, ResponseMethod.FULL, Quantity.RHO, method -> {});
     }
 
     /** @param planned told of the method that a shader uses, once it is planned */
     static Evaluation of(
             DiffractionSetup setup,
             GratingRequest grating,
-            PlanRequest request,
-            Responses.Method method,
+            Choices choices,
+            ResponseMethod method,
             Quantity quantity,
             Consumer<MethodPlan> planned) {
-        double sigmaFrequency = request.window().sigmaFrequency();
+        CoherenceWindow window = GaussianArea.windowOf(choices);
+        double sigmaFrequency = window.sigmaFrequency();
         GratingTarget target = GratingTarget.of(setup.patch(), grating, sigmaFrequency);
-        ResponseGrid grid = grating.grid(target.plane(), target.order(), request.window());
-        Responses responses = new Responses(setup, request, grid, planned);
-        ResponseMatrix response = quantity.of(responses.power(method));
+        ResponseGrid grid = grating.grid(target.plane(), target.order(), window);
+        Responses responses = new Responses(setup, method, choices, grid, planned);
+        ResponseMatrix response = quantity.of(responses.power());
         String title = "%s, light at %s degrees, azimuth %s degrees"
                 .formatted(
                         setup.patch().name(),

@@ -1,25 +1,24 @@
 package sunbeam.app.evaluate;
 
 import java.util.Arrays;
-import java.util.Locale;
 import java.util.stream.Collectors;
 import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.TypeConversionException;
-import sunbeam.app.gpu.MethodKind;
+import sunbeam.precompute.method.GemMethod;
 
 /** A method on the command line, in any case; says why method {@code gem} of the other commands is none here. */
-final class ResponseMethodConverter implements ITypeConverter<Responses.Method> {
+final class ResponseMethodConverter implements ITypeConverter<ResponseMethod> {
     @Override
-    public Responses.Method convert(String text) {
-        for (Responses.Method method : Responses.Method.values()) {
+    public ResponseMethod convert(String text) {
+        for (ResponseMethod method : ResponseMethod.values()) {
             if (method.name().equalsIgnoreCase(text)) {
                 return method;
             }
         }
-        String known = Arrays.stream(Responses.Method.values())
-                .map(method -> method.name().toLowerCase(Locale.ROOT))
+        String known = Arrays.stream(ResponseMethod.values())
+                .map(ResponseMethod::label)
                 .collect(Collectors.joining(", "));
-        if (MethodKind.GEM.label().equalsIgnoreCase(text)) {
+        if (GemMethod.TYPE.label().equalsIgnoreCase(text)) {
             throw new TypeConversionException("gem has colours but no power at a wavelength, so there is no response to"
                     + " evaluate; give one of " + known);
         }

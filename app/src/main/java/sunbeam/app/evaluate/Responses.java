@@ -8,22 +8,21 @@ import java.util.stream.IntStream;
 import jrtr.RenderContext;
 import jrtr.gl.RenderContexts;
 import sunbeam.app.directions.DirectionsRenderer;
-import sunbeam.app.gpu.MethodKind;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.progress.Progress;
 import sunbeam.app.setup.DiffractionSetup;
-import sunbeam.app.setup.MethodRequest;
-import sunbeam.app.setup.Methods;
 import sunbeam.precompute.evaluation.BinSums;
 import sunbeam.precompute.evaluation.ResponseGrid;
 import sunbeam.precompute.evaluation.ResponseMatrix;
 import sunbeam.precompute.evaluation.WindowPlace;
+import sunbeam.precompute.method.Method;
 import sunbeam.precompute.method.MethodPlan;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.plan.Average;
-import sunbeam.precompute.plan.PlanRequest;
+import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.reference.ReferenceEvaluator;
+import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.shader.MethodUse;
 import sunbeam.precompute.shader.ShaderTables;
 
@@ -33,37 +32,36 @@ final class Responses {
     private static final int PORTION = 1 << 14;
 
     private final DiffractionSetup setup;
-    private final PlanRequest request;
+    private final ResponseMethod by;
+    private final Method method;
+    private final GaussianArea area;
     private final ResponseGrid grid;
     private final Consumer<MethodPlan> planned;
     private String plan;
 
-    /** Who evaluates. */
-    enum Method {
-        /** Direct sums over the surface. */
-        REFERENCE,
-        FULL,
-        NMM,
-        PQ,
-        /** {@link BinSums}. */
-        BINS
-    }
-
-    /** @param planned told of the method that a shader uses, once it is planned */
-    Responses(DiffractionSetup setup, PlanRequest request, ResponseGrid grid, Consumer<MethodPlan> planned) {
+    /**
+     * @param choices that suit the method
+     * @param planned told of the method that a shader uses, once it is planned
+     */
+    Responses(
+            DiffractionSetup setup,
+            ResponseMethod by,
+            Choices choices,
+            ResponseGrid grid,
+            Consumer<MethodPlan> planned) {
         this.setup = setup;
-        this.request = request;
+        this.by = by;
+        this.method = by.of(choices);
+        this.area = GaussianArea.of(choices);
         this.grid = grid;
         this.planned = planned;
     }
 
-    /** The power that the request's average means. */
-    ResponseMatrix power(Method method) {
-        return switch (method) {
+    /** The power that the chosen average means. */
+    ResponseMatrix power() {
+        return switch (by) {
             case REFERENCE -> reference();
-            case FULL -> onGpu(MethodKind.FULL);
-            case NMM -> onGpu(MethodKind.NMM);
-            case PQ -> onGpu(MethodKind.PQ);
+            case FULL, NMM, PQ -> onGpu();
             case BINS -> bins();
         };
     }
@@ -74,12 +72,11 @@ final class Responses {
     }
 
     private boolean ensemble() {
-        return request.average().orElse(Average.COHERENT) == Average.ENSEMBLE;
+        return area.average() == Average.ENSEMBLE;
     }
 
     private ResponseMatrix reference() {
-        ReferenceEvaluator evaluator =
-                new ReferenceEvaluator(setup.patch().heights(), request.window(), request.windowOrigin());
+        ReferenceEvaluator evaluator = new ReferenceEvaluator(setup.patch().heights(), area.window(), area.origin());
         double[][] power = new double[grid.wavelengths().length][grid.angles().length];
         int columns = grid.angles().length;
         int count = power.length * columns;
@@ -103,7 +100,7 @@ final class Responses {
                 return sums.ensemble(progress::step);
             }
             WindowPlace place = WindowPlace.of(
-                    request.windowOrigin(),
+                    area.origin(),
                     setup.surface().identity().columns(),
                     setup.surface().identity().rows());
             return sums.coherent(List.of(place), progress::step).get(0);
@@ -112,18 +109,18 @@ final class Responses {
 
     /** Sums over bins for any position of the window. */
     BinSums binSums() {
-        return BinSums.of(setup.surface().identity(), setup.surface().levels(), request.window(), grid);
+        return BinSums.of(setup.surface().identity(), setup.surface().levels(), area.window(), grid);
     }
 
-    private ResponseMatrix onGpu(MethodKind kind) {
+    private ResponseMatrix onGpu() {
         List<DirectionPair> directions = new ArrayList<>(grid.angles().length);
         for (double angle : grid.angles()) {
             directions.add(grid.plane().pair(angle));
         }
-        MethodPlan method = Methods.plan(setup, MethodRequest.of(kind), request, VisibleRange.of(directions));
-        plan = method.summary();
-        planned.accept(method);
-        ShaderTables tables = setup.tables(method, MethodUse.SPECTRAL);
+        MethodPlan made = method.plan(setup.surface(), VisibleRange.of(directions));
+        plan = made.summary();
+        planned.accept(made);
+        ShaderTables tables = setup.tables(made, MethodUse.SPECTRAL);
         long count = (long) grid.wavelengths().length * directions.size();
         try (RenderContext context = RenderContexts.offscreen();
                 UploadedTables uploaded = UploadedTables.upload(context, tables);

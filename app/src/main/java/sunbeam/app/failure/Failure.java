@@ -13,7 +13,8 @@ import sunbeam.app.input.InputException;
 import sunbeam.app.mesh.MeshException;
 import sunbeam.app.output.OutputException;
 import sunbeam.precompute.patch.PatchException;
-import sunbeam.precompute.plan.PlanException;
+import sunbeam.precompute.setting.Origin;
+import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.table.TableException;
 import sunbeam.precompute.units.LengthFormatException;
 
@@ -29,7 +30,6 @@ public record Failure(ExitCode code, String message, Throwable cause) {
     private static final Map<Class<? extends Throwable>, ExitCode> CODES = Map.ofEntries(
             Map.entry(ParameterException.class, ExitCode.USAGE),
             Map.entry(UsageException.class, ExitCode.USAGE),
-            Map.entry(PlanException.class, ExitCode.USAGE),
             Map.entry(LengthFormatException.class, ExitCode.USAGE),
             Map.entry(PatchException.class, ExitCode.UNUSABLE_INPUT),
             Map.entry(TableException.class, ExitCode.UNUSABLE_INPUT),
@@ -44,13 +44,18 @@ public record Failure(ExitCode code, String message, Throwable cause) {
     /** Of anything thrown. */
     public static Failure of(Throwable thrown) {
         Throwable cause = unwrapped(thrown);
-        ExitCode code = codeOf(cause.getClass());
+        ExitCode code = cause instanceof SettingException choice ? codeOf(choice) : codeOf(cause.getClass());
         return new Failure(code, message(cause, code), cause);
     }
 
     /** Whether nobody but Sunbeam's makers can help. */
     public boolean isBug() {
         return code == ExitCode.INTERNAL_ERROR && !(cause instanceof OutOfMemoryError);
+    }
+
+    /** By the place where the choice was made. */
+    private static ExitCode codeOf(SettingException choice) {
+        return choice.place() == Origin.Place.FILE ? ExitCode.UNUSABLE_INPUT : ExitCode.USAGE;
     }
 
     /** By the class or the nearest class above it; anything unknown is a bug. */

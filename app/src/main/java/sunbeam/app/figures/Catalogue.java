@@ -4,9 +4,9 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import sunbeam.app.cli.UsageException;
-import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.WindowOrigin;
-import sunbeam.precompute.plan.PlanRequest;
+import sunbeam.precompute.plan.MethodSettings;
+import sunbeam.precompute.setting.Choices;
 
 /** All figures, in the thesis's order. */
 final class Catalogue {
@@ -51,8 +51,7 @@ final class Catalogue {
     /** The window as the thesis has it, on the corner; for Xenopeltis centred, where its ridge is the thesis's. */
     private static Figure response(Role role) {
         WindowOrigin origin = role == Role.XENOPELTIS ? WindowOrigin.CENTRE : WindowOrigin.CORNER;
-        PlanRequest request =
-                PlanRequest.of(PlanRequest.Preset.NONE).withWindow(CoherenceWindow.SUNLIGHT_COHERENCE_LENGTH, origin);
+        Choices choices = Choices.none().with(MethodSettings.WINDOW_ORIGIN, origin);
         String label =
                 "response, light at 75 degrees, window on the " + (origin == WindowOrigin.CENTRE ? "centre" : "corner");
         String number = RESPONSES.get(role);
@@ -61,6 +60,6 @@ final class Catalogue {
                 "Evaluation by the grating equation, " + role.label(),
                 "The response over wavelength and angle, the followed ridge of the first order, and the grating equation"
                         + " with the fitted period.",
-                List.of(new Panel.ResponsePanel(number + "-" + role.label(), role, label, request)));
+                List.of(new Panel.ResponsePanel(number + "-" + role.label(), role, label, choices)));
     }
 }

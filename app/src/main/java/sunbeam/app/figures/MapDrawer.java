@@ -17,7 +17,7 @@ import sunbeam.app.picture.DisplayPass;
 import sunbeam.app.picture.LinearPicture;
 import sunbeam.app.progress.Progress;
 import sunbeam.app.setup.DiffractionSetup;
-import sunbeam.app.setup.Methods;
+import sunbeam.precompute.method.Method;
 import sunbeam.precompute.method.MethodPlan;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.plan.VisibleRange;
@@ -34,7 +34,7 @@ final class MapDrawer implements AutoCloseable {
     private final Map<MapKey, DrawnMap> drawn = new HashMap<>();
 
     /** What two panels with the same map have in common. */
-    private record MapKey(Role role, double thetaDegrees, Object method, Object request) {}
+    private record MapKey(Role role, double thetaDegrees, Method method) {}
 
     /** A map, the exposure that fits it, and what was computed. */
     private record DrawnMap(LinearPicture map, double exposure, String summary) {}
@@ -62,7 +62,7 @@ final class MapDrawer implements AutoCloseable {
         caption += String.format(Locale.ROOT, "; exposure %.3g", exposure);
         text.put(PanelStore.CAPTION, caption);
         text.put("Light", "theta %s degrees".formatted(panel.thetaDegrees()));
-        text.put("Method", panel.method().describe());
+        text.put("Method", panel.method().type().label());
         text.put("Plan", map.summary());
         text.put("Exposure", Double.toString(exposure));
         text.put("Renderer", context.info().renderer());
@@ -71,7 +71,7 @@ final class MapDrawer implements AutoCloseable {
     }
 
     private DrawnMap map(MapPanel panel) {
-        MapKey key = new MapKey(panel.role(), panel.thetaDegrees(), panel.method(), panel.request());
+        MapKey key = new MapKey(panel.role(), panel.thetaDegrees(), panel.method());
         DrawnMap known = drawn.get(key);
         if (known != null) {
             return known;
@@ -86,7 +86,7 @@ final class MapDrawer implements AutoCloseable {
     private DrawnMap render(MapPanel panel) {
         DiffractionSetup setup = patches.setup(panel.role());
         Direction light = Direction.ofDegrees(panel.thetaDegrees(), 0);
-        MethodPlan plan = Methods.plan(setup, panel.method(), panel.request(), VisibleRange.of(light));
+        MethodPlan plan = panel.method().plan(setup.surface(), VisibleRange.of(light));
         // A hundred tables that no other command asks for: the cache is spared them.
         ShaderTables tables = setup.freshTables(plan, MethodUse.COLOUR);
         try (UploadedTables method = UploadedTables.upload(context, tables);

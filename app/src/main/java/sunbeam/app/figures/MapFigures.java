@@ -5,22 +5,24 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import java.util.OptionalInt;
 import sunbeam.app.figures.Panel.MapPanel;
-import sunbeam.app.gpu.MethodKind;
-import sunbeam.app.setup.MethodRequest;
 import sunbeam.precompute.expansion.ExpansionKind;
+import sunbeam.precompute.method.FullMethod;
+import sunbeam.precompute.method.GemMethod;
+import sunbeam.precompute.method.Method;
+import sunbeam.precompute.method.NmmMethod;
+import sunbeam.precompute.method.PqMethod;
 import sunbeam.precompute.optics.CoherenceWindow;
-import sunbeam.precompute.optics.WindowOrigin;
-import sunbeam.precompute.plan.PlanRequest;
+import sunbeam.precompute.plan.GaussianArea;
+import sunbeam.precompute.plan.Tolerances;
 import sunbeam.precompute.resample.PeriodInterpolation;
 
 /** The thesis's BRDF maps, figures 5.3 to 5.13. */
 final class MapFigures {
-    private static final PlanRequest PLANNED = PlanRequest.of(PlanRequest.Preset.NONE);
-    private static final PlanRequest THESIS = PlanRequest.of(PlanRequest.Preset.THESIS)
-            .withWindow(CoherenceWindow.SUNLIGHT_COHERENCE_LENGTH, WindowOrigin.CENTRE);
-    private static final MethodRequest FULL = MethodRequest.of(MethodKind.FULL);
+    private static final FullMethod PLANNED = FullMethod.within(Tolerances.STANDARD);
+    private static final FullMethod THESIS = FullMethod.thesis().with(GaussianArea.STANDARD);
+    private static final NmmMethod NMM = NmmMethod.within(Tolerances.STANDARD);
+    private static final NmmMethod NMM_THESIS = new NmmMethod(THESIS.table(), Optional.empty(), THESIS.area());
     private static final double[] STEPS_NANOMETRES = {1, 5, 10, 20, 40};
     private static final int[] TERMS = {2, 4, 6, 8, 12, 16, 24, 37};
     private static final double[] COHERENCE_LENGTHS_MICROMETRES = {65, 32, 16, 8, 4};
@@ -62,12 +64,11 @@ final class MapFigures {
         for (Role role : Role.values()) {
             Maps maps = new Maps("5.4", role, 0);
             panels.add(maps.planned());
-            panels.add(maps.compared("thesis", "full with the thesis's choices, window centred", FULL, THESIS));
-            panels.add(maps.compared("nmm", "nmm", MethodRequest.of(MethodKind.NMM), PLANNED));
-            panels.add(maps.compared(
-                    "nmm-thesis", "nmm as in the thesis, unweighted", MethodRequest.of(MethodKind.NMM), THESIS));
-            panels.add(maps.compared("pq", "pq, sinc", pq(PeriodInterpolation.SINC), PLANNED));
-            panels.add(maps.alone("gem", "gem, for comparison only", gem(gemSpacing), PLANNED));
+            panels.add(maps.compared("thesis", "full with the thesis's choices, window centred", THESIS));
+            panels.add(maps.compared("nmm", "nmm", NMM));
+            panels.add(maps.compared("nmm-thesis", "nmm as in the thesis, unweighted", NMM_THESIS));
+            panels.add(maps.compared("pq", "pq, sinc", pq(PeriodInterpolation.SINC)));
+            panels.add(maps.alone("gem", "gem, for comparison only", gem(gemSpacing)));
         }
         return new Figure(
                 "5.4",
@@ -84,7 +85,9 @@ final class MapFigures {
         for (double step : STEPS_NANOMETRES) {
             String name = "%.0fnm".formatted(step);
             panels.add(maps.compared(
-                    name, "steps of %.0f nm".formatted(step), FULL, PLANNED.orWavelengthStep(step * 1e-9)));
+                    name,
+                    "steps of %.0f nm".formatted(step),
+                    PLANNED.with(PLANNED.table().withWavelengthStep(step * 1e-9))));
         }
         return new Figure(
                 number,
@@ -97,8 +100,8 @@ final class MapFigures {
         Maps maps = new Maps(number, role, 0);
         List<Panel> panels = List.of(
                 maps.planned(),
-                maps.compared("pq-sinc", "pq, sinc interpolation", pq(PeriodInterpolation.SINC), PLANNED),
-                maps.compared("pq-linear", "pq, linear interpolation", pq(PeriodInterpolation.LINEAR), PLANNED));
+                maps.compared("pq-sinc", "pq, sinc interpolation", pq(PeriodInterpolation.SINC)),
+                maps.compared("pq-linear", "pq, linear interpolation", pq(PeriodInterpolation.LINEAR)));
         return new Figure(
                 number,
                 "full against pq, " + role.label(),
@@ -117,8 +120,8 @@ final class MapFigures {
                         .alone(
                                 "%.0fum".formatted(length),
                                 label,
-                                FULL,
-                                PLANNED.withWindow(length * 1e-6, WindowOrigin.CENTRE)));
+                                PLANNED.with(
+                                        GaussianArea.STANDARD.with(CoherenceWindow.ofCoherenceLength(length * 1e-6)))));
             }
         }
         return new Figure(
@@ -134,7 +137,9 @@ final class MapFigures {
         List<Panel> panels = new ArrayList<>(List.of(maps.planned()));
         for (int count : TERMS) {
             panels.add(maps.compared(
-                    "taylor" + count, count + " Taylor terms", FULL, PLANNED.withTerms(ExpansionKind.TAYLOR, count)));
+                    "taylor" + count,
+                    count + " Taylor terms",
+                    PLANNED.with(PLANNED.table().withExpansion(ExpansionKind.TAYLOR, count))));
         }
         return new Figure(
                 number,
@@ -157,34 +162,32 @@ final class MapFigures {
                 panels);
     }
 
-    private static MethodRequest pq(PeriodInterpolation interpolation) {
-        return new MethodRequest(MethodKind.PQ, interpolation, OptionalInt.empty(), OptionalDouble.empty());
+    private static Method pq(PeriodInterpolation interpolation) {
+        return PqMethod.within(Tolerances.STANDARD, interpolation);
     }
 
-    private static MethodRequest gem(double spacing) {
-        return new MethodRequest(
-                MethodKind.GEM, PeriodInterpolation.SINC, OptionalInt.empty(), OptionalDouble.of(spacing));
+    private static Method gem(double spacing) {
+        return new GemMethod(OptionalDouble.of(spacing), GaussianArea.STANDARD.window());
     }
 
     /** The maps of one patch in one figure. */
     private record Maps(String figure, Role role, double thetaDegrees) {
         MapPanel planned() {
             String label = String.format(Locale.ROOT, "full as planned, light at %.0f degrees", thetaDegrees);
-            return alone("full-" + "%.0f".formatted(thetaDegrees), label, FULL, PLANNED);
+            return alone("full-" + "%.0f".formatted(thetaDegrees), label, PLANNED);
         }
 
-        MapPanel alone(String name, String label, MethodRequest method, PlanRequest request) {
-            return panel(name, label, method, request, Optional.empty());
+        MapPanel alone(String name, String label, Method method) {
+            return panel(name, label, method, Optional.empty());
         }
 
-        MapPanel compared(String name, String label, MethodRequest method, PlanRequest request) {
-            return panel(name, label, method, request, Optional.of(planned()));
+        MapPanel compared(String name, String label, Method method) {
+            return panel(name, label, method, Optional.of(planned()));
         }
 
-        private MapPanel panel(
-                String name, String label, MethodRequest method, PlanRequest request, Optional<MapPanel> base) {
+        private MapPanel panel(String name, String label, Method method, Optional<MapPanel> base) {
             String file = figure + "-" + role.label() + "-" + name;
-            return new MapPanel(file, role, label, thetaDegrees, method, request, base);
+            return new MapPanel(file, role, label, thetaDegrees, method, base);
         }
     }
 }

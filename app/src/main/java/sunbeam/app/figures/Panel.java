@@ -2,8 +2,8 @@ package sunbeam.app.figures;
 
 import java.nio.file.Path;
 import java.util.Optional;
-import sunbeam.app.setup.MethodRequest;
-import sunbeam.precompute.plan.PlanRequest;
+import sunbeam.precompute.method.Method;
+import sunbeam.precompute.setting.Choices;
 
 /** One picture of a figure. */
 sealed interface Panel {
@@ -28,16 +28,13 @@ sealed interface Panel {
      * @param base the map whose exposure this one takes and from which its difference is told; empty for a map with
      *     its own exposure
      */
-    record MapPanel(
-            String name,
-            Role role,
-            String label,
-            double thetaDegrees,
-            MethodRequest method,
-            PlanRequest request,
-            Optional<MapPanel> base)
+    record MapPanel(String name, Role role, String label, double thetaDegrees, Method method, Optional<MapPanel> base)
             implements Panel {}
 
-    /** A response over wavelengths and angles, light at 75 degrees. */
-    record ResponsePanel(String name, Role role, String label, PlanRequest request) implements Panel {}
+    /**
+     * A response over wavelengths and angles, light at 75 degrees.
+     *
+     * @param choices what is chosen of method {@code full}
+     */
+    record ResponsePanel(String name, Role role, String label, Choices choices) implements Panel {}
 }

@@ -25,7 +25,7 @@ final class ResponseDrawer {
     /** Draws and writes a response; returns the texts of its picture. */
     Map<String, String> draw(ResponsePanel panel) {
         Evaluation evaluation = Evaluation.ofRadiance(
-                patches.setup(panel.role()), GratingRequest.ofThesis(patches.azimuth(panel.role())), panel.request());
+                patches.setup(panel.role()), GratingRequest.ofThesis(patches.azimuth(panel.role())), panel.choices());
         BufferedImage plot = evaluation.plot();
         Map<String, String> text = new LinkedHashMap<>();
         text.put(

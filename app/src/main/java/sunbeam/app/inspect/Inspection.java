@@ -10,14 +10,13 @@ import sunbeam.precompute.analysis.HeightStatistics;
 import sunbeam.precompute.analysis.PeriodFinder;
 import sunbeam.precompute.analysis.Periodicity;
 import sunbeam.precompute.analysis.SpectrumPeak;
-import sunbeam.precompute.color.CieTable;
-import sunbeam.precompute.patch.HeightLevels;
+import sunbeam.precompute.method.FullMethod;
+import sunbeam.precompute.method.Surface;
 import sunbeam.precompute.patch.HeightMap;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.patch.SamplingCheck;
 import sunbeam.precompute.plan.PlanReport;
-import sunbeam.precompute.plan.PlanRequest;
-import sunbeam.precompute.plan.Planner;
+import sunbeam.precompute.plan.Tolerances;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.units.Lengths;
 
@@ -39,13 +38,12 @@ record Inspection(
         HeightMap map = patch.heights();
         PeriodFinder finder = new PeriodFinder(map);
         Periodicity periodicity = finder.all();
-        return new Inspection(patch, HeightStatistics.of(map), periodicity, finder.spectrum(periodicity), plan(map));
+        return new Inspection(patch, HeightStatistics.of(map), periodicity, finder.spectrum(periodicity), plan(patch));
     }
 
-    private static PlanReport plan(HeightMap map) {
-        Planner planner = new Planner(map, HeightLevels.of(map), CieTable.load());
-        PlanRequest standard = PlanRequest.of(PlanRequest.Preset.NONE);
-        return new PlanReport(planner.plan(standard, VisibleRange.all()));
+    private static PlanReport plan(Patch patch) {
+        FullMethod standard = FullMethod.within(Tolerances.STANDARD);
+        return new PlanReport(standard.tablePlan(Surface.of(patch), VisibleRange.all()));
     }
 
     /** The strongest regularities. */

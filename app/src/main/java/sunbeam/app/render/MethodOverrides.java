@@ -2,14 +2,19 @@ package sunbeam.app.render;
 
 import picocli.CommandLine.Option;
 import sunbeam.app.cli.LengthConverter;
+import sunbeam.app.cli.OptionOrigin;
 import sunbeam.app.cli.UsageException;
 import sunbeam.app.gpu.MethodKind;
 import sunbeam.app.scene.Scene;
-import sunbeam.app.setup.MethodOptions;
+import sunbeam.app.setup.MethodBridge;
 import sunbeam.app.setup.MethodRequest;
+import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.plan.Average;
+import sunbeam.precompute.plan.MethodSettings;
 import sunbeam.precompute.plan.PlanRequest;
 import sunbeam.precompute.resample.PeriodInterpolation;
+import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.setting.Setting;
 
 /** A method that stands above the scene's; to be used as a picocli mixin. */
 public final class MethodOverrides {
@@ -52,7 +57,21 @@ public final class MethodOverrides {
             throw new UsageException("--method pq has no ensemble average, which the scene asks for; add"
                     + " --average coherent, or use --method full");
         }
-        MethodRequest request = MethodOptions.request(kind, interpolation, replicas, spacing);
-        return scene.withMethod(request, plan);
+        return scene.withMethod(request(), plan);
+    }
+
+    private MethodRequest request() {
+        Choices choices = with(
+                Choices.at(OptionOrigin.INSTANCE),
+                Methods.METHOD,
+                Methods.METHOD.kind().parse(kind.label()));
+        choices = with(choices, MethodSettings.INTERPOLATION, interpolation);
+        choices = with(choices, MethodSettings.REPLICAS, replicas);
+        choices = with(choices, MethodSettings.SPACING, spacing);
+        return MethodBridge.methodRequest(Methods.of(choices));
+    }
+
+    private static <T> Choices with(Choices choices, Setting<T> setting, T value) {
+        return value == null ? choices : choices.with(setting, value);
     }
 }

@@ -36,7 +36,7 @@ public final class SceneLoader {
      * @throws sunbeam.precompute.patch.PatchException if a patch that is not from the scene's file cannot be used
      * @throws sunbeam.app.cli.UsageException if a method that is not from the scene's file cannot be used with this patch
      *     or plan
-     * @throws sunbeam.precompute.plan.PlanException if a plan that is not from the scene's file cannot be made
+     * @throws sunbeam.precompute.setting.SettingException if a plan that is not from the scene's file cannot be made
      */
     public SceneData load(Scene scene) {
         Mesh mesh = mesh(scene);

@@ -11,7 +11,8 @@ import sunbeam.app.input.InputException;
 import sunbeam.app.json.JsonObject;
 import sunbeam.app.json.JsonValue;
 import sunbeam.precompute.patch.PatchException;
-import sunbeam.precompute.plan.PlanException;
+import sunbeam.precompute.setting.Setting;
+import sunbeam.precompute.setting.SettingException;
 
 /**
  * Where a scene's patch and plan are written, so that what is wrong with them, found out only when they are loaded, names
@@ -64,15 +65,29 @@ public final class SceneOrigin {
     /**
      * Plans.
      *
-     * @throws InputException in place of a UsageException or PlanException where the plan is written in a file
+     * @throws InputException in place of a UsageException or SettingException where the plan is written in a file
      */
     <T> T plan(Supplier<T> planning) {
         try {
             return planning.get();
-        } catch (UsageException | PlanException failure) {
+        } catch (UsageException failure) {
             throw plan.<RuntimeException>map(root -> complaint(root, "plan", failure))
                     .orElse(failure);
+        } catch (SettingException failure) {
+            throw plan.<RuntimeException>map(root -> complaint(root, failure)).orElse(failure);
         }
+    }
+
+    private static InputException complaint(JsonObject root, SettingException failure) {
+        InputException complaint = failure.problem().parts().stream()
+                .filter(Setting.class::isInstance)
+                .map(part -> ((Setting<?>) part).key())
+                .filter(key -> root.object("plan", "").has(key))
+                .findFirst()
+                .map(key -> root.object("plan", "").complaint(key, failure.getMessage()))
+                .orElseGet(() -> root.complaint("plan", failure.getMessage()));
+        complaint.initCause(failure);
+        return complaint;
     }
 
     private static InputException complaint(JsonObject root, String part, RuntimeException failure) {

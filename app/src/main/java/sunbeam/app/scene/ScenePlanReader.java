@@ -64,6 +64,12 @@ final class ScenePlanReader {
                 SceneValues.length(plan, "coherenceLength", 100e-9, 10e-3),
                 Optional.of(SceneValues.word(plan, "average", Average.class)
                         .orElse(kind == MethodKind.PQ ? Average.COHERENT : Average.ENSEMBLE)));
+        if (request.anchor().isPresent() && request.radius().isEmpty() && !request.isThesis()) {
+            throw plan.complaint(
+                    "anchor",
+                    plan.required("anchor", ""),
+                    "is the middle of a neighbourhood of bins, but no radius is given; add for example \"radius\": 3");
+        }
         if (kind == MethodKind.PQ) {
             checkReplicas(request);
         }

@@ -5,15 +5,13 @@ import java.util.function.Consumer;
 import sunbeam.app.cache.TableStore;
 import sunbeam.app.cli.Environment;
 import sunbeam.app.cli.Messages;
-import sunbeam.app.cli.UsageException;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.method.MethodPlan;
+import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.method.Surface;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.plan.Plan;
-import sunbeam.precompute.plan.PlanRequest;
-import sunbeam.precompute.plan.Planner;
-import sunbeam.precompute.plan.VisibleRange;
+import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.shader.MethodUse;
 import sunbeam.precompute.shader.ShaderTables;
 import sunbeam.precompute.table.FourierTable;
@@ -63,11 +61,6 @@ public final class DiffractionSetup {
         return surface.cie();
     }
 
-    /** Plans for the directions that can occur. */
-    public Plan plan(PlanRequest request, VisibleRange range) {
-        return new Planner(surface.map(), surface.levels(), surface.cie()).plan(request, range);
-    }
-
     /** The Fourier table that a plan needs, made now. */
     public FourierTable freshTable(Plan plan) {
         return store.freshTable(plan);
@@ -81,7 +74,7 @@ public final class DiffractionSetup {
     /**
      * What a method's shader reads, made now, layer by layer as it is asked for.
      *
-     * @throws UsageException when the method has no answer for the use
+     * @throws SettingException when the method has no answer for the use
      */
     public ShaderTables freshTables(MethodPlan plan, MethodUse use) {
         requireAnswer(plan, use);
@@ -91,7 +84,7 @@ public final class DiffractionSetup {
     /**
      * What a method's shader reads, from the cache where it is there.
      *
-     * @throws UsageException when the method has no answer for the use
+     * @throws SettingException when the method has no answer for the use
      */
     public ShaderTables tables(MethodPlan plan, MethodUse use) {
         requireAnswer(plan, use);
@@ -100,8 +93,9 @@ public final class DiffractionSetup {
 
     private static void requireAnswer(MethodPlan plan, MethodUse use) {
         if (!plan.answers(use)) {
-            throw new UsageException("--method gem has colours, but no power at a wavelength; leave out the column"
-                    + " wavelength, or use another method");
+            throw new SettingException(
+                    Methods.METHOD,
+                    "has colours, but no power at a wavelength; leave out the column wavelength, or use another method");
         }
     }
 }

@@ -1,91 +1,57 @@
 package sunbeam.app.setup;
 
-import java.util.OptionalDouble;
-import java.util.OptionalInt;
+import java.io.PrintWriter;
+import java.util.List;
 import picocli.CommandLine.Option;
-import sunbeam.app.cli.LengthConverter;
-import sunbeam.app.cli.UsageException;
-import sunbeam.app.gpu.MethodKind;
-import sunbeam.precompute.optics.Replicas;
-import sunbeam.precompute.resample.PeriodInterpolation;
-import sunbeam.precompute.units.Lengths;
+import sunbeam.app.cli.Messages;
+import sunbeam.app.cli.OptionOrigin;
+import sunbeam.app.cli.SettingOptions;
+import sunbeam.precompute.method.MethodPlan;
+import sunbeam.precompute.method.MethodType;
+import sunbeam.precompute.method.Methods;
+import sunbeam.precompute.plan.Plan;
+import sunbeam.precompute.plan.PlanReport;
+import sunbeam.precompute.setting.Setting;
 
-/** Which method; to be used as a picocli mixin. */
-public final class MethodOptions {
-    @Option(
-            names = "--method",
-            paramLabel = "METHOD",
-            defaultValue = "full",
-            description = "full (default): all wavelengths, Gaussian coherence window. nmm: one wavelength per"
-                    + " diffraction order, weighted by the order's width. pq: the patch repeated Q times, sharp edge."
-                    + " gem: a grating's spacing alone, for comparison only. reference: direct sums in double precision"
-                    + " on the processor; slow, the truth; not for maps. See docs/methods.md.")
-    private MethodKind method;
+/** Which method, and what a user fixes of it; to be used as a picocli mixin. */
+public final class MethodOptions extends SettingOptions {
+    @Option(names = "--explain", description = "Say why each part of the plan is as it is.")
+    private boolean explain;
 
-    @Option(
-            names = "--interpolation",
-            paramLabel = "KIND",
-            description = "For pq: sinc (default) or linear between the bins of one period's DFT.")
-    private PeriodInterpolation interpolation;
-
-    @Option(
-            names = "--replicas",
-            paramLabel = "Q",
-            description =
-                    "For pq: repeat the patch Q times along both axes. Default: as fills the coherence length. With"
-                            + " reference: the exact sum over the replicas instead of the Gaussian window.")
-    private Integer replicas;
-
-    @Option(
-            names = "--spacing",
-            paramLabel = "LENGTH",
-            converter = LengthConverter.class,
-            description = "For gem: distance of the grating's lines, which run along y. Default: the patch's width, for"
-                    + " patches of one period.")
-    private Double spacing;
-
-    /**
-     * The request, checked.
-     *
-     * @throws UsageException for a value that cannot be used, or that does not belong to the method
-     */
-    public MethodRequest request() {
-        return request(method, interpolation, replicas, spacing);
+    /** Options for all methods. */
+    public MethodOptions() {
+        this(Methods.SETTINGS);
     }
 
-    /**
-     * A request, checked; what was not given is null.
-     *
-     * @throws UsageException for a value that cannot be used, or that does not belong to the method
-     */
-    public static MethodRequest request(
-            MethodKind method, PeriodInterpolation interpolation, Integer replicas, Double spacing) {
-        boolean repeats = method == MethodKind.PQ || method == MethodKind.REFERENCE;
-        rejectUnless(interpolation == null || method == MethodKind.PQ, "--interpolation", "pq", method);
-        rejectUnless(replicas == null || repeats, "--replicas", "pq or reference", method);
-        rejectUnless(spacing == null || method == MethodKind.GEM, "--spacing", "gem", method);
-        if (replicas != null && (replicas < 1 || replicas > Replicas.MOST)) {
-            throw new UsageException("--replicas " + replicas + " is out of range; give 1 to " + Replicas.MOST);
-        }
-        if (spacing != null
-                && !(spacing >= MethodRequest.SMALLEST_SPACING && spacing <= MethodRequest.LARGEST_SPACING)) {
-            throw new UsageException("--spacing %s is out of range; give %s to %s"
-                    .formatted(
-                            Lengths.format(spacing),
-                            Lengths.format(MethodRequest.SMALLEST_SPACING),
-                            Lengths.format(MethodRequest.LARGEST_SPACING)));
-        }
-        return new MethodRequest(
-                method,
-                interpolation == null ? PeriodInterpolation.SINC : interpolation,
-                replicas == null ? OptionalInt.empty() : OptionalInt.of(replicas),
-                spacing == null ? OptionalDouble.empty() : OptionalDouble.of(spacing));
+    private MethodOptions(List<Setting<?>> settings) {
+        super(settings);
     }
 
-    private static void rejectUnless(boolean fits, String option, String methods, MethodKind method) {
-        if (!fits) {
-            throw new UsageException(
-                    "%s belongs to --method %s, not %s; leave it out".formatted(option, methods, method.label()));
+    /** Options for one method. */
+    public static MethodOptions of(MethodType type) {
+        return new MethodOptions(type.settings());
+    }
+
+    /** Prints a plan with its reasons where they are asked for. */
+    public void explain(Plan plan, PrintWriter out) {
+        if (explain) {
+            PlanReport report = new PlanReport(plan);
+            print(report.summary(), report.reasons(), out);
         }
+    }
+
+    /** Prints a method's plan, with reasons where they are asked for, and what breaks its tolerance. */
+    public void print(MethodPlan method, PrintWriter out) {
+        print(method.summary(), method.reasons(), out);
+        method.warnings().forEach(line -> out.println(Messages.warning(line.in(OptionOrigin.INSTANCE))));
+        out.flush();
+    }
+
+    private void print(String summary, List<String> reasons, PrintWriter out) {
+        out.println("plan: " + summary);
+        if (explain) {
+            reasons.forEach(line -> out.println("  " + line));
+        }
+        out.flush();
     }
 }

@@ -13,8 +13,10 @@ import sunbeam.app.cli.ExitCode;
 import sunbeam.app.output.AtomicFile;
 import sunbeam.app.output.DefaultName;
 import sunbeam.app.output.ForceOption;
+import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.plan.Plan;
 import sunbeam.precompute.plan.VisibleRange;
+import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.table.FourierTable;
 import sunbeam.precompute.table.TableFile;
 
@@ -34,7 +36,7 @@ public final class PrecomputeCommand implements Callable<Integer> {
     private PatchOptions patchOptions;
 
     @Mixin
-    private PlanOptions planOptions;
+    private final MethodOptions methodOptions = MethodOptions.of(FullMethod.TYPE);
 
     @Mixin
     private ForceOption force;
@@ -51,13 +53,19 @@ public final class PrecomputeCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
+        Choices choices = methodOptions.choices();
+        return choices.located(() -> write(FullMethod.of(choices)));
+    }
+
+    private int write(FullMethod method) {
         DiffractionSetup setup = new DiffractionSetup(
                 patchOptions, environment, specification.commandLine().getErr());
         Path file = output != null
                 ? output
                 : DefaultName.choose(Path.of(""), setup.patch().name(), "h5", force.overwrite());
         AtomicFile.checkWritable(file, force.overwrite());
-        Plan plan = setup.plan(planOptions.request(), VisibleRange.all());
+        Plan plan = method.tablePlan(setup.surface(), VisibleRange.all());
+        methodOptions.explain(plan, specification.commandLine().getErr());
         long start = System.nanoTime();
         FourierTable table = setup.table(plan);
         double seconds = (System.nanoTime() - start) * 1e-9;

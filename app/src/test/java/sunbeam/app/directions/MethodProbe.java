@@ -17,11 +17,12 @@ import sunbeam.app.setup.DiffractionSetup;
 import sunbeam.app.setup.MethodOptions;
 import sunbeam.app.setup.Methods;
 import sunbeam.app.setup.PatchOptions;
-import sunbeam.app.setup.PlanOptions;
 import sunbeam.precompute.method.MethodPlan;
+import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.plan.VisibleRange;
+import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.shader.MethodUse;
 
 /** One patch, and methods on it as the command line asks for them. */
@@ -53,10 +54,9 @@ final class MethodProbe {
     }
 
     MethodPlan plan(VisibleRange range, String... options) {
-        CommandLine line = new CommandLine(new Options()).setCaseInsensitiveEnumValuesAllowed(true);
-        Options parsed = line.getCommand();
-        line.parseArgs(options);
-        return Methods.plan(setup, parsed.method.request(), parsed.plan.request(), range);
+        MethodOptions parsed = CommandLine.populateCommand(new MethodOptions(), options);
+        Choices choices = parsed.choices();
+        return choices.located(() -> Methods.of(choices).plan(setup.surface(), range));
     }
 
     /** X, Y, Z of the power. */
@@ -102,13 +102,5 @@ final class MethodProbe {
             size += Math.pow(expected[c], 2);
         }
         return Math.sqrt(difference / size);
-    }
-
-    private static final class Options {
-        @CommandLine.Mixin
-        private MethodOptions method;
-
-        @CommandLine.Mixin
-        private PlanOptions plan;
     }
 }

@@ -62,10 +62,8 @@ class SceneOriginTest {
                     "elaphe-like"                            | "gem"  | line 8 | plan.method | needs spacing
                     "blaze"                                  | "full", "anchor": "floor" | line 8 | plan.anchor | radius
                     """)
-    void mistakesNameFileLineAndKeyAndNoOption(String patch, String method, String line, String key, String words)
-            throws IOException {
-        Scene scene = read(patch, method);
-        assertThatThrownBy(() -> PlaneScenes.load(scene, folder))
+    void mistakesNameFileLineAndKeyAndNoOption(String patch, String method, String line, String key, String words) {
+        assertThatThrownBy(() -> PlaneScenes.load(read(patch, method), folder))
                 .isInstanceOf(InputException.class)
                 .hasMessageStartingWith(folder.resolve("scene.json") + ", " + line + ": ")
                 .hasMessageContainingAll("\"" + key + "\":", words)

@@ -1,16 +1,21 @@
 package sunbeam.precompute.method;
 
 import static sunbeam.precompute.plan.MethodSettings.ANCHOR;
+import static sunbeam.precompute.plan.MethodSettings.AVERAGE;
+import static sunbeam.precompute.plan.MethodSettings.COHERENCE_LENGTH;
+import static sunbeam.precompute.plan.MethodSettings.EXPANSION;
+import static sunbeam.precompute.plan.MethodSettings.PRESET;
 import static sunbeam.precompute.plan.MethodSettings.RADIUS;
+import static sunbeam.precompute.plan.MethodSettings.TERMS;
+import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
+import static sunbeam.precompute.plan.MethodSettings.WAVELENGTH_STEP;
+import static sunbeam.precompute.plan.MethodSettings.WINDOW_ORIGIN;
 
 import java.util.List;
 import java.util.Optional;
-import java.util.stream.Stream;
 import sunbeam.precompute.plan.Accuracy;
-import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.Neighbourhood;
 import sunbeam.precompute.plan.Neighbourhood.Anchor;
-import sunbeam.precompute.plan.TableChoices;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
 
@@ -18,10 +23,18 @@ import sunbeam.precompute.setting.Setting;
 final class BinSettings {
     private static final int THESIS_RADIUS = 1;
 
-    static final List<Setting<?>> ALL = Stream.of(
-                    TableChoices.SETTINGS.stream(), Stream.of(RADIUS, ANCHOR), GaussianArea.SETTINGS.stream())
-            .<Setting<?>>flatMap(settings -> settings)
-            .toList();
+    /** In a manual's order. */
+    static final List<Setting<?>> ALL = List.of(
+            PRESET,
+            TOLERANCE,
+            EXPANSION,
+            TERMS,
+            RADIUS,
+            ANCHOR,
+            WAVELENGTH_STEP,
+            WINDOW_ORIGIN,
+            COHERENCE_LENGTH,
+            AVERAGE);
 
     private BinSettings() {}
 

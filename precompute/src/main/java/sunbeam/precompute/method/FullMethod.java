@@ -11,6 +11,8 @@ import sunbeam.precompute.plan.Plan;
 import sunbeam.precompute.plan.PlanReport;
 import sunbeam.precompute.plan.TableChoices;
 import sunbeam.precompute.plan.VisibleRange;
+import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.setting.Sentence;
 import sunbeam.precompute.shader.MethodUse;
 import sunbeam.precompute.shader.ShaderTables;
 
@@ -24,12 +26,13 @@ import sunbeam.precompute.shader.ShaderTables;
 public record FullMethod(TableChoices table, Optional<Neighbourhood> neighbourhood, GaussianArea area)
         implements Method {
     /** Its name and settings. */
-    public static final MethodType TYPE = new MethodType(
-            "full",
-            "all wavelengths, Gaussian coherence window.",
-            BinSettings.ALL,
-            choices -> new FullMethod(
-                    TableChoices.of(choices), BinSettings.neighbourhood(choices), GaussianArea.of(choices)));
+    public static final MethodType TYPE =
+            new MethodType("full", "all wavelengths, Gaussian coherence window.", BinSettings.ALL, FullMethod::of);
+
+    /** As chosen. */
+    public static FullMethod of(Choices choices) {
+        return new FullMethod(TableChoices.of(choices), BinSettings.neighbourhood(choices), GaussianArea.of(choices));
+    }
 
     /** Planned for a tolerance, in sunlight. */
     public static FullMethod within(double tolerance) {
@@ -69,7 +72,12 @@ public record FullMethod(TableChoices table, Optional<Neighbourhood> neighbourho
 
     @Override
     public MethodPlan plan(Surface surface, VisibleRange range) {
-        return new Planned(surface, surface.planner().plan(table, neighbourhood, area, range));
+        return new Planned(surface, tablePlan(surface, range));
+    }
+
+    /** The plan of its Fourier table. */
+    public Plan tablePlan(Surface surface, VisibleRange range) {
+        return surface.planner().plan(table, neighbourhood, area, range);
     }
 
     /** In the form that the plan's sampling has. */
@@ -86,7 +94,7 @@ public record FullMethod(TableChoices table, Optional<Neighbourhood> neighbourho
         }
 
         @Override
-        public List<String> warnings() {
+        public List<Sentence> warnings() {
             return surface.planner().warnings(plan);
         }
 

@@ -2,6 +2,7 @@ package sunbeam.precompute.method;
 
 import java.util.List;
 import sunbeam.precompute.plan.MemoryNeed;
+import sunbeam.precompute.setting.Sentence;
 import sunbeam.precompute.shader.MethodUse;
 import sunbeam.precompute.shader.ShaderTables;
 
@@ -15,7 +16,7 @@ public interface MethodPlan {
     List<String> reasons();
 
     /** What breaks the tolerance, one line each. */
-    default List<String> warnings() {
+    default List<Sentence> warnings() {
         return List.of();
     }
 

@@ -1,10 +1,14 @@
 package sunbeam.precompute.method;
 
-import java.util.ArrayList;
+import static sunbeam.precompute.plan.MethodSettings.PRESET;
+import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
+
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.stream.Collectors;
-import sunbeam.precompute.plan.MethodSettings;
+import sunbeam.precompute.plan.Preset;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Kinds;
 import sunbeam.precompute.setting.Setting;
@@ -30,8 +34,8 @@ public final class Methods {
     private Methods() {}
 
     private static List<Setting<?>> settings() {
-        List<Setting<?>> settings = new ArrayList<>(List.of(METHOD));
-        settings.addAll(MethodSettings.ALL);
+        Set<Setting<?>> settings = new LinkedHashSet<>(List.of(METHOD));
+        ALL.forEach(type -> settings.addAll(type.settings()));
         return List.copyOf(settings);
     }
 
@@ -44,7 +48,7 @@ public final class Methods {
      */
     public static Method of(Choices choices) {
         MethodType type = choices.get(METHOD);
-        for (Setting<?> setting : choices.only(MethodSettings.ALL).chosen()) {
+        for (Setting<?> setting : choices.only(SETTINGS).without(METHOD).chosen()) {
             if (!type.has(setting)) {
                 checkFixed(type, setting, choices);
             }
@@ -55,6 +59,18 @@ public final class Methods {
     /** As {@link #of(Choices)}, where some values hold unless chosen, for the methods that have their settings. */
     public static Method of(Choices choices, Choices otherwise) {
         return of(choices.over(otherwise.only(choices.get(METHOD).settings())));
+    }
+
+    /** What was chosen and what holds besides, for metadata: "tolerance 0.001, coherence length 65 um, average coherent". */
+    public static String describe(Choices choices) {
+        boolean thesis = choices.get(PRESET, Preset.NONE) == Preset.THESIS;
+        Choices all = Choices.none();
+        for (Setting<?> setting : choices.get(METHOD).settings()) {
+            Choices one = choices.only(List.of(setting));
+            // The preset keeps no tolerance.
+            all = (thesis && setting.equals(TOLERANCE) ? one : one.orStandard(setting)).over(all);
+        }
+        return all.describe();
     }
 
     private static void checkFixed(MethodType type, Setting<?> setting, Choices choices) {

@@ -20,6 +20,7 @@ import sunbeam.precompute.plan.Accuracy;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.MemoryNeed;
+import sunbeam.precompute.plan.MethodSettings;
 import sunbeam.precompute.plan.ReplicatedArea;
 import sunbeam.precompute.plan.TableChoices;
 import sunbeam.precompute.plan.VisibleRange;
@@ -27,6 +28,7 @@ import sunbeam.precompute.resample.PeriodInterpolation;
 import sunbeam.precompute.resample.PeriodSpectrum;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
+import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.shader.ArrayLayout;
 import sunbeam.precompute.shader.CoefficientSource;
 import sunbeam.precompute.shader.ColorArrays;
@@ -130,14 +132,19 @@ public record PqMethod(TableChoices table, PeriodInterpolation interpolation, Re
                 WavelengthNodes.uniform(surface.cie(), table.wavelengthStep().orElse(step));
         Planned planned = new Planned(
                 surface, surface.planner().expansion(table, range), range, interpolation, replicas, wavelengths);
-        surface.planner()
-                .require(
-                        planned.memory(),
-                        "%d x %d samples of the period's spectrum in %d terms"
-                                .formatted(
-                                        planned.bandX().count(),
-                                        planned.bandY().count(),
-                                        planned.expansion().terms()));
+        surface.planner().excess(planned.memory()).ifPresent(excess -> {
+            throw new SettingException(
+                    Methods.METHOD,
+                    "pq takes %d x %d samples of the period's spectrum in %d terms, which %s; crop the patch, or give a coarser "
+                            .formatted(
+                                    planned.bandX().count(),
+                                    planned.bandY().count(),
+                                    planned.expansion().terms(),
+                                    excess),
+                    MethodSettings.TOLERANCE,
+                    " or fewer ",
+                    MethodSettings.TERMS);
+        });
         return planned;
     }
 

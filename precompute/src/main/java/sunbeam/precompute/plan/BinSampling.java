@@ -1,5 +1,8 @@
 package sunbeam.precompute.plan;
 
+import static sunbeam.precompute.plan.MethodSettings.RADIUS;
+import static sunbeam.precompute.plan.MethodSettings.WAVELENGTH_STEP;
+
 import java.math.BigDecimal;
 import java.math.MathContext;
 import java.math.RoundingMode;
@@ -10,6 +13,7 @@ import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.WavelengthNodes;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.setting.Sentence;
 import sunbeam.precompute.shader.ArrayLayout;
 import sunbeam.precompute.shader.ColorArrays;
 import sunbeam.precompute.shader.MethodUse;
@@ -36,39 +40,43 @@ public record BinSampling(Neighbourhood neighbourhood, WavelengthNodes wavelengt
     }
 
     @Override
-    public List<String> warnings(Plan plan, double tolerance, HeightMap map) {
-        List<String> lines = new ArrayList<>();
+    public List<Sentence> warnings(Plan plan, double tolerance, HeightMap map) {
+        List<Sentence> lines = new ArrayList<>();
         checkRadius(plan, tolerance, map, lines);
         checkWavelengths(plan, tolerance, lines);
         return lines;
     }
 
-    private void checkRadius(Plan plan, double tolerance, HeightMap map, List<String> lines) {
+    private void checkRadius(Plan plan, double tolerance, HeightMap map, List<Sentence> lines) {
         double sigmaBins = plan.window().sigmaFrequency() * Math.max(map.width(), map.height());
         int needed = SamplingPlanner.neighbourhoodRadius(sigmaBins, new Tolerances(tolerance));
         if (neighbourhood.radius() < needed) {
-            lines.add(String.format(
-                    Locale.ROOT,
-                    "radius %d cuts the window's spectrum, which is %.2f DFT bins wide; the tolerance %s takes --radius %d",
-                    neighbourhood.radius(),
-                    sigmaBins,
-                    tolerance,
-                    needed));
+            lines.add(Sentence.of(
+                    String.format(
+                            Locale.ROOT,
+                            "radius %d cuts the window's spectrum, which is %.2f DFT bins wide; the tolerance %s takes ",
+                            neighbourhood.radius(),
+                            sigmaBins,
+                            tolerance),
+                    RADIUS,
+                    " " + needed));
         }
     }
 
-    private void checkWavelengths(Plan plan, double tolerance, List<String> lines) {
+    private void checkWavelengths(Plan plan, double tolerance, List<Sentence> lines) {
         double step = (CieTable.MAXIMUM_WAVELENGTH - CieTable.MINIMUM_WAVELENGTH) / (wavelengths.count() - 1);
         double needed = coarsestWavelengthStep(plan.window(), plan.range(), tolerance);
         // 1e-9: a step that was planned comes back by way of a count.
         if (step > needed * (1 + 1e-9)) {
-            lines.add(String.format(
-                    Locale.ROOT,
-                    "wavelengths %s apart miss parts of the orders farthest from the specular direction; the tolerance %s"
-                            + " takes --wavelength-step %s",
-                    Lengths.format(step),
-                    tolerance,
-                    Lengths.format(roundedDown(needed)).replace(" ", "")));
+            lines.add(Sentence.of(
+                    String.format(
+                            Locale.ROOT,
+                            "wavelengths %s apart miss parts of the orders farthest from the specular direction; the"
+                                    + " tolerance %s takes ",
+                            Lengths.format(step),
+                            tolerance),
+                    WAVELENGTH_STEP,
+                    " " + Lengths.format(roundedDown(needed)).replace(" ", "")));
         }
     }
 

@@ -1,4 +1,7 @@
 package sunbeam.precompute.plan;
 
 /** The part of a surface from which light adds up by amplitude. */
-public sealed interface CoherenceArea permits GaussianArea, ReplicatedArea {}
+public sealed interface CoherenceArea permits GaussianArea, ReplicatedArea {
+    /** Which power is seen of many such areas. */
+    Average average();
+}

@@ -2,10 +2,10 @@ package sunbeam.precompute.plan;
 
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import sunbeam.precompute.fourier.Band;
 import sunbeam.precompute.shader.ArrayLayout;
 import sunbeam.precompute.shader.MethodUse;
-import sunbeam.precompute.units.Lengths;
 
 /**
  * What a plan takes, estimated from above before any of it is taken.
@@ -75,44 +75,24 @@ public record MemoryNeed(long heapBytes, long textureBytes, long longestSide) {
     }
 
     /**
-     * Refuses what does not fit.
+     * What there is not enough of, continuing "this plan ..."; nothing where it fits.
      *
      * @param heapLimit largest size of the heap, bytes
-     * @throws PlanException when more is needed than there is
      */
-    void require(long heapLimit, Plan plan) {
-        require(
-                heapLimit,
-                String.format(
-                        Locale.ROOT,
-                        "a coherence length of %s and %d x %d DFT bins in %d terms",
-                        Lengths.format(plan.window().coherenceLength()),
-                        plan.bandX().count(),
-                        plan.bandY().count(),
-                        plan.expansion().terms()));
-    }
-
-    /** @param what takes so much, for the message */
-    void require(long heapLimit, String what) {
+    Optional<String> excess(long heapLimit) {
         if (fits(heapLimit)) {
-            return;
+            return Optional.empty();
         }
-        String remedy = "; crop the patch, or give a coarser --tolerance, fewer --terms or another --coherence-length";
         if (longestSide > LONGEST_SIDE) {
-            throw new PlanException("%s need textures of %d texels along a side, more than the %d of common drivers%s"
-                    .formatted(what, longestSide, LONGEST_SIDE, remedy));
+            return Optional.of("need textures of %d texels along a side, more than the %d of common drivers"
+                    .formatted(longestSide, LONGEST_SIDE));
         }
         if (textureBytes > MOST_TEXTURE_BYTES) {
-            throw new PlanException("%s need %s of textures, more than the %s that Sunbeam takes%s"
-                    .formatted(what, inWords(textureBytes), inWords(MOST_TEXTURE_BYTES), remedy));
+            return Optional.of("need %s of textures, more than the %s that Sunbeam takes"
+                    .formatted(inWords(textureBytes), inWords(MOST_TEXTURE_BYTES)));
         }
-        throw new PlanException("%s need %s of memory, but Java's heap may take %s%s or SUNBEAM_JAVA_OPTIONS=-Xmx%dm"
-                .formatted(
-                        what,
-                        inWords(heapBytes),
-                        inWords(heapLimit),
-                        remedy,
-                        (long) (heapBytes / USABLE_HEAP / (1 << 20)) + 1));
+        return Optional.of("need %s of memory, but Java's heap may take %s (SUNBEAM_JAVA_OPTIONS=-Xmx%dm allows more)"
+                .formatted(inWords(heapBytes), inWords(heapLimit), (long) (heapBytes / USABLE_HEAP / (1 << 20)) + 1));
     }
 
     private static String inWords(long bytes) {

@@ -1,6 +1,5 @@
 package sunbeam.precompute.plan;
 
-import java.util.List;
 import sunbeam.precompute.expansion.ExpansionKind;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.Replicas;
@@ -111,22 +110,6 @@ public final class MethodSettings {
             Kinds.length(100e-9, 1e-3),
             "For gem: distance of the grating's lines, which run along y. Default: the patch's width, for patches of one"
                     + " period.");
-
-    /** All of them, in a manual's order. */
-    public static final List<Setting<?>> ALL = List.of(
-            PRESET,
-            TOLERANCE,
-            EXPANSION,
-            TERMS,
-            RADIUS,
-            ANCHOR,
-            WAVELENGTH_STEP,
-            WINDOW_ORIGIN,
-            COHERENCE_LENGTH,
-            AVERAGE,
-            INTERPOLATION,
-            REPLICAS,
-            SPACING);
 
     private MethodSettings() {}
 }

@@ -1,9 +1,16 @@
 package sunbeam.precompute.plan;
 
+import static sunbeam.precompute.plan.MethodSettings.COHERENCE_LENGTH;
+import static sunbeam.precompute.plan.MethodSettings.EXPANSION;
+import static sunbeam.precompute.plan.MethodSettings.RADIUS;
+import static sunbeam.precompute.plan.MethodSettings.WAVELENGTH_STEP;
+
 import java.util.Locale;
+import sunbeam.precompute.expansion.ExpansionKind;
 import sunbeam.precompute.expansion.TaylorExpansion;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.units.Lengths;
 
 /** Refuses what cannot be right, with the numbers that say why. */
@@ -19,27 +26,32 @@ final class PlanChecks {
         double pitch = Math.max(map.columns() > 1 ? map.pitchX() : 0, map.rows() > 1 ? map.pitchY() : 0);
         double coherenceLength = window.coherenceLength();
         if (coherenceLength < FEWEST_SAMPLES * pitch) {
-            throw new PlanException(
-                    "a coherence length of %s is less than %.1f samples of the patch, which are %s apart; give %s or more"
-                            .formatted(
-                                    Lengths.format(coherenceLength),
-                                    FEWEST_SAMPLES,
-                                    Lengths.format(pitch),
-                                    Lengths.format(FEWEST_SAMPLES * pitch)));
+            throw SettingException.of(
+                    COHERENCE_LENGTH,
+                    coherenceLength,
+                    "is less than %.1f samples of the patch, which are %s apart; give %s or more"
+                            .formatted(FEWEST_SAMPLES, Lengths.format(pitch), Lengths.format(FEWEST_SAMPLES * pitch)));
         }
     }
 
     /** A radius that was planned must not be cut short; one that was given is small enough already. */
-    static void checkRadius(int radius, double sigmaBins) {
+    static void checkRadius(int radius, CoherenceWindow window, double sigmaBins) {
         if (radius > Neighbourhood.MAXIMUM_RADIUS) {
-            throw new PlanException(String.format(
-                    Locale.ROOT,
-                    "the window's spectrum is %.1f DFT bins wide and takes a neighbourhood of radius %d, but at most %d can"
-                            + " be summed; leave out --wavelength-step (the plan then interpolates a grid), give a"
-                            + " larger --coherence-length, or fix a smaller --radius",
-                    sigmaBins,
-                    radius,
-                    Neighbourhood.MAXIMUM_RADIUS));
+            throw SettingException.of(
+                    COHERENCE_LENGTH,
+                    window.coherenceLength(),
+                    String.format(
+                            Locale.ROOT,
+                            "has a spectrum %.1f DFT bins wide, which takes a neighbourhood of radius %d, but at most %d"
+                                    + " can be summed; leave out ",
+                            sigmaBins,
+                            radius,
+                            Neighbourhood.MAXIMUM_RADIUS),
+                    WAVELENGTH_STEP,
+                    " (the plan then interpolates a grid), give a larger ",
+                    COHERENCE_LENGTH,
+                    ", or fix a smaller ",
+                    RADIUS);
         }
     }
 
@@ -48,9 +60,9 @@ final class PlanChecks {
         double phase = expansion.maximumPhase();
         double reachable = Math.ulp(1f) * expansion.largestTerm(phase);
         if (reachable > tolerance) {
-            throw new PlanException(String.format(
+            throw taylor(String.format(
                     Locale.ROOT,
-                    "expansion taylor reaches only %.1g in float32 at this relief (%s, phases up to %.1f), not the"
+                    "reaches only %.1g in float32 at this relief (%s, phases up to %.1f), not the"
                             + " tolerance %s; use lowrank or chebyshev",
                     reachable,
                     Lengths.format(2 * expansion.scale().halfRange()),
@@ -60,15 +72,19 @@ final class PlanChecks {
         return expansion;
     }
 
+    private static SettingException taylor(String problem) {
+        return SettingException.of(EXPANSION, ExpansionKind.TAYLOR, problem);
+    }
+
     /** A number of terms that was given may be inaccurate, but not overflow. */
     static TaylorExpansion withinFloatRange(TaylorExpansion expansion) {
         double phase = expansion.maximumPhase();
         double largest = expansion.largestTerm(phase);
         // Squared, as a power.
         if (largest * largest > Float.MAX_VALUE) {
-            throw new PlanException(String.format(
+            throw taylor(String.format(
                     Locale.ROOT,
-                    "expansion taylor with %d terms leaves the range of float32 at this relief (%s, phases up to %.1f);"
+                    "with %d terms leaves the range of float32 at this relief (%s, phases up to %.1f);"
                             + " use lowrank or chebyshev",
                     expansion.terms(),
                     Lengths.format(2 * expansion.scale().halfRange()),

@@ -1,12 +1,12 @@
 package sunbeam.precompute.plan;
 
-import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import sunbeam.precompute.expansion.ExpansionKind;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.WindowOrigin;
+import sunbeam.precompute.setting.SettingException;
 
 /**
  * What a user fixes of a {@link Plan}; the planner chooses the rest.
@@ -99,16 +99,20 @@ public record PlanRequest(
     /**
      * The neighbourhood of bins that is fixed, if any.
      *
-     * @throws PlanException for a middle of none
+     * @throws SettingException for a middle of none
      */
     public Optional<Neighbourhood> neighbourhood() {
         if (radius.isEmpty() && anchor.isEmpty()) {
             return Optional.empty();
         }
         if (radius.isEmpty() && !isThesis()) {
-            throw new PlanException(
-                    "anchor %s is the middle of a neighbourhood of bins, but no radius is given; add for example --radius 3, or leave --anchor out"
-                            .formatted(anchor.get().toString().toLowerCase(Locale.ROOT)));
+            throw new SettingException(
+                    MethodSettings.ANCHOR,
+                    "is the middle of a neighbourhood of bins, but no radius is given; add for example ",
+                    MethodSettings.RADIUS,
+                    " 3, or leave ",
+                    MethodSettings.ANCHOR,
+                    " out");
         }
         Neighbourhood.Anchor usual = isThesis() ? Neighbourhood.Anchor.FLOOR : Neighbourhood.Anchor.NEAREST;
         return Optional.of(new Neighbourhood(radius.orElse(1), anchor.orElse(usual)));

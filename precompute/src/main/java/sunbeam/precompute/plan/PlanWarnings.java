@@ -1,11 +1,14 @@
 package sunbeam.precompute.plan;
 
+import static sunbeam.precompute.plan.MethodSettings.TERMS;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import sunbeam.precompute.expansion.Expansion;
 import sunbeam.precompute.expansion.LowRankExpansion;
 import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.setting.Sentence;
 
 /** What breaks the tolerance that is promised: parts that a user fixed, or a tolerance at the edge of float32. */
 final class PlanWarnings {
@@ -17,9 +20,9 @@ final class PlanWarnings {
         this.map = map;
     }
 
-    /** One line each; none for what was planned for a tolerance well within float32, nor for the thesis's choices, which promise nothing. */
-    List<String> lines() {
-        List<String> lines = new ArrayList<>();
+    /** One each; none for what was planned for a tolerance well within float32, nor for the thesis's choices, which promise nothing. */
+    List<Sentence> lines() {
+        List<Sentence> lines = new ArrayList<>();
         plan.accuracy().tolerance().ifPresent(tolerance -> {
             checkFloat32(tolerance, lines);
             checkTerms(tolerance, lines);
@@ -28,25 +31,27 @@ final class PlanWarnings {
         return lines;
     }
 
-    private void checkFloat32(double tolerance, List<String> lines) {
+    private static void checkFloat32(double tolerance, List<Sentence> lines) {
         if (tolerance < Tolerances.FINEST_CERTAIN) {
-            lines.add(format(
+            lines.add(Sentence.of(format(
                     "float32 keeps the tolerance %s in the median, but leaves errors of up to %s at the 95th percentile of"
-                            + " power, of which three times the tolerance is promised; 'reflectance --method reference'"
-                            + " goes further",
-                    shown(tolerance), shown(Tolerances.FLOAT32_PERCENTILE)));
+                            + " power, of which three times the tolerance is promised; method reference goes further",
+                    shown(tolerance), shown(Tolerances.FLOAT32_PERCENTILE))));
         }
     }
 
-    private void checkTerms(double tolerance, List<String> lines) {
+    private void checkTerms(double tolerance, List<Sentence> lines) {
         Expansion expansion = plan.expansion();
         double error = expansion instanceof LowRankExpansion lowRank
                 ? lowRank.rootMeanSquareError()
                 : expansion.errorBound(expansion.maximumPhase());
         if (error > tolerance) {
-            lines.add(format(
-                    "%d %s terms leave an error of %.1g, more than the tolerance %s; give more --terms, or leave it out",
-                    expansion.terms(), expansion.kind().label(), error, tolerance));
+            lines.add(Sentence.of(
+                    format(
+                            "%d %s terms leave an error of %.1g, more than the tolerance %s; give more ",
+                            expansion.terms(), expansion.kind().label(), error, tolerance),
+                    TERMS,
+                    ", or leave it out"));
         }
     }
 

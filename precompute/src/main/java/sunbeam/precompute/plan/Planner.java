@@ -1,5 +1,9 @@
 package sunbeam.precompute.plan;
 
+import static sunbeam.precompute.plan.MethodSettings.COHERENCE_LENGTH;
+import static sunbeam.precompute.plan.MethodSettings.TERMS;
+import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
+
 import java.util.List;
 import java.util.Optional;
 import sunbeam.precompute.color.CieTable;
@@ -13,6 +17,8 @@ import sunbeam.precompute.expansion.TaylorExpansion;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.patch.HeightLevels;
 import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.setting.Sentence;
+import sunbeam.precompute.setting.SettingException;
 
 /** Makes a {@link Plan} for a patch, what the user fixes, and the directions that a scene can reach. */
 public final class Planner {
@@ -51,7 +57,7 @@ public final class Planner {
      * @param neighbourhood of bins that are to be summed, if any
      * @param area the window, its place, and which power
      * @param range directions that can occur
-     * @throws PlanException when none does, or when what is fixed makes no sense for the patch
+     * @throws SettingException when none does, or when what is fixed makes no sense for the patch
      */
     public Plan plan(TableChoices table, Optional<Neighbourhood> neighbourhood, GaussianArea area, VisibleRange range) {
         PlanChecks.check(area.window(), map);
@@ -72,7 +78,7 @@ public final class Planner {
                 break;
             }
         }
-        MemoryNeed.of(plan, map.rows()).require(heapLimit, plan);
+        requireRoom(plan);
         return plan;
     }
 
@@ -81,17 +87,32 @@ public final class Planner {
         return plan(request.table(), request.neighbourhood(), request.area(), range);
     }
 
-    /**
-     * Refuses tables that do not fit.
-     *
-     * @throws PlanException when more is needed than there is
-     */
-    public void require(MemoryNeed need, String what) {
-        need.require(heapLimit, what);
+    private void requireRoom(Plan plan) {
+        excess(MemoryNeed.of(plan, map.rows())).ifPresent(excess -> {
+            throw SettingException.of(
+                    COHERENCE_LENGTH,
+                    plan.window().coherenceLength(),
+                    "and %d x %d DFT bins in %d terms %s; crop the patch, or give a coarser "
+                            .formatted(
+                                    plan.bandX().count(),
+                                    plan.bandY().count(),
+                                    plan.expansion().terms(),
+                                    excess),
+                    TOLERANCE,
+                    ", fewer ",
+                    TERMS,
+                    " or another ",
+                    COHERENCE_LENGTH);
+        });
+    }
+
+    /** What there is not enough of for some tables, continuing "this plan ..."; nothing where they fit. */
+    public Optional<String> excess(MemoryNeed need) {
+        return need.excess(heapLimit);
     }
 
     /** What the user fixed of a plan that breaks its tolerance, one line each. */
-    public List<String> warnings(Plan plan) {
+    public List<Sentence> warnings(Plan plan) {
         return new PlanWarnings(plan, map).lines();
     }
 
@@ -121,7 +142,7 @@ public final class Planner {
     private Neighbourhood neighbourhood(CoherenceWindow window, Tolerances tolerances) {
         double sigmaBins = window.sigmaFrequency() * Math.max(map.width(), map.height());
         int radius = SamplingPlanner.neighbourhoodRadius(sigmaBins, tolerances);
-        PlanChecks.checkRadius(radius, sigmaBins);
+        PlanChecks.checkRadius(radius, window, sigmaBins);
         return new Neighbourhood(radius, Neighbourhood.Anchor.NEAREST);
     }
 

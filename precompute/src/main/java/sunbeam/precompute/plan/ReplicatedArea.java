@@ -7,4 +7,10 @@ import sunbeam.precompute.optics.Replicas;
  *
  * @param replicas along both axes
  */
-public record ReplicatedArea(Replicas replicas) implements CoherenceArea {}
+public record ReplicatedArea(Replicas replicas) implements CoherenceArea {
+    /** The replicas lie at one place. */
+    @Override
+    public Average average() {
+        return Average.COHERENT;
+    }
+}

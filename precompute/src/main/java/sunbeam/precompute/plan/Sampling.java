@@ -4,6 +4,7 @@ import java.util.List;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.setting.Sentence;
 import sunbeam.precompute.shader.ArrayLayout;
 import sunbeam.precompute.shader.MethodUse;
 import sunbeam.precompute.shader.ShaderTables;
@@ -22,7 +23,7 @@ public sealed interface Sampling permits BinSampling, GridSampling, OrderSamplin
     List<String> reasons(VisibleRange range);
 
     /** Parts that a user fixed and that break the plan's tolerance, one line each. */
-    default List<String> warnings(Plan plan, double tolerance, HeightMap map) {
+    default List<Sentence> warnings(Plan plan, double tolerance, HeightMap map) {
         return List.of();
     }
 

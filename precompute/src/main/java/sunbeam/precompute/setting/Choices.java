@@ -107,6 +107,13 @@ public final class Choices {
         }
     }
 
+    /** The same with a setting's standard value where it has one and none was chosen. */
+    public <T> Choices orStandard(Setting<T> setting) {
+        return has(setting) || setting.standard().isEmpty()
+                ? this
+                : with(setting, setting.standard().get(), Origin.PROGRAM);
+    }
+
     /** The same without some. */
     public Choices without(Collection<? extends Setting<?>> settings) {
         Map<Setting<?>, Choice> rest = new LinkedHashMap<>(choices);
@@ -135,11 +142,7 @@ public final class Choices {
 
     /** A complaint about a setting in the words of the place where it was chosen. */
     public SettingException complaint(Setting<?> setting, Object... problem) {
-        return complaint(setting, Sentence.of(problem), null);
-    }
-
-    private SettingException complaint(Setting<?> setting, Sentence problem, Throwable cause) {
-        return new SettingException(setting, problem, origin(setting), written(setting), cause);
+        return new SettingException(setting, Sentence.of(problem), origin(setting), written(setting), null);
     }
 
     /** The result of an action, whose complaints are made in the words of the places where these choices were made. */
@@ -147,8 +150,14 @@ public final class Choices {
         try {
             return action.get();
         } catch (SettingException failure) {
-            throw failure.known().isPresent() ? failure : complaint(failure.about(), failure.problem(), failure);
+            throw failure.known().isPresent() ? failure : located(failure);
         }
+    }
+
+    private SettingException located(SettingException failure) {
+        Setting<?> setting = failure.about();
+        String value = has(setting) ? written(setting) : failure.value();
+        return new SettingException(setting, failure.problem(), origin(setting), value, failure);
     }
 
     /** The value of a setting as it may be written, or empty where it was not chosen. */

@@ -12,6 +12,7 @@ public final class SettingException extends RuntimeException {
 
     private final transient Setting<?> about;
     private final transient Sentence problem;
+    private final String value;
     private final Origin.Place place;
 
     /**
@@ -24,10 +25,21 @@ public final class SettingException extends RuntimeException {
         this(about, Sentence.of(problem), Origin.PROGRAM, "", null);
     }
 
+    /**
+     * The same where the value may not have been chosen, but is what holds.
+     *
+     * @param value as it may be written
+     */
+    public static <T> SettingException of(Setting<T> about, T value, Object... problem) {
+        return new SettingException(
+                about, Sentence.of(problem), Origin.PROGRAM, about.kind().format(value), null);
+    }
+
     SettingException(Setting<?> about, Sentence problem, Origin origin, String value, Throwable cause) {
         super(Quoted.oneLine(origin.complaint(about, value, problem.in(origin))), cause);
         this.about = about;
         this.problem = problem;
+        this.value = value;
         this.place = origin.place();
     }
 
@@ -39,6 +51,11 @@ public final class SettingException extends RuntimeException {
     /** What is wrong and what helps. */
     public Sentence problem() {
         return problem;
+    }
+
+    /** Its value as it may be written; empty where nobody has said it. */
+    String value() {
+        return value;
     }
 
     /** Where the choice was made; {@code PROGRAM} where nobody has said so. */

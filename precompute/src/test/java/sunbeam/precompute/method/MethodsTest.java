@@ -18,7 +18,6 @@ import org.junit.jupiter.params.provider.MethodSource;
 import sunbeam.precompute.optics.Replicas;
 import sunbeam.precompute.optics.WindowOrigin;
 import sunbeam.precompute.plan.Average;
-import sunbeam.precompute.plan.MethodSettings;
 import sunbeam.precompute.plan.Neighbourhood;
 import sunbeam.precompute.plan.Neighbourhood.Anchor;
 import sunbeam.precompute.plan.Preset;
@@ -48,7 +47,7 @@ class MethodsTest {
     @MethodSource("types")
     void eachTypeMakesItsOwnMethodFromSettingsThatAreDeclared(MethodType type) {
         assertThat(Methods.of(Choices.none().with(Methods.METHOD, type)).type()).isSameAs(type);
-        assertThat(MethodSettings.ALL).containsAll(type.settings());
+        assertThat(Methods.SETTINGS).containsAll(type.settings()).doesNotHaveDuplicates();
         assertThat(Methods.METHOD.kind().parse(type.label())).isSameAs(type);
     }
 

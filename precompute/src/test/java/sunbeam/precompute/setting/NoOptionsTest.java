@@ -1,0 +1,53 @@
+package sunbeam.precompute.setting;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+
+/** Tables know nothing of command lines: what a user chooses is a {@link Setting}, whose name depends on the place. */
+class NoOptionsTest {
+    private static final Path SOURCES = Path.of("src", "main", "java");
+    /** A text that names an option; comments are taken away before. */
+    private static final Pattern OPTION =
+            Pattern.compile("\"(?:\\\\.|[^\"\\\\\n])*(?<![\\w-])--[a-z](?:\\\\.|[^\"\\\\\n])*\"");
+
+    private static final Pattern COMMENT = Pattern.compile("/\\*.*?\\*/|(?m)^\\s*//.*$", Pattern.DOTALL);
+
+    /** Its settings follow. */
+    private static final Path NOT_YET = Path.of("sunbeam", "precompute", "patch");
+
+    @Test
+    void noTextNamesAnOption() throws IOException {
+        List<String> named = new ArrayList<>();
+        try (Stream<Path> files = Files.walk(SOURCES)) {
+            for (Path file :
+                    files.filter(path -> path.toString().endsWith(".java")).toList()) {
+                if (!SOURCES.relativize(file).startsWith(NOT_YET)) {
+                    named.addAll(options(Files.readString(file)));
+                }
+            }
+        }
+        assertThat(named).isEmpty();
+    }
+
+    @Test
+    void optionsAreFoundInTextsOnly() {
+        assertThat(options("give(\"a larger --radius\"); // or --terms")).hasSize(1);
+        assertThat(options("/** {@code \"--radius\"} */ i--; \"a\"; j--; \"well--known\""))
+                .isEmpty();
+    }
+
+    private static List<String> options(String source) {
+        return OPTION.matcher(COMMENT.matcher(source).replaceAll(""))
+                .results()
+                .map(result -> result.group())
+                .toList();
+    }
+}
