@@ -16,6 +16,7 @@ import sunbeam.app.evaluate.NoPeriodException;
 import sunbeam.app.input.InputException;
 import sunbeam.app.mesh.MeshException;
 import sunbeam.app.output.OutputException;
+import sunbeam.precompute.json.JsonException;
 import sunbeam.precompute.patch.PatchException;
 import sunbeam.precompute.setting.Origin;
 import sunbeam.precompute.setting.SettingException;
@@ -27,6 +28,7 @@ final class Failures {
     private static final Map<Class<? extends Throwable>, ExitCode> CODES = Map.ofEntries(
             Map.entry(ParameterException.class, ExitCode.USAGE),
             Map.entry(UsageException.class, ExitCode.USAGE),
+            Map.entry(JsonException.class, ExitCode.UNUSABLE_INPUT),
             Map.entry(PatchException.class, ExitCode.UNUSABLE_INPUT),
             Map.entry(TableException.class, ExitCode.UNUSABLE_INPUT),
             Map.entry(InputException.class, ExitCode.UNUSABLE_INPUT),

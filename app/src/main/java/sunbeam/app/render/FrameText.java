@@ -5,6 +5,7 @@ import java.util.Map;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneData;
 import sunbeam.app.scene.SceneWriter;
+import sunbeam.app.setup.MethodBridge;
 
 /** What a picture says of itself in its text chunks. */
 public final class FrameText {
@@ -35,7 +36,7 @@ public final class FrameText {
         text.put("Title", scene.title().isEmpty() ? "Scene" : scene.title());
         text.put("Scene", SceneWriter.describe(scene));
         text.put("Patch", data.patch().source());
-        text.put("Method", scene.method().describe());
+        text.put("Method", MethodBridge.methodRequest(scene.method().method()).describe());
         text.put("Plan", data.method().summary());
         text.put("Size", size + ", " + supersample * supersample + " samples per pixel");
         text.put("Exposure", Double.toString(exposure));

@@ -6,7 +6,8 @@ import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
-import sunbeam.precompute.text.Quoted;
+import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.setting.Setting;
 
 /** The files that a scene may name: those in its folder and below. A scene may come from anywhere. */
 final class SceneFolder {
@@ -27,23 +28,36 @@ final class SceneFolder {
     }
 
     /**
+     * What a setting names, as {@link #resolve(String, List)} has it.
+     *
+     * @throws sunbeam.precompute.setting.SettingException if it is nothing, in the words of the place where it was chosen
+     */
+    String resolve(Choices choices, Setting<String> setting, List<String> builtIn) {
+        try {
+            return resolve(choices.get(setting), builtIn);
+        } catch (IllegalArgumentException wrong) {
+            throw choices.complaint(setting, wrong.getMessage());
+        }
+    }
+
+    /**
      * A built-in name as it is, or the absolute name of a file.
      *
-     * @throws IllegalArgumentException if it is neither, with a message for the user
+     * @throws IllegalArgumentException if it is neither, with a message that continues "the name ..."
      */
-    String resolve(String name, List<String> builtIn) {
+    private String resolve(String name, List<String> builtIn) {
         if (builtIn.contains(name)) {
             return name;
         }
         if (folder.isEmpty() || name.isBlank()) {
-            throw new IllegalArgumentException(Quoted.of(name) + " is not one of " + String.join(", ", builtIn));
+            throw new IllegalArgumentException("is not one of " + String.join(", ", builtIn));
         }
         Path file = inside(name);
         if (!Files.exists(file)) {
-            throw new IllegalArgumentException(Quoted.of(name) + ": there is no file " + file
-                    + "; check the name, or take one of " + String.join(", ", builtIn));
+            throw new IllegalArgumentException("is no file: there is no " + file + "; check the name, or take one of "
+                    + String.join(", ", builtIn));
         }
-        requireNoWayOut(name, file);
+        requireNoWayOut(file);
         return file.toString();
     }
 
@@ -55,25 +69,24 @@ final class SceneFolder {
                 leaves |= part.toString().equals("..");
             }
             if (leaves) {
-                throw new IllegalArgumentException(Quoted.of(name)
-                        + " leads out of the scene's folder; name a file in it, without .. or leading /");
+                throw new IllegalArgumentException(
+                        "leads out of the scene's folder; name a file in it, without .. or leading /");
             }
             return folder.orElseThrow().resolve(relative).normalize();
         } catch (InvalidPathException broken) {
-            throw new IllegalArgumentException(
-                    Quoted.of(name) + " is no file name (" + broken.getReason() + "); mend it", broken);
+            throw new IllegalArgumentException("is no file name (" + broken.getReason() + "); mend it", broken);
         }
     }
 
-    private void requireNoWayOut(String name, Path file) {
+    private void requireNoWayOut(Path file) {
         try {
             if (!file.toRealPath().startsWith(folder.orElseThrow().toRealPath())) {
                 throw new IllegalArgumentException(
-                        Quoted.of(name) + " is a link that leads out of the scene's folder; copy the file there");
+                        "is a link that leads out of the scene's folder; copy the file there");
             }
         } catch (IOException failure) {
             throw new IllegalArgumentException(
-                    Quoted.of(name) + " cannot be followed (" + failure.getMessage() + "); check the file", failure);
+                    "cannot be followed (" + failure.getMessage() + "); check the file", failure);
         }
     }
 }

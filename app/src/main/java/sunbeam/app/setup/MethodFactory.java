@@ -1,5 +1,8 @@
 package sunbeam.app.setup;
 
+import static sunbeam.precompute.method.Methods.METHOD;
+import static sunbeam.precompute.plan.MethodSettings.SPACING;
+
 import java.util.List;
 import java.util.Optional;
 import jrtr.RenderContext;
@@ -18,6 +21,7 @@ import sunbeam.precompute.plan.PlanReport;
 import sunbeam.precompute.plan.PlanRequest;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.Sentence;
+import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.table.FourierTable;
 import sunbeam.precompute.units.Lengths;
 
@@ -71,17 +75,24 @@ public final class MethodFactory {
         HeightMap map = setup.patch().heights();
         double largestUv = 2;
         if (largestUv * Math.max(map.width(), map.height()) < CieTable.MINIMUM_WAVELENGTH) {
-            throw new UsageException("--method nmm: a patch of %s x %s has no DFT bin beside the specular one in the"
-                            .formatted(Lengths.format(map.width()), Lengths.format(map.height()))
-                    + " visible band; use --method full");
+            throw new SettingException(
+                    METHOD,
+                    "has nothing to go by: a patch of %s x %s has no DFT bin beside the specular one in the visible band; use "
+                            .formatted(Lengths.format(map.width()), Lengths.format(map.height())),
+                    METHOD,
+                    " full");
         }
     }
 
     private double spacing() {
         double width = setup.patch().heights().width();
         if (method.spacing().isEmpty() && width > WIDEST_PERIOD) {
-            throw new UsageException("--method gem needs --spacing: a patch that is " + Lengths.format(width)
-                    + " wide is no single period; give the grating's, for example --spacing 1um");
+            throw new SettingException(
+                    SPACING,
+                    "is missing: a patch that is " + Lengths.format(width)
+                            + " wide is no single period; give the grating's, for example ",
+                    SPACING,
+                    " 1um");
         }
         return method.spacing().orElse(width);
     }

@@ -7,7 +7,9 @@ import sunbeam.app.cli.UsageException;
 import sunbeam.app.input.InputException;
 import sunbeam.app.mesh.MeshException;
 import sunbeam.app.output.OutputException;
+import sunbeam.precompute.json.JsonException;
 import sunbeam.precompute.patch.PatchException;
+import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.table.TableException;
 import sunbeam.precompute.units.LengthFormatException;
 
@@ -31,6 +33,8 @@ final class Problems {
                 || thrown instanceof OutputException
                 || thrown instanceof PatchException
                 || thrown instanceof TableException
+                || thrown instanceof JsonException
+                || thrown instanceof SettingException
                 || thrown instanceof LengthFormatException
                 || thrown instanceof IllegalArgumentException;
         return known && thrown.getMessage() != null
