@@ -29,12 +29,14 @@ class BadPatchTest {
 
     @Test
     void aFileThatIsNotThere() throws Exception {
-        complains("--patch nowhere.png --width 65um --max-height 375nm", "\"nowhere.png\": no such file; give a");
+        complains(
+                "--patch nowhere.png --width 65um --max-height 375nm",
+                "--patch nowhere.png is no file that is there; give a");
     }
 
     @Test
     void aNameThatIsNeitherFileNorBuiltIn() throws Exception {
-        complains("--patch blase", "\"blase\": no such file; give a built-in patch (blaze, sinusoid,");
+        complains("--patch blase", "--patch blase is no file that is there; give a built-in patch (blaze, sinusoid,");
     }
 
     @Test
@@ -83,19 +85,20 @@ class BadPatchTest {
 
     @ParameterizedTest
     @CsvSource({
-        "--width 0um --max-height 375nm, '--width is 0 m, but must be positive; give a length between'",
-        "--width -65um --max-height 375nm, '--width is -65 um, but must be positive; give a length between'",
-        "--width 65m --max-height 375nm, '--width is 65 m, which is absurd; give a length between'",
-        "--width 65 --max-height 375nm, '--width: \"65\" has no unit; write'",
-        "--width wide --max-height 375nm, '--width: \"wide\" is no length; write'",
-        "--width NaNum --max-height 375nm, '--width: \"NaNum\" is no length; write'",
-        "--width 65um --height 0um --max-height 375nm, '--height is 0 m, but must be positive; give'",
-        "--width 65um --max-height 0nm, '--max-height is 0 m, but must be positive; give'",
-        "--width 65um --max-height -1nm, '--max-height is -1 nm, but must be positive; give'",
-        "--width 65um --max-height 375m, '--max-height is 375 m, which is absurd; give'"
+        "--width 0um --max-height 375nm, '--width 0 m is out of range; give 1 nm to 100 mm'",
+        "--width -65um --max-height 375nm, '--width -65 um is out of range; give'",
+        "--width 65m --max-height 375nm, '--width 65 m is out of range; give'",
+        "--width 65 --max-height 375nm, '--width \"65\" has no unit; write'",
+        "--width wide --max-height 375nm, '--width \"wide\" is no length; write'",
+        "--width NaNum --max-height 375nm, '--width \"NaNum\" is no length; write'",
+        "--width 65um --height 0um --max-height 375nm, '--height 0 m is out of range; give'",
+        "--width 65um --max-height 0nm, '--max-height 0 m is out of range; give 1 pm to 1 m'",
+        "--width 65um --max-height -1nm, '--max-height -1 nm is out of range; give'",
+        "--width 65um --max-height 375m, '--max-height 375 m is out of range; give'",
+        "--width 65um --max-height 375mm, '--max-height 375 mm is absurd for the full scale of whole numbers'"
     })
     void aScaleThatCannotBe(String options, String words) throws Exception {
-        complains("--patch scan.png " + options, words);
+        complains(Complaint.USAGE, "--patch scan.png " + options, words);
     }
 
     @Test
@@ -139,12 +142,16 @@ class BadPatchTest {
     }
 
     private void complains(String options, String... words) throws Exception {
+        complains(Complaint.UNUSABLE_INPUT, options, words);
+    }
+
+    private void complains(int exitCode, String options, String... words) throws Exception {
         var before = workplace.files();
         String[] arguments = Stream.of(("brdf-map --size 8 " + options).split(" ", -1))
                 .filter(argument -> !argument.isEmpty())
                 .toArray(String[]::new);
 
-        Complaint.assertThatIt(workplace.command(arguments).run(), Complaint.UNUSABLE_INPUT, words);
+        Complaint.assertThatIt(workplace.command(arguments).run(), exitCode, words);
 
         assertThat(workplace.files()).as("files left").isEqualTo(before);
         assertThat(workplace.tables()).as("tables left").isEmpty();

@@ -12,6 +12,7 @@ import sunbeam.app.evaluate.NoPeriodException;
 import sunbeam.app.input.InputException;
 import sunbeam.app.mesh.MeshException;
 import sunbeam.app.output.OutputException;
+import sunbeam.precompute.json.JsonException;
 import sunbeam.precompute.patch.PatchException;
 import sunbeam.precompute.setting.Origin;
 import sunbeam.precompute.setting.SettingException;
@@ -31,6 +32,8 @@ public record Failure(ExitCode code, String message, Throwable cause) {
             Map.entry(ParameterException.class, ExitCode.USAGE),
             Map.entry(UsageException.class, ExitCode.USAGE),
             Map.entry(LengthFormatException.class, ExitCode.USAGE),
+            Map.entry(SettingException.class, ExitCode.USAGE),
+            Map.entry(JsonException.class, ExitCode.UNUSABLE_INPUT),
             Map.entry(PatchException.class, ExitCode.UNUSABLE_INPUT),
             Map.entry(TableException.class, ExitCode.UNUSABLE_INPUT),
             Map.entry(InputException.class, ExitCode.UNUSABLE_INPUT),

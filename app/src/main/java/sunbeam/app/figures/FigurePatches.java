@@ -47,8 +47,7 @@ final class FigurePatches {
 
     private DiffractionSetup load(Role role) {
         String named = folder == null ? role.builtIn() : descriptor(role).toString();
-        PatchRequest request = PatchRequest.parse(named, null, null, null, null, null);
-        return new DiffractionSetup(PatchOptions.load(request), environment, err);
+        return new DiffractionSetup(PatchOptions.load(PatchRequest.of(named)), environment, err);
     }
 
     /**

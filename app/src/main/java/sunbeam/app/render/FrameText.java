@@ -35,7 +35,7 @@ public final class FrameText {
         text.put("Title", scene.title().isEmpty() ? "Scene" : scene.title());
         text.put("Scene", SceneWriter.describe(scene));
         text.put("Patch", data.patch().source());
-        text.put("Method", scene.method().describe());
+        text.put("Method", scene.method().method().type().label());
         text.put("Plan", data.method().summary());
         text.put("Size", size + ", " + supersample * supersample + " samples per pixel");
         text.put("Exposure", Double.toString(exposure));

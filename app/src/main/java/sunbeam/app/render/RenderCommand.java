@@ -18,6 +18,7 @@ import picocli.CommandLine.Spec;
 import sunbeam.app.cli.Environment;
 import sunbeam.app.cli.ExitCode;
 import sunbeam.app.cli.Messages;
+import sunbeam.app.cli.SettingOptions;
 import sunbeam.app.cli.ShutdownHook;
 import sunbeam.app.cli.UsageException;
 import sunbeam.app.output.AtomicFile;
@@ -81,7 +82,7 @@ public final class RenderCommand implements Callable<Integer> {
     private AnimationOptions animation;
 
     @Mixin
-    private SceneOverrides overrides;
+    private final SettingOptions overrides = SettingOptions.overriding(SceneOverrides.SETTINGS);
 
     @Mixin
     private ForceOption force;
@@ -96,7 +97,7 @@ public final class RenderCommand implements Callable<Integer> {
     @Override
     public Integer call() {
         check();
-        Scene scene = overrides.apply(Scenes.load(sceneName));
+        Scene scene = SceneOverrides.apply(Scenes.load(sceneName), overrides.choices());
         List<Scene> scenes = animation.isAsked() ? animation.scenes(scene) : List.of(scene);
         Path target = target();
         List<Path> files = animation.isAsked() ? FrameFiles.names(target, scenes.size()) : List.of(target);

@@ -1,5 +1,12 @@
 package sunbeam.app.scene;
 
+import static sunbeam.app.scene.SceneSettings.AMBIENT;
+import static sunbeam.app.scene.SceneSettings.DIFFRACTION;
+import static sunbeam.app.scene.SceneSettings.DIFFUSE;
+import static sunbeam.app.scene.SceneSettings.TEXTURE_WEIGHT;
+
+import sunbeam.precompute.setting.Choices;
+
 /**
  * Weights of the blend of diffracted light and body colour (thesis algorithm 3.4; shaders/include/blend.glsl).
  *
@@ -10,15 +17,27 @@ package sunbeam.app.scene;
  * @param ambient share of light that reaches the body from everywhere
  */
 public record Blend(double diffraction, double texture, double diffuse, double ambient) {
-    /** Weights beyond this are slips. */
-    public static final double LARGEST = 1e9;
-
     /** Rejects negative weights and those that are no numbers. */
     public Blend {
-        check("diffraction", diffraction);
-        check("texture", texture);
-        check("diffuse", diffuse);
-        check("ambient", ambient);
+        DIFFRACTION.kind().check(diffraction);
+        TEXTURE_WEIGHT.kind().check(texture);
+        DIFFUSE.kind().check(diffuse);
+        AMBIENT.kind().check(ambient);
+    }
+
+    /** As chosen. */
+    public static Blend of(Choices choices) {
+        return new Blend(
+                choices.get(DIFFRACTION), choices.get(TEXTURE_WEIGHT), choices.get(DIFFUSE), choices.get(AMBIENT));
+    }
+
+    /** Choices that {@link #of} makes this of. */
+    public Choices choices() {
+        return Choices.none()
+                .with(DIFFRACTION, diffraction)
+                .with(TEXTURE_WEIGHT, texture)
+                .with(DIFFUSE, diffuse)
+                .with(AMBIENT, ambient);
     }
 
     /** The same with another factor of the diffracted light. */
@@ -29,11 +48,5 @@ public record Blend(double diffraction, double texture, double diffuse, double a
     /** The diffracted light alone. */
     Blend withoutBody() {
         return new Blend(diffraction, 0, 0, 0);
-    }
-
-    private static void check(String name, double weight) {
-        if (!(weight >= 0 && weight <= LARGEST)) {
-            throw new IllegalArgumentException("weight " + name + " " + weight + " is out of range; give 0 to 1e9");
-        }
     }
 }

@@ -1,13 +1,17 @@
 package sunbeam.app.scene;
 
+import static sunbeam.app.scene.SceneSettings.EXPOSURE;
+import static sunbeam.app.scene.SceneSettings.MESH;
+import static sunbeam.app.scene.SceneSettings.ROTATE_PATCH;
+import static sunbeam.app.scene.SceneSettings.TEXTURE;
+
 import java.util.OptionalDouble;
 import java.util.function.Consumer;
 import org.joml.Quaternionf;
 import org.joml.Quaternionfc;
-import sunbeam.app.gpu.MethodKind;
-import sunbeam.app.setup.MethodRequest;
+import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.patch.PatchRequest;
-import sunbeam.precompute.plan.PlanRequest;
+import sunbeam.precompute.setting.Choices;
 
 /**
  * All that determines a picture but its size. Files are named absolutely, so that a scene means the same everywhere in
@@ -20,13 +24,11 @@ import sunbeam.precompute.plan.PlanRequest;
  * @param orientation turns the mesh about the centre of its bounding sphere; unit length
  * @param light the light
  * @param texture the body's colours: a built-in texture, {@code none} or an absolute image file
- * @param method how diffraction is computed: full, nmm, pq or gem
- * @param plan what is fixed of the method's plan
+ * @param method how diffraction is computed
  * @param rotatePatch turns the nanostructure in the tangent plane, radians, counter-clockwise seen from outside
  * @param exposure factor of the linear picture, above 0; empty to choose it from the picture
  * @param blend weights of diffracted light and body
  * @param background behind the mesh, not exposed
- * @param origin where patch and plan are written, for complaints
  */
 public record Scene(
         String title,
@@ -36,13 +38,11 @@ public record Scene(
         Quaternionfc orientation,
         SceneLight light,
         String texture,
-        MethodRequest method,
-        PlanRequest plan,
+        SceneMethod method,
         double rotatePatch,
         OptionalDouble exposure,
         Blend blend,
-        SceneColor background,
-        SceneOrigin origin) {
+        SceneColor background) {
 
     /** Copies; rejects rotations and exposures that are none. */
     public Scene {
@@ -50,16 +50,20 @@ public record Scene(
             throw new IllegalArgumentException("orientation " + orientation + " has not the length 1");
         }
         orientation = new Quaternionf(orientation);
-        if (method.kind() == MethodKind.REFERENCE) {
-            throw new IllegalArgumentException(
-                    "method reference evaluates single directions; for a mesh use full, nmm, pq or gem");
-        }
-        if (!Double.isFinite(rotatePatch)) {
-            throw new IllegalArgumentException("rotation of the patch by " + rotatePatch + " is no angle");
-        }
-        if (exposure.isPresent() && !(exposure.getAsDouble() > 0 && Double.isFinite(exposure.getAsDouble()))) {
-            throw new IllegalArgumentException("exposure " + exposure.getAsDouble() + " is not above 0");
-        }
+        ROTATE_PATCH.kind().check(rotatePatch);
+        EXPOSURE.kind().check(exposure);
+    }
+
+    /** The same with what was chosen of {@link SceneSettings} and {@link Methods#SETTINGS} above it. */
+    public Scene with(Choices chosen) {
+        return changed(draft -> {
+            draft.mesh = chosen.get(MESH, mesh);
+            draft.texture = chosen.get(TEXTURE, texture);
+            draft.method = method.with(chosen.only(Methods.SETTINGS));
+            draft.rotatePatch = chosen.get(ROTATE_PATCH, rotatePatch);
+            draft.exposure = chosen.get(EXPOSURE, exposure);
+            draft.blend = Blend.of(chosen.over(blend.choices()));
+        });
     }
 
     /** The same with another mesh. */
@@ -69,10 +73,7 @@ public record Scene(
 
     /** The same with another patch. */
     public Scene withPatch(PatchRequest value) {
-        return changed(draft -> {
-            draft.patch = value;
-            draft.origin = value.equals(patch) ? origin : origin.withoutPatch();
-        });
+        return changed(draft -> draft.patch = value);
     }
 
     /** The same from elsewhere. */
@@ -95,21 +96,9 @@ public record Scene(
         return changed(draft -> draft.texture = value);
     }
 
-    /** The same with another method and the plan that goes with it. */
-    public Scene withMethod(MethodRequest method, PlanRequest plan) {
-        return changed(draft -> {
-            draft.origin = method.equals(this.method) && plan.equals(this.plan) ? origin : origin.withoutPlan();
-            draft.method = method;
-            draft.plan = plan;
-        });
-    }
-
-    /** The same with another plan. */
-    public Scene withPlan(PlanRequest value) {
-        return changed(draft -> {
-            draft.plan = value;
-            draft.origin = value.equals(plan) ? origin : origin.withoutPlan();
-        });
+    /** The same with another method. */
+    public Scene withMethod(SceneMethod value) {
+        return changed(draft -> draft.method = value);
     }
 
     /** The same with the nanostructure turned differently, radians. */
@@ -142,13 +131,11 @@ public record Scene(
         private Quaternionfc orientation;
         private SceneLight light;
         private String texture;
-        private MethodRequest method;
-        private PlanRequest plan;
+        private SceneMethod method;
         private double rotatePatch;
         private OptionalDouble exposure;
         private Blend blend;
         private SceneColor background;
-        private SceneOrigin origin;
 
         private Draft(Scene scene) {
             title = scene.title;
@@ -159,12 +146,10 @@ public record Scene(
             light = scene.light;
             texture = scene.texture;
             method = scene.method;
-            plan = scene.plan;
             rotatePatch = scene.rotatePatch;
             exposure = scene.exposure;
             blend = scene.blend;
             background = scene.background;
-            origin = scene.origin;
         }
 
         private Scene scene() {
@@ -177,12 +162,10 @@ public record Scene(
                     light,
                     texture,
                     method,
-                    plan,
                     rotatePatch,
                     exposure,
                     blend,
-                    background,
-                    origin);
+                    background);
         }
     }
 }

@@ -24,8 +24,7 @@ public record SceneData(Scene scene, Mesh mesh, Patch patch, MethodPlan method, 
         return scene.mesh().equals(other.mesh())
                 && scene.patch().equals(other.patch())
                 && scene.texture().equals(other.texture())
-                && scene.method().equals(other.method())
-                && scene.plan().equals(other.plan());
+                && scene.method().method().equals(other.method().method());
     }
 
     /**
@@ -36,7 +35,7 @@ public record SceneData(Scene scene, Mesh mesh, Patch patch, MethodPlan method, 
     public SceneData with(Scene other) {
         if (!suits(other)) {
             throw new IllegalArgumentException(
-                    "a scene with another mesh, patch, texture, method or plan must be loaded by a SceneLoader");
+                    "a scene with another mesh, patch, texture or method must be loaded by a SceneLoader");
         }
         return new SceneData(other, mesh, patch, method, tables, body);
     }

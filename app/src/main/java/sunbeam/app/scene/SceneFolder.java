@@ -5,7 +5,8 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import sunbeam.precompute.files.OwnFolder;
-import sunbeam.precompute.text.Quoted;
+import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.setting.Setting;
 
 /** The files that a scene may name: those in its folder and below. */
 record SceneFolder(Optional<OwnFolder> folder) {
@@ -21,23 +22,36 @@ record SceneFolder(Optional<OwnFolder> folder) {
     }
 
     /**
+     * What a setting names, as {@link #resolve(String, List)} has it.
+     *
+     * @throws sunbeam.precompute.setting.SettingException if it is nothing, in the words of the place where it was chosen
+     */
+    String resolve(Choices choices, Setting<String> setting, List<String> builtIn) {
+        try {
+            return resolve(choices.get(setting), builtIn);
+        } catch (IllegalArgumentException wrong) {
+            throw choices.complaint(setting, wrong.getMessage());
+        }
+    }
+
+    /**
      * A built-in name as it is, or the absolute name of a file.
      *
-     * @throws IllegalArgumentException if it is neither, with a message for the user
+     * @throws IllegalArgumentException if it is neither, with a message that continues "the name ..."
      */
-    String resolve(String name, List<String> builtIn) {
+    private String resolve(String name, List<String> builtIn) {
         if (builtIn.contains(name)) {
             return name;
         }
         if (folder.isEmpty() || name.isBlank()) {
-            throw new IllegalArgumentException(Quoted.of(name) + " is not one of " + String.join(", ", builtIn));
+            throw new IllegalArgumentException("is not one of " + String.join(", ", builtIn));
         }
         Path file = folder.get().file(name).normalize();
         if (!Files.exists(file)) {
-            throw new IllegalArgumentException(Quoted.of(name) + ": there is no file " + file
-                    + "; check the name, or take one of " + String.join(", ", builtIn));
+            throw new IllegalArgumentException("is no file: there is no " + file + "; check the name, or take one of "
+                    + String.join(", ", builtIn));
         }
-        folder.get().requireNoWayOut(name, file);
+        folder.get().requireNoWayOut(file);
         return file.toString();
     }
 }

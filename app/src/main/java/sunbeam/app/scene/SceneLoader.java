@@ -7,7 +7,6 @@ import sunbeam.app.mesh.Mesh;
 import sunbeam.app.mesh.MeshSource;
 import sunbeam.app.mesh.ReadMesh;
 import sunbeam.app.setup.DiffractionSetup;
-import sunbeam.app.setup.Methods;
 import sunbeam.app.setup.PatchOptions;
 import sunbeam.app.texture.BodyTexture;
 import sunbeam.app.texture.BodyTextures;
@@ -31,12 +30,11 @@ public final class SceneLoader {
      * Loads everything.
      *
      * @throws sunbeam.app.mesh.MeshException if the mesh cannot be used
-     * @throws sunbeam.app.input.InputException if the texture cannot be used, or what the scene's file says of patch,
-     *     method or plan; names file, line and key
-     * @throws sunbeam.precompute.patch.PatchException if a patch that is not from the scene's file cannot be used
-     * @throws sunbeam.app.cli.UsageException if a method that is not from the scene's file cannot be used with this patch
-     *     or plan
-     * @throws sunbeam.precompute.setting.SettingException if a plan that is not from the scene's file cannot be made
+     * @throws sunbeam.app.input.InputException if the texture cannot be used
+     * @throws sunbeam.precompute.patch.PatchException if the patch cannot be used
+     * @throws sunbeam.precompute.json.JsonException if its descriptor cannot be used
+     * @throws sunbeam.precompute.setting.SettingException if what was chosen of patch or method cannot be used; names the place
+     *     where it was chosen
      */
     public SceneData load(Scene scene) {
         Mesh mesh = mesh(scene);
@@ -51,8 +49,7 @@ public final class SceneLoader {
         BodyTexture body =
                 before.texture().equals(scene.texture()) ? previous.body() : BodyTextures.load(scene.texture());
         boolean samePatch = before.patch().equals(scene.patch());
-        boolean sameMethod =
-                before.method().equals(scene.method()) && before.plan().equals(scene.plan());
+        boolean sameMethod = before.method().method().equals(scene.method().method());
         if (samePatch && sameMethod) {
             return new SceneData(scene, mesh, previous.patch(), previous.method(), previous.tables(), body);
         }
@@ -66,7 +63,7 @@ public final class SceneLoader {
     }
 
     private Patch patch(Scene scene) {
-        Patch patch = scene.origin().patch(() -> PatchOptions.load(scene.patch()));
+        Patch patch = PatchOptions.load(scene.patch());
         patch.warnings().forEach(line -> warning.accept(patch.name() + ": " + line));
         return patch;
     }
@@ -74,8 +71,9 @@ public final class SceneLoader {
     /** Light and camera may move at any time, so that the plan holds for every pair of directions. */
     private SceneData withTables(Scene scene, Mesh mesh, BodyTexture body, Patch patch) {
         DiffractionSetup setup = new DiffractionSetup(patch, environment, warning);
-        MethodPlan method =
-                scene.origin().plan(() -> Methods.plan(setup, scene.method(), scene.plan(), VisibleRange.all()));
+        MethodPlan method = scene.method()
+                .choices()
+                .located(() -> scene.method().method().plan(setup.surface(), VisibleRange.all()));
         return new SceneData(scene, mesh, patch, method, setup.tables(method, MethodUse.COLOUR), body);
     }
 }

@@ -1,29 +1,39 @@
 package sunbeam.app.scene;
 
+import static sunbeam.app.scene.SceneSettings.BACKGROUND;
+import static sunbeam.app.scene.SceneSettings.EXPOSURE;
+import static sunbeam.app.scene.SceneSettings.FIELD_OF_VIEW;
+import static sunbeam.app.scene.SceneSettings.INTENSITY;
+import static sunbeam.app.scene.SceneSettings.MESH;
+import static sunbeam.app.scene.SceneSettings.ROTATE_PATCH;
+import static sunbeam.app.scene.SceneSettings.TEXTURE;
+import static sunbeam.app.scene.SceneSettings.TITLE;
+
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import jrtr.scene.Camera;
 import org.joml.Quaternionf;
 import org.joml.Quaternionfc;
 import org.joml.Vector3f;
 import sunbeam.app.input.InputException;
-import sunbeam.app.json.JsonFile;
-import sunbeam.app.json.JsonObject;
-import sunbeam.app.json.JsonValue;
 import sunbeam.app.mesh.BuiltInMeshes;
-import sunbeam.app.setup.MethodRequest;
 import sunbeam.app.texture.BodyTextures;
+import sunbeam.precompute.json.JsonException;
+import sunbeam.precompute.json.JsonFile;
+import sunbeam.precompute.json.JsonObject;
+import sunbeam.precompute.json.JsonValue;
+import sunbeam.precompute.method.Methods;
+import sunbeam.precompute.patch.PatchRequest;
+import sunbeam.precompute.patch.PatchSettings;
+import sunbeam.precompute.patch.builtin.BuiltInPatches;
+import sunbeam.precompute.setting.Choices;
 
 /** Reads scene files (docs/scenes.md): strict, with messages that name file, line and key. */
 public final class SceneReader {
-    private static final double LARGEST_EXPOSURE = 1e9;
-    private static final double STANDARD_FIELD_OF_VIEW = Math.toRadians(30);
-
     private final JsonObject root;
     private final SceneFolder folder;
 
@@ -35,18 +45,28 @@ public final class SceneReader {
     /**
      * Reads a file. The files that it names must lie in its folder or below.
      *
-     * @throws InputException when it is missing or not a scene
+     * @throws InputException when it is missing
+     * @throws JsonException when it is not a scene; names file, line and key
+     * @throws sunbeam.precompute.setting.SettingException when a value cannot be used; names these, too
      */
     public static Scene read(Path file) {
-        return new SceneReader(JsonFile.read(file), SceneFolder.of(file)).scene();
+        return new SceneReader(json(file), SceneFolder.of(file)).scene();
+    }
+
+    private static JsonObject json(Path file) {
+        try {
+            return JsonFile.read(file);
+        } catch (IOException failure) {
+            throw InputException.of(file, failure);
+        }
     }
 
     /** Whether a file is written as a scene is; it may still be a broken one. */
     public static boolean isScene(Path file) {
         try {
             return file.toString().toLowerCase(Locale.ROOT).endsWith(".json")
-                    && JsonFile.read(file).has("camera");
-        } catch (InputException notJson) {
+                    && json(file).has("camera");
+        } catch (InputException | JsonException notJson) {
             return false;
         }
     }
@@ -57,47 +77,61 @@ public final class SceneReader {
     }
 
     private Scene scene() {
+        root.required(MESH.fileKey(), "\"snake\"");
+        root.required(TEXTURE.fileKey(), "\"elaphe\"");
+        Choices choices = root.choices(SceneSettings.OF_ROOT);
         Optional<JsonObject> plan = root.findObject("plan");
-        MethodRequest method = SceneMethodReader.read(plan);
+        JsonObject weights = root.object("weights", "{ \"diffraction\": 20, \"texture\": 1 }");
         Scene scene = new Scene(
-                root.text("title").orElse(""),
-                source("mesh", "\"snake\"", BuiltInMeshes.names()),
-                new ScenePatchReader(root, folder).read(),
+                choices.get(TITLE),
+                folder.resolve(choices, MESH, BuiltInMeshes.names()),
+                patch(),
                 view(root.object("camera", "{ \"position\": ... }")),
                 orientation(),
                 light(root.object("light", "{ \"direction\": [0, 0, 1] }")),
-                source("texture", "\"elaphe\"", BodyTextures.names()),
-                method,
-                ScenePlanReader.read(plan, method.kind()),
-                root.parsed("rotatePatch", SceneUnits::angle).orElse(0.0),
-                exposure(),
-                blend(root.object("weights", "{ \"diffraction\": 20, \"texture\": 1 }")),
-                root.parsed("background", SceneColor::parse).orElse(new SceneColor(0)),
-                SceneOrigin.of(root));
+                folder.resolve(choices, TEXTURE, BodyTextures.names()),
+                new SceneMethod(plan.map(keys -> keys.choices(Methods.SETTINGS)).orElse(Choices.none())),
+                choices.get(ROTATE_PATCH),
+                choices.get(EXPOSURE),
+                Blend.of(weights.choices(SceneSettings.WEIGHTS)),
+                choices.get(BACKGROUND));
+        plan.ifPresent(JsonObject::requireNoOthers);
+        weights.requireNoOthers();
         root.requireNoOthers();
         return scene;
     }
 
-    private String source(String key, String example, List<String> builtIn) {
-        return root.parsed(key, root.required(key, example), name -> folder.resolve(name, builtIn));
+    /** A name alone, or an object with a file and its scale. */
+    private PatchRequest patch() {
+        JsonValue value = root.required("patch", "\"elaphe-like\"");
+        Choices choices;
+        if (value instanceof JsonValue.Text name) {
+            choices = Choices.at(root.originAt("patch")).with(PatchSettings.PATCH, name.text());
+        } else {
+            JsonObject keys = root.object("patch", "");
+            keys.required(PatchSettings.PATCH.fileKey(), "\"scan.png\"");
+            choices = keys.choices(PatchSettings.ALL);
+            keys.requireNoOthers();
+        }
+        String source = folder.resolve(choices, PatchSettings.PATCH, BuiltInPatches.names());
+        return new PatchRequest(choices.with(PatchSettings.PATCH, source, choices.origin(PatchSettings.PATCH)));
     }
 
     private static Viewpoint view(JsonObject camera) {
         Vector3f position = place(camera, "position");
         Vector3f lookAt = place(camera, "lookAt");
         Vector3f up = camera.has("up") ? numbers(camera, "up") : new Vector3f(0, 0, 1);
-        double angle = camera.parsed("fieldOfView", SceneUnits::angle).orElse(STANDARD_FIELD_OF_VIEW);
+        double angle = camera.choices(List.of(FIELD_OF_VIEW)).get(FIELD_OF_VIEW);
         Camera placed = camera.checked("position", () -> new Camera(position, lookAt, up));
-        Viewpoint view = camera.checked("fieldOfView", () -> new Viewpoint(placed, angle));
         camera.requireNoOthers();
-        return view;
+        return new Viewpoint(placed, angle);
     }
 
     private static Vector3f place(JsonObject object, String key) {
         List<JsonValue> values = object.sequence(key, object.required(key, "[\"10 cm\", \"-20 cm\", \"15 cm\"]"), 3);
         float[] metres = new float[3];
         for (int i = 0; i < 3; i++) {
-            double coordinate = object.parsed(key, values.get(i), SceneUnits::coordinate);
+            double coordinate = object.quantity(key, values.get(i), SceneUnits::coordinate);
             metres[i] = (float) coordinate;
         }
         return new Vector3f(metres);
@@ -114,7 +148,7 @@ public final class SceneReader {
 
     private static SceneLight light(JsonObject light) {
         Vector3f direction = numbers(light, "direction");
-        double intensity = light.number("intensity", 0, 1e6).orElse(1);
+        double intensity = light.choices(List.of(INTENSITY)).get(INTENSITY);
         SceneLight result = light.checked("direction", () -> new SceneLight(direction, intensity));
         light.requireNoOthers();
         return result;
@@ -135,34 +169,5 @@ public final class SceneReader {
             throw root.complaint("orientation", value, "must be a unit quaternion x, y, z, w, such as [0, 0, 0, 1]");
         }
         return rotation;
-    }
-
-    private OptionalDouble exposure() {
-        JsonValue value = root.find("exposure").orElse(new JsonValue.Text("auto", 0));
-        if (value instanceof JsonValue.Text text) {
-            if (text.text().equals("auto")) {
-                return OptionalDouble.empty();
-            }
-            throw root.complaint("exposure", value, "must be \"auto\" or a number above 0 without quotes");
-        }
-        double factor = root.number("exposure", value, 0, LARGEST_EXPOSURE);
-        if (factor < Double.MIN_NORMAL) {
-            throw root.complaint("exposure", value, "must be above 0");
-        }
-        return OptionalDouble.of(factor);
-    }
-
-    private static Blend blend(JsonObject weights) {
-        Blend blend = new Blend(
-                weight(weights, "diffraction", 1),
-                weight(weights, "texture", 1),
-                weight(weights, "diffuse", 1),
-                weight(weights, "ambient", 0));
-        weights.requireNoOthers();
-        return blend;
-    }
-
-    private static double weight(JsonObject weights, String key, double otherwise) {
-        return weights.number(key, 0, Blend.LARGEST).orElse(otherwise);
     }
 }

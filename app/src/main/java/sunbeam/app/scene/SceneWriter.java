@@ -1,5 +1,14 @@
 package sunbeam.app.scene;
 
+import static sunbeam.app.scene.SceneSettings.BACKGROUND;
+import static sunbeam.app.scene.SceneSettings.EXPOSURE;
+import static sunbeam.app.scene.SceneSettings.FIELD_OF_VIEW;
+import static sunbeam.app.scene.SceneSettings.INTENSITY;
+import static sunbeam.app.scene.SceneSettings.MESH;
+import static sunbeam.app.scene.SceneSettings.ROTATE_PATCH;
+import static sunbeam.app.scene.SceneSettings.TEXTURE;
+import static sunbeam.app.scene.SceneSettings.TITLE;
+
 import com.fasterxml.jackson.core.JsonFactory;
 import com.fasterxml.jackson.core.JsonGenerator;
 import com.fasterxml.jackson.core.util.DefaultPrettyPrinter;
@@ -13,7 +22,10 @@ import org.joml.Vector3fc;
 import sunbeam.app.output.AtomicFile;
 import sunbeam.app.output.OutputException;
 import sunbeam.app.output.Overwrite;
-import sunbeam.precompute.units.Lengths;
+import sunbeam.precompute.json.JsonChoices;
+import sunbeam.precompute.patch.PatchRequest;
+import sunbeam.precompute.patch.PatchSettings;
+import sunbeam.precompute.setting.Choices;
 
 /** Writes scene files that {@link SceneReader} reads. */
 public final class SceneWriter {
@@ -54,11 +66,10 @@ public final class SceneWriter {
 
     private void write(Scene scene) throws IOException {
         json.writeStartObject();
-        if (!scene.title().isEmpty()) {
-            json.writeStringField("title", scene.title());
-        }
-        json.writeStringField("mesh", names.of(scene.mesh()));
-        new ScenePlanWriter(json).patch(scene.patch(), names);
+        Choices title =
+                scene.title().isEmpty() ? Choices.none() : Choices.none().with(TITLE, scene.title());
+        JsonChoices.write(json, title.with(MESH, names.of(scene.mesh())));
+        patch(scene.patch());
         camera(scene.view());
         if (!scene.orientation().equals(new Quaternionf())) {
             json.writeFieldName("orientation");
@@ -74,19 +85,30 @@ public final class SceneWriter {
         }
         json.writeObjectFieldStart("light");
         direction("direction", scene.light().towards());
-        json.writeNumberField("intensity", scene.light().intensity());
+        JsonChoices.write(json, Choices.none().with(INTENSITY, scene.light().intensity()));
         json.writeEndObject();
-        json.writeStringField("texture", names.of(scene.texture()));
-        new ScenePlanWriter(json).plan(scene.method(), scene.plan());
-        json.writeStringField("rotatePatch", SceneUnits.angleText(scene.rotatePatch()));
-        if (scene.exposure().isPresent()) {
-            json.writeNumberField("exposure", scene.exposure().getAsDouble());
+        JsonChoices.write(json, Choices.none().with(TEXTURE, names.of(scene.texture())));
+        object("plan", scene.method().choices());
+        JsonChoices.write(
+                json, Choices.none().with(ROTATE_PATCH, scene.rotatePatch()).with(EXPOSURE, scene.exposure()));
+        object("weights", scene.blend().choices());
+        JsonChoices.write(json, Choices.none().with(BACKGROUND, scene.background()));
+        json.writeEndObject();
+    }
+
+    private void object(String key, Choices choices) throws IOException {
+        json.writeObjectFieldStart(key);
+        JsonChoices.write(json, choices);
+        json.writeEndObject();
+    }
+
+    private void patch(PatchRequest patch) throws IOException {
+        String file = names.of(patch.patch());
+        if (patch.isNameOnly()) {
+            json.writeStringField("patch", file);
         } else {
-            json.writeStringField("exposure", "auto");
+            object("patch", patch.choices().with(PatchSettings.PATCH, file));
         }
-        weights(scene.blend());
-        json.writeStringField("background", scene.background().toString());
-        json.writeEndObject();
     }
 
     private void camera(Viewpoint view) throws IOException {
@@ -94,7 +116,7 @@ public final class SceneWriter {
         place("position", view.camera().centerOfProjection());
         place("lookAt", view.camera().lookAtPoint());
         direction("up", view.camera().up());
-        json.writeStringField("fieldOfView", SceneUnits.angleText(view.verticalFieldOfView()));
+        JsonChoices.write(json, Choices.none().with(FIELD_OF_VIEW, view.verticalFieldOfView()));
         json.writeEndObject();
     }
 
@@ -115,20 +137,5 @@ public final class SceneWriter {
         json.writeNumber(value.y());
         json.writeNumber(value.z());
         json.writeEndArray();
-    }
-
-    private void weights(Blend blend) throws IOException {
-        json.writeObjectFieldStart("weights");
-        json.writeNumberField("diffraction", blend.diffraction());
-        json.writeNumberField("texture", blend.texture());
-        json.writeNumberField("diffuse", blend.diffuse());
-        json.writeNumberField("ambient", blend.ambient());
-        json.writeEndObject();
-    }
-
-    /** For messages of the same form. */
-    static String length(double metres) {
-        String text = Lengths.format(metres);
-        return Lengths.parse(text) == metres ? text : metres + " m";
     }
 }

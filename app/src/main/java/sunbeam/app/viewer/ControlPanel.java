@@ -1,8 +1,21 @@
 package sunbeam.app.viewer;
 
+import static sunbeam.app.scene.SceneSettings.DIFFRACTION;
+import static sunbeam.app.scene.SceneSettings.EXPOSURE;
+import static sunbeam.app.scene.SceneSettings.MESH;
+import static sunbeam.app.scene.SceneSettings.ROTATE_PATCH;
+import static sunbeam.app.scene.SceneSettings.TEXTURE_WEIGHT;
+import static sunbeam.precompute.method.Methods.METHOD;
+import static sunbeam.precompute.patch.PatchSettings.PATCH;
+import static sunbeam.precompute.plan.MethodSettings.AVERAGE;
+import static sunbeam.precompute.plan.MethodSettings.COHERENCE_LENGTH;
+import static sunbeam.precompute.plan.MethodSettings.SPACING;
+import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
+
 import java.awt.GridBagConstraints;
 import java.awt.GridBagLayout;
 import java.awt.Insets;
+import java.util.Arrays;
 import java.util.HashMap;
 import java.util.Locale;
 import java.util.Map;
@@ -18,22 +31,19 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JTextField;
 import sunbeam.app.mesh.BuiltInMeshes;
-import sunbeam.app.scene.Blend;
 import sunbeam.app.scene.Scene;
-import sunbeam.app.setup.MethodRequest;
+import sunbeam.app.scene.SceneMethod;
 import sunbeam.precompute.patch.PatchRequest;
 import sunbeam.precompute.patch.builtin.BuiltInPatches;
 import sunbeam.precompute.plan.Average;
-import sunbeam.precompute.plan.PlanRequest;
-import sunbeam.precompute.plan.Tolerances;
-import sunbeam.precompute.units.Decimals;
-import sunbeam.precompute.units.LengthFormatException;
-import sunbeam.precompute.units.Lengths;
+import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.setting.Setting;
+import sunbeam.precompute.setting.SettingException;
 
 /** The controls beside the picture. They change the scene and follow it. */
 final class ControlPanel extends JPanel {
-    private static final double SHORTEST = 100e-9;
-    private static final double LONGEST = 10e-3;
+    private static final String ENTER = "Enter takes it over.";
+    private static final String STOPS = "A step of 4 doubles it.";
 
     private final transient ViewerModel model;
     private final transient Consumer<String> problem;
@@ -45,7 +55,8 @@ final class ControlPanel extends JPanel {
     private JLabel spacingCaption;
     private final JComboBox<String> tolerance = new JComboBox<>(new String[] {"0.05", "0.01", "0.001", "1e-4"});
     private final JTextField coherence = new JTextField(8);
-    private final JComboBox<String> average = new JComboBox<>(new String[] {"coherent", "ensemble"});
+    private final JComboBox<String> average = new JComboBox<>(
+            Arrays.stream(Average.values()).map(AVERAGE.kind()::format).toArray(String[]::new));
     private final LabelledSlider rotation;
     private final JCheckBox automatic = new JCheckBox("automatic");
     private final LabelledSlider exposure;
@@ -67,9 +78,9 @@ final class ControlPanel extends JPanel {
                 Math::toRadians,
                 Math::toDegrees,
                 value -> format("%.0f°", Math.toDegrees(value)),
-                value -> change(scene -> scene.withRotatePatch(value)));
-        exposure = stops("exposure", -60, 60, value -> change(scene -> scene.withExposure(OptionalDouble.of(value))));
-        diffraction = stops("diffraction", -20, 80, value -> blend(old -> old.withDiffraction(value)));
+                value -> choose(ROTATE_PATCH, value));
+        exposure = stops("exposure", -60, 60, value -> choose(EXPOSURE, OptionalDouble.of(value)));
+        diffraction = stops("diffraction", -20, 80, value -> choose(DIFFRACTION, value));
         texture = new LabelledSlider(
                 "texture",
                 0,
@@ -77,7 +88,7 @@ final class ControlPanel extends JPanel {
                 step -> step / 100,
                 weight -> weight * 100,
                 weight -> format("%.2f", weight),
-                value -> blend(old -> new Blend(old.diffraction(), value, old.diffuse(), old.ambient())));
+                value -> choose(TEXTURE_WEIGHT, value));
         layOut();
         listen();
     }
@@ -96,40 +107,30 @@ final class ControlPanel extends JPanel {
 
     private void layOut() {
         setBorder(BorderFactory.createEmptyBorder(10, 12, 8, 12));
-        add("Mesh", mesh, "The body that carries the nanostructure; no unit");
-        add("Patch", patch, "The nanostructure's height map; no unit. Load others with Ctrl+L or by dropping a file");
-        add(
-                "Method",
-                method,
-                "full: all wavelengths; nmm: one per order; pq: replicas with sharp edges; gem: lines alone. thesis: 37"
-                        + " Taylor terms, 5 nm. No unit; see docs/methods.md");
-        spacingCaption = add(
-                "Lines",
-                spacing,
-                "For gem: distance of the grating's lines, a length such as 1um; Enter takes it over");
-        add(
-                "Tolerance",
-                tolerance,
-                "Relative error of power and colour that the final picture is planned for, no unit");
-        add(
-                "Coherence",
-                coherence,
-                "Coherence length of the light, a length such as 65um (m, mm, um, nm); Enter takes it over");
-        add("Average", average, "One coherence area with its speckle, or the mean over all of them; no unit");
-        add("Rotation", rotation, "Turns the nanostructure in the tangent plane, degrees");
-        add("Exposure", automatic, "Chooses the factor from the picture; no unit");
-        add("", exposure, "Factor of the linear colours, no unit; a step of 4 doubles it");
-        add(
-                "Diffraction",
-                diffraction,
-                "Weight of the diffracted light, a factor without unit; a step of 4 doubles it. For gem about 0.5");
-        add("Texture", texture, "Weight of the body's texture, a factor without unit");
+        add(MESH, mesh, "");
+        add(PATCH, patch, "Load others with Ctrl+L or by dropping a file.");
+        add(METHOD, method, "");
+        spacingCaption = add(SPACING, spacing, ENTER);
+        add(TOLERANCE, tolerance, "");
+        add(COHERENCE_LENGTH, coherence, ENTER);
+        add(AVERAGE, average, "");
+        add(ROTATE_PATCH, rotation, "");
+        add(EXPOSURE, automatic, "Automatic: chosen from the picture.");
+        add("", exposure, ControlOrigin.INSTANCE.tip(EXPOSURE, STOPS));
+        add(DIFFRACTION, diffraction, STOPS + " For gem about 0.5.");
+        add(TEXTURE_WEIGHT, texture, "");
         mesh.setName("mesh");
         patch.setName("patch");
         tolerance.setEditable(true);
+        tolerance.setSelectedItem(TOLERANCE.writtenStandard().orElseThrow());
         coherence.setName("coherence");
         method.setName("method");
         spacing.setName("spacing");
+    }
+
+    /** @param more what there is to say of the control itself */
+    private JLabel add(Setting<?> setting, JComponent control, String more) {
+        return add(ControlOrigin.INSTANCE.name(setting), control, ControlOrigin.INSTANCE.tip(setting, more));
     }
 
     private JLabel add(String caption, JComponent control, String tip) {
@@ -151,20 +152,17 @@ final class ControlPanel extends JPanel {
     }
 
     private void listen() {
-        onChoice(mesh, name -> change(scene -> scene.withMesh(name)));
+        onChoice(mesh, name -> enter(MESH, name));
         onChoice(
                 patch,
                 name -> change(scene -> scene.withPatch(loadedPatches.getOrDefault(name, PatchRequest.of(name)))));
         method.addActionListener(event -> enterMethod());
         spacing.addActionListener(event -> enterMethod());
-        onChoice(
-                average,
-                name -> plan(
-                        old -> PlanChange.average(old, name.equals("coherent") ? Average.COHERENT : Average.ENSEMBLE)));
-        onChoice(tolerance, this::enterTolerance);
-        coherence.addActionListener(event -> enterCoherence());
-        automatic.addActionListener(event -> change(scene ->
-                scene.withExposure(automatic.isSelected() ? OptionalDouble.empty() : OptionalDouble.of(lastExposure))));
+        onChoice(average, name -> enter(AVERAGE, name));
+        onChoice(tolerance, text -> enter(TOLERANCE, text));
+        coherence.addActionListener(event -> enter(COHERENCE_LENGTH, coherence.getText()));
+        automatic.addActionListener(event ->
+                choose(EXPOSURE, automatic.isSelected() ? OptionalDouble.empty() : OptionalDouble.of(lastExposure)));
     }
 
     private void onChoice(JComboBox<String> box, Consumer<String> chosen) {
@@ -175,65 +173,45 @@ final class ControlPanel extends JPanel {
         });
     }
 
-    private void enterTolerance(String text) {
-        try {
-            double value = Double.parseDouble(text.strip());
-            if (value >= Tolerances.FINEST && value <= Tolerances.COARSEST) {
-                plan(old -> PlanChange.tolerance(old, value));
-                return;
-            }
-        } catch (NumberFormatException notANumber) {
-            problem.accept("tolerance '" + text + "' is no number; give 1e-5 to 1");
-            follow();
-            return;
-        }
-        problem.accept("tolerance " + text + " is out of range; give 1e-5 to 1");
-        follow();
-    }
-
-    private void enterCoherence() {
-        length(coherence, "coherence length", SHORTEST, LONGEST)
-                .ifPresentOrElse(metres -> plan(old -> PlanChange.coherenceLength(old, metres)), this::follow);
-    }
-
-    /** The method, and for gem the spacing of its lines. */
+    /** The method, with what other controls say of it. */
     private void enterMethod() {
         MethodChoice choice = (MethodChoice) method.getSelectedItem();
         if (updating || choice == null) {
             return;
         }
-        if (choice.hasSpacing()) {
-            length(spacing, "spacing of the lines", MethodRequest.SMALLEST_SPACING, MethodRequest.LARGEST_SPACING)
-                    .ifPresentOrElse(
-                            metres -> change(scene -> weights.follow(scene, choice.apply(scene, metres))),
-                            this::follow);
-        } else {
-            change(scene -> weights.follow(scene, choice.apply(scene, 0)));
-        }
+        attempt(() -> {
+            Choices entered = choice.hasSpacing() ? parsed(SPACING, spacing.getText()) : Choices.none();
+            // A method without a tolerance leaves the control as it was.
+            Choices all = entered.over(parsed(TOLERANCE, String.valueOf(tolerance.getSelectedItem())));
+            change(scene -> weights.follow(scene, scene.withMethod(choice.inPlaceOf(scene.method(), all))));
+        });
     }
 
-    /** What a text field says, in metres; or nothing, and the problem told. */
-    private OptionalDouble length(JTextField field, String name, double least, double most) {
-        String text = field.getText();
+    /** Takes over what was typed. */
+    private void enter(Setting<?> setting, String text) {
+        attempt(() -> change(parsed(setting, text)));
+    }
+
+    private <T> void choose(Setting<T> setting, T value) {
+        attempt(() -> change(Choices.at(ControlOrigin.INSTANCE).with(setting, value)));
+    }
+
+    private static Choices parsed(Setting<?> setting, String text) {
+        return Choices.at(ControlOrigin.INSTANCE).parsed(setting, text, ControlOrigin.INSTANCE);
+    }
+
+    private void change(Choices choices) {
+        change(scene -> scene.with(choices));
+    }
+
+    /** Changes something; if that cannot be, says so and shows what holds. */
+    private void attempt(Runnable change) {
         try {
-            double metres = Lengths.parse(text);
-            if (metres >= least && metres <= most) {
-                return OptionalDouble.of(metres);
-            }
-            problem.accept("%s %s is out of range; give %s to %s"
-                    .formatted(name, text, Lengths.format(least), Lengths.format(most)));
-        } catch (LengthFormatException notALength) {
-            problem.accept(name + ": " + notALength.getMessage());
+            change.run();
+        } catch (SettingException wrong) {
+            problem.accept(wrong.getMessage());
+            follow();
         }
-        return OptionalDouble.empty();
-    }
-
-    private void plan(Function<PlanRequest, PlanRequest> change) {
-        change(scene -> scene.withPlan(change.apply(scene.plan())));
-    }
-
-    private void blend(Function<Blend, Blend> change) {
-        change(scene -> scene.withBlend(change.apply(scene.blend())));
     }
 
     private void change(Function<Scene, Scene> change) {
@@ -259,17 +237,21 @@ final class ControlPanel extends JPanel {
         loadedPatches.put(scene.patch().patch(), scene.patch());
         MethodChoice choice = MethodChoice.of(scene);
         method.setSelectedItem(choice);
-        scene.method().spacing().ifPresent(metres -> spacing.setText(Lengths.format(metres)));
+        SceneMethod chosen = scene.method();
+        chosen.choices()
+                .find(SPACING)
+                .ifPresent(metres -> spacing.setText(SPACING.kind().format(metres)));
         spacing.setVisible(choice.hasSpacing());
         spacingCaption.setVisible(choice.hasSpacing());
-        tolerance.setSelectedItem(Decimals.format(scene.plan().tolerance()));
+        chosen.choices()
+                .find(TOLERANCE)
+                .ifPresent(error -> tolerance.setSelectedItem(TOLERANCE.kind().format(error)));
         tolerance.setEnabled(choice.hasTolerance());
         average.setEnabled(choice.hasAverages());
         if (!coherence.isFocusOwner()) {
-            coherence.setText(Lengths.format(scene.plan().window().coherenceLength()));
+            coherence.setText(COHERENCE_LENGTH.kind().format(chosen.get(COHERENCE_LENGTH)));
         }
-        average.setSelectedItem(
-                scene.plan().average().orElse(Average.COHERENT).name().toLowerCase(Locale.ROOT));
+        average.setSelectedItem(AVERAGE.kind().format(chosen.get(AVERAGE)));
         rotation.follow(scene.rotatePatch());
         automatic.setSelected(scene.exposure().isEmpty());
         exposure.setEnabled(scene.exposure().isPresent());

@@ -1,8 +1,8 @@
 package sunbeam.app.viewer;
 
 import java.util.OptionalDouble;
-import sunbeam.app.gpu.MethodKind;
 import sunbeam.app.scene.Scene;
+import sunbeam.precompute.method.GemMethod;
 
 /**
  * The weight of diffracted light that goes with a method. The methods of Kirchhoff's integral relate light to a mirror's,
@@ -15,8 +15,8 @@ final class DiffractionWeights {
 
     /** The scene after a change of its method, with the weight that it had when such a method was last chosen. */
     Scene follow(Scene before, Scene after) {
-        boolean was = before.method().kind() == MethodKind.GEM;
-        boolean is = after.method().kind() == MethodKind.GEM;
+        boolean was = before.method().type() == GemMethod.TYPE;
+        boolean is = after.method().type() == GemMethod.TYPE;
         if (is && !was) {
             ofOthers = OptionalDouble.of(before.blend().diffraction());
             return weighted(after, GEM);

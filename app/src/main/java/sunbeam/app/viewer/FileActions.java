@@ -24,7 +24,7 @@ import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneData;
 import sunbeam.app.scene.SceneReader;
 import sunbeam.app.scene.SceneWriter;
-import sunbeam.precompute.patch.PatchException;
+import sunbeam.precompute.setting.SettingException;
 
 /** Loading and saving; files are read and written off the event thread. */
 final class FileActions {
@@ -80,7 +80,7 @@ final class FileActions {
         try {
             PatchScaleDialog.request(window, file)
                     .ifPresent(request -> model.change(scene -> scene.withPatch(request)));
-        } catch (PatchException failure) {
+        } catch (SettingException failure) {
             window.status().message(failure.getMessage());
         }
     }

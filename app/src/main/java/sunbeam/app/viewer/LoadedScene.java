@@ -4,7 +4,7 @@ import sunbeam.app.scene.Blend;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneData;
 import sunbeam.app.scene.SceneLoader;
-import sunbeam.precompute.plan.PlanRequest;
+import sunbeam.app.scene.SceneMethod;
 
 /**
  * A scene with its tables for final pictures and for previews.
@@ -33,9 +33,9 @@ record LoadedScene(SceneData fine, SceneData coarse) {
     }
 
     private static Scene coarse(Scene scene) {
-        PlanRequest plan = PreviewPlan.of(scene.method().kind(), scene.plan());
+        SceneMethod method = PreviewPlan.of(scene.method());
+        double scale = PreviewPlan.radianceScale(scene.method(), method);
         Blend blend = scene.blend();
-        return scene.withPlan(plan)
-                .withBlend(blend.withDiffraction(PreviewPlan.radianceScale(scene.plan(), plan) * blend.diffraction()));
+        return scene.withMethod(method).withBlend(blend.withDiffraction(scale * blend.diffraction()));
     }
 }

@@ -1,85 +1,116 @@
 package sunbeam.app.viewer;
 
-import java.util.Optional;
-import java.util.OptionalDouble;
-import sunbeam.app.gpu.MethodKind;
+import static sunbeam.precompute.method.Methods.METHOD;
+import static sunbeam.precompute.plan.MethodSettings.AVERAGE;
+import static sunbeam.precompute.plan.MethodSettings.COHERENCE_LENGTH;
+import static sunbeam.precompute.plan.MethodSettings.INTERPOLATION;
+import static sunbeam.precompute.plan.MethodSettings.PRESET;
+import static sunbeam.precompute.plan.MethodSettings.REPLICAS;
+import static sunbeam.precompute.plan.MethodSettings.SPACING;
+import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.List;
 import sunbeam.app.scene.Scene;
-import sunbeam.app.setup.MethodRequest;
-import sunbeam.precompute.plan.Average;
-import sunbeam.precompute.plan.PlanRequest;
+import sunbeam.app.scene.SceneMethod;
+import sunbeam.precompute.method.FullMethod;
+import sunbeam.precompute.method.GemMethod;
+import sunbeam.precompute.method.MethodType;
+import sunbeam.precompute.method.NmmMethod;
+import sunbeam.precompute.method.PqMethod;
+import sunbeam.precompute.plan.Preset;
 import sunbeam.precompute.resample.PeriodInterpolation;
+import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.setting.Setting;
 
 /** The methods that the viewer offers. */
 enum MethodChoice {
-    FULL("full", MethodKind.FULL, PlanRequest.Preset.NONE),
-    FULL_THESIS("full, thesis", MethodKind.FULL, PlanRequest.Preset.THESIS),
-    NMM("nmm", MethodKind.NMM, PlanRequest.Preset.NONE),
-    NMM_THESIS("nmm, thesis", MethodKind.NMM, PlanRequest.Preset.THESIS),
-    PQ_SINC("pq, sinc", MethodKind.PQ, PlanRequest.Preset.NONE),
-    PQ_LINEAR("pq, linear", MethodKind.PQ, PlanRequest.Preset.NONE),
-    GEM("gem (comparison)", MethodKind.GEM, PlanRequest.Preset.NONE);
+    FULL("full", of(FullMethod.TYPE)),
+    FULL_THESIS("full, thesis", of(FullMethod.TYPE).with(PRESET, Preset.THESIS)),
+    NMM("nmm", of(NmmMethod.TYPE)),
+    NMM_THESIS("nmm, thesis", of(NmmMethod.TYPE).with(PRESET, Preset.THESIS)),
+    PQ_SINC("pq, sinc", of(PqMethod.TYPE)),
+    PQ_LINEAR("pq, linear", of(PqMethod.TYPE).with(INTERPOLATION, PeriodInterpolation.LINEAR)),
+    GEM("gem (comparison)", of(GemMethod.TYPE));
 
     private final String label;
-    private final MethodKind kind;
-    private final PlanRequest.Preset preset;
 
-    MethodChoice(String label, MethodKind kind, PlanRequest.Preset preset) {
+    @SuppressWarnings("ImmutableEnumChecker") // choices are immutable
+    private final Choices own;
+
+    MethodChoice(String label, Choices own) {
         this.label = label;
-        this.kind = kind;
-        this.preset = preset;
+        this.own = own;
     }
 
-    /** What a scene has; a preset counts only for the methods that are offered with it. */
+    private static Choices of(MethodType type) {
+        return Choices.at(ControlOrigin.INSTANCE).with(METHOD, type);
+    }
+
+    /** What a scene has: the one that agrees with it in most. */
     static MethodChoice of(Scene scene) {
-        boolean thesis = scene.plan().isThesis();
-        return switch (scene.method().kind()) {
-            case NMM -> thesis ? NMM_THESIS : NMM;
-            case PQ -> scene.method().interpolation() == PeriodInterpolation.LINEAR ? PQ_LINEAR : PQ_SINC;
-            case GEM -> GEM;
-            default -> thesis ? FULL_THESIS : FULL;
-        };
+        Choices choices = scene.method().choices();
+        return Arrays.stream(values())
+                .filter(choice -> choices.only(choice.own.chosen()).equals(choice.own))
+                .max(Comparator.comparingInt(choice -> choice.own.chosen().size()))
+                .orElseThrow();
     }
 
     /**
-     * A scene with this method. What only another method has is given up; the average becomes coherent for {@code pq},
-     * which has no other, and the mesh's own again afterwards.
+     * This method in another's place. What only that one has is given up; so is the average for {@code pq}, which has one
+     * only, and a tolerance for the thesis's preset.
      *
-     * @param spacing of the lines in metres, for {@code gem}
+     * @param entered what the window's controls say of settings that the other method may not have
      */
-    Scene apply(Scene scene, double spacing) {
-        PeriodInterpolation interpolation = this == PQ_LINEAR ? PeriodInterpolation.LINEAR : PeriodInterpolation.SINC;
-        MethodRequest plain = MethodRequest.of(kind);
-        MethodRequest method = switch (kind) {
-            case PQ -> new MethodRequest(kind, interpolation, scene.method().replicas(), OptionalDouble.empty());
-            case GEM -> new MethodRequest(kind, interpolation, plain.replicas(), OptionalDouble.of(spacing));
-            default -> plain;
-        };
-        PlanRequest plan = PlanChange.preset(scene.plan(), preset);
-        Optional<Average> average = average(scene);
-        return scene.withMethod(method, average.isEmpty() ? plan : PlanChange.average(plan, average.get()));
+    SceneMethod inPlaceOf(SceneMethod other, Choices entered) {
+        List<Setting<?>> kept = new ArrayList<>(List.of(TOLERANCE, COHERENCE_LENGTH, AVERAGE));
+        if (type().has(REPLICAS)) {
+            kept.add(REPLICAS);
+        }
+        if (type().has(TOLERANCE) && !type().has(AVERAGE)) {
+            kept.remove(AVERAGE);
+        }
+        if (isThesis()) {
+            kept.remove(TOLERANCE);
+        }
+        return new SceneMethod(own.over(other.choices().only(kept)).over(entered.only(needed())));
     }
 
-    private Optional<Average> average(Scene scene) {
-        boolean wasReplicated = scene.method().kind() == MethodKind.PQ;
-        if (kind == MethodKind.PQ) {
-            return Optional.of(Average.COHERENT);
+    /** The settings of which it needs a value from the window's controls. */
+    private List<Setting<?>> needed() {
+        List<Setting<?>> needed = new ArrayList<>();
+        if (hasTolerance()) {
+            needed.add(TOLERANCE);
         }
-        return wasReplicated ? Optional.of(Average.ENSEMBLE) : scene.plan().average();
+        if (hasSpacing()) {
+            needed.add(SPACING);
+        }
+        return needed;
+    }
+
+    private MethodType type() {
+        return own.get(METHOD);
+    }
+
+    private boolean isThesis() {
+        return own.has(PRESET);
     }
 
     /** Whether the tolerance decides anything. */
     boolean hasTolerance() {
-        return preset == PlanRequest.Preset.NONE && kind != MethodKind.GEM;
+        return type().has(TOLERANCE) && !isThesis();
     }
 
     /** Whether there is more than one average. */
     boolean hasAverages() {
-        return kind != MethodKind.PQ && kind != MethodKind.GEM;
+        return type().has(AVERAGE);
     }
 
     /** Whether the spacing of the lines is asked for. */
     boolean hasSpacing() {
-        return kind == MethodKind.GEM;
+        return type().has(SPACING);
     }
 
     @Override

@@ -10,6 +10,9 @@ import javax.swing.JOptionPane;
 import javax.swing.JPanel;
 import javax.swing.JTextField;
 import sunbeam.precompute.patch.PatchRequest;
+import sunbeam.precompute.patch.PatchSettings;
+import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.setting.Setting;
 
 /** From a file to a patch request: a descriptor speaks for itself, an image's scale is asked for. */
 final class PatchScaleDialog {
@@ -19,26 +22,31 @@ final class PatchScaleDialog {
      * Asks where it must.
      *
      * @return nothing if the user thought better of it
-     * @throws sunbeam.precompute.patch.PatchException if an answer is no length
+     * @throws sunbeam.precompute.setting.SettingException if an answer is no such length
      */
     static Optional<PatchRequest> request(Component owner, Path file) {
-        String name = file.toAbsolutePath().toString();
-        if (name.toLowerCase(Locale.ROOT).endsWith(".json")) {
-            return Optional.of(PatchRequest.of(name));
+        Choices named = Choices.at(ControlOrigin.INSTANCE)
+                .with(PatchSettings.PATCH, file.toAbsolutePath().toString());
+        if (file.toString().toLowerCase(Locale.ROOT).endsWith(".json")) {
+            return Optional.of(new PatchRequest(named));
         }
-        JTextField width = new JTextField("65um", 10);
-        JTextField height = new JTextField("375nm", 10);
-        width.setToolTipText("Extent of the image along x, a length such as 65um");
-        height.setToolTipText("Height of the image's full scale, a length such as 375nm");
         JPanel form = new JPanel(new GridLayout(2, 2, 8, 6));
-        form.add(new JLabel("Width"));
-        form.add(width);
-        form.add(new JLabel("Height of full scale"));
-        form.add(height);
+        JTextField width = field(form, PatchSettings.WIDTH, "65um");
+        JTextField maxHeight = field(form, PatchSettings.MAX_HEIGHT, "375nm");
         int answer = JOptionPane.showConfirmDialog(
                 owner, form, "Scale of " + file.getFileName(), JOptionPane.OK_CANCEL_OPTION, JOptionPane.PLAIN_MESSAGE);
         return answer == JOptionPane.OK_OPTION
-                ? Optional.of(PatchRequest.parse(name, width.getText(), null, height.getText(), null, null))
+                ? Optional.of(
+                        new PatchRequest(named.parsed(PatchSettings.WIDTH, width.getText(), ControlOrigin.INSTANCE)
+                                .parsed(PatchSettings.MAX_HEIGHT, maxHeight.getText(), ControlOrigin.INSTANCE)))
                 : Optional.empty();
+    }
+
+    private static JTextField field(JPanel form, Setting<Double> setting, String first) {
+        JTextField field = new JTextField(first, 10);
+        field.setToolTipText(ControlOrigin.INSTANCE.tip(setting, ""));
+        form.add(new JLabel(ControlOrigin.INSTANCE.name(setting)));
+        form.add(field);
+        return field;
     }
 }

@@ -4,7 +4,7 @@ import java.util.function.BooleanSupplier;
 import sunbeam.app.scene.SceneData;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.plan.Average;
-import sunbeam.precompute.plan.PlanRequest;
+import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.reference.ReferenceEvaluator;
 
 /** The spectrum of a picked point, by direct summation: no table and no expansion between it and the heights. */
@@ -22,10 +22,9 @@ final class Spectrum {
      * @return none where nobody waits for it any more
      */
     static double[] of(SceneData data, DirectionPair pair, BooleanSupplier outdated) {
-        PlanRequest plan = data.scene().plan();
-        ReferenceEvaluator reference =
-                new ReferenceEvaluator(data.patch().heights(), plan.window(), plan.windowOrigin());
-        boolean coherent = plan.average().orElse(Average.COHERENT) == Average.COHERENT;
+        GaussianArea area = data.scene().method().area();
+        ReferenceEvaluator reference = new ReferenceEvaluator(data.patch().heights(), area.window(), area.origin());
+        boolean coherent = area.average() == Average.COHERENT;
         double[] powers = new double[COUNT];
         for (int i = 0; i < COUNT; i++) {
             if (outdated.getAsBoolean()) {

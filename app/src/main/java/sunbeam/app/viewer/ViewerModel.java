@@ -172,15 +172,14 @@ final class ViewerModel {
         return one.mesh().equals(other.mesh())
                 && one.patch().equals(other.patch())
                 && one.texture().equals(other.texture())
-                && one.method().equals(other.method())
-                && one.plan().equals(other.plan());
+                && one.method().method().equals(other.method().method());
     }
 
-    /** The one scene's light, camera and weights with the other's mesh, patch, texture, method and plan. */
+    /** The one scene's light, camera and weights with the other's mesh, patch, texture and method. */
     private static Scene withPartsOf(Scene scene, Scene parts) {
         return scene.withMesh(parts.mesh())
                 .withPatch(parts.patch())
                 .withTexture(parts.texture())
-                .withMethod(parts.method(), parts.plan());
+                .withMethod(parts.method());
     }
 }

@@ -14,6 +14,7 @@ import org.junit.jupiter.api.io.TempDir;
 import sunbeam.app.cli.Environment;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.method.FourierTables;
+import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.method.MethodPlan;
 import sunbeam.precompute.method.Surface;
 import sunbeam.precompute.optics.Direction;
@@ -23,8 +24,6 @@ import sunbeam.precompute.patch.HeightMap;
 import sunbeam.precompute.patch.builtin.BuiltInPatches;
 import sunbeam.precompute.plan.MemoryNeed;
 import sunbeam.precompute.plan.Plan;
-import sunbeam.precompute.plan.PlanRequest;
-import sunbeam.precompute.plan.Planner;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.shader.ArrayLayout;
 import sunbeam.precompute.shader.MethodUse;
@@ -151,8 +150,7 @@ class TableStoreTest {
     @Test
     void aFourierTableComesBackUnderTheNameThatTheSurfaceHasNow() {
         Surface surface = surface("old name");
-        Plan plan = new Planner(surface.map(), surface.levels(), surface.cie())
-                .plan(PlanRequest.of(PlanRequest.Preset.THESIS), VisibleRange.of(new Direction(0, 0, 1)));
+        Plan plan = FullMethod.thesis().tablePlan(surface, VisibleRange.of(new Direction(0, 0, 1)));
         FourierTable made = store("old name").table(plan);
 
         FourierTable read = store("new name").table(plan);

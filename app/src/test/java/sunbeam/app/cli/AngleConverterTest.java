@@ -24,7 +24,7 @@ final class AngleConverterTest {
     void anythingElseIsRefusedWithAnExample(String text) {
         assertThatThrownBy(() -> converter.convert(text))
                 .isInstanceOf(TypeConversionException.class)
-                .hasMessageContaining("'" + text + "'")
-                .hasMessageContaining("as in 75");
+                .hasMessageContaining('"' + text + '"')
+                .hasMessageContaining("as in 30deg");
     }
 }

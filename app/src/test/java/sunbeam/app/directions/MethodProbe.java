@@ -15,7 +15,6 @@ import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.picture.LinearPicture;
 import sunbeam.app.setup.DiffractionSetup;
 import sunbeam.app.setup.MethodOptions;
-import sunbeam.app.setup.Methods;
 import sunbeam.app.setup.PatchOptions;
 import sunbeam.precompute.method.MethodPlan;
 import sunbeam.precompute.method.Methods;

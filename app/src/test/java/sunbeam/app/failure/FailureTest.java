@@ -9,7 +9,7 @@ import java.util.List;
 import java.util.concurrent.CompletionException;
 import org.junit.jupiter.api.Test;
 import sunbeam.app.cli.ExitCode;
-import sunbeam.precompute.plan.PlanException;
+import sunbeam.app.cli.UsageException;
 
 final class FailureTest {
 
@@ -22,7 +22,7 @@ final class FailureTest {
                         .stream()
                         .filter(type -> type.isAssignableTo(Throwable.class))
                         .toList();
-        assertThat(exceptions).extracting(JavaClass::getSimpleName).contains("PlanException", "ShaderException");
+        assertThat(exceptions).extracting(JavaClass::getSimpleName).contains("SettingException", "ShaderException");
         for (JavaClass type : exceptions) {
             assertThat(Failure.codeOf(type.reflect())).as(type.getName()).isNotEqualTo(ExitCode.INTERNAL_ERROR);
         }
@@ -30,7 +30,7 @@ final class FailureTest {
 
     @Test
     void aWrappedFailureSpeaksForItself() {
-        Failure failure = Failure.of(new CompletionException(new PlanException("too short; give more")));
+        Failure failure = Failure.of(new CompletionException(new UsageException("too short; give more")));
         assertThat(failure.code()).isEqualTo(ExitCode.USAGE);
         assertThat(failure.message()).isEqualTo("too short; give more");
         assertThat(failure.isBug()).isFalse();

@@ -6,13 +6,13 @@ import jrtr.RenderContext;
 import sunbeam.app.directions.DirectionsRenderer;
 import sunbeam.app.directions.DirectionsRenderer.Query;
 import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.patch.HeightDigest;
 import sunbeam.precompute.patch.HeightLevels;
 import sunbeam.precompute.patch.HeightMap;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.Plan;
-import sunbeam.precompute.plan.PlanRequest;
 import sunbeam.precompute.plan.Planner;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.reference.ReferenceColor;
@@ -29,20 +29,22 @@ final class Comparison {
 
     private final RenderContext context;
     private final HeightMap map;
-    private final PlanRequest request;
+    private final FullMethod full;
     private final CieTable cie = CieTable.load();
     private final ReferenceEvaluator reference;
 
-    Comparison(RenderContext context, HeightMap map, PlanRequest request) {
+    Comparison(RenderContext context, HeightMap map, FullMethod method) {
         this.context = context;
         this.map = map;
-        this.request = request;
-        this.reference = new ReferenceEvaluator(map, request.window(), request.windowOrigin());
+        this.full = method;
+        this.reference = new ReferenceEvaluator(
+                map, method.area().window(), method.area().origin());
     }
 
     Plan plan(List<Query> queries) {
         List<DirectionPair> pairs = queries.stream().map(Query::pair).toList();
-        return new Planner(map, HeightLevels.of(map), cie).plan(request, VisibleRange.of(pairs));
+        return new Planner(map, HeightLevels.of(map), cie)
+                .plan(full.table(), full.neighbourhood(), full.area(), VisibleRange.of(pairs));
     }
 
     /** Coherent power, ensemble power, rho and brdf of each query, from the shaders. */
@@ -91,7 +93,7 @@ final class Comparison {
     Errors colourErrors(List<DirectionPair> pairs) {
         List<float[]> computed = colours(pairs);
         ReferenceColor color =
-                new ReferenceColor(reference, request.window(), cie, ReferenceColor.Quadrature.INTEGRATED);
+                new ReferenceColor(reference, full.area().window(), cie, ReferenceColor.Quadrature.INTEGRATED);
         double[] errors = IntStream.range(0, pairs.size())
                 .parallel()
                 .mapToDouble(i -> relative(computed.get(i), color.xyz(pairs.get(i), ensemble())))
@@ -101,7 +103,7 @@ final class Comparison {
     }
 
     private boolean ensemble() {
-        return request.average().orElse(Average.COHERENT) == Average.ENSEMBLE;
+        return full.area().average() == Average.ENSEMBLE;
     }
 
     private static double relative(float[] computed, double[] exact) {

@@ -4,11 +4,15 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import sunbeam.precompute.expansion.ExpansionKind;
+import sunbeam.precompute.method.FullMethod;
+import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.WindowOrigin;
+import sunbeam.precompute.plan.Accuracy;
 import sunbeam.precompute.plan.Average;
-import sunbeam.precompute.plan.PlanRequest;
+import sunbeam.precompute.plan.GaussianArea;
+import sunbeam.precompute.plan.TableChoices;
 
-/** What tests ask of the planner. */
+/** What tests ask of method {@code full}. */
 final class Requests {
     /** The tolerance that these tests promise. */
     static final double TOLERANCE = 1e-3;
@@ -16,22 +20,16 @@ final class Requests {
     private Requests() {}
 
     /** Planned for a tolerance of 1e-3. */
-    static PlanRequest of(double coherenceLength, Average average) {
+    static FullMethod of(double coherenceLength, Average average) {
         return of(coherenceLength, average, WindowOrigin.CENTRE, Optional.empty());
     }
 
-    static PlanRequest of(
+    static FullMethod of(
             double coherenceLength, Average average, WindowOrigin origin, Optional<ExpansionKind> expansion) {
-        return new PlanRequest(
-                PlanRequest.Preset.NONE,
-                TOLERANCE,
-                expansion,
-                OptionalInt.empty(),
-                OptionalInt.empty(),
+        return new FullMethod(
+                new TableChoices(
+                        new Accuracy.ByTolerance(TOLERANCE), expansion, OptionalInt.empty(), OptionalDouble.empty()),
                 Optional.empty(),
-                OptionalDouble.empty(),
-                Optional.of(origin),
-                OptionalDouble.of(coherenceLength),
-                Optional.of(average));
+                new GaussianArea(CoherenceWindow.ofCoherenceLength(coherenceLength), origin, average));
     }
 }

@@ -7,8 +7,6 @@ import jrtr.scene.Camera;
 import org.joml.Quaternionf;
 import org.joml.Vector3f;
 import sunbeam.app.cli.Environment;
-import sunbeam.app.gpu.MethodKind;
-import sunbeam.app.setup.MethodRequest;
 import sunbeam.precompute.patch.PatchRequest;
 
 /** Scenes of the plane, which fills the picture's middle; its patch is small, so that tables are made in a moment. */
@@ -29,13 +27,11 @@ final class PlaneScenes {
                 new Quaternionf(),
                 new SceneLight(new Vector3f(-0.2f, 0.3f, 0.9f), 1),
                 "none",
-                MethodRequest.of(MethodKind.FULL),
-                ScenePlanReader.standard(),
+                SceneMethod.standard(),
                 0,
                 OptionalDouble.of(1),
                 DIFFRACTION_ONLY,
-                new SceneColor(0x204060),
-                SceneOrigin.NONE);
+                new SceneColor(0x204060));
     }
 
     static SceneData load(Scene scene, Path folder) {

@@ -2,6 +2,9 @@ package sunbeam.app.scene;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static sunbeam.precompute.plan.MethodSettings.AVERAGE;
+import static sunbeam.precompute.plan.MethodSettings.PRESET;
+import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -15,8 +18,11 @@ import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.app.input.InputException;
 import sunbeam.app.output.OutputException;
 import sunbeam.app.output.Overwrite;
+import sunbeam.precompute.json.JsonException;
 import sunbeam.precompute.plan.Average;
-import sunbeam.precompute.plan.PlanRequest;
+import sunbeam.precompute.plan.Preset;
+import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.setting.SettingException;
 
 class SceneFileTest {
     private static final String SCENE = """
@@ -47,7 +53,7 @@ class SceneFileTest {
     private void refused(String text, String... words) throws IOException {
         Path file = write(text);
         assertThatThrownBy(() -> SceneReader.read(file))
-                .isInstanceOf(InputException.class)
+                .isInstanceOfAny(JsonException.class, SettingException.class)
                 .hasMessageStartingWith(file.toString())
                 .hasMessageContainingAll(words)
                 .satisfies(failure -> assertThat(failure.getMessage()).doesNotContain("\n"));
@@ -59,8 +65,8 @@ class SceneFileTest {
         assertThat(scene.view().camera().centerOfProjection().y()).isEqualTo(-0.2f);
         assertThat(scene.light().towards().z()).isEqualTo(1);
         assertThat(scene.rotatePatch()).isEqualTo(Math.toRadians(30));
-        assertThat(scene.plan().tolerance()).isEqualTo(0.01);
-        assertThat(scene.plan().average()).as("a mesh's default").contains(Average.ENSEMBLE);
+        assertThat(scene.method().get(TOLERANCE)).isEqualTo(0.01);
+        assertThat(scene.method().get(AVERAGE)).as("a mesh's default").isEqualTo(Average.ENSEMBLE);
         assertThat(scene.blend().texture()).isEqualTo(1);
     }
 
@@ -81,8 +87,8 @@ class SceneFileTest {
                     "tolerance": 0.01    | "method": "magic"  | line 7  | plan.method   | magic
                     "tolerance": 0.01    | "method": "reference" | line 7 | plan.method | full, nmm, pq or gem
                     "tolerance": 0.01    | "method": "pq", "average": "ensemble" | line 7 | plan.average | pq
-                    "tolerance": 0.01    | "method": "pq", "radius": 2 | line 7 | plan.radius | neighbourhood
-                    "tolerance": 0.01    | "method": "nmm", "replicas": 3 | line 7 | plan.replicas | belongs to method pq
+                    "tolerance": 0.01    | "method": "pq", "radius": 2 | line 7 | plan.radius | 2 belongs to method full or nmm, not pq
+                    "tolerance": 0.01    | "method": "nmm", "replicas": 3 | line 7 | plan.replicas | 3 belongs to method pq
                     "tolerance": 0.01    | "spacing": "1 um"   | line 7  | plan.spacing  | belongs to method gem
                     "tolerance": 0.01    | "method": "gem", "spacing": "1 cm" | line 7 | plan.spacing | out of range
                     "tolerance": 0.01    | "method": "pq", "replicas": 1.5 | line 7 | plan.replicas | whole number
@@ -92,9 +98,9 @@ class SceneFileTest {
                     "elaphe-like"        | {"file": "blaze", "maxHeight": "2 m"} | line 3 | patch.maxHeight | out of range
                     "exposure": 2        | "exposure": "two"  | line 9  | exposure      | auto
                     "exposure": 2        | "exposure": 0      | line 9  | exposure      | above 0
-                    "exposure": 2        | "exposure": -1     | line 9  | exposure      | -1 is out of range; give 0 to 1e9
+                    "exposure": 2        | "exposure": -1     | line 9  | exposure      | -1 is out of range; give auto, or a number above 0 to 1e9
                     "tolerance": 0.01    | "terms": 0         | line 7  | plan.terms    | 0 is out of range; give 1 to 500
-                    "tolerance": 0.01    | "tolerance": 1e-9  | line 7  | plan.tolerance | 1e-9 is out of range; give 1e-5 to 1
+                    "tolerance": 0.01    | "tolerance": 1e-9  | line 7  | plan.tolerance | 1e-9 is finer than float32 can reach, which is 1e-5
                     [0, 0, 2]            | [0, 0, 0]          | line 5  | light.direction | no direction
                     [0, 0, 2]            | [0, 0]             | line 5  | light.direction | 3 values
                     "0 m", "0 m", "0 m"  | "10 cm", "-20 cm", "15 cm" | line 4 | camera.position | differ
@@ -171,10 +177,10 @@ class SceneFileTest {
     @Test
     void thesisScenesAreWrittenWithoutATolerance() throws IOException {
         Scene planned = SceneReader.read(write(SCENE));
-        PlanRequest thesis = PlanRequest.of(PlanRequest.Preset.THESIS);
         Path copy = folder.resolve("copy.json");
-        SceneWriter.write(copy, Overwrite.REFUSE, planned.withPlan(thesis));
-        assertThat(SceneReader.read(copy).plan().isThesis()).isTrue();
+        Choices thesis = Choices.none().with(PRESET, Preset.THESIS);
+        SceneWriter.write(copy, Overwrite.REFUSE, planned.with(thesis));
+        assertThat(SceneReader.read(copy).method().isThesis()).isTrue();
         assertThat(copy).content().doesNotContain("tolerance");
     }
 

@@ -3,31 +3,36 @@ package sunbeam.app.scene;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
+import static sunbeam.precompute.method.Methods.METHOD;
+import static sunbeam.precompute.plan.MethodSettings.AVERAGE;
+import static sunbeam.precompute.plan.MethodSettings.REPLICAS;
+import static sunbeam.precompute.plan.MethodSettings.SPACING;
+import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
 
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Comparator;
-import java.util.Optional;
-import java.util.OptionalDouble;
-import java.util.OptionalInt;
 import java.util.stream.IntStream;
 import jrtr.RenderContext;
 import jrtr.gl.RenderContexts;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import sunbeam.app.cli.UsageException;
-import sunbeam.app.gpu.MethodKind;
-import sunbeam.app.setup.MethodRequest;
 import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.method.FullMethod;
+import sunbeam.precompute.method.GemMethod;
+import sunbeam.precompute.method.MethodType;
+import sunbeam.precompute.method.NmmMethod;
+import sunbeam.precompute.method.PqMethod;
+import sunbeam.precompute.method.ReferenceMethod;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.Gain;
 import sunbeam.precompute.optics.Replicas;
 import sunbeam.precompute.patch.PatchRequest;
 import sunbeam.precompute.plan.Average;
-import sunbeam.precompute.plan.PlanRequest;
 import sunbeam.precompute.reference.ReplicaColor;
 import sunbeam.precompute.reference.ReplicaEvaluator;
-import sunbeam.precompute.resample.PeriodInterpolation;
+import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.setting.SettingException;
 
 /** The other methods on a mesh. */
 @NeedsDisplay
@@ -38,21 +43,16 @@ class SceneMethodsTest {
     @TempDir
     private Path folder;
 
-    private static Scene with(MethodRequest method, Average average) {
-        Scene blaze = PlaneScenes.blaze();
-        PlanRequest old = blaze.plan();
-        PlanRequest plan = new PlanRequest(
-                old.preset(),
-                old.tolerance(),
-                old.expansion(),
-                old.terms(),
-                old.radius(),
-                old.anchor(),
-                old.wavelengthStep(),
-                old.origin(),
-                old.coherenceLength(),
-                Optional.of(average));
-        return blaze.withMethod(method, plan);
+    private static Scene with(MethodType type) {
+        return with(Choices.none().with(METHOD, type));
+    }
+
+    private static Scene with(Choices choices) {
+        return PlaneScenes.blaze().withMethod(new SceneMethod(choices));
+    }
+
+    private static Scene gem(double spacing) {
+        return with(Choices.none().with(METHOD, GemMethod.TYPE).with(SPACING, spacing));
     }
 
     private float[] draw(RenderContext context, Scene scene) {
@@ -72,8 +72,8 @@ class SceneMethodsTest {
     @Test
     void nmmDrawsWhatFullDraws() {
         try (RenderContext context = RenderContexts.offscreen()) {
-            float[] full = draw(context, with(MethodRequest.of(MethodKind.FULL), Average.ENSEMBLE));
-            float[] nmm = draw(context, with(MethodRequest.of(MethodKind.NMM), Average.ENSEMBLE));
+            float[] full = draw(context, with(FullMethod.TYPE));
+            float[] nmm = draw(context, with(NmmMethod.TYPE));
             int[] brightest = Arrays.copyOf(byLuminance(full), 200);
             double[] errors = Arrays.stream(brightest)
                     .mapToDouble(i -> Math.abs(nmm[4 * i + 1] / full[4 * i + 1] - 1))
@@ -89,9 +89,8 @@ class SceneMethodsTest {
     @Test
     void pqHasTheExactColourOfItsReplicas() {
         int replicas = 3;
-        MethodRequest method = new MethodRequest(
-                MethodKind.PQ, PeriodInterpolation.SINC, OptionalInt.of(replicas), OptionalDouble.empty());
-        SceneData data = PlaneScenes.load(with(method, Average.COHERENT), folder);
+        Choices method = Choices.none().with(METHOD, PqMethod.TYPE).with(REPLICAS, replicas);
+        SceneData data = PlaneScenes.load(with(method), folder);
         ReplicaColor reference = new ReplicaColor(
                 new ReplicaEvaluator(data.patch().heights(), new Replicas(replicas, replicas)), CieTable.load());
         try (RenderContext context = RenderContexts.offscreen();
@@ -118,32 +117,34 @@ class SceneMethodsTest {
 
     @Test
     void gemKnowsTheSpacingAndNotTheSurface() {
-        MethodRequest wide = new MethodRequest(
-                MethodKind.GEM, PeriodInterpolation.SINC, OptionalInt.empty(), OptionalDouble.of(2.5e-6));
-        MethodRequest narrow = new MethodRequest(
-                MethodKind.GEM, PeriodInterpolation.SINC, OptionalInt.empty(), OptionalDouble.of(1e-6));
         try (RenderContext context = RenderContexts.offscreen()) {
-            Scene scene = with(wide, Average.ENSEMBLE);
+            Scene scene = gem(2.5e-6);
             float[] blaze = draw(context, scene);
             assertThat(draw(context, scene.withPatch(PatchRequest.of("lamellar"))))
                     .isEqualTo(blaze);
-            assertThat(draw(context, with(narrow, Average.ENSEMBLE))).isNotEqualTo(blaze);
+            assertThat(draw(context, gem(1e-6))).isNotEqualTo(blaze);
         }
     }
 
     @Test
-    void whatAMethodCannotDoIsRefusedWhenTheSceneIsLoaded() {
-        Scene replicated = with(MethodRequest.of(MethodKind.PQ), Average.ENSEMBLE);
-        assertThatThrownBy(() -> PlaneScenes.load(replicated, folder))
-                .isInstanceOf(UsageException.class)
+    void whatAMethodCannotDoIsRefused() {
+        Choices replicated = Choices.none().with(METHOD, PqMethod.TYPE).with(AVERAGE, Average.ENSEMBLE);
+        assertThatThrownBy(() -> with(replicated))
+                .isInstanceOf(SettingException.class)
                 .hasMessageContaining("ensemble");
-        Scene skin = with(MethodRequest.of(MethodKind.GEM), Average.ENSEMBLE).withPatch(PatchRequest.of("elaphe-like"));
-        assertThatThrownBy(() -> PlaneScenes.load(skin, folder))
-                .isInstanceOf(UsageException.class)
-                .hasMessageContaining("--spacing");
-        MethodRequest reference = MethodRequest.of(MethodKind.REFERENCE);
-        assertThatThrownBy(() -> with(reference, Average.ENSEMBLE))
-                .isInstanceOf(IllegalArgumentException.class)
+        Scene skin = with(GemMethod.TYPE).withPatch(PatchRequest.of("elaphe-like"));
+        assertThatThrownBy(() -> PlaneScenes.load(skin, folder)).hasMessageContaining("spacing");
+        assertThatThrownBy(() -> with(ReferenceMethod.TYPE))
+                .isInstanceOf(SettingException.class)
                 .hasMessageContaining("full, nmm, pq or gem");
+    }
+
+    @Test
+    void aMethodWithoutAPlanKeepsWhatAnotherHadForWhenItIsChosenAgain() {
+        Choices coarse = Choices.none().with(TOLERANCE, 0.05).with(AVERAGE, Average.COHERENT);
+        SceneMethod full = new SceneMethod(coarse);
+        SceneMethod gem = full.with(Choices.none().with(METHOD, GemMethod.TYPE).with(SPACING, 1e-6));
+        assertThat(gem.method()).isEqualTo(gem(1e-6).method().method());
+        assertThat(gem.with(Choices.none().with(METHOD, FullMethod.TYPE))).isEqualTo(full);
     }
 }

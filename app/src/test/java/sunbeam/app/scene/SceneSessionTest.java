@@ -70,9 +70,9 @@ class SceneSessionTest {
         ReferenceColor reference = new ReferenceColor(
                 new ReferenceEvaluator(
                         data.patch().heights(),
-                        data.scene().plan().window(),
-                        data.scene().plan().windowOrigin()),
-                data.scene().plan().window(),
+                        data.scene().method().area().window(),
+                        data.scene().method().area().origin()),
+                data.scene().method().area().window(),
                 CieTable.load());
         int[] byLuminance = IntStream.range(0, WIDTH * HEIGHT)
                 .boxed()

@@ -1,6 +1,7 @@
 package sunbeam.app.viewer;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static sunbeam.precompute.plan.MethodSettings.COHERENCE_LENGTH;
 
 import java.nio.file.Path;
 import java.util.Map;
@@ -35,8 +36,8 @@ class PreviewBrightnessTest {
         Scene scene = scales.withBlend(new Blend(scales.blend().diffraction(), 0, 0, 0));
         LoadedScene loaded =
                 LoadedScene.load(new SceneLoader(new Environment(Map.of(), folder), line -> {}), scene, null);
-        assertThat(loaded.coarse().scene().plan().window().coherenceLength())
-                .isLessThan(scene.plan().window().coherenceLength());
+        assertThat(loaded.coarse().scene().method().get(COHERENCE_LENGTH))
+                .isLessThan(scene.method().get(COHERENCE_LENGTH));
         try (RenderContext context = RenderContexts.offscreen()) {
             double[] fine = mean(context, loaded.fine());
             double[] coarse = mean(context, loaded.coarse());

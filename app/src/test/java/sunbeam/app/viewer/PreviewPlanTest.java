@@ -1,42 +1,53 @@
 package sunbeam.app.viewer;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static sunbeam.precompute.method.Methods.METHOD;
+import static sunbeam.precompute.plan.MethodSettings.COHERENCE_LENGTH;
+import static sunbeam.precompute.plan.MethodSettings.PRESET;
+import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
 
 import org.junit.jupiter.api.Test;
-import sunbeam.app.gpu.MethodKind;
-import sunbeam.precompute.plan.PlanRequest;
-import sunbeam.precompute.plan.PlanRequest.Preset;
+import sunbeam.app.scene.SceneMethod;
+import sunbeam.precompute.method.FullMethod;
+import sunbeam.precompute.method.MethodType;
+import sunbeam.precompute.method.NmmMethod;
+import sunbeam.precompute.method.PqMethod;
+import sunbeam.precompute.plan.Preset;
+import sunbeam.precompute.setting.Choices;
 
 class PreviewPlanTest {
+    private static SceneMethod method(MethodType type, Preset preset) {
+        return new SceneMethod(Choices.none().with(METHOD, type).with(PRESET, preset));
+    }
+
     @Test
     void nmmKeepsTheThesissPresetWhichWeighsNoOrders() {
-        assertThat(PreviewPlan.of(MethodKind.NMM, PlanRequest.of(Preset.THESIS)).isThesis())
+        assertThat(PreviewPlan.of(method(NmmMethod.TYPE, Preset.THESIS)).isThesis())
                 .isTrue();
-        assertThat(PreviewPlan.of(MethodKind.NMM, PlanRequest.of(Preset.NONE)).isThesis())
+        assertThat(PreviewPlan.of(method(NmmMethod.TYPE, Preset.NONE)).isThesis())
                 .isFalse();
     }
 
     @Test
     void fullIsPlannedCoarselyAtTheSamePlace() {
-        PlanRequest thesis = PlanRequest.of(Preset.THESIS);
-        PlanRequest preview = PreviewPlan.of(MethodKind.FULL, thesis);
+        SceneMethod thesis = method(FullMethod.TYPE, Preset.THESIS);
+        SceneMethod preview = PreviewPlan.of(thesis);
         assertThat(preview.isThesis()).isFalse();
-        assertThat(preview.tolerance()).isGreaterThan(thesis.tolerance());
-        assertThat(preview.windowOrigin()).isEqualTo(thesis.windowOrigin());
+        assertThat(preview.get(TOLERANCE)).isGreaterThan(thesis.get(TOLERANCE));
+        assertThat(preview.area().origin()).isEqualTo(thesis.area().origin());
     }
 
     @Test
     void halfTheCoherenceLengthIsTakenWhileItsBlurStaysSmall() {
-        PlanRequest sunlight = PlanRequest.of(Preset.NONE);
-        PlanRequest preview = PreviewPlan.of(MethodKind.FULL, sunlight);
-        assertThat(preview.window().coherenceLength())
-                .isEqualTo(sunlight.window().coherenceLength() / 2);
+        SceneMethod sunlight = method(FullMethod.TYPE, Preset.NONE);
+        SceneMethod preview = PreviewPlan.of(sunlight);
+        assertThat(preview.get(COHERENCE_LENGTH)).isEqualTo(sunlight.get(COHERENCE_LENGTH) / 2);
         assertThat(PreviewPlan.radianceScale(sunlight, preview)).isEqualTo(0.25);
 
-        PlanRequest blurred = PlanChange.coherenceLength(sunlight, 12e-6);
-        assertThat(PreviewPlan.of(MethodKind.FULL, blurred).window().coherenceLength())
-                .isEqualTo(12e-6);
-        PlanRequest replicated = PreviewPlan.of(MethodKind.PQ, sunlight);
-        assertThat(PreviewPlan.radianceScale(sunlight, replicated)).isEqualTo(1);
+        SceneMethod blurred = sunlight.with(COHERENCE_LENGTH, 12e-6);
+        assertThat(PreviewPlan.of(blurred).get(COHERENCE_LENGTH)).isEqualTo(12e-6);
+        SceneMethod replicated = method(PqMethod.TYPE, Preset.NONE);
+        assertThat(PreviewPlan.radianceScale(replicated, PreviewPlan.of(replicated)))
+                .isEqualTo(1);
     }
 }

@@ -10,6 +10,7 @@ import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.BooleanSupplier;
 import jrtr.ContextInfo;
 import jrtr.GraphicsException;
 import org.junit.jupiter.api.AfterEach;
@@ -42,9 +43,9 @@ class RenderLoopTest {
     /** Fails where it is told to, as a full heap or a full graphics card does. */
     private final class FailingStage extends GraphicsStage {
         @Override
-        MapStage map() {
+        BufferedImage map(Direction light, int size, BooleanSupplier interrupted) {
             fail(mapFailure.getAndSet(null));
-            return super.map();
+            return super.map(light, size, interrupted);
         }
 
         @Override

@@ -16,6 +16,8 @@ import sunbeam.app.Main;
 import sunbeam.app.output.Overwrite;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneWriter;
+import sunbeam.precompute.plan.MethodSettings;
+import sunbeam.precompute.setting.Choices;
 
 /** Windows that are closed while there is still something to do. */
 final class ViewerEndWindowTest extends ViewerInAWindow {
@@ -106,7 +108,7 @@ final class ViewerEndWindowTest extends ViewerInAWindow {
     }
 
     private static Scene costly(Scene scene) {
-        return scene.withPlan(PlanChange.tolerance(scene.plan(), 1e-4));
+        return scene.with(Choices.none().with(MethodSettings.TOLERANCE, 1e-4));
     }
 
     private void closeWindow() throws Exception {

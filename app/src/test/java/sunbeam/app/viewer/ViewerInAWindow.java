@@ -44,6 +44,8 @@ import sunbeam.app.scene.SceneWriter;
 import sunbeam.app.scene.Scenes;
 import sunbeam.app.scene.Viewpoint;
 import sunbeam.precompute.patch.PatchRequest;
+import sunbeam.precompute.plan.MethodSettings;
+import sunbeam.precompute.setting.Choices;
 
 /** A viewer in a real window, and a robot's hands. A failure on any thread, such as the event thread, fails the test. */
 @Timeout(300)
@@ -90,7 +92,7 @@ abstract class ViewerInAWindow {
         return elaphe.withMesh("cylinder")
                 .withView(new Viewpoint(camera, Math.toRadians(30)))
                 .withPatch(PatchRequest.of("blaze"))
-                .withPlan(PlanChange.coherenceLength(PlanChange.tolerance(elaphe.plan(), 0.05), 15e-6))
+                .with(Choices.none().with(MethodSettings.TOLERANCE, 0.05).with(MethodSettings.COHERENCE_LENGTH, 15e-6))
                 .withTexture("none")
                 .withBlend(new Blend(100, 0.5, 0.2, 0.1))
                 .withLight(new SceneLight(new Vector3f(0.3f, -0.6f, -0.42f), 1));

@@ -19,6 +19,7 @@ import javax.swing.JTextField;
 import org.joml.Vector3f;
 import org.junit.jupiter.api.Test;
 import sunbeam.app.scene.Scene;
+import sunbeam.precompute.plan.MethodSettings;
 
 /** What the keys do, pressed by a robot in a real window. */
 final class ViewerKeysWindowTest extends ViewerInAWindow {
@@ -214,7 +215,7 @@ final class ViewerKeysWindowTest extends ViewerInAWindow {
         assertThat(isMapShown()).as("M was meant for the field").isFalse();
         robot.keyPress(KeyEvent.VK_ENTER);
         robot.keyRelease(KeyEvent.VK_ENTER);
-        awaitScene(scene -> scene.plan().coherenceLength().orElse(0) == 50e-6);
+        awaitScene(scene -> scene.method().get(MethodSettings.COHERENCE_LENGTH) == 50e-6);
     }
 
     @Test

@@ -111,7 +111,7 @@ final class ViewerLifeWindowTest extends ViewerInAWindow {
             spacing.postActionEvent();
             return null;
         });
-        assertThat(onEvents(() -> viewer.window().status().text())).contains("spacing of the lines", "parsec");
+        assertThat(onEvents(() -> viewer.window().status().text())).contains("Lines \"2 parsec\" has the unknown unit");
     }
 
     @Test

@@ -21,7 +21,9 @@ import sunbeam.app.cli.Environment;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneLight;
 import sunbeam.app.scene.SceneLoader;
+import sunbeam.app.scene.SceneMethod;
 import sunbeam.precompute.patch.PatchRequest;
+import sunbeam.precompute.plan.MethodSettings;
 
 /** Loads that overtake each other; no window. */
 @Timeout(60)
@@ -204,7 +206,8 @@ class ViewerModelTest {
         onEvents(() -> {
             // Its samples are 65 um / 1024 apart; a Gaussian of 150 nm has fewer than three of them.
             model.change(scene -> scene.withPatch(PatchRequest.of("elaphe-like"))
-                    .withPlan(PlanChange.coherenceLength(scene.plan(), 150e-9)));
+                    .withMethod(
+                            new SceneMethod(scene.method().choices().with(MethodSettings.COHERENCE_LENGTH, 150e-9))));
             return null;
         });
         awaitLoads();

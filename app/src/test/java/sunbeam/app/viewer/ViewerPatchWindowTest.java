@@ -19,6 +19,7 @@ import sunbeam.app.output.Overwrite;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneLight;
 import sunbeam.app.scene.SceneWriter;
+import sunbeam.precompute.patch.PatchSettings;
 
 /** Patches that are dropped on the window or chosen, good ones and bad ones. */
 final class ViewerPatchWindowTest extends ViewerInAWindow {
@@ -116,7 +117,7 @@ final class ViewerPatchWindowTest extends ViewerInAWindow {
                         .fine()
                         .scene()
                         .patch()
-                        .width()))
+                        .find(PatchSettings.WIDTH)))
                 .hasValue(2e-6);
     }
 

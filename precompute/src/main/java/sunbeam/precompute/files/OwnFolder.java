@@ -3,7 +3,6 @@ package sunbeam.precompute.files;
 import java.io.IOException;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
-import sunbeam.precompute.text.Quoted;
 
 /**
  * The files that a file may name which may have come from anywhere: those in its own folder and below.
@@ -16,7 +15,7 @@ public record OwnFolder(Path owner, String kind) {
     /**
      * The file of a name, which need not exist.
      *
-     * @throws IllegalArgumentException if the name is none or leads out of the folder, with a message for the user
+     * @throws IllegalArgumentException if the name is none or leads out of the folder, with a message that continues "the name ..."
      */
     public Path file(String name) {
         Path relative = parsed(name);
@@ -25,8 +24,8 @@ public record OwnFolder(Path owner, String kind) {
             leaves |= part.toString().equals("..");
         }
         if (leaves) {
-            throw new IllegalArgumentException(Quoted.of(name) + " leads out of the " + kind
-                    + "'s own folder; name a file in it, without .. or leading /");
+            throw new IllegalArgumentException(
+                    "leads out of the " + kind + "'s own folder; name a file in it, without .. or leading /");
         }
         return owner.resolveSibling(relative);
     }
@@ -34,19 +33,18 @@ public record OwnFolder(Path owner, String kind) {
     /**
      * Follows all links of a file that exists.
      *
-     * @param name as it was given
-     * @throws IllegalArgumentException if they lead out of the folder or cannot be followed, with a message for the user
+     * @throws IllegalArgumentException if they lead out of the folder or cannot be followed, with a message that continues "the name ..."
      */
-    public void requireNoWayOut(String name, Path file) {
+    public void requireNoWayOut(Path file) {
         try {
             Path folder = owner.toAbsolutePath().getParent().toRealPath();
             if (!file.toRealPath().startsWith(folder)) {
-                throw new IllegalArgumentException(Quoted.of(name) + " is a link that leads out of the " + kind
-                        + "'s folder; copy the file there");
+                throw new IllegalArgumentException(
+                        "is a link that leads out of the " + kind + "'s folder; copy the file there");
             }
         } catch (IOException failure) {
             throw new IllegalArgumentException(
-                    Quoted.of(name) + " cannot be followed (" + failure.getMessage() + "); check the file", failure);
+                    "cannot be followed (" + failure.getMessage() + "); check the file", failure);
         }
     }
 
@@ -54,8 +52,7 @@ public record OwnFolder(Path owner, String kind) {
         try {
             return Path.of(name);
         } catch (InvalidPathException broken) {
-            throw new IllegalArgumentException(
-                    Quoted.of(name) + " is no file name (" + broken.getReason() + "); mend it", broken);
+            throw new IllegalArgumentException("is no file name (" + broken.getReason() + "); mend it", broken);
         }
     }
 }

@@ -3,6 +3,7 @@ package sunbeam.precompute.patch;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Optional;
+import sunbeam.precompute.setting.SettingException;
 
 /** Picks the channel that holds the heights and reads it; what is transparent counts as missing. */
 final class ChannelReader {
@@ -17,13 +18,16 @@ final class ChannelReader {
     /**
      * The channel to read: the wanted one, else grey of a grey image and red of an RGB image with equal channels.
      *
-     * @throws PatchException when the image lacks the channel, or when RGB differs and none is chosen
+     * @throws PatchException when the image lacks the channel
+     * @throws SettingException when RGB differs and none is chosen
      */
     Channel choose(Optional<Channel> wanted) {
         if (wanted.isEmpty() || wanted.get() == Channel.GREY) {
             if (bands.isColour() && !coloursAreEqual()) {
-                throw new PatchException(file + " is coloured: red, green and blue differ; say which of them holds the"
-                        + " heights with the channel red, green or blue (--channel, or \"channel\" in a descriptor)");
+                throw new SettingException(
+                        PatchSettings.CHANNEL,
+                        (wanted.isEmpty() ? "is missing: " : "is not enough: ") + file
+                                + " is coloured, its red, green and blue differ; say which of them holds the heights");
             }
             return bands.isColour() ? Channel.RED : Channel.GREY;
         }

@@ -11,6 +11,7 @@ import javax.imageio.ImageIO;
 import javax.imageio.ImageReader;
 import javax.imageio.ImageTypeSpecifier;
 import javax.imageio.stream.FileImageInputStream;
+import sunbeam.precompute.setting.SettingException;
 
 /**
  * Reads heights from PNG, TIFF (the first image of the file) and BMP with 8 or 16 bits per sample, TIFF also with float
@@ -28,6 +29,7 @@ final class HeightImageReader {
      *
      * @param wanted the channel that holds them, where the user says so
      * @throws PatchException when the file is missing, no such image, damaged, too large or lacks the channel
+     * @throws SettingException when the channel must be chosen
      */
     static HeightImage read(Path file, Optional<Channel> wanted) {
         InputFiles.requireReadable(file);
@@ -38,7 +40,7 @@ final class HeightImageReader {
             Channel channel = reader.choose(wanted);
             String description = bands.description() + " " + format + ", " + channel.label() + " channel";
             return new HeightImage(bands.columns(), bands.rows(), bands.format(), description, reader.read(channel));
-        } catch (PatchException e) {
+        } catch (PatchException | SettingException e) {
             throw e;
         } catch (IOException | RuntimeException e) {
             // Image decoders answer damaged files with exceptions of many kinds, unchecked ones among them.

@@ -5,7 +5,6 @@ import org.apache.commons.math3.linear.Array2DRowRealMatrix;
 import org.apache.commons.math3.linear.ArrayRealVector;
 import org.apache.commons.math3.linear.RealVector;
 import org.apache.commons.math3.linear.SingularValueDecomposition;
-import sunbeam.precompute.text.Quoted;
 
 /**
  * What is subtracted from measured heights before anything else: a scan sits micrometres, at times millimetres, above
@@ -18,21 +17,6 @@ public enum Levelling {
     MEAN,
     /** The least-squares plane a + b x + c y is subtracted. */
     PLANE;
-
-    /**
-     * The levelling of that name, in any case.
-     *
-     * @throws IllegalArgumentException when there is none, with a message that shows the text and the names
-     */
-    public static Levelling parse(String text) {
-        return switch (text.strip().toLowerCase(Locale.ROOT)) {
-            case "none" -> NONE;
-            case "mean" -> MEAN;
-            case "plane" -> PLANE;
-            default ->
-                throw new IllegalArgumentException(Quoted.of(text) + " is no levelling; use none, mean or plane");
-        };
-    }
 
     /** The name as a user writes it. */
     public String label() {

@@ -1,7 +1,7 @@
 package sunbeam.precompute.patch;
 
 import java.nio.file.Path;
-import java.util.Optional;
+import sunbeam.precompute.setting.Choices;
 
 /**
  * A patch described by a JSON file beside its image:
@@ -22,15 +22,7 @@ import java.util.Optional;
  *
  * @param file the descriptor itself
  * @param heights the image, resolved against the descriptor's folder and inside it
- * @param scale width, extent along y and height of full scale
- * @param channel the channel that holds the heights, where the descriptor says so
- * @param levelling what to subtract, where the descriptor says so
+ * @param choices of {@link PatchSettings#OF_FILES}; width and maxHeight are there
  * @param note remark for people, empty without one
  */
-record PatchDescriptor(
-        Path file,
-        Path heights,
-        PatchScale scale,
-        Optional<Channel> channel,
-        Optional<Levelling> levelling,
-        String note) {}
+record PatchDescriptor(Path file, Path heights, Choices choices, String note) {}

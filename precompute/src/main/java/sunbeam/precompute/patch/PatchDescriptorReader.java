@@ -1,38 +1,45 @@
 package sunbeam.precompute.patch;
 
+import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.List;
-import java.util.Optional;
 import sunbeam.precompute.files.OwnFolder;
+import sunbeam.precompute.json.JsonFile;
+import sunbeam.precompute.json.JsonObject;
+import sunbeam.precompute.json.JsonValue;
+import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.text.Quoted;
 
 /** Reads {@link PatchDescriptor}s. A descriptor may come from anywhere, so it reaches no file outside its folder. */
 final class PatchDescriptorReader {
-    private static final List<String> KEYS =
-            List.of("heights", "width", "height", "maxHeight", "channel", "levelling", "note");
-
     private PatchDescriptorReader() {}
 
-    /** @throws PatchException when the descriptor cannot be read, in one line that names the file and the key */
+    /**
+     * Reads a descriptor.
+     *
+     * @throws PatchException when the descriptor cannot be read or its image is not there
+     * @throws sunbeam.precompute.json.JsonException when it is not such a file; names file, line and key
+     * @throws sunbeam.precompute.setting.SettingException when one of its values cannot be used; names these, too
+     */
     static PatchDescriptor read(Path file) {
-        DescriptorKeys keys = DescriptorKeys.read(file);
-        keys.requireOnly(KEYS);
-        String heights = keys.required("heights", "scan.png");
-        NamedLength width = length(keys, "width", keys.required("width", "65 um"));
-        NamedLength maxHeight = length(keys, "maxHeight", keys.required("maxHeight", "375 nm"));
-        Optional<NamedLength> extent = keys.optional("height").map(text -> length(keys, "height", text));
-        return new PatchDescriptor(
-                file,
-                imageInside(file, keys.name("heights"), heights),
-                new PatchScale(width, extent, maxHeight),
-                keys.optional("channel", Channel::parse),
-                keys.optional("levelling", Levelling::parse),
-                keys.optional("note").orElse(""));
+        InputFiles.requireReadable(file);
+        JsonObject keys = json(file);
+        keys.required(PatchSettings.WIDTH.fileKey(), "\"65 um\"");
+        keys.required(PatchSettings.MAX_HEIGHT.fileKey(), "\"375 nm\"");
+        JsonValue heights = keys.required("heights", "\"scan.png\"");
+        Path image = imageInside(file, keys.name("heights"), keys.text("heights", heights));
+        String note = keys.find("note").map(value -> keys.text("note", value)).orElse("");
+        Choices choices = keys.choices(PatchSettings.OF_FILES);
+        keys.requireNoOthers();
+        return new PatchDescriptor(file, image, choices, note);
     }
 
-    private static NamedLength length(DescriptorKeys keys, String key, String text) {
-        return NamedLength.parse(keys.name(key), text);
+    private static JsonObject json(Path file) {
+        try {
+            return JsonFile.read(file);
+        } catch (IOException failure) {
+            throw new PatchException(file + " cannot be read (" + failure.getMessage() + "); check the file", failure);
+        }
     }
 
     /** The image that the descriptor names, which after following all links must lie in the descriptor's folder. */
@@ -47,10 +54,10 @@ final class PatchDescriptorReader {
                 throw new PatchException(
                         "%s is %s, but there is no file %s; check the name".formatted(name, Quoted.of(heights), image));
             }
-            folder.requireNoWayOut(heights, image);
+            folder.requireNoWayOut(image);
             return image;
         } catch (IllegalArgumentException wrong) {
-            throw new PatchException(name + ": " + wrong.getMessage(), wrong);
+            throw new PatchException(name + " " + Quoted.of(heights) + " " + wrong.getMessage(), wrong);
         }
     }
 }

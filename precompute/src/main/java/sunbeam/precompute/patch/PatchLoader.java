@@ -1,5 +1,11 @@
 package sunbeam.precompute.patch;
 
+import static sunbeam.precompute.patch.PatchSettings.CHANNEL;
+import static sunbeam.precompute.patch.PatchSettings.LEVEL;
+import static sunbeam.precompute.patch.PatchSettings.MAX_HEIGHT;
+import static sunbeam.precompute.patch.PatchSettings.PATCH;
+import static sunbeam.precompute.patch.PatchSettings.WIDTH;
+
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
@@ -8,7 +14,9 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Function;
-import sunbeam.precompute.text.Quoted;
+import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.setting.Setting;
+import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.units.Lengths;
 
 /**
@@ -31,12 +39,18 @@ public final class PatchLoader {
     /**
      * Loads, levels and completes a patch.
      *
-     * @throws PatchException when there is no such patch, it cannot be used, or options contradict it
+     * @throws PatchException when there is no such patch, or its file cannot be used
+     * @throws sunbeam.precompute.json.JsonException when its descriptor is none
+     * @throws SettingException when what was chosen contradicts it, or is absurd
      */
     public Patch load(PatchRequest request) {
+        return request.located(() -> loadHere(request));
+    }
+
+    private Patch loadHere(PatchRequest request) {
         String name = request.patch().strip();
         if (name.isEmpty()) {
-            throw new PatchException("--patch is empty; " + choices());
+            throw unusable("is empty; ");
         }
         if (builtIn.contains(name)) {
             return fromBuiltIn(name, generator.apply(name), request);
@@ -44,7 +58,7 @@ public final class PatchLoader {
         Path file = existing(name);
         return name.toLowerCase(Locale.ROOT).endsWith(".json")
                 ? fromDescriptor(PatchDescriptorReader.read(file), request)
-                : fromImage(file, request);
+                : fromScaledImage(file, file, request.choices());
     }
 
     private Path existing(String name) {
@@ -54,84 +68,71 @@ public final class PatchLoader {
                 return file;
             }
         } catch (InvalidPathException e) {
-            throw new PatchException(
-                    "--patch " + Quoted.of(name) + " is no file name (" + e.getReason() + "); " + choices(), e);
+            throw unusable("is no file name (" + e.getReason() + "); ");
         }
-        throw new PatchException("--patch " + Quoted.of(name) + ": no such file; " + choices());
+        throw unusable("is no file that is there; ");
     }
 
-    private String choices() {
+    private SettingException unusable(String problem) {
         String names = builtIn.isEmpty() ? "" : "a built-in patch (" + String.join(", ", builtIn) + "), ";
-        return "give " + names + "a descriptor (.json) or an image with --width and --max-height";
+        return new SettingException(
+                PATCH,
+                problem + "give " + names + "a descriptor (.json) or an image with ",
+                WIDTH,
+                " and ",
+                MAX_HEIGHT);
     }
 
     private static Patch fromBuiltIn(String name, HeightMap map, PatchRequest request) {
         String what = "the built-in patch " + name;
-        request.requireNoScale(what);
-        if (request.channel().isPresent()) {
-            throw new PatchException("--channel contradicts " + what + ", which is no image; leave --channel out");
+        requireNoScale(request, what);
+        if (request.find(CHANNEL).isPresent()) {
+            throw new SettingException(CHANNEL, "contradicts " + what + ", which is no image; leave it out");
         }
         String source = "built-in " + name + ", " + size(map);
-        return finish(name, name, map, request.levelling(), source, List.of());
+        return finish(name, name, map, request.find(LEVEL), source, List.of());
     }
 
     private static Patch fromDescriptor(PatchDescriptor descriptor, PatchRequest request) {
         String what = descriptor.file().toString();
-        request.requireNoScale(what);
-        return fromScaledImage(
-                descriptor.file(),
-                descriptor.heights(),
-                descriptor.scale(),
-                agreed("--channel", request.channel(), descriptor.channel(), what),
-                agreed("--level", request.levelling(), descriptor.levelling(), what));
+        requireNoScale(request, what);
+        Choices described = descriptor.choices();
+        requireAgreed(CHANNEL, request, described, what);
+        requireAgreed(LEVEL, request, described, what);
+        Choices all = described.over(request.choices());
+        return all.located(() -> fromScaledImage(descriptor.file(), descriptor.heights(), all));
     }
 
-    /** The one value that is given, or the same value given twice. */
-    private static <T> Optional<T> agreed(String option, Optional<T> asked, Optional<T> described, String what) {
-        if (asked.isPresent() && described.isPresent() && !asked.equals(described)) {
-            throw new PatchException("%s %s contradicts %s, which says %s; leave %s out or edit the descriptor"
-                    .formatted(option, label(asked.get()), what, label(described.get()), option));
+    private static void requireNoScale(PatchRequest request, String what) {
+        for (Setting<?> setting : PatchSettings.SCALE) {
+            if (request.find(setting).isPresent()) {
+                throw new SettingException(
+                        setting, "contradicts " + what + ", which has its own scale; leave it out, or name an image");
+            }
         }
-        return asked.or(() -> described);
     }
 
-    private static String label(Object value) {
-        return value.toString().toLowerCase(Locale.ROOT);
-    }
-
-    private static Patch fromImage(Path file, PatchRequest request) {
-        InputFiles.requireReadable(file);
-        Optional<NamedLength> width = request.namedWidth();
-        Optional<NamedLength> maxHeight = request.namedMaxHeight();
-        if (width.isEmpty() || maxHeight.isEmpty()) {
-            String missing = width.isPresent()
-                    ? "--max-height 375nm"
-                    : maxHeight.isPresent() ? "--width 65um" : "--width 65um and --max-height 375nm";
-            throw new PatchException("%s is an image without scale; add for example %s, or name a descriptor (.json)"
-                    .formatted(file, missing));
+    private static void requireAgreed(Setting<?> setting, PatchRequest request, Choices described, String what) {
+        boolean both = request.find(setting).isPresent() && described.has(setting);
+        if (both && !request.find(setting).equals(described.find(setting))) {
+            throw new SettingException(
+                    setting,
+                    "contradicts %s, which says %s; leave it out or edit the descriptor"
+                            .formatted(what, described.written(setting)));
         }
-        PatchScale scale = new PatchScale(width.get(), request.namedExtent(), maxHeight.get());
-        return fromScaledImage(file, file, scale, request.channel(), request.levelling());
     }
 
-    private static Patch fromScaledImage(
-            Path file, Path imageFile, PatchScale scale, Optional<Channel> channel, Optional<Levelling> levelling) {
-        HeightImage image = HeightImageReader.read(imageFile, channel);
+    /** @param file that the patch is called by */
+    private static Patch fromScaledImage(Path file, Path imageFile, Choices choices) {
+        InputFiles.requireReadable(imageFile);
+        PatchScale scale = PatchScale.of(choices, imageFile.toString());
+        HeightImage image = HeightImageReader.read(imageFile, choices.find(CHANNEL));
         HeightMap map = scale.apply(image);
         // Pictures are published with it: the file's name, not the folders of its owner.
         String source = "%s (%s), %s, full scale %s"
-                .formatted(
-                        imageFile.getFileName(),
-                        image.description(),
-                        size(map),
-                        Lengths.format(scale.maxHeight().metres()));
-        return finish(
-                InputFiles.stem(file),
-                imageFile.toString(),
-                map,
-                levelling,
-                source,
-                scale.warnings(map, image.format()));
+                .formatted(imageFile.getFileName(), image.description(), size(map), Lengths.format(scale.maxHeight()));
+        List<String> warnings = scale.warnings(map, image.format(), choices.origin(MAX_HEIGHT));
+        return finish(InputFiles.stem(file), imageFile.toString(), map, choices.find(LEVEL), source, warnings);
     }
 
     private static String size(HeightMap map) {

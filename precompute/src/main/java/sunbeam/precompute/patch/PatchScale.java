@@ -3,24 +3,23 @@ package sunbeam.precompute.patch;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.setting.Origin;
+import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.units.Lengths;
 
 /**
- * Turns an image's samples into metres. The limits are wide enough for every surface that the model can say something
- * about, and narrow enough to catch nanometres typed for micrometres.
+ * Turns an image's samples into metres.
  *
  * @param width extent along x of all columns together
  * @param extent extent along y of all rows together; without it pixels are square
  * @param maxHeight height of full scale: of the sample 255 of 8 bits, 65535 of 16 bits, 1.0 of float
  */
-record PatchScale(NamedLength width, Optional<NamedLength> extent, NamedLength maxHeight) {
+record PatchScale(double width, Optional<Double> extent, double maxHeight) {
     /** The longer side must exceed this: no order of visible light leaves a smaller patch. */
     static final double SHORTEST_LONG_SIDE = 100e-9;
-    /** One column or row alone may be this narrow. */
-    static final double SHORTEST_SIDE = 1e-9;
 
     static final double LONGEST_SIDE = 0.1;
-    static final double SMALLEST_MAX_HEIGHT = 1e-12;
     static final double LARGEST_RELIEF = 1e-3;
     /** Relief over the longer side; above, a scan is impossible and the scale is wrong. */
     static final double STEEPEST_RELIEF = 4;
@@ -28,28 +27,47 @@ record PatchScale(NamedLength width, Optional<NamedLength> extent, NamedLength m
     private static final double ODD_ASPECT = 50;
 
     /**
+     * The scale that was chosen for an image.
+     *
+     * @param what the image, for the message
+     * @throws SettingException when width or height of full scale was not chosen
+     */
+    static PatchScale of(Choices choices, String what) {
+        Optional<Double> width = choices.find(PatchSettings.WIDTH);
+        Optional<Double> maxHeight = choices.find(PatchSettings.MAX_HEIGHT);
+        if (width.isEmpty() && maxHeight.isEmpty()) {
+            throw new SettingException(
+                    PatchSettings.WIDTH,
+                    "is missing: " + what + " is an image without scale; add for example ",
+                    PatchSettings.WIDTH,
+                    " 65um and ",
+                    PatchSettings.MAX_HEIGHT,
+                    " 375nm, or name a descriptor (.json)");
+        }
+        if (width.isEmpty() || maxHeight.isEmpty()) {
+            var missing = width.isEmpty() ? PatchSettings.WIDTH : PatchSettings.MAX_HEIGHT;
+            throw new SettingException(
+                    missing,
+                    "is missing: " + what + " is an image without scale; add for example ",
+                    missing,
+                    width.isEmpty() ? " 65um" : " 375nm",
+                    ", or name a descriptor (.json)");
+        }
+        return new PatchScale(width.get(), choices.find(PatchSettings.HEIGHT), maxHeight.get());
+    }
+
+    /**
      * The heights of an image in metres.
      *
      * @param image its samples are overwritten
-     * @throws PatchException when the scale is absurd for this image, naming the quantity at fault
+     * @throws SettingException when the scale is absurd for this image, about the quantity at fault
      */
     HeightMap apply(HeightImage image) {
-        requirePossible(image.format());
-        double pitchX = width.metres() / image.columns();
-        double pitchY = extent.isPresent() ? extent.get().metres() / image.rows() : pitchX;
-        double longSide = Math.max(width.metres(), pitchY * image.rows());
-        if (longSide < SHORTEST_LONG_SIDE) {
-            width.requireBetween(SHORTEST_LONG_SIDE, LONGEST_SIDE);
-        }
-        if (pitchY * image.rows() > LONGEST_SIDE) {
-            throw new PatchException("%s is %s, which makes the patch %s long; the most is %s"
-                    .formatted(
-                            width.name(),
-                            Lengths.format(width.metres()),
-                            Lengths.format(pitchY * image.rows()),
-                            Lengths.format(LONGEST_SIDE)));
-        }
-        double metresPerUnit = maxHeight.metres() / image.format().fullScale();
+        double pitchX = width / image.columns();
+        double pitchY = extent.isPresent() ? extent.get() / image.rows() : pitchX;
+        double longSide = Math.max(width, pitchY * image.rows());
+        requirePossible(image.format(), longSide, pitchY * image.rows());
+        double metresPerUnit = maxHeight / image.format().fullScale();
         double[] heights = image.samples();
         for (int i = 0; i < heights.length; i++) {
             heights[i] *= metresPerUnit;
@@ -59,32 +77,51 @@ record PatchScale(NamedLength width, Optional<NamedLength> extent, NamedLength m
         return map;
     }
 
-    private void requirePossible(SampleFormat format) {
-        width.requireBetween(SHORTEST_SIDE, LONGEST_SIDE);
-        extent.ifPresent(length -> length.requireBetween(SHORTEST_SIDE, LONGEST_SIDE));
-        // Float images may hold plain metres (maxHeight 1 m): only their relief can be judged.
-        double largest = format.integer() ? LARGEST_RELIEF : Double.MAX_VALUE;
-        maxHeight.requireBetween(SMALLEST_MAX_HEIGHT, largest);
+    private void requirePossible(SampleFormat format, double longSide, double sideY) {
+        if (longSide < SHORTEST_LONG_SIDE) {
+            throw new SettingException(
+                    PatchSettings.WIDTH,
+                    "is absurd for a patch, whose longer side is %s or more (is the unit right?)"
+                            .formatted(Lengths.format(SHORTEST_LONG_SIDE)));
+        }
+        if (sideY > LONGEST_SIDE) {
+            throw new SettingException(
+                    PatchSettings.WIDTH,
+                    "makes the patch %s long; the most is %s"
+                            .formatted(Lengths.format(sideY), Lengths.format(LONGEST_SIDE)));
+        }
+        // Float images may hold plain metres (a full scale of 1 m): only their relief can be judged.
+        if (format.integer() && maxHeight > LARGEST_RELIEF) {
+            throw new SettingException(
+                    PatchSettings.MAX_HEIGHT,
+                    "is absurd for the full scale of whole numbers; the most is %s (is the unit right?)"
+                            .formatted(Lengths.format(LARGEST_RELIEF)));
+        }
     }
 
     private void requirePossibleRelief(double relief, double longSide) {
         if (relief > LARGEST_RELIEF || relief > STEEPEST_RELIEF * longSide) {
-            throw new PatchException("%s of %s makes a relief of %s on a patch of %s, which is absurd; check both units"
-                    .formatted(
-                            maxHeight.name(),
-                            Lengths.format(maxHeight.metres()),
-                            Lengths.format(relief),
-                            Lengths.format(longSide)));
+            throw new SettingException(
+                    PatchSettings.MAX_HEIGHT,
+                    "makes a relief of %s on a patch of %s, which is absurd; check both units"
+                            .formatted(Lengths.format(relief), Lengths.format(longSide)));
         }
     }
 
-    /** What is possible but unlikely about heights in this scale. */
-    List<String> warnings(HeightMap map, SampleFormat format) {
+    /**
+     * What is possible but unlikely about heights in this scale.
+     *
+     * @param origin where the height of full scale was chosen
+     */
+    List<String> warnings(HeightMap map, SampleFormat format, Origin origin) {
         List<String> warnings = new ArrayList<>();
         double longSide = Math.max(map.width(), map.height());
         if (map.relief() > longSide) {
             warnings.add("the relief of %s is larger than the patch (%s); is %s right?"
-                    .formatted(Lengths.format(map.relief()), Lengths.format(longSide), maxHeight.name()));
+                    .formatted(
+                            Lengths.format(map.relief()),
+                            Lengths.format(longSide),
+                            origin.name(PatchSettings.MAX_HEIGHT)));
         }
         double aspect = Math.max(map.pitchX() / map.pitchY(), map.pitchY() / map.pitchX());
         if (map.columns() > 1 && map.rows() > 1 && aspect > ODD_ASPECT) {
@@ -92,7 +129,7 @@ record PatchScale(NamedLength width, Optional<NamedLength> extent, NamedLength m
                     .formatted(Lengths.format(map.pitchX()), Lengths.format(map.pitchY())));
         }
         if (format.integer()) {
-            SamplingCheck.heightStep(maxHeight.metres() / format.fullScale()).ifPresent(warnings::add);
+            SamplingCheck.heightStep(maxHeight / format.fullScale()).ifPresent(warnings::add);
         }
         return warnings;
     }

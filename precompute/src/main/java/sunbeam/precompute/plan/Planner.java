@@ -82,11 +82,6 @@ public final class Planner {
         return plan;
     }
 
-    /** As {@link #plan(TableChoices, Optional, GaussianArea, VisibleRange)}. */
-    public Plan plan(PlanRequest request, VisibleRange range) {
-        return plan(request.table(), request.neighbourhood(), request.area(), range);
-    }
-
     private void requireRoom(Plan plan) {
         excess(MemoryNeed.of(plan, map.rows())).ifPresent(excess -> {
             throw SettingException.of(

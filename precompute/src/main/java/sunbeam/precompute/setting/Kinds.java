@@ -2,10 +2,12 @@ package sunbeam.precompute.setting;
 
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.function.Function;
 import java.util.function.UnaryOperator;
 import java.util.stream.Collectors;
 import sunbeam.precompute.text.Quoted;
+import sunbeam.precompute.units.Angles;
 import sunbeam.precompute.units.Decimals;
 import sunbeam.precompute.units.Lengths;
 
@@ -15,7 +17,12 @@ public final class Kinds {
 
     /** A length in metres, written with its unit, from a least to a largest. */
     public static ValueKind<Double> length(double least, double largest) {
-        return bounded("LENGTH", ValueKind.Form.TEXT, least, largest, Lengths::parse, Lengths::format);
+        return bounded("LENGTH", ValueKind.Form.QUANTITY, least, largest, Lengths::parse, Lengths::exact);
+    }
+
+    /** An angle in radians, written with its unit, from a least to a largest; degrees where a place leaves the unit out. */
+    public static ValueKind<Double> angle(double least, double largest) {
+        return bounded("ANGLE", ValueKind.Form.QUANTITY, least, largest, Angles::parse, Angles::format);
     }
 
     /** A number without a unit, from a least to a largest. */
@@ -62,6 +69,35 @@ public final class Kinds {
         return new TextKind<>(placeholder, ValueKind.Form.TEXT, parse, value -> value, name, names);
     }
 
+    /**
+     * The same values, some of which may be written otherwise, too.
+     *
+     * @param spellings in lower case, to what is written usually
+     */
+    public static <T> ValueKind<T> alsoWritten(ValueKind<T> kind, Map<String, String> spellings) {
+        Function<String, T> parse =
+                text -> kind.parse(spellings.getOrDefault(text.strip().toLowerCase(Locale.ROOT), text));
+        return of(kind.placeholder(), kind.form(), parse, kind::check, kind::format, kind.range());
+    }
+
+    /**
+     * Values of any kind.
+     *
+     * @param parse from a text; throws IllegalArgumentException as {@link ValueKind#parse} does
+     * @param check of a value; gives it back, or throws IllegalArgumentException
+     * @param format to a text
+     * @param range what may be written
+     */
+    public static <T> ValueKind<T> of(
+            String placeholder,
+            ValueKind.Form form,
+            Function<String, T> parse,
+            UnaryOperator<T> check,
+            Function<T, String> format,
+            String range) {
+        return new TextKind<>(placeholder, form, parse, check, format, range);
+    }
+
     /** Any text, such as a file's name. */
     public static ValueKind<String> text(String placeholder) {
         return new TextKind<>(placeholder, ValueKind.Form.TEXT, text -> text, text -> text, text -> text, "a text");
@@ -75,7 +111,7 @@ public final class Kinds {
             Function<String, N> parse,
             Function<N, String> format) {
         String range = format.apply(least) + " to " + format.apply(largest);
-        Function<N, N> check = value -> {
+        UnaryOperator<N> check = value -> {
             // NaN compares as larger than all.
             if (value.compareTo(least) < 0 || value.compareTo(largest) > 0) {
                 throw new IllegalArgumentException(format.apply(value) + " is out of range; give " + range);
@@ -101,12 +137,13 @@ public final class Kinds {
             String placeholder,
             Form form,
             Function<String, T> parser,
-            Function<T, T> checker,
+            UnaryOperator<T> checker,
             Function<T, String> formatter,
             String range)
             implements ValueKind<T> {
         private TextKind<T> checkedBefore(UnaryOperator<T> check) {
-            return new TextKind<>(placeholder, form, parser, check.andThen(checker), formatter, range);
+            return new TextKind<>(
+                    placeholder, form, parser, value -> checker.apply(check.apply(value)), formatter, range);
         }
 
         @Override

@@ -7,31 +7,37 @@ import java.util.regex.Pattern;
 /**
  * One thing that a user may choose, declared once.
  *
- * @param key its name in files, such as {@code coherenceLength}; what other places call it derives from that
+ * @param key its name, such as {@code coherenceLength}; what options and controls call it derives from that
+ * @param fileKey its name in files, mostly the same
  * @param kind its values, their unit and limits
  * @param help what it does, in one or two sentences for a manual; the standard value is added to it
  * @param standard what holds where nothing is chosen, where that is always the same
  * @param <T> of a value
  */
-public record Setting<T>(String key, ValueKind<T> kind, Sentence help, Optional<T> standard) {
+public record Setting<T>(String key, String fileKey, ValueKind<T> kind, Sentence help, Optional<T> standard) {
     private static final Pattern KEY = Pattern.compile("[a-z]+([A-Z][a-z]*)*");
     private static final Pattern CAPITAL = Pattern.compile("([A-Z])");
 
     public Setting {
-        if (!KEY.matcher(key).matches()) {
-            throw new IllegalArgumentException("key " + key + " is not written likeThis");
+        if (!KEY.matcher(key).matches() || !KEY.matcher(fileKey).matches()) {
+            throw new IllegalArgumentException("key " + key + " or " + fileKey + " is not written likeThis");
         }
         standard = standard.map(kind::check);
     }
 
-    /** A setting without a standard value. */
+    /** A setting without a standard value, which files call as all others do. */
     public Setting(String key, ValueKind<T> kind, Object... help) {
-        this(key, kind, Sentence.of(help), Optional.empty());
+        this(key, key, kind, Sentence.of(help), Optional.empty());
     }
 
     /** The same with a value that holds where nothing is chosen. */
     public Setting<T> withStandard(T value) {
-        return new Setting<>(key, kind, help, Optional.of(value));
+        return new Setting<>(key, fileKey, kind, help, Optional.of(value));
+    }
+
+    /** The same setting, which files call otherwise. */
+    public Setting<T> inFiles(String name) {
+        return new Setting<>(key, name, kind, help, standard);
     }
 
     /** The standard value as it may be written, where there is one. */

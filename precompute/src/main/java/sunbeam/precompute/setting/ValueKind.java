@@ -8,9 +8,11 @@ package sunbeam.precompute.setting;
 public interface ValueKind<T> {
     /** How a file writes such a value. */
     enum Form {
-        /** A text, with its unit where it has one. */
+        /** A text. */
         TEXT,
-        /** A bare number. */
+        /** A text of a number and its unit. */
+        QUANTITY,
+        /** A bare number; or a text that is none, such as a word in a number's place. */
         NUMBER
     }
 

@@ -18,6 +18,8 @@ public final class Lengths {
     private static final String[] ENGINEERING_UNITS = {"pm", "nm", "um", "mm", "m"};
     /** Digits that a message shows; a height needs no more to be recognised. */
     private static final int SHOWN_DIGITS = 6;
+    /** Digits that tell every double from its neighbours. */
+    private static final int MOST_DIGITS = 17;
 
     /** Three digits of exponent are more than any length needs and keep the decimal arithmetic small. */
     private static final Pattern LENGTH =
@@ -56,10 +58,25 @@ public final class Lengths {
      * {@code "65 um"}, {@code "818.69 nm"}. What {@link #parse} reads again, save NaN and the infinities.
      */
     public static String format(double metres) {
+        return format(metres, SHOWN_DIGITS);
+    }
+
+    /** As {@link #format(double)}, with as many digits as {@link #parse} needs to give the same number back. */
+    public static String exact(double metres) {
+        for (int digits = SHOWN_DIGITS; digits < MOST_DIGITS; digits++) {
+            String text = format(metres, digits);
+            if (!Double.isFinite(metres) || parse(text) == metres) {
+                return text;
+            }
+        }
+        return format(metres, MOST_DIGITS);
+    }
+
+    private static String format(double metres, int digits) {
         if (metres == 0 || !Double.isFinite(metres)) {
             return (metres == 0 ? "0" : Double.toString(metres)) + " m";
         }
-        BigDecimal rounded = new BigDecimal(metres).round(new MathContext(SHOWN_DIGITS, RoundingMode.HALF_EVEN));
+        BigDecimal rounded = new BigDecimal(metres).round(new MathContext(digits, RoundingMode.HALF_EVEN));
         // Digits before the decimal point of the value in metres: 6.5e-5 -> -4, and 65 um has 2 of them in um.
         int magnitude = rounded.precision() - rounded.scale();
         int index = Math.max(0, Math.min(ENGINEERING_UNITS.length - 1, Math.floorDiv(magnitude - 1, 3) + 4));

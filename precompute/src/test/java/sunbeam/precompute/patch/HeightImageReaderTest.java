@@ -15,6 +15,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import sunbeam.precompute.setting.SettingException;
 
 class HeightImageReaderTest {
     @TempDir
@@ -123,9 +124,9 @@ class HeightImageReaderTest {
     @Test
     void asksForTheChannelWhenColoursDiffer() throws IOException {
         assertThatThrownBy(() -> read(TestImages.rgb(2, 2, (c, r, b) -> c == 1 && r == 1 ? b : 7), "colours.png"))
-                .isInstanceOf(PatchException.class)
+                .isInstanceOf(SettingException.class)
                 .hasMessageContaining("colours.png")
-                .hasMessageContaining("--channel");
+                .hasMessageStartingWith("channel is missing");
     }
 
     @ParameterizedTest

@@ -1,7 +1,6 @@
 package sunbeam.precompute.patch;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.Arrays;
 import java.util.Random;
@@ -117,13 +116,5 @@ class LevellingTest {
         HeightMap nothing = map(3, 3, (c, r) -> Double.NaN);
 
         assertThat(levelling.apply(nothing).toArray()).containsOnly(Double.NaN);
-    }
-
-    @Test
-    void isNamedInAnyCase() {
-        assertThat(Levelling.parse("Plane")).isEqualTo(Levelling.PLANE);
-        assertThatThrownBy(() -> Levelling.parse("flat"))
-                .hasMessageContaining("\"flat\"")
-                .hasMessageContaining("none, mean or plane");
     }
 }

@@ -12,6 +12,8 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import sunbeam.precompute.json.JsonException;
+import sunbeam.precompute.setting.SettingException;
 
 class PatchDescriptorTest {
     private static final String SCALE = "\"width\": \"65 um\", \"maxHeight\": \"375 nm\"";
@@ -36,7 +38,7 @@ class PatchDescriptorTest {
     private void assertRefused(String json, String... complaints) throws IOException {
         Path file = descriptor(json);
         assertThatThrownBy(() -> PatchDescriptorReader.read(file))
-                .isInstanceOf(PatchException.class)
+                .isInstanceOfAny(PatchException.class, JsonException.class, SettingException.class)
                 .hasMessageContaining(file.toString())
                 .satisfies(e -> assertThat(e.getMessage())
                         .contains(complaints)
@@ -54,11 +56,11 @@ class PatchDescriptorTest {
                 """));
 
         assertThat(descriptor.heights()).isEqualTo(inside.resolve("scan.png"));
-        assertThat(descriptor.scale().width().metres()).isEqualTo(65e-6);
-        assertThat(descriptor.scale().extent().orElseThrow().metres()).isEqualTo(32.5e-6);
-        assertThat(descriptor.scale().maxHeight().metres()).isEqualTo(375e-9);
-        assertThat(descriptor.channel()).contains(Channel.GREEN);
-        assertThat(descriptor.levelling()).contains(Levelling.PLANE);
+        assertThat(descriptor.choices().find(PatchSettings.WIDTH)).contains(65e-6);
+        assertThat(descriptor.choices().find(PatchSettings.HEIGHT)).contains(32.5e-6);
+        assertThat(descriptor.choices().find(PatchSettings.MAX_HEIGHT)).contains(375e-9);
+        assertThat(descriptor.choices().find(PatchSettings.CHANNEL)).contains(Channel.GREEN);
+        assertThat(descriptor.choices().find(PatchSettings.LEVEL)).contains(Levelling.PLANE);
         assertThat(descriptor.note()).isEqualTo("shed skin");
     }
 
@@ -67,9 +69,8 @@ class PatchDescriptorTest {
         PatchDescriptor descriptor =
                 PatchDescriptorReader.read(descriptor("{\"heights\": \"scan.png\", " + SCALE + "}"));
 
-        assertThat(descriptor.scale().extent()).isEmpty();
-        assertThat(descriptor.channel()).isEmpty();
-        assertThat(descriptor.levelling()).isEmpty();
+        assertThat(descriptor.choices().chosen())
+                .containsExactlyInAnyOrder(PatchSettings.WIDTH, PatchSettings.MAX_HEIGHT);
         assertThat(descriptor.note()).isEmpty();
     }
 
@@ -80,13 +81,13 @@ class PatchDescriptorTest {
         "'\"heights\": \"scan.png\", \"width\": \"65 um\"', maxHeight"
     })
     void namesAMissingKeyAndWhatToAdd(String keys, String missing) throws IOException {
-        assertRefused("{" + keys + "}", "lacks the key \"" + missing + "\"", "add for example");
+        assertRefused("{" + keys + "}", "the key \"" + missing + "\" is missing", "add for example");
     }
 
     @Test
     void namesAnUnknownKeyItsLineAndTheKnownOnes() throws IOException {
         assertRefused(
-                "{\n \"heights\": \"scan.png\",\n \"widht\": \"65 um\"\n}",
+                "{\n \"heights\": \"scan.png\", " + SCALE + ",\n \"widht\": \"65 um\"\n}",
                 "line 3",
                 "\"widht\"",
                 "unknown key",
@@ -96,13 +97,18 @@ class PatchDescriptorTest {
     @ParameterizedTest
     @ValueSource(strings = {"65", "true", "null", "[\"65 um\"]", "{}"})
     void refusesValuesThatAreNoText(String value) throws IOException {
-        assertRefused("{\n\"width\": " + value + ",\n\"heights\": \"scan.png\"}", "line 2", "\"width\" is no text");
+        assertRefused(
+                "{\n\"width\": " + value + ",\n\"heights\": \"scan.png\", \"maxHeight\": \"1um\"}",
+                "line 2",
+                "\"width\": must be a text in quotes with its unit");
     }
 
     @Test
     void asksForTheUnitOfANumber() throws IOException {
-        assertRefused("{\"width\": 65}", "with their unit");
-        assertRefused("{\"heights\": \"scan.png\",\n\"width\": \"65\", \"maxHeight\": \"1um\"}", "line 2", "no unit");
+        assertRefused(
+                "{\"heights\": \"scan.png\",\n\"width\": \"65\", \"maxHeight\": \"1um\"}",
+                "line 2",
+                "\"65\" has no unit; give 1 nm to 100 mm");
     }
 
     @ParameterizedTest
@@ -138,14 +144,14 @@ class PatchDescriptorTest {
 
     @Test
     void refusesDeepNestingAndInvalidUtf8() throws IOException {
-        assertRefused("{\"note\": " + "[".repeat(100_000), "\"note\" is no text");
+        assertRefused("{\"note\": " + "[".repeat(100_000), "depth (21) exceeds the maximum allowed (20)");
         Path file = Files.write(inside.resolve("scan.json"), new byte[] {'{', '"', (byte) 0xff, (byte) 0xfe, '"'});
-        assertThatThrownBy(() -> PatchDescriptorReader.read(file)).isInstanceOf(PatchException.class);
+        assertThatThrownBy(() -> PatchDescriptorReader.read(file)).isInstanceOf(JsonException.class);
     }
 
     @Test
     void refusesAFileThatIsTooLarge() throws IOException {
-        assertRefused(" ".repeat(DescriptorKeys.MOST_BYTES) + "{}", "1 MiB");
+        assertRefused(" ".repeat(1 << 20) + "{}", "1 MiB");
     }
 
     @Test

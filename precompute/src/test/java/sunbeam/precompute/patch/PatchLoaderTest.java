@@ -12,6 +12,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import sunbeam.precompute.setting.Origin;
+import sunbeam.precompute.setting.SettingException;
 
 class PatchLoaderTest {
     private static final HeightMap STEP =
@@ -39,9 +41,16 @@ class PatchLoaderTest {
                 .satisfies(e -> assertThat(e.getMessage()).contains(complaints).doesNotContain("\n"));
     }
 
+    private void assertChoiceRefused(PatchRequest request, String... complaints) {
+        assertThatThrownBy(() -> loader.load(request))
+                .isInstanceOf(SettingException.class)
+                .satisfies(e -> assertThat(((SettingException) e).place()).isEqualTo(Origin.Place.OPTION))
+                .satisfies(e -> assertThat(e.getMessage()).contains(complaints).doesNotContain("\n"));
+    }
+
     @Test
     void findsABuiltInPatchAndLevelsIt() {
-        Patch patch = loader.load(PatchRequest.of("step"));
+        Patch patch = loader.load(PatchRequests.of("step"));
 
         assertThat(patch.name()).isEqualTo("step");
         assertThat(patch.source()).contains("built-in step", "4 x 1 samples", "levelling mean");
@@ -53,7 +62,7 @@ class PatchLoaderTest {
 
     @Test
     void readsAnImageWithItsScale() throws IOException {
-        Patch patch = loader.load(PatchRequest.parse(ramp(), "12.8um", null, "255nm", null, "none"));
+        Patch patch = loader.load(PatchRequests.parse(ramp(), "12.8um", null, "255nm", null, "none"));
 
         assertThat(patch.name()).isEqualTo("ramp");
         assertThat(patch.heights().columns()).isEqualTo(256);
@@ -69,7 +78,7 @@ class PatchLoaderTest {
 
     @Test
     void readsADescriptor() throws IOException {
-        Patch patch = loader.load(PatchRequest.of(descriptor(", \"levelling\": \"plane\"")));
+        Patch patch = loader.load(PatchRequests.of(descriptor(", \"levelling\": \"plane\"")));
 
         assertThat(patch.name()).isEqualTo("skin");
         // A ramp is a plane: the rounding of 255 nm is what remains.
@@ -78,8 +87,8 @@ class PatchLoaderTest {
 
     @Test
     void theScaleOfADescriptorAndOfTheOptionsGiveTheSamePatch() throws IOException {
-        Patch described = loader.load(PatchRequest.of(descriptor("")));
-        Patch asked = loader.load(PatchRequest.parse(ramp(), "12.8um", null, "255nm", null, null));
+        Patch described = loader.load(PatchRequests.of(descriptor("")));
+        Patch asked = loader.load(PatchRequests.parse(ramp(), "12.8um", null, "255nm", null, null));
 
         assertThat(described.digest()).isEqualTo(asked.digest());
     }
@@ -92,70 +101,94 @@ class PatchLoaderTest {
     })
     void asksForTheScaleOfAnImage(String width, String maxHeight, String remedy) throws IOException {
         assertRefused(
-                PatchRequest.parse(ramp(), width, null, maxHeight, null, null),
+                PatchRequests.parse(ramp(), width, null, maxHeight, null, null),
                 "ramp.png is an image without scale",
                 remedy);
     }
 
     @ParameterizedTest
-    @CsvSource({"65um, , , --width", ", 65um, , --height", ", , 375nm, --max-height"})
-    void refusesAScaleForAPatchThatHasOne(String width, String extent, String maxHeight, String option)
+    @CsvSource({"65um, , , --width, 65 um", ", 65um, , --height, 65 um", ", , 375nm, --max-height, 375 nm"})
+    void refusesAScaleForAPatchThatHasOne(String width, String extent, String maxHeight, String option, String given)
             throws IOException {
-        assertRefused(
-                PatchRequest.parse(descriptor(""), width, extent, maxHeight, null, null),
-                option + " contradicts",
+        assertChoiceRefused(
+                PatchRequests.parse(descriptor(""), width, extent, maxHeight, null, null),
+                option + " " + given + " contradicts",
                 "skin.json",
-                "leave " + option + " out");
-        assertRefused(
-                PatchRequest.parse("step", width, extent, maxHeight, null, null),
-                option + " contradicts the built-in patch step");
+                "leave it out");
+        assertChoiceRefused(
+                PatchRequests.parse("step", width, extent, maxHeight, null, null),
+                option + " " + given + " contradicts the built-in patch step");
     }
 
     @Test
     void refusesAChannelForABuiltInPatch() {
-        assertRefused(PatchRequest.parse("step", null, null, null, "red", null), "--channel contradicts");
+        assertChoiceRefused(
+                PatchRequests.parse("step", null, null, null, "red", null),
+                "--channel red contradicts the built-in patch step");
     }
 
     @Test
     void refusesOptionsThatContradictTheDescriptor() throws IOException {
         String file = descriptor(", \"levelling\": \"plane\", \"channel\": \"grey\"");
 
-        assertRefused(
-                PatchRequest.parse(file, null, null, null, null, "mean"), "--level mean contradicts", "says plane");
-        assertRefused(
-                PatchRequest.parse(file, null, null, null, "red", null), "--channel red contradicts", "says grey");
-        assertThat(loader.load(PatchRequest.parse(file, null, null, null, "gray", "plane"))
+        assertChoiceRefused(
+                PatchRequests.parse(file, null, null, null, null, "mean"), "--level mean contradicts", "says plane");
+        assertChoiceRefused(
+                PatchRequests.parse(file, null, null, null, "red", null), "--channel red contradicts", "says grey");
+        assertThat(loader.load(PatchRequests.parse(file, null, null, null, "gray", "plane"))
                         .source())
                 .contains("levelling plane");
     }
 
     @Test
     void namesWhatThereIsWhenAPatchIsUnknown() {
-        assertRefused(PatchRequest.of("stepp"), "--patch \"stepp\"", "no such file", "step", "descriptor", "image");
-        assertRefused(PatchRequest.of(" "), "--patch is empty");
-        assertRefused(PatchRequest.of(folder.resolve("x.json").toString()), "no such file");
-        assertRefused(PatchRequest.of("a\0b"), "no file name");
+        assertRefused(
+                PatchRequests.of("stepp"), "--patch stepp is no file that is there", "step", "descriptor", "image");
+        assertRefused(PatchRequests.of(" "), "--patch", "is empty");
+        assertRefused(PatchRequests.of(folder.resolve("x.json").toString()), "no file that is there");
+        assertRefused(PatchRequests.of("a\0b"), "no file name");
     }
 
     @Test
     void refusesAFolder() throws IOException {
-        assertRefused(PatchRequest.of(folder.toString()), folder.toString(), "is a folder");
+        assertRefused(PatchRequests.of(folder.toString()), folder.toString(), "is a folder");
         Path json = Files.createDirectory(folder.resolve("x.json"));
-        assertRefused(PatchRequest.of(json.toString()), "is a folder");
+        assertRefused(PatchRequests.of(json.toString()), "is a folder");
     }
 
     @ParameterizedTest
     @CsvSource({"--width, 65", "--height, 65 inch", "--max-height, high", "--channel, cyan", "--level, flat"})
     void namesTheOptionOfAWordThatItCannotRead(String option, String word) {
-        assertThatThrownBy(() -> PatchRequest.parse(
-                        "scan.png",
-                        word(option, "--width", word),
-                        word(option, "--height", word),
-                        word(option, "--max-height", word),
-                        word(option, "--channel", word),
-                        word(option, "--level", word)))
-                .isInstanceOf(PatchException.class)
-                .hasMessageStartingWith(option + ": \"" + word + '"');
+        assertThatThrownBy(() -> request(option, word))
+                .isInstanceOf(SettingException.class)
+                .hasMessageStartingWith(option + " \"" + word + '"');
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "--width, 0um, --width 0 m is out of range; give 1 nm to 100 mm",
+        "--width, -65um, --width -65 um is out of range",
+        "--width, 65m, --width 65 m is out of range",
+        "--height, 0um, --height 0 m is out of range; give 1 nm to 100 mm",
+        "--max-height, 0nm, --max-height 0 m is out of range; give 1 pm to 1 m",
+        "--max-height, -375nm, --max-height -375 nm is out of range",
+        "--max-height, 375m, --max-height 375 m is out of range",
+        "--max-height, 0.01pm, --max-height 0.01 pm is out of range"
+    })
+    void namesTheOptionTheValueAndTheLimitsOfAnImpossibleLength(String option, String word, String complaint) {
+        assertThatThrownBy(() -> request(option, word))
+                .isInstanceOf(SettingException.class)
+                .hasMessageStartingWith(complaint);
+    }
+
+    private static PatchRequest request(String option, String word) {
+        return PatchRequests.parse(
+                "scan.png",
+                word(option, "--width", word),
+                word(option, "--height", word),
+                word(option, "--max-height", word),
+                word(option, "--channel", word),
+                word(option, "--level", word));
     }
 
     private static String word(String given, String option, String word) {
@@ -167,7 +200,7 @@ class PatchLoaderTest {
         Path file = TestImages.write(TestImages.grey32f(3, 3, (c, r, b) -> Double.NaN), folder.resolve("nan.tiff"));
 
         assertRefused(
-                PatchRequest.parse(file.toString(), "1um", null, "1nm", null, null),
+                PatchRequests.parse(file.toString(), "1um", null, "1nm", null, null),
                 "nan.tiff",
                 "all 9 samples are missing");
     }
@@ -177,7 +210,7 @@ class PatchLoaderTest {
         TestImages.Samples tilted = (c, r, b) -> c >= 12 && r >= 12 ? Double.NaN : 100 + 5 * c - 3 * r;
         Path file = TestImages.write(TestImages.grey32f(16, 16, tilted), folder.resolve("holes.tiff"));
 
-        Patch patch = loader.load(PatchRequest.parse(file.toString(), "1um", null, "1nm", null, "plane"));
+        Patch patch = loader.load(PatchRequests.parse(file.toString(), "1um", null, "1nm", null, "plane"));
 
         assertThat(patch.warnings()).singleElement().asString().contains("16 of 256 samples are missing");
         // The tilt is that of the samples that are there, and a hole in a plane is filled by the plane: what remains is
@@ -191,7 +224,7 @@ class PatchLoaderTest {
     void warnsOfAFlatPatchAndOfCoarseSampling() throws IOException {
         Path file = TestImages.write(TestImages.grey8(4, 4, (c, r, b) -> 7), folder.resolve("flat.png"));
 
-        Patch patch = loader.load(PatchRequest.parse(file.toString(), "4um", null, "1nm", null, null));
+        Patch patch = loader.load(PatchRequests.parse(file.toString(), "4um", null, "1nm", null, null));
 
         assertThat(patch.warnings()).hasSize(2);
         assertThat(patch.warnings().get(0)).contains("flat mirror");

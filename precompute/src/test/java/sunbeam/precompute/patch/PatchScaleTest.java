@@ -8,13 +8,12 @@ import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import sunbeam.precompute.setting.Origin;
+import sunbeam.precompute.setting.SettingException;
 
 class PatchScaleTest {
     private static PatchScale scale(double width, Double extent, double maxHeight) {
-        return new PatchScale(
-                new NamedLength("--width", width),
-                Optional.ofNullable(extent).map(metres -> new NamedLength("--height", metres)),
-                new NamedLength("--max-height", maxHeight));
+        return new PatchScale(width, Optional.ofNullable(extent), maxHeight);
     }
 
     private static HeightImage image(int columns, int rows, SampleFormat format, double... samples) {
@@ -48,44 +47,29 @@ class PatchScaleTest {
         assertThat(map.height()).isEqualTo(8e-6);
     }
 
-    @ParameterizedTest
-    @CsvSource({
-        "0, 1e-6, 1e-7, --width is 0 m",
-        "-65e-6, 1e-6, 1e-7, --width is -65 um",
-        "NaN, 1e-6, 1e-7, --width is NaN m",
-        "Infinity, 1e-6, 1e-7, --width is Infinity m",
-        "65, 1e-6, 1e-7, '--width is 65 m, which is absurd'",
-        "65e-9, 65e-9, 1e-9, '--width is 65 nm, which is absurd'",
-        "65e-6, 0, 1e-7, --height is 0 m",
-        "65e-6, -1e-6, 1e-7, --height is -1 um",
-        "65e-6, 1e-6, 0, --max-height is 0 m",
-        "65e-6, 1e-6, -375e-9, --max-height is -375 nm",
-        "65e-6, 1e-6, NaN, --max-height is NaN m",
-        "65e-6, 1e-6, 375e-3, '--max-height is 375 mm, which is absurd'",
-        "65e-6, 1e-6, 1e-20, --max-height is"
-    })
-    void namesTheOptionAndTheValueOfAnImpossibleScale(double width, double extent, double maxHeight, String complaint) {
-        assertThatThrownBy(() -> scale(width, extent, maxHeight).apply(image(4, 4, SampleFormat.UNSIGNED_8)))
-                .isInstanceOf(PatchException.class)
-                .hasMessageContaining(complaint)
-                .hasMessageContaining("give a length between");
+    @Test
+    void refusesScalesThatCannotBe() {
+        assertThatThrownBy(() -> scale(65e-9, 65e-9, 1e-9).apply(image(4, 4, SampleFormat.UNSIGNED_8)))
+                .isInstanceOf(SettingException.class)
+                .hasMessageContainingAll("width is absurd", "100 nm or more");
+        assertThatThrownBy(() -> scale(65e-6, 1e-6, 375e-3).apply(image(4, 4, SampleFormat.UNSIGNED_8)))
+                .isInstanceOf(SettingException.class)
+                .hasMessageContainingAll("max height is absurd", "the most is 1 mm");
     }
 
     @Test
     void refusesMicrometresTypedForNanometres() {
         assertThatThrownBy(() -> scale(65e-6, null, 375e-6).apply(image(2, 2, SampleFormat.UNSIGNED_8, 0, 255)))
-                .isInstanceOf(PatchException.class)
-                .hasMessageContaining("--max-height of 375 um")
-                .hasMessageContaining("65 um")
+                .isInstanceOf(SettingException.class)
+                .hasMessageContaining("max height makes a relief of 375 um on a patch of 65 um")
                 .hasMessageContaining("units");
     }
 
     @Test
     void refusesAPatchThatSquarePixelsMakeTooLong() {
         assertThatThrownBy(() -> scale(1e-2, null, 1e-6).apply(image(1, 11, SampleFormat.UNSIGNED_8)))
-                .isInstanceOf(PatchException.class)
-                .hasMessageContaining("--width is 10 mm")
-                .hasMessageContaining("110 mm");
+                .isInstanceOf(SettingException.class)
+                .hasMessageContaining("width makes the patch 110 mm long");
     }
 
     @Test
@@ -107,9 +91,8 @@ class PatchScaleTest {
     @Test
     void refusesTheReliefOfAFloatImageInTheWrongUnit() {
         assertThatThrownBy(() -> scale(65e-6, null, 1).apply(image(2, 1, SampleFormat.FLOAT, 0, 375)))
-                .isInstanceOf(PatchException.class)
-                .hasMessageContaining("--max-height of 1 m")
-                .hasMessageContaining("relief of 375 m");
+                .isInstanceOf(SettingException.class)
+                .hasMessageContaining("max height makes a relief of 375 m");
     }
 
     @Test
@@ -117,7 +100,7 @@ class PatchScaleTest {
         PatchScale scale = scale(2.5e-6, null, 5e-6);
         HeightMap map = scale.apply(image(2, 1, SampleFormat.UNSIGNED_16, 0, 65535));
 
-        assertThat(scale.warnings(map, SampleFormat.UNSIGNED_16))
+        assertThat(scale.warnings(map, SampleFormat.UNSIGNED_16, Origin.PROGRAM))
                 .singleElement()
                 .asString()
                 .contains("relief", "5 um", "2.5 um");
@@ -128,7 +111,7 @@ class PatchScaleTest {
         PatchScale scale = scale(65e-6, 375e-9, 375e-9);
         HeightMap map = scale.apply(image(10, 10, SampleFormat.UNSIGNED_8, 0, 255));
 
-        assertThat(scale.warnings(map, SampleFormat.UNSIGNED_8))
+        assertThat(scale.warnings(map, SampleFormat.UNSIGNED_8, Origin.PROGRAM))
                 .singleElement()
                 .asString()
                 .contains("6.5 um apart along x", "37.5 nm along y");
@@ -139,10 +122,11 @@ class PatchScaleTest {
         PatchScale scale = scale(65e-6, null, 5e-6);
         HeightMap map = scale.apply(image(2, 2, SampleFormat.UNSIGNED_8, 0, 255));
 
-        assertThat(scale.warnings(map, SampleFormat.UNSIGNED_8))
+        assertThat(scale.warnings(map, SampleFormat.UNSIGNED_8, Origin.PROGRAM))
                 .singleElement()
                 .asString()
                 .contains("one grey level is 19.6078 nm");
-        assertThat(scale.warnings(map, SampleFormat.UNSIGNED_16)).isEmpty();
+        assertThat(scale.warnings(map, SampleFormat.UNSIGNED_16, Origin.PROGRAM))
+                .isEmpty();
     }
 }

@@ -13,10 +13,10 @@ import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.precompute.Surfaces;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.expansion.ExpansionKind;
+import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.patch.HeightLevels;
 import sunbeam.precompute.patch.HeightMap;
-import sunbeam.precompute.plan.PlanRequest.Preset;
 import sunbeam.precompute.setting.Origin;
 import sunbeam.precompute.setting.SettingException;
 
@@ -25,11 +25,18 @@ class PlannerTest {
     private static final long MUCH_MEMORY = 64L << 30;
     private static final VisibleRange MAP = VisibleRange.of(new Direction(0, 0, 1));
     private static final CieTable CIE = CieTable.load();
+    private static final Request STANDARD =
+            new Request(TableChoices.of(Accuracy.ByTolerance.STANDARD), Optional.empty(), GaussianArea.STANDARD);
+    private static final Request THESIS =
+            new Request(TableChoices.of(new Accuracy.ThesisPreset()), Optional.empty(), GaussianArea.THESIS);
+
+    /** What is fixed of a plan. */
+    private record Request(TableChoices table, Optional<Neighbourhood> neighbourhood, GaussianArea area) {}
 
     @Test
     void ordersThatTheWindowResolvesAreLookedAtOneByOne() {
         // 3.2 um under a window of 65 um: 0.03 bins.
-        Plan plan = planner(64, 400e-9).plan(request(Optional.empty(), 0, OptionalInt.empty(), 65e-6, 0), MAP);
+        Plan plan = plan(planner(64, 400e-9), request(Optional.empty(), 0, OptionalInt.empty(), 65e-6, 0));
 
         assertThat(plan.sampling()).isInstanceOf(OrderSampling.class);
     }
@@ -37,7 +44,7 @@ class PlannerTest {
     @Test
     void ordersThatTheWindowBlursAreResampled() {
         // 3.2 um under a window of 3.2 um: 0.64 bins, as the measured skins under sunlight's window.
-        Plan plan = planner(64, 400e-9).plan(request(Optional.empty(), 0, OptionalInt.empty(), 3.2e-6, 0), MAP);
+        Plan plan = plan(planner(64, 400e-9), request(Optional.empty(), 0, OptionalInt.empty(), 3.2e-6, 0));
 
         assertThat(plan.sampling()).isInstanceOf(GridSampling.class);
     }
@@ -45,14 +52,14 @@ class PlannerTest {
     @Test
     void ordersThatTheWindowNeitherResolvesNorBlursAreSummed() {
         // 3.2 um under a window of 10 um: 0.2 bins.
-        Plan plan = planner(64, 400e-9).plan(request(Optional.empty(), 0, OptionalInt.empty(), 10e-6, 0), MAP);
+        Plan plan = plan(planner(64, 400e-9), request(Optional.empty(), 0, OptionalInt.empty(), 10e-6, 0));
 
         assertThat(plan.sampling()).isInstanceOf(RaySampling.class);
     }
 
     @Test
     void theThesisStaysAsItIs() {
-        Plan plan = planner(64, 400e-9).plan(PlanRequest.of(Preset.THESIS), MAP);
+        Plan plan = planner(64, 400e-9).plan(THESIS.table(), THESIS.neighbourhood(), THESIS.area(), MAP);
 
         BinSampling bins = (BinSampling) plan.sampling();
         assertThat(bins.neighbourhood()).isEqualTo(new Neighbourhood(1, Neighbourhood.Anchor.FLOOR));
@@ -65,8 +72,8 @@ class PlannerTest {
 
     @Test
     void aWindowNeedsSamples() {
-        assertThatThrownBy(() ->
-                        planner(64, 400e-9).plan(request(Optional.empty(), 0, OptionalInt.empty(), 120e-9, 0), MAP))
+        assertThatThrownBy(
+                        () -> plan(planner(64, 400e-9), request(Optional.empty(), 0, OptionalInt.empty(), 120e-9, 0)))
                 .isInstanceOf(SettingException.class)
                 .hasMessageContaining("coherence length 120 nm")
                 .hasMessageContaining("give 140 nm or more");
@@ -76,17 +83,16 @@ class PlannerTest {
     void taylorIsRefusedWhereItCancelsInFloat32() {
         Optional<ExpansionKind> taylor = Optional.of(ExpansionKind.TAYLOR);
 
-        assertThat(planner(64, 250e-9)
-                        .plan(request(taylor, 0, OptionalInt.empty(), 65e-6, 0), MAP)
+        assertThat(plan(planner(64, 250e-9), request(taylor, 0, OptionalInt.empty(), 65e-6, 0))
                         .expansion()
                         .terms())
                 .as("design, section 4: 16 for the blaze at 1e-3; here the share of the expansion is 2e-5")
                 .isBetween(16, 24);
-        assertThatThrownBy(() -> planner(64, 2e-6).plan(request(taylor, 0, OptionalInt.empty(), 65e-6, 0), MAP))
+        assertThatThrownBy(() -> plan(planner(64, 2e-6), request(taylor, 0, OptionalInt.empty(), 65e-6, 0)))
                 .isInstanceOf(SettingException.class)
                 .hasMessageContaining("taylor reaches only")
                 .hasMessageContaining("use lowrank or chebyshev");
-        assertThatThrownBy(() -> planner(64, 5e-6).plan(request(taylor, 37, OptionalInt.empty(), 65e-6, 0), MAP))
+        assertThatThrownBy(() -> plan(planner(64, 5e-6), request(taylor, 37, OptionalInt.empty(), 65e-6, 0)))
                 .isInstanceOf(SettingException.class)
                 .hasMessageContaining("taylor with 37 terms leaves the range of float32");
     }
@@ -94,19 +100,9 @@ class PlannerTest {
     @Test
     void aWindowTooNarrowForANeighbourhoodIsToldBefore() {
         // 51.2 um under 1 um: 33 bins wide.
-        PlanRequest request = new PlanRequest(
-                Preset.NONE,
-                1e-3,
-                Optional.empty(),
-                OptionalInt.empty(),
-                OptionalInt.empty(),
-                Optional.empty(),
-                OptionalDouble.of(5e-9),
-                Optional.empty(),
-                OptionalDouble.of(1e-6),
-                Optional.empty());
+        Request request = request(Optional.empty(), 0, OptionalInt.empty(), 1e-6, 5e-9);
 
-        assertThatThrownBy(() -> planner(1024, 100e-9).plan(request, MAP))
+        assertThatThrownBy(() -> plan(planner(1024, 100e-9), request))
                 .isInstanceOf(SettingException.class)
                 .hasMessageContaining("32.6 DFT bins wide")
                 .hasMessageContaining("leave out wavelength step");
@@ -118,7 +114,8 @@ class PlannerTest {
         HeightMap map = Surfaces.random(1024, 1024, PITCH, 800e-9, 1);
         Planner planner = new Planner(map, HeightLevels.of(map), CIE, heap);
 
-        assertThatThrownBy(() -> planner.plan(PlanRequest.of(Preset.NONE), VisibleRange.all()))
+        assertThatThrownBy(() ->
+                        planner.plan(STANDARD.table(), STANDARD.neighbourhood(), STANDARD.area(), VisibleRange.all()))
                 .isInstanceOf(SettingException.class)
                 .hasMessageContaining("coherence length 65 um and")
                 .hasMessageContaining("MB of memory, but Java's heap may take " + Math.round(heap * 1e-6) + " MB")
@@ -134,7 +131,7 @@ class PlannerTest {
         }
         assertThat(warnings(request(Optional.of(ExpansionKind.CHEBYSHEV), 0, OptionalInt.of(3), 3.2e-6, 0)))
                 .isEmpty();
-        assertThat(warnings(PlanRequest.of(Preset.THESIS))).isEmpty();
+        assertThat(warnings(THESIS)).isEmpty();
     }
 
     @Test
@@ -157,7 +154,7 @@ class PlannerTest {
 
     @Test
     void whatFloat32KeepsInTheMedianOnlyIsToldOf() {
-        PlanRequest ordinary = request(Optional.empty(), 0, OptionalInt.empty(), 65e-6, 0);
+        Request ordinary = request(Optional.empty(), 0, OptionalInt.empty(), 65e-6, 0);
         assertThat(warnings(withTolerance(ordinary, 1e-5)))
                 .singleElement()
                 .asString()
@@ -165,23 +162,18 @@ class PlannerTest {
         assertThat(warnings(withTolerance(ordinary, 2e-5))).isEmpty();
     }
 
-    private static PlanRequest withTolerance(PlanRequest request, double tolerance) {
-        return new PlanRequest(
-                request.preset(),
-                tolerance,
-                request.expansion(),
-                request.terms(),
-                request.radius(),
-                request.anchor(),
-                request.wavelengthStep(),
-                request.origin(),
-                request.coherenceLength(),
-                request.average());
+    private static Request withTolerance(Request request, double tolerance) {
+        return new Request(
+                TableChoices.of(new Accuracy.ByTolerance(tolerance)), request.neighbourhood(), request.area());
     }
 
-    private static List<String> warnings(PlanRequest request) {
+    private static Plan plan(Planner planner, Request request) {
+        return planner.plan(request.table(), request.neighbourhood(), request.area(), MAP);
+    }
+
+    private static List<String> warnings(Request request) {
         Planner planner = planner(64, 400e-9);
-        return planner.warnings(planner.plan(request, MAP)).stream()
+        return planner.warnings(plan(planner, request)).stream()
                 .map(line -> line.in(Origin.PROGRAM))
                 .toList();
     }
@@ -193,22 +185,21 @@ class PlannerTest {
     }
 
     /** Zero or empty for what is not fixed. */
-    private static PlanRequest request(
+    private static Request request(
             Optional<ExpansionKind> expansion,
             int terms,
             OptionalInt radius,
             double coherenceLength,
             double wavelengthStep) {
-        return new PlanRequest(
-                Preset.NONE,
-                1e-3,
+        TableChoices table = new TableChoices(
+                Accuracy.ByTolerance.STANDARD,
                 expansion,
                 terms == 0 ? OptionalInt.empty() : OptionalInt.of(terms),
-                radius,
-                Optional.empty(),
-                wavelengthStep == 0 ? OptionalDouble.empty() : OptionalDouble.of(wavelengthStep),
-                Optional.empty(),
-                OptionalDouble.of(coherenceLength),
-                Optional.empty());
+                wavelengthStep == 0 ? OptionalDouble.empty() : OptionalDouble.of(wavelengthStep));
+        Optional<Neighbourhood> neighbourhood = radius.isEmpty()
+                ? Optional.empty()
+                : Optional.of(new Neighbourhood(radius.getAsInt(), Neighbourhood.Anchor.NEAREST));
+        CoherenceWindow window = CoherenceWindow.ofCoherenceLength(coherenceLength);
+        return new Request(table, neighbourhood, GaussianArea.STANDARD.with(window));
     }
 }

@@ -4,19 +4,18 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
 import java.util.Optional;
-import java.util.OptionalDouble;
-import java.util.OptionalInt;
 import java.util.stream.Stream;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 import sunbeam.precompute.Surfaces;
 import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.Direction;
+import sunbeam.precompute.optics.WindowOrigin;
 import sunbeam.precompute.patch.HeightDigest;
 import sunbeam.precompute.patch.HeightLevels;
 import sunbeam.precompute.patch.HeightMap;
-import sunbeam.precompute.plan.PlanRequest.Preset;
 import sunbeam.precompute.shader.ArrayLayout;
 import sunbeam.precompute.shader.MethodUse;
 import sunbeam.precompute.shader.ShaderTables;
@@ -76,18 +75,15 @@ class SamplingTablesTest {
     }
 
     private static Plan plan(Preset preset, double coherenceLength, Average average) {
-        PlanRequest request = new PlanRequest(
-                preset,
-                Tolerances.STANDARD,
-                Optional.empty(),
-                OptionalInt.empty(),
-                OptionalInt.empty(),
-                Optional.empty(),
-                OptionalDouble.empty(),
-                Optional.empty(),
-                OptionalDouble.of(coherenceLength),
-                Optional.of(average));
-        return new Planner(SKIN, HeightLevels.of(SKIN), CIE).plan(request, VisibleRange.of(new Direction(0, 0, 1)));
+        Accuracy accuracy =
+                preset == Preset.THESIS ? new Accuracy.ThesisPreset() : new Accuracy.ByTolerance(Tolerances.STANDARD);
+        CoherenceWindow window = CoherenceWindow.ofCoherenceLength(coherenceLength);
+        return new Planner(SKIN, HeightLevels.of(SKIN), CIE)
+                .plan(
+                        TableChoices.of(accuracy),
+                        Optional.empty(),
+                        new GaussianArea(window, WindowOrigin.CENTRE, average),
+                        VisibleRange.of(new Direction(0, 0, 1)));
     }
 
     private static ShaderTables tables(Plan plan, MethodUse use) {

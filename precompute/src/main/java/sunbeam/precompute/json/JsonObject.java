@@ -1,20 +1,23 @@
-package sunbeam.app.json;
+package sunbeam.precompute.json;
 
+import java.util.Collection;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.function.Function;
 import java.util.function.Supplier;
-import sunbeam.app.input.InputException;
+import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.setting.Origin;
+import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.text.Quoted;
 import sunbeam.precompute.units.Decimals;
 
 /**
  * An object of a JSON file, asked key by key. Afterwards {@link #requireNoOthers} finds the keys that nobody asked for.
- * Every complaint is an {@link InputException} in one line: file, line, key, value, remedy.
+ * Every complaint is one line: file, line, key, value, remedy; a {@link JsonException}, or of settings a {@link
+ * sunbeam.precompute.setting.SettingException}.
  */
 public final class JsonObject {
     private final String file;
@@ -42,7 +45,7 @@ public final class JsonObject {
     /** The value of a key that must be there. */
     public JsonValue required(String key, String example) {
         return find(key)
-                .orElseThrow(() -> new InputException("%s, line %d: the key %s is missing; add for example %s: %s"
+                .orElseThrow(() -> new JsonException("%s, line %d: the key %s is missing; add for example %s: %s"
                         .formatted(file, members.line(), Quoted.of(path + key), Quoted.of(key), example)));
     }
 
@@ -63,11 +66,6 @@ public final class JsonObject {
         throw complaint(key, value, "must be an object, { ... }");
     }
 
-    /** The text of a key, where it is there. */
-    public Optional<String> text(String key) {
-        return find(key).map(value -> text(key, value));
-    }
-
     /** A value as text. */
     public String text(String key, JsonValue value) {
         if (value instanceof JsonValue.Text text) {
@@ -77,34 +75,19 @@ public final class JsonObject {
     }
 
     /**
-     * A text put through a function.
+     * A text with a number and a unit put through a function.
      *
      * @param parse may throw IllegalArgumentException with a message for the user
      */
-    public <T> Optional<T> parsed(String key, Function<String, T> parse) {
-        return find(key).map(value -> parsed(key, value, parse));
-    }
-
-    /** As {@link #parsed(String, Function)}, of a value. */
-    public <T> T parsed(String key, JsonValue value, Function<String, T> parse) {
+    public <T> T quantity(String key, JsonValue value, Function<String, T> parse) {
         if (!(value instanceof JsonValue.Text text)) {
-            String remedy = value instanceof JsonValue.Numeral
-                    ? "must be a text in quotes; a length or an angle needs its unit, such as \"65 um\" or \"30 deg\""
-                    : "must be a text in quotes";
-            throw complaint(key, value, remedy);
+            throw complaint(key, value, "must be a text in quotes with its unit, such as \"65 um\" or \"30 deg\"");
         }
         try {
             return parse.apply(text.text());
         } catch (IllegalArgumentException wrong) {
             throw complaint(key, value, wrong.getMessage());
         }
-    }
-
-    /** The number of a key, where it is there. */
-    public OptionalDouble number(String key, double least, double most) {
-        return find(key)
-                .map(value -> OptionalDouble.of(number(key, value, least, most)))
-                .orElse(OptionalDouble.empty());
     }
 
     /** A value as a number between bounds. */
@@ -130,15 +113,79 @@ public final class JsonObject {
         throw complaint(key, value, "must be a list of " + count + " values, [ ... ]");
     }
 
-    /** An exception that names file, line and key. */
-    public InputException complaint(String key, JsonValue value, String problem) {
-        return new InputException(
-                "%s, line %d: %s: %s".formatted(file, value.line(), Quoted.of(path + key), Quoted.oneLine(problem)));
+    /**
+     * The settings that this object chooses, by their names in files.
+     *
+     * @throws sunbeam.precompute.setting.SettingException for a value that is none of its setting
+     */
+    public Choices choices(Collection<? extends Setting<?>> settings) {
+        Choices choices = Choices.at(origin());
+        for (Setting<?> setting : settings) {
+            Optional<JsonValue> value = find(setting.fileKey());
+            choices = value.isEmpty() ? choices : choices.parsed(setting, written(setting, value.get()), origin());
+        }
+        return choices;
     }
 
-    /** As {@link #complaint(String, JsonValue, String)}; where the key is not there, with the object's line. */
-    public InputException complaint(String key, String problem) {
-        return complaint(key, members.members().getOrDefault(key, members), problem);
+    /** The text that a setting's kind understands. */
+    private String written(Setting<?> setting, JsonValue value) {
+        String key = setting.fileKey();
+        return switch (setting.kind().form()) {
+            case TEXT -> text(key, value);
+            case QUANTITY ->
+                quantity(key, value, text -> {
+                    if (Decimals.parse(text).isPresent()) {
+                        throw new IllegalArgumentException(Quoted.of(text) + " has no unit; give "
+                                + setting.kind().range());
+                    }
+                    return text;
+                });
+            case NUMBER -> {
+                if (value instanceof JsonValue.Text word
+                        && Decimals.parse(word.text()).isEmpty()) {
+                    yield word.text();
+                }
+                yield Decimals.format(number(key, value, -Double.MAX_VALUE, Double.MAX_VALUE));
+            }
+        };
+    }
+
+    /** This object as the place where settings are chosen. */
+    public Origin origin() {
+        return new KeyOrigin(Optional.empty());
+    }
+
+    /** One key of this object as the place where settings are chosen, whichever a complaint is about. */
+    public Origin originAt(String key) {
+        return new KeyOrigin(Optional.of(key));
+    }
+
+    private final class KeyOrigin implements Origin {
+        private final Optional<String> key;
+
+        private KeyOrigin(Optional<String> key) {
+            this.key = key;
+        }
+
+        @Override
+        public Place place() {
+            return Place.FILE;
+        }
+
+        @Override
+        public String name(Setting<?> setting) {
+            return setting.fileKey();
+        }
+
+        @Override
+        public String complaint(Setting<?> setting, String value, String problem) {
+            return JsonObject.this.name(key.orElse(setting.fileKey())) + ": " + (value + " " + problem).strip();
+        }
+    }
+
+    /** An exception that names file, line and key. */
+    public JsonException complaint(String key, JsonValue value, String problem) {
+        return new JsonException(name(key, value) + ": " + problem);
     }
 
     /**
@@ -149,7 +196,7 @@ public final class JsonObject {
         try {
             return action.get();
         } catch (IllegalArgumentException wrong) {
-            throw complaint(key, wrong.getMessage());
+            throw new JsonException(name(key) + ": " + wrong.getMessage(), wrong);
         }
     }
 
@@ -161,5 +208,14 @@ public final class JsonObject {
                         member.getKey(), member.getValue(), "unknown key; known are " + String.join(", ", asked));
             }
         }
+    }
+
+    /** A key with file and line, for messages; where it is not there, with the object's line. */
+    public String name(String key) {
+        return name(key, members.members().getOrDefault(key, members));
+    }
+
+    private String name(String key, JsonValue value) {
+        return "%s, line %d: %s".formatted(file, value.line(), Quoted.of(path + key));
     }
 }

@@ -13,12 +13,12 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import sunbeam.app.input.InputException;
 import sunbeam.precompute.patch.PatchException;
 import sunbeam.precompute.patch.PatchRequest;
+import sunbeam.precompute.setting.SettingException;
 
 /** What only the loading of a scene's patch and plan finds wrong. */
-class SceneOriginTest {
+class SceneMistakesTest {
     private static final String SCENE = """
             {
               "mesh": "plane",
@@ -54,17 +54,17 @@ class SceneOriginTest {
     @ParameterizedTest
     @CsvSource(delimiter = '|', textBlock = """
                     "scan.png"                               | "full" | line 3 | patch       | add for example width 65um and maxHeight 375nm
-                    {"file": "scan.png", "width": "65 um"}   | "full" | line 3 | patch       | add for example maxHeight 375nm
+                    {"file": "scan.png", "width": "65 um"}   | "full" | line 3 | patch.maxHeight | add for example maxHeight 375nm
                     {"file": "scan.png", "width": "1 um", "maxHeight": "1 mm"} | "full" | line 3 | patch.maxHeight | absurd
                     {"file": "scan.png", "width": "50 nm", "maxHeight": "1 nm"} | "full" | line 3 | patch.width | 100 nm
-                    {"file": "blaze", "width": "65 um"}      | "full" | line 3 | patch.width | leave width out
+                    {"file": "blaze", "width": "65 um"}      | "full" | line 3 | patch.width | leave it out
                     {"file": "blaze", "channel": "red"}      | "full" | line 3 | patch.channel | no image
-                    "elaphe-like"                            | "gem"  | line 8 | plan.method | needs spacing
+                    "elaphe-like"                            | "gem"  | line 7 | plan.spacing | is missing
                     "blaze"                                  | "full", "anchor": "floor" | line 8 | plan.anchor | radius
                     """)
     void mistakesNameFileLineAndKeyAndNoOption(String patch, String method, String line, String key, String words) {
         assertThatThrownBy(() -> PlaneScenes.load(read(patch, method), folder))
-                .isInstanceOf(InputException.class)
+                .isInstanceOfAny(PatchException.class, SettingException.class)
                 .hasMessageStartingWith(folder.resolve("scene.json") + ", " + line + ": ")
                 .hasMessageContainingAll("\"" + key + "\":", words)
                 .satisfies(failure -> assertThat(failure.getMessage()).doesNotContain("--", "\n"));
@@ -76,7 +76,9 @@ class SceneOriginTest {
                 .withPatch(PatchRequest.of(folder.resolve("scan.png").toString()));
         assertThatThrownBy(() -> PlaneScenes.load(scene, folder))
                 .isInstanceOf(PatchException.class)
-                .hasMessageContaining("--max-height");
+                .hasMessageStartingWith("width is missing")
+                .hasMessageContaining("max height")
+                .satisfies(failure -> assertThat(failure.getMessage()).doesNotContain("scene.json"));
     }
 
     @Test

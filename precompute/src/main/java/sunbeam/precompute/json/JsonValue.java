@@ -1,4 +1,4 @@
-package sunbeam.app.json;
+package sunbeam.precompute.json;
 
 import java.util.List;
 import java.util.Map;

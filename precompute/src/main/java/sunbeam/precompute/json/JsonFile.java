@@ -1,4 +1,4 @@
-package sunbeam.app.json;
+package sunbeam.precompute.json;
 
 import com.fasterxml.jackson.core.JsonFactory;
 import com.fasterxml.jackson.core.JsonLocation;
@@ -16,7 +16,6 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.regex.Pattern;
-import sunbeam.app.input.InputException;
 import sunbeam.precompute.text.Quoted;
 
 /** Reads JSON files of at most 1 MiB that hold one object. Keys may not occur twice. */
@@ -38,13 +37,12 @@ public final class JsonFile {
     /**
      * Reads a file.
      *
-     * @throws InputException when it is missing, too large or no JSON object; the message names file and line
+     * @throws JsonException when it is too large or no JSON object; the message names file and line
+     * @throws IOException when it is missing or cannot be read
      */
-    public static JsonObject read(Path file) {
+    public static JsonObject read(Path file) throws IOException {
         try (InputStream stream = Files.newInputStream(file)) {
             return read(file.toString(), stream);
-        } catch (IOException failure) {
-            throw InputException.of(file, failure);
         }
     }
 
@@ -56,7 +54,7 @@ public final class JsonFile {
     public static JsonObject read(String name, InputStream stream) throws IOException {
         byte[] content = stream.readNBytes(MOST_BYTES + 1);
         if (content.length > MOST_BYTES) {
-            throw new InputException(name + " is larger than 1 MiB; name another file");
+            throw new JsonException(name + " is larger than 1 MiB; name another file");
         }
         try (JsonParser parser = JSON.createParser(content)) {
             return read(name, parser);
@@ -66,18 +64,18 @@ public final class JsonFile {
     private static JsonObject read(String name, JsonParser parser) throws IOException {
         try {
             if (parser.nextToken() != JsonToken.START_OBJECT) {
-                throw new InputException(name + ", line 1: it must be one JSON object, { ... }");
+                throw new JsonException(name + ", line 1: it must be one JSON object, { ... }");
             }
             JsonValue.Members all = members(parser);
             if (parser.nextToken() != null) {
-                throw new InputException(
+                throw new JsonException(
                         name + ", line " + line(parser) + ": something follows the closing brace; remove it");
             }
             return new JsonObject(name, "", all);
         } catch (JsonProcessingException broken) {
             // Complaints about what is too long or too deep come without their place.
             JsonLocation place = broken.getLocation() == null ? parser.currentLocation() : broken.getLocation();
-            throw new InputException(
+            throw new JsonException(
                     "%s, line %d: no valid JSON (%s); mend the line"
                             .formatted(name, place.getLineNr(), Quoted.oneLine(problem(broken))),
                     broken);

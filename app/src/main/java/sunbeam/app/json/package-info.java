@@ -1,2 +1,0 @@
-/** JSON files that remember on which line each value stands, for messages. */
-package sunbeam.app.json;

@@ -1,0 +1,127 @@
+package sunbeam.app.scene;
+
+import static sunbeam.precompute.plan.MethodSettings.AVERAGE;
+import static sunbeam.precompute.plan.MethodSettings.PRESET;
+import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
+
+import java.util.ArrayList;
+import java.util.List;
+import sunbeam.precompute.method.FullMethod;
+import sunbeam.precompute.method.Method;
+import sunbeam.precompute.method.MethodType;
+import sunbeam.precompute.method.Methods;
+import sunbeam.precompute.method.ReferenceMethod;
+import sunbeam.precompute.plan.Average;
+import sunbeam.precompute.plan.GaussianArea;
+import sunbeam.precompute.plan.Preset;
+import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.setting.Setting;
+
+/**
+ * How a scene's diffraction is computed. On a mesh the ensemble average is the standard: a pixel sees many coherence areas.
+ *
+ * @param choices of {@link Methods#SETTINGS}; those that another method has, but this one does not look at, are kept for it
+ */
+public record SceneMethod(Choices choices) {
+
+    /**
+     * Checks that there is such a method for meshes.
+     *
+     * @throws sunbeam.precompute.setting.SettingException in the words of the place where a choice was made that cannot be
+     */
+    public SceneMethod {
+        choices = choices.only(Methods.SETTINGS);
+        if (choices.get(Methods.METHOD) == ReferenceMethod.TYPE) {
+            throw choices.complaint(Methods.METHOD, "evaluates single directions; for a mesh use full, nmm, pq or gem");
+        }
+        choices = choices.over(standard(choices));
+        create(choices);
+    }
+
+    /** What holds on a mesh unless chosen otherwise; it is written down with the scene. */
+    private static Choices standard(Choices chosen) {
+        MethodType type = chosen.get(Methods.METHOD);
+        Choices standard = Choices.none().with(Methods.METHOD, type);
+        if (type.has(TOLERANCE) && !isThesis(chosen)) {
+            standard = standard.with(TOLERANCE, chosen.get(TOLERANCE));
+        }
+        return type.has(AVERAGE) ? standard.with(AVERAGE, Average.ENSEMBLE) : standard;
+    }
+
+    private static Method create(Choices choices) {
+        return Methods.of(choices.without(unused(choices.get(Methods.METHOD))));
+    }
+
+    private static boolean isThesis(Choices choices) {
+        return choices.get(PRESET, Preset.NONE) == Preset.THESIS;
+    }
+
+    /** The standard method. */
+    public static SceneMethod standard() {
+        return new SceneMethod(Choices.none());
+    }
+
+    /** The method. */
+    public Method method() {
+        return create(choices);
+    }
+
+    /** Which method. */
+    public MethodType type() {
+        return get(Methods.METHOD);
+    }
+
+    /** What holds of a setting. */
+    public <T> T get(Setting<T> setting) {
+        return choices.get(setting);
+    }
+
+    /** Whether the thesis's choices stand in for those that nobody made. */
+    public boolean isThesis() {
+        return isThesis(choices);
+    }
+
+    /** The Gaussian window and its average, of methods that have them. */
+    public GaussianArea area() {
+        return GaussianArea.of(choices);
+    }
+
+    /** The same with a choice of the program's. */
+    public <T> SceneMethod with(Setting<T> setting, T value) {
+        return new SceneMethod(choices.with(setting, value));
+    }
+
+    /**
+     * The same with what others choose above it. Another method gives up what only the old one had, and the thesis's preset
+     * the tolerance.
+     */
+    public SceneMethod with(Choices others) {
+        MethodType type = others.get(Methods.METHOD, type());
+        List<Setting<?>> kept = new ArrayList<>(FullMethod.TYPE.settings());
+        kept.addAll(type.settings());
+        kept.add(Methods.METHOD);
+        if (isThesis(others)) {
+            kept.removeAll(List.of(TOLERANCE));
+        }
+        Choices own = choices.only(kept);
+        // Who chooses the method hears of what it lacks.
+        return new SceneMethod(
+                others.has(Methods.METHOD)
+                        ? others.over(own)
+                        : own.without(others.chosen()).over(others));
+    }
+
+    /**
+     * What a scene's file may say although the method does not look at it. A method without tables has no plan; the others
+     * say themselves what is not theirs, but for the place of a window that they may not have.
+     */
+    private static List<Setting<?>> unused(MethodType type) {
+        List<Setting<?>> unused =
+                new ArrayList<>(type.has(TOLERANCE) ? GaussianArea.SETTINGS : FullMethod.TYPE.settings());
+        unused.removeAll(type.settings());
+        if (type.has(TOLERANCE)) {
+            unused.remove(AVERAGE);
+        }
+        return unused;
+    }
+}

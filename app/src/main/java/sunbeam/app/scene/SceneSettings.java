@@ -1,0 +1,126 @@
+package sunbeam.app.scene;
+
+import java.util.List;
+import java.util.OptionalDouble;
+import java.util.function.UnaryOperator;
+import sunbeam.precompute.setting.Kinds;
+import sunbeam.precompute.setting.Setting;
+import sunbeam.precompute.setting.ValueKind;
+import sunbeam.precompute.text.Quoted;
+import sunbeam.precompute.units.Decimals;
+
+/** What a user chooses of a scene, beside its patch and its method. */
+public final class SceneSettings {
+    private static final String AUTOMATIC = "auto";
+    private static final double LARGEST_EXPOSURE = 1e9;
+    private static final double LARGEST_WEIGHT = 1e9;
+    // Many turns, as a twisted model may add them up; beyond, an angle's digits are used up by them.
+    private static final double MOST_DEGREES = 1e6;
+
+    /** For people. */
+    static final Setting<String> TITLE = new Setting<>("title", Kinds.text("TITLE"), "For people.").withStandard("");
+
+    /** The body. */
+    public static final Setting<String> MESH =
+            new Setting<>("mesh", Kinds.text("MESH"), "snake, plane, sphere, cylinder, or an OBJ file.");
+
+    /** The body's colours. */
+    public static final Setting<String> TEXTURE = new Setting<>(
+            "texture", Kinds.text("TEXTURE"), "Colours of the body: elaphe, xenopeltis, none, or an image file.");
+
+    /** Radians, counter-clockwise seen from outside. */
+    public static final Setting<Double> ROTATE_PATCH = new Setting<>(
+                    "rotatePatch",
+                    Kinds.angle(Math.toRadians(-MOST_DEGREES), Math.toRadians(MOST_DEGREES)),
+                    "Turn of the nanostructure in the tangent plane in degrees, counter-clockwise from outside.")
+            .withStandard(0.0);
+
+    /** Factor of the linear colours; empty to choose it from the picture. */
+    public static final Setting<OptionalDouble> EXPOSURE = new Setting<>(
+                    "exposure", exposure(), "Factor for the linear colours, or auto.")
+            .withStandard(OptionalDouble.empty());
+
+    /** Factor of the diffracted light. */
+    public static final Setting<Double> DIFFRACTION = weight("diffraction", "Factor of the diffracted light.", 1);
+
+    /** Factor of the body's texture. */
+    public static final Setting<Double> TEXTURE_WEIGHT = weight("texture", "Factor of the body's texture.", 1);
+
+    /** Share of the light's Lambert reflection on the body. */
+    public static final Setting<Double> DIFFUSE = weight("diffuse", "Share of Lambert's reflection on the body.", 1);
+
+    /** Share of light that reaches the body from everywhere. */
+    public static final Setting<Double> AMBIENT = weight("ambient", "Share of light from everywhere.", 0);
+
+    /** Behind the mesh. */
+    static final Setting<SceneColor> BACKGROUND = new Setting<>(
+                    "background",
+                    Kinds.of(
+                            "#rrggbb",
+                            ValueKind.Form.TEXT,
+                            SceneColor::parse,
+                            UnaryOperator.identity(),
+                            SceneColor::toString,
+                            "#rrggbb"),
+                    "Colour behind the mesh, not exposed.")
+            .withStandard(new SceneColor(0));
+
+    /** Angle between the picture's bottom and top, radians. */
+    static final Setting<Double> FIELD_OF_VIEW = new Setting<>(
+                    "fieldOfView",
+                    Kinds.angle(Viewpoint.NARROWEST, Viewpoint.WIDEST),
+                    "Angle between the picture's bottom and top.")
+            .withStandard(Math.toRadians(30));
+
+    /** Factor for all that the light makes visible. */
+    static final Setting<Double> INTENSITY =
+            new Setting<>("intensity", Kinds.number("FACTOR", 0, 1e6), "Factor of the light.").withStandard(1.0);
+
+    /** Of the blend of diffracted light and body. */
+    static final List<Setting<?>> WEIGHTS = List.of(DIFFRACTION, TEXTURE_WEIGHT, DIFFUSE, AMBIENT);
+
+    /** Those that stand in a scene's file directly, not within another key. */
+    static final List<Setting<?>> OF_ROOT = List.of(TITLE, MESH, TEXTURE, ROTATE_PATCH, EXPOSURE, BACKGROUND);
+
+    /** Those that options may change. */
+    public static final List<Setting<?>> OVERRIDABLE =
+            List.of(MESH, TEXTURE, ROTATE_PATCH, EXPOSURE, DIFFRACTION, TEXTURE_WEIGHT, DIFFUSE, AMBIENT);
+
+    private SceneSettings() {}
+
+    private static Setting<Double> weight(String name, String help, double standard) {
+        return new Setting<>(name + "Weight", Kinds.number("W", 0, LARGEST_WEIGHT), help)
+                .inFiles(name)
+                .withStandard(standard);
+    }
+
+    private static ValueKind<OptionalDouble> exposure() {
+        String range = "auto, or a number above 0 to " + Decimals.format(LARGEST_EXPOSURE);
+        UnaryOperator<OptionalDouble> check = value -> {
+            double factor = value.orElse(1);
+            // Below the least normal number, products are no longer exact.
+            if (!(factor >= Double.MIN_NORMAL && factor <= LARGEST_EXPOSURE)) {
+                throw new IllegalArgumentException(Decimals.format(factor) + " is out of range; give " + range);
+            }
+            return value;
+        };
+        return Kinds.of(
+                "FACTOR",
+                ValueKind.Form.NUMBER,
+                SceneSettings::parseExposure,
+                check,
+                value -> value.isEmpty() ? AUTOMATIC : Decimals.format(value.getAsDouble()),
+                range);
+    }
+
+    private static OptionalDouble parseExposure(String text) {
+        if (text.strip().equals(AUTOMATIC)) {
+            return OptionalDouble.empty();
+        }
+        OptionalDouble factor = Decimals.parse(text);
+        if (factor.isEmpty()) {
+            throw new IllegalArgumentException(Quoted.of(text) + " is neither auto nor a number above 0");
+        }
+        return factor;
+    }
+}

@@ -1,0 +1,40 @@
+package sunbeam.precompute.units;
+
+import java.math.BigDecimal;
+import java.math.MathContext;
+import java.util.Locale;
+import sunbeam.precompute.text.Quoted;
+
+/** Angles as people write them ("30 deg", "0.5rad"; degrees where no unit is written) to and from radians. */
+public final class Angles {
+    // Conversion between degrees and radians spoils the last ones.
+    private static final int DIGITS = 12;
+    private static final int UNIT_LENGTH = 3;
+
+    private Angles() {}
+
+    /**
+     * The angle in radians.
+     *
+     * @throws IllegalArgumentException when the text has no number or an unknown unit
+     */
+    public static double parse(String text) {
+        String value = text.strip().toLowerCase(Locale.ROOT);
+        boolean radians = value.endsWith("rad");
+        boolean hasUnit = radians || value.endsWith("deg");
+        String digits = hasUnit ? value.substring(0, value.length() - UNIT_LENGTH) : value;
+        double number = Decimals.parse(digits)
+                .orElseThrow(() -> new IllegalArgumentException(
+                        Quoted.of(text) + " is no angle; give degrees as in 30deg, or radians as in 0.5rad"));
+        return radians ? number : Math.toRadians(number);
+    }
+
+    /** Radians as text in degrees, {@code "30 deg"}; {@link #parse} gives the same number back to twelve digits. */
+    public static String format(double radians) {
+        if (!Double.isFinite(radians)) {
+            return radians + " deg";
+        }
+        BigDecimal degrees = new BigDecimal(Math.toDegrees(radians)).round(new MathContext(DIGITS));
+        return Decimals.format(degrees.doubleValue()) + " deg";
+    }
+}
