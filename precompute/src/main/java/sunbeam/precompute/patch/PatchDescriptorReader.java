@@ -24,12 +24,12 @@ final class PatchDescriptorReader {
     static PatchDescriptor read(Path file) {
         InputFiles.requireReadable(file);
         JsonObject keys = json(file);
+        JsonValue heights = keys.required("heights", "\"scan.png\"");
         keys.required(PatchSettings.WIDTH.fileKey(), "\"65 um\"");
         keys.required(PatchSettings.MAX_HEIGHT.fileKey(), "\"375 nm\"");
-        JsonValue heights = keys.required("heights", "\"scan.png\"");
+        Choices choices = keys.choices(PatchSettings.OF_FILES);
         Path image = imageInside(file, keys.name("heights"), keys.text("heights", heights));
         String note = keys.find("note").map(value -> keys.text("note", value)).orElse("");
-        Choices choices = keys.choices(PatchSettings.OF_FILES);
         keys.requireNoOthers();
         return new PatchDescriptor(file, image, choices, note);
     }
