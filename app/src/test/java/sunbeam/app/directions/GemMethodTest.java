@@ -9,9 +9,9 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledIfEnvironmentVariable;
 import org.junit.jupiter.api.io.TempDir;
-import sunbeam.app.cli.UsageException;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.plan.VisibleRange;
+import sunbeam.precompute.setting.SettingException;
 
 class GemMethodTest {
     @TempDir
@@ -43,7 +43,7 @@ class GemMethodTest {
     void aPatchOfManyPeriodsNeedsASpacing() {
         MethodProbe probe = new MethodProbe(home, "--patch", "disc");
         assertThatThrownBy(() -> probe.plan(VisibleRange.all(), "--method", "gem"))
-                .isInstanceOf(UsageException.class)
+                .isInstanceOf(SettingException.class)
                 .hasMessageContaining("--spacing");
         assertThat(probe.plan(VisibleRange.all(), "--method", "gem", "--spacing", "1.6um")
                         .summary())

@@ -11,7 +11,6 @@ import org.junit.jupiter.api.condition.EnabledIfEnvironmentVariable;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import sunbeam.app.cli.UsageException;
 import sunbeam.app.picture.LinearPicture;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.Direction;
@@ -20,6 +19,7 @@ import sunbeam.precompute.optics.WindowOrigin;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.reference.ReferenceColor;
 import sunbeam.precompute.reference.ReferenceEvaluator;
+import sunbeam.precompute.setting.SettingException;
 
 @EnabledIfEnvironmentVariable(
         named = "DISPLAY",
@@ -170,7 +170,7 @@ class NmmMethodTest {
         MethodProbe probe = new MethodProbe(home, "--patch", "blaze");
         assertThat(probe.plan(VisibleRange.all(), "--method", "nmm").summary()).contains("nmm");
         assertThatThrownBy(() -> probe.plan(VisibleRange.all(), "--method", "reference"))
-                .isInstanceOf(UsageException.class)
+                .isInstanceOf(SettingException.class)
                 .hasMessageContaining("--method reference")
                 .hasMessageContaining("reflectance");
     }

@@ -215,7 +215,7 @@ class ViewerModelTest {
         assertThat(onEvents(() -> problems))
                 .singleElement()
                 .asString()
-                .startsWith("a coherence length of 150 nm is less than")
+                .contains("150 nm is less than")
                 .doesNotContain("internal error");
         assertThat(onEvents(() -> model.scene())).isEqualTo(before);
     }

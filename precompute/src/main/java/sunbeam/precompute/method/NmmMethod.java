@@ -12,6 +12,7 @@ import sunbeam.precompute.plan.Neighbourhood;
 import sunbeam.precompute.plan.Plan;
 import sunbeam.precompute.plan.PlanReport;
 import sunbeam.precompute.plan.TableChoices;
+import sunbeam.precompute.plan.Tolerances;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.shader.ArrayLayout;
@@ -48,11 +49,13 @@ public record NmmMethod(TableChoices table, Optional<Neighbourhood> neighbourhoo
 
     /** Its name and settings. */
     public static final MethodType TYPE = new MethodType(
-            "nmm",
-            "one wavelength per diffraction order, weighted by the order's width.",
-            BinSettings.ALL,
-            choices -> new NmmMethod(
-                    TableChoices.of(choices), BinSettings.neighbourhood(choices), GaussianArea.of(choices)));
+                    "nmm",
+                    "one wavelength per diffraction order, weighted by the order's width.",
+                    BinSettings.ALL,
+                    choices -> new NmmMethod(
+                            TableChoices.of(choices), BinSettings.neighbourhood(choices), GaussianArea.of(choices)))
+            .comparedAs(surface ->
+                    List.of(new Variant("nmm", within(Tolerances.STANDARD), "meant for patches of one period")));
 
     /** Planned for a tolerance, in sunlight. */
     public static NmmMethod within(double tolerance) {

@@ -6,6 +6,7 @@ import static sunbeam.precompute.plan.MethodSettings.INTERPOLATION;
 import static sunbeam.precompute.plan.MethodSettings.REPLICAS;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.WavelengthNodes;
@@ -23,6 +24,7 @@ import sunbeam.precompute.plan.MemoryNeed;
 import sunbeam.precompute.plan.MethodSettings;
 import sunbeam.precompute.plan.ReplicatedArea;
 import sunbeam.precompute.plan.TableChoices;
+import sunbeam.precompute.plan.Tolerances;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.resample.PeriodInterpolation;
 import sunbeam.precompute.resample.PeriodSpectrum;
@@ -57,7 +59,10 @@ public record PqMethod(TableChoices table, PeriodInterpolation interpolation, Re
     /** Its name and settings. */
     public static final MethodType TYPE = new MethodType(
                     "pq", "the patch repeated Q times, sharp edge.", settings(), PqMethod::of)
-            .fixing(AVERAGE, Average.COHERENT);
+            .fixing(AVERAGE, Average.COHERENT)
+            .comparedAs(surface -> Arrays.stream(PeriodInterpolation.values())
+                    .map(PqMethod::variant)
+                    .toList());
 
     /** How often the patch is repeated. */
     public sealed interface Repetition {
@@ -91,6 +96,13 @@ public record PqMethod(TableChoices table, PeriodInterpolation interpolation, Re
         public Replicas of(HeightMap map) {
             return new Replicas(replicas, replicas);
         }
+    }
+
+    private static Variant variant(PeriodInterpolation interpolation) {
+        return new Variant(
+                "pq, " + interpolation.label(),
+                within(Tolerances.STANDARD, interpolation),
+                "evenly lit replicas with sharp edges instead of the Gaussian window");
     }
 
     private static List<Setting<?>> settings() {
@@ -135,7 +147,7 @@ public record PqMethod(TableChoices table, PeriodInterpolation interpolation, Re
         surface.planner().excess(planned.memory()).ifPresent(excess -> {
             throw new SettingException(
                     Methods.METHOD,
-                    "pq takes %d x %d samples of the period's spectrum in %d terms, which %s; crop the patch, or give a coarser "
+                    "takes %d x %d samples of the period's spectrum in %d terms, which %s; crop the patch, or give a coarser "
                             .formatted(
                                     planned.bandX().count(),
                                     planned.bandY().count(),

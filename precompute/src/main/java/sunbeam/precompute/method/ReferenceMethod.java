@@ -26,10 +26,11 @@ import sunbeam.precompute.setting.SettingException;
 public record ReferenceMethod(CoherenceArea area) implements Method {
     /** Its name and settings. Of the preset it takes the window's place. */
     public static final MethodType TYPE = new MethodType(
-            "reference",
-            "direct sums in double precision on the processor; slow, the truth; not for maps.",
-            settings(),
-            ReferenceMethod::of);
+                    "reference",
+                    "direct sums in double precision on the processor; slow, the truth; not for maps.",
+                    settings(),
+                    ReferenceMethod::of)
+            .comparedAs(surface -> List.of());
 
     private static List<Setting<?>> settings() {
         List<Setting<?>> settings = new ArrayList<>(List.of(PRESET));
@@ -66,6 +67,6 @@ public record ReferenceMethod(CoherenceArea area) implements Method {
     /** It has no shader. */
     @Override
     public MethodPlan plan(Surface surface, VisibleRange range) {
-        throw new SettingException(Methods.METHOD, "reference evaluates single directions; use it with 'reflectance'");
+        throw new SettingException(Methods.METHOD, "evaluates single directions; use it with 'reflectance'");
     }
 }
