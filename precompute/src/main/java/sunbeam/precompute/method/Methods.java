@@ -17,8 +17,12 @@ import sunbeam.precompute.setting.SettingException;
 /** The methods that there are. */
 public final class Methods {
     /** Each of them; a new one is entered here. */
-    public static final List<MethodType> ALL =
-            List.of(FullMethod.TYPE, NmmMethod.TYPE, PqMethod.TYPE, GemMethod.TYPE, ReferenceMethod.TYPE);
+    public static final List<MethodType> ALL = List.of(
+            FullMethod.TYPE, // every wavelength
+            NmmMethod.TYPE, // one wavelength an order
+            PqMethod.TYPE, // replicas with sharp edges
+            GemMethod.TYPE, // a spacing
+            ReferenceMethod.TYPE); // the truth
 
     /** Which method. */
     public static final Setting<MethodType> METHOD = new Setting<>(
