@@ -9,7 +9,7 @@ import java.util.regex.Pattern;
  *
  * @param key its name in files, such as {@code coherenceLength}; what other places call it derives from that
  * @param kind its values, their unit and limits
- * @param help what it does, in one or two sentences for a manual; the standard value is added to it
+ * @param help what it does, in a few sentences for a manual, which adds the standard value
  * @param standard what holds where nothing is chosen, where that is always the same
  * @param <T> of a value
  */
