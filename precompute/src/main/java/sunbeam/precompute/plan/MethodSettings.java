@@ -79,8 +79,7 @@ public final class MethodSettings {
     public static final Setting<Double> COHERENCE_LENGTH = new Setting<>(
                     "coherenceLength",
                     Kinds.length(100e-9, 10e-3),
-                    "Four standard deviations of the coherence window, sunlight's where nothing else is said; 100nm to"
-                            + " 10mm.")
+                    "Four standard deviations of the coherence window, 100nm to 10mm; 65 um are sunlight's.")
             .withStandard(CoherenceWindow.SUNLIGHT_COHERENCE_LENGTH);
 
     /** Which power. */

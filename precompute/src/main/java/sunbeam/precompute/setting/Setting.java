@@ -10,7 +10,7 @@ import java.util.regex.Pattern;
  * @param key its name, such as {@code coherenceLength}; what options and controls call it derives from that
  * @param fileKey its name in files, mostly the same
  * @param kind its values, their unit and limits
- * @param help what it does, in one or two sentences for a manual; the standard value is added to it
+ * @param help what it does, in a few sentences for a manual, which adds the standard value
  * @param standard what holds where nothing is chosen, where that is always the same
  * @param <T> of a value
  */

@@ -62,6 +62,30 @@ class ChoicesTest {
     }
 
     @Test
+    void aComplaintAboutWhatNobodyChoseShowsTheValueThatHolds() {
+        Choices choices = Choices.at(OPTION).with(TERMS, 12);
+        assertThatThrownBy(() -> choices.located(() -> {
+                    throw SettingException.of(LENGTH, 65e-6, "is too long");
+                }))
+                .hasMessage("--coherence-length 65 um is too long");
+        assertThatThrownBy(() -> choices.located(() -> {
+                    throw SettingException.of(TERMS, 13, "are too many");
+                }))
+                .as("what was chosen is shown as it was chosen")
+                .hasMessage("--terms 12 are too many");
+    }
+
+    @Test
+    void aStandardValueHoldsWhereNothingIsChosen() {
+        Setting<Double> length = LENGTH.withStandard(65e-6);
+        assertThat(Choices.none().get(length)).isEqualTo(65e-6);
+        assertThat(Choices.none().with(length, 20e-6).get(length)).isEqualTo(20e-6);
+        assertThat(Choices.none().orStandard(length).describe()).isEqualTo("coherence length 65 um");
+        assertThat(Choices.none().orStandard(TERMS)).isEqualTo(Choices.none());
+        assertThatThrownBy(() -> LENGTH.withStandard(1.0)).isInstanceOf(IllegalArgumentException.class);
+    }
+
+    @Test
     void whatLiesAboveHidesWhatLiesBelow() {
         Choices scene = Choices.none().with(TERMS, 12).with(LENGTH, 65e-6);
         Choices options = Choices.at(OPTION).with(TERMS, 20);

@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.regex.MatchResult;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
@@ -14,11 +15,11 @@ import org.junit.jupiter.api.Test;
 /** Tables know nothing of command lines: what a user chooses is a {@link Setting}, whose name depends on the place. */
 class NoOptionsTest {
     private static final Path SOURCES = Path.of("src", "main", "java");
-    /** A text that names an option; comments are taken away before. */
-    private static final Pattern OPTION =
-            Pattern.compile("\"(?:\\\\.|[^\"\\\\\n])*(?<![\\w-])--[a-z](?:\\\\.|[^\"\\\\\n])*\"");
-
     private static final Pattern COMMENT = Pattern.compile("/\\*.*?\\*/|(?m)^\\s*//.*$", Pattern.DOTALL);
+    /** A character or a text, so that a quotation mark as a character opens no text. */
+    private static final Pattern LITERAL = Pattern.compile("'(?:\\\\.|[^'\\\\])+'|\"(?:\\\\.|[^\"\\\\])*\"");
+
+    private static final Pattern OPTION = Pattern.compile("(?<![\\w-])--[a-z]");
 
     /** Its settings follow. */
     private static final Path NOT_YET = Path.of("sunbeam", "precompute", "patch");
@@ -45,9 +46,10 @@ class NoOptionsTest {
     }
 
     private static List<String> options(String source) {
-        return OPTION.matcher(COMMENT.matcher(source).replaceAll(""))
+        return LITERAL.matcher(COMMENT.matcher(source).replaceAll(""))
                 .results()
-                .map(result -> result.group())
+                .map(MatchResult::group)
+                .filter(OPTION.asPredicate())
                 .toList();
     }
 }
