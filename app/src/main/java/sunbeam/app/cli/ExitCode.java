@@ -28,10 +28,6 @@ public enum ExitCode {
         return code;
     }
 
-    public String meaning() {
-        return meaning;
-    }
-
     /** Code to meaning, in ascending order, as the help prints it. */
     public static Map<String, String> table() {
         Map<String, String> table = new LinkedHashMap<>();

@@ -16,7 +16,6 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.OptionalDouble;
-import java.util.Set;
 import java.util.stream.DoubleStream;
 import java.util.stream.LongStream;
 import sunbeam.precompute.units.Decimals;
@@ -96,11 +95,6 @@ public final class CsvTable {
     /** Number of rows, at least 1. */
     public int rows() {
         return rows;
-    }
-
-    /** Names of the columns that were asked for and are there. */
-    public Set<String> columns() {
-        return columns.keySet();
     }
 
     public boolean has(String column) {

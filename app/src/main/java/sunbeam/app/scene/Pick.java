@@ -34,24 +34,4 @@ public record Pick(
         bitangent = new Vector3f(bitangent);
         normal = new Vector3f(normal);
     }
-
-    /** u of the diffraction integral, -(wi + wr) along the tangent. */
-    public double u() {
-        return -(wi.x() + wr.x());
-    }
-
-    /** v, along the bitangent. */
-    public double v() {
-        return -(wi.y() + wr.y());
-    }
-
-    /** w, along the normal; negative where the skin is lit and seen. */
-    public double w() {
-        return -(wi.z() + wr.z());
-    }
-
-    /** Whether the skin diffracts light to the viewer here: light and viewer are both above it. */
-    public boolean lit() {
-        return wi.z() > 0 && wr.z() > 0;
-    }
 }

@@ -53,11 +53,6 @@ public final class BinSums {
         return new BinSums(grid, expansion, table, alongX, alongY);
     }
 
-    /** Number of terms of the expansion. */
-    public int terms() {
-        return expansion.terms();
-    }
-
     /** The mean over all positions of the window. */
     public ResponseMatrix ensemble(IntConsumer progress) {
         double[][] power = new double[grid.wavelengths().length][grid.angles().length];

@@ -51,8 +51,4 @@ public record Band(int first, int count) {
         }
         return phases;
     }
-
-    public boolean contains(Band other) {
-        return first <= other.first && last() >= other.last();
-    }
 }
