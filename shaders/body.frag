@@ -15,7 +15,7 @@ void main() {
         discard;
     }
     vec3 normal = texelFetch(normals, pixel, 0).xyz;
-    vec3 albedo = linearSrgbToXyz(texelFetch(albedos, pixel, 0).rgb);
+    vec3 albedo = LINEAR_SRGB_TO_XYZ * texelFetch(albedos, pixel, 0).rgb;
     vec3 sum = vec3(0.0);
     for (int light = 0; light < lightCount; ++light) {
         sum += lightRadiances[light].y * bodyXyz(albedo, dot(lightDirections[light], normal));

@@ -1,6 +1,5 @@
 #version 330 core
-#include "include/gain.glsl"
-#include "method/method.glsl"
+#include "include/radiance.glsl"
 
 // A BRDF map: the pixel at (x, y) of the unit disc shows the direction (x, y, sqrt(1 - x^2 - y^2)).
 
@@ -20,6 +19,5 @@ void main() {
         return;
     }
     vec3 wr = vec3(disc, sqrt(1.0 - radiusSquared));
-    vec3 uvw = diffractionVector(lightDirection, wr);
-    radiance = vec4(relativeRadiance(lightDirection, wr) * diffractedXyz(uvw), 1.0);
+    radiance = vec4(diffractedRadiance(lightDirection, wr), 1.0);
 }

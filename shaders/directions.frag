@@ -1,6 +1,6 @@
 #version 330 core
 #include "include/gain.glsl"
-#include "method/method.glsl"
+#include "method/{METHOD}.glsl"
 
 // A list of directions, one per fragment, through the very code that draws the maps.
 
@@ -22,11 +22,7 @@ void main() {
 #ifdef SPECTRAL
     float coherent = coherentPower(uvwLambda.xyz, uvwLambda.w);
     float ensemble = ensemblePower(uvwLambda.xyz, uvwLambda.w);
-#if AVERAGE == AVERAGE_ENSEMBLE
-    float power = ensemble;
-#else
-    float power = coherent;
-#endif
+    float power = ENSEMBLE ? ensemble : coherent;
     result = vec4(coherent, ensemble, gain * power, brdfPerPower(wi, wr, uvwLambda.w, windowSigma) * power);
 #else
     result = vec4(diffractedXyz(uvwLambda.xyz), gain);

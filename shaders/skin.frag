@@ -1,9 +1,8 @@
 #version 330 core
 #include "jrtr/lights.glsl"
 #include "include/blend.glsl"
-#include "include/gain.glsl"
 #include "include/geometry.glsl"
-#include "method/method.glsl"
+#include "include/radiance.glsl"
 
 // A skin under its lights: diffraction, texture and diffuse part, from what geometry.frag found in each pixel.
 
@@ -18,7 +17,7 @@ vec3 diffractedTowards(vec3 wi, vec3 wr) {
     if (wi.z <= 0.0 || wr.z <= 0.0) {
         return vec3(0.0);
     }
-    return relativeRadiance(wi, wr) * diffractedXyz(diffractionVector(wi, wr));
+    return diffractedRadiance(wi, wr);
 }
 
 void main() {
@@ -32,10 +31,10 @@ void main() {
     vec4 normal = texelFetch(normals, pixel, 0);
     vec3 tangent = texelFetch(tangents, pixel, 0).xyz;
     mat3 frame = mat3(tangent, normal.w * cross(normal.xyz, tangent), normal.xyz);
-    vec3 albedo = linearSrgbToXyz(texelFetch(albedos, pixel, 0).rgb);
+    vec3 albedo = LINEAR_SRGB_TO_XYZ * texelFetch(albedos, pixel, 0).rgb;
     vec3 sum = vec3(0.0);
     for (int light = 0; light < lightCount; ++light) {
-        vec3 wi = lightDirections[light] * frame;
+        vec3 wi = lightDirection(frame, light);
         // Lights are white, so that their luminance says all.
         sum += lightRadiances[light].y * blended(diffractedTowards(wi, wr), albedo, wi.z);
     }

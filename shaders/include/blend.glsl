@@ -1,3 +1,5 @@
+#include "include/srgb.glsl"
+
 // Diffracted light and body colour on one skin (thesis algorithm 3.4), in linear XYZ with white at Y = 1.
 
 // Factor of the diffracted light, factor of the texture, shares of Lambert and ambient light.
@@ -5,15 +7,6 @@ uniform float diffractionWeight;
 uniform float textureWeight;
 uniform float diffuseWeight;
 uniform float ambientWeight;
-
-// Linear sRGB to XYZ (IEC 61966-2-1); inverse of the matrix in display.glsl, columns of red, green, blue.
-vec3 linearSrgbToXyz(vec3 rgb) {
-    const mat3 TO_XYZ = mat3(
-            0.4124564, 0.2126729, 0.0193339,
-            0.3575761, 0.7151522, 0.1191920,
-            0.1804375, 0.0721750, 0.9503041);
-    return TO_XYZ * rgb;
-}
 
 // The body alone: its texture under a Lambert and an ambient part of the light.
 vec3 bodyXyz(vec3 albedoXyz, float cosTheta_i) {

@@ -1,3 +1,5 @@
+#include "include/constants.glsl"
+
 // Real coefficients c_n(zeta) of exp(-i zeta s) = sum (-i)^turns(n) c_n T_n(s), one after the other; zeta = k |w|
 // halfRange. The constant quarter turns are in the tables of T_n already.
 
@@ -5,8 +7,13 @@
 uniform float heightHalfRange;
 
 float expansionPhase(float w, float wavelength) {
-    const float TWO_PI = 6.283185307;
-    return TWO_PI * abs(w) * heightHalfRange / wavelength;
+    return 2.0 * PI * abs(w) * heightHalfRange / wavelength;
+}
+
+// Coefficients of the expansion from a table: phases along x, a row of texels per coefficient, or per four. phaseMap: offset
+// and scale from zeta to the texture coordinate.
+vec4 sampledCoefficients(sampler2D table, vec2 phaseMap, float zeta, int row, int rows) {
+    return texture(table, vec2(phaseMap.x + phaseMap.y * zeta, (float(row) + 0.5) / float(rows)));
 }
 
 #if EXPANSION == EXPANSION_TAYLOR
@@ -22,14 +29,12 @@ float nextCoefficient(float previous, int n, float zeta) {
 
 #else
 
-// Sampled coefficients: one row of texels per term, one column per phase.
+// One row of texels per term.
 uniform sampler2D expansionCoefficients;
-// Maps zeta to the texture coordinate of its column: offset, scale.
 uniform vec2 expansionPhaseMap;
 
 float nextCoefficient(float previous, int n, float zeta) {
-    vec2 at = vec2(expansionPhaseMap.x + expansionPhaseMap.y * zeta, (float(n) + 0.5) / float(TERMS));
-    return texture(expansionCoefficients, at).r;
+    return sampledCoefficients(expansionCoefficients, expansionPhaseMap, zeta, n, TERMS).r;
 }
 
 float firstCoefficient(float zeta) {

@@ -1,3 +1,4 @@
+#include "include/constants.glsl"
 #include "include/fresnel.glsl"
 #include "include/frame.glsl"
 #include "include/mask.glsl"
@@ -14,9 +15,8 @@ float relativeRadiance(vec3 wi, vec3 wr) {
 
 // BRDF in 1/sr per power, without the mask. The window's effective area is pi sigma^2.
 float brdfPerPower(vec3 wi, vec3 wr, float wavelength, float windowSigma) {
-    const float FOUR_PI = 12.566370614;
     float kirchhoff = 1.0 + dot(wi, wr);
     // One ratio of lengths near 100 instead of squares of lengths near 1e-13.
     float ratio = kirchhoff * windowSigma / (wavelength * (wi.z + wr.z));
-    return reflectance(halfAngleCosine(wi, wr)) * FOUR_PI * ratio * ratio / (wi.z * wr.z);
+    return reflectance(halfAngleCosine(wi, wr)) * 4.0 * PI * ratio * ratio / (wi.z * wr.z);
 }

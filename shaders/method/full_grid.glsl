@@ -1,3 +1,6 @@
+#include "include/spectrum.glsl"
+#include "method/grid_tables.glsl"
+
 // Windowed spectra on a grid, interpolated. A direction sees the ray f = (u, v) / lambda; its wavelengths are placed where
 // the ray crosses the grid's columns (rows, where |v| > |u|), so that only one axis is left to interpolate.
 
@@ -13,79 +16,105 @@ uniform int gridCentreNodes;
 // A ray that crosses enough columns stops at every second one, or third, up to this.
 uniform int gridLargestStride;
 
-float pointPower(vec3 uvw, float wavelength) {
+// Each average has tables of its own: a grid for any place (Point), and one for columns, whose layers for columns along x
+// are followed by as many for rows along y (Rays). Colours have those of their average alone, wavelengths have no Rays.
+
+#if COHERENT_LAYERS > 0
+// Two complex terms a texel.
+uniform sampler2DArray coherentPoint;
+uniform sampler2DArray coherentRays;
+uniform sampler2D coherentCoefficients;
+uniform vec2 coherentPhaseMap;
+// Samples per cycle per metre, and index of the first sample along x and y.
+uniform float coherentScale;
+uniform vec2 coherentPointFirst;
+
+float coherentPower(vec3 uvw, float wavelength) {
+    Place place = inGrid(uvw.xy / wavelength * coherentScale - coherentPointFirst);
     float zeta = expansionPhase(uvw.z, wavelength);
-#if AVERAGE == AVERAGE_ENSEMBLE
-    return ensemblePointPower(uvw.xy / wavelength, zeta);
+    return squaredMagnitude(
+            amplitudeAt(coherentPoint, 0, COHERENT_LAYERS, place, coherentCoefficients, coherentPhaseMap, zeta));
+}
+#endif
+
+#if ENSEMBLE_LAYERS > 0
+// Four real terms a texel.
+uniform sampler2DArray ensemblePoint;
+uniform sampler2DArray ensembleRays;
+uniform sampler2D ensembleCoefficients;
+uniform vec2 ensemblePhaseMap;
+uniform float ensembleScale;
+uniform vec2 ensemblePointFirst;
+
+float ensemblePower(vec3 uvw, float wavelength) {
+    Place place = inGrid(uvw.xy / wavelength * ensembleScale - ensemblePointFirst);
+    float zeta = expansionPhase(uvw.z, wavelength);
+    return realSumAt(ensemblePoint, 0, ENSEMBLE_LAYERS, place, ensembleCoefficients, ensemblePhaseMap, zeta);
+}
+#endif
+
+#ifndef SPECTRAL
+
+// Power where the ray crosses a column along x, or a row along y.
+float columnPower(bool alongX, Place place, float zeta) {
+#if COHERENT_LAYERS > 0
+    int firstLayer = alongX ? 0 : COHERENT_LAYERS;
+    return squaredMagnitude(amplitudeAt(
+            coherentRays, firstLayer, COHERENT_LAYERS, place, coherentCoefficients, coherentPhaseMap, zeta));
 #else
-    return coherentPointPower(uvw.xy / wavelength, zeta);
+    int firstLayer = alongX ? 0 : ENSEMBLE_LAYERS;
+    return realSumAt(ensembleRays, firstLayer, ENSEMBLE_LAYERS, place, ensembleCoefficients, ensemblePhaseMap, zeta);
 #endif
 }
 
-#ifdef SPECTRAL
-float coherentPower(vec3 uvw, float wavelength) {
-    return coherentPointPower(uvw.xy / wavelength, expansionPhase(uvw.z, wavelength));
-}
+struct Ray {
+    vec3 uvw;
+    // Whether steps meet columns: step i the column number i stride from the middle, along x or along y. The rest is for
+    // these alone.
+    bool meetsColumns;
+    bool alongX;
+    // Columns per step, negative towards lower ones, and samples along the column per step.
+    float columnsPerStep;
+    float samplesPerStep;
+    vec2 origin;
+    float zetaPerStep;
+};
 
-float ensemblePower(vec3 uvw, float wavelength) {
-    return ensemblePointPower(uvw.xy / wavelength, expansionPhase(uvw.z, wavelength));
-}
-#else
+#include "include/integral.glsl"
 
-// Near the specular direction: equal steps of 1 / lambda, both axes interpolated.
-vec3 centreXyz(vec3 uvw) {
-    float first = 1.0 / LONGEST_WAVELENGTH;
-    float stepSize = (1.0 / SHORTEST_WAVELENGTH - first) / float(gridCentreNodes - 1);
-    vec3 sum = vec3(0.0);
-    vec3 weights = vec3(0.0);
-    for (int i = 0; i < gridCentreNodes; ++i) {
-        float wavelength = 1.0 / (first + stepSize * float(i));
-        vec3 weight = cieWeight(wavelength) * (wavelength * wavelength);
-        sum += weight * pointPower(uvw, wavelength);
-        weights += weight;
+float powerAtStep(Ray ray, int step, float wavelength) {
+    if (!ray.meetsColumns) {
+        return averagePower(ray.uvw, wavelength);
     }
-    // Constant power comes out exactly, however few the wavelengths.
-    return sum * cieWhite / weights;
+    float i = float(step);
+    Place place = onColumn(int(i * ray.columnsPerStep - ray.origin.x), i * ray.samplesPerStep - ray.origin.y);
+    return columnPower(ray.alongX, place, i * ray.zetaPerStep);
 }
 
 vec3 diffractedXyz(vec3 uvw) {
     bool alongX = abs(uvw.x) >= abs(uvw.y);
     float major = alongX ? uvw.x : uvw.y;
     if (abs(major) < gridCentreReach) {
-        return centreXyz(uvw);
+        // Near the specular direction: both axes interpolated.
+        Ray ray = Ray(uvw, false, alongX, 0.0, 0.0, vec2(0.0), 0.0);
+        return bandXyz(ray, wholeBand(gridCentreNodes));
     }
     float minorPerColumn = (alongX ? uvw.y : uvw.x) / abs(major) * gridNodeStep * gridRayScale;
-    float direction = sign(major);
-    vec2 origin = alongX ? gridRaysFirst.xy : gridRaysFirst.zw;
-#if AVERAGE == AVERAGE_ENSEMBLE
-    int firstLayer = alongX ? 0 : ENSEMBLE_LAYERS;
-#else
-    int firstLayer = alongX ? 0 : COHERENT_LAYERS;
-#endif
     // 1 / lambda = column step / |major|, and the phase grows in proportion.
     float crossed = abs(major) / gridNodeStep * (1.0 / SHORTEST_WAVELENGTH - 1.0 / LONGEST_WAVELENGTH);
     int stride = clamp(int(crossed) / gridCentreNodes, 1, gridLargestStride);
     float waveNumberStep = gridNodeStep * float(stride) / abs(major);
-    float zetaStep = expansionPhase(uvw.z, 1.0) * waveNumberStep;
+    Ray ray = Ray(
+            uvw,
+            true,
+            alongX,
+            sign(major) * float(stride),
+            float(stride) * minorPerColumn,
+            alongX ? gridRaysFirst.xy : gridRaysFirst.zw,
+            expansionPhase(uvw.z, 1.0) * waveNumberStep);
     int first = int(ceil(1.0 / (LONGEST_WAVELENGTH * waveNumberStep)));
     int last = int(floor(1.0 / (SHORTEST_WAVELENGTH * waveNumberStep)));
-    vec3 sum = vec3(0.0);
-    vec3 weights = vec3(0.0);
-    for (int m = first; m <= last; ++m) {
-        float count = float(m * stride);
-        float wavelength = 1.0 / (float(m) * waveNumberStep);
-        // d lambda = lambda^2 d(1 / lambda), with equal steps of 1 / lambda.
-        vec3 weight = cieWeight(wavelength) * (wavelength * wavelength);
-        int column = int(direction * count - origin.x);
-        Taps taps = tapsAround(count * minorPerColumn - origin.y);
-#if AVERAGE == AVERAGE_ENSEMBLE
-        float power = ensembleRayPower(firstLayer, column, taps, float(m) * zetaStep);
-#else
-        float power = coherentRayPower(firstLayer, column, taps, float(m) * zetaStep);
-#endif
-        sum += weight * power;
-        weights += weight;
-    }
-    return sum * cieWhite / weights;
+    return bandXyz(ray, Steps(0.0, waveNumberStep, first, last, false, false));
 }
+
 #endif

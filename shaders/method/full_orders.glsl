@@ -1,3 +1,6 @@
+#include "include/plain_ray.glsl"
+#include "method/neighbourhood.glsl"
+
 // For patches so small that the window resolves every diffraction order: wavelengths are placed around the middle of each
 // order that the direction sees, and only the nearest bin is looked at.
 
@@ -10,43 +13,6 @@ uniform float orderLargestStep;
 uniform int specularNodes;
 // Standard deviation of the window's spectrum, cycles per metre.
 uniform float windowSigmaFrequency;
-
-float orderPower(vec3 uvw, float wavelength) {
-#if AVERAGE == AVERAGE_ENSEMBLE
-    return ensemblePower(uvw, wavelength);
-#else
-    return coherentPower(uvw, wavelength);
-#endif
-}
-
-// Trapezoid rule in 1 / lambda, which spaces an order evenly: d lambda = lambda^2 d(1 / lambda).
-vec3 contribution(vec3 uvw, float waveNumber) {
-    float wavelength = 1.0 / waveNumber;
-    return cieWeight(wavelength) * (wavelength * wavelength * orderPower(uvw, wavelength));
-}
-
-// Power of the order of bin (0, 0), which covers the whole band at once; constant power comes out exactly.
-vec3 specularOrder(vec3 uvw) {
-    float first = 1.0 / LONGEST_WAVELENGTH;
-    float stepSize = (1.0 / SHORTEST_WAVELENGTH - first) / float(specularNodes - 1);
-    vec3 sum = vec3(0.0);
-    vec3 weights = vec3(0.0);
-    for (int i = 0; i < specularNodes; ++i) {
-        float wavelength = 1.0 / (first + stepSize * float(i));
-        vec3 weight = cieWeight(wavelength) * (wavelength * wavelength);
-        sum += weight * orderPower(uvw, wavelength);
-        weights += weight;
-    }
-    return sum * cieWhite / weights;
-}
-
-// Gregory's correction of the trapezoid rule at an end where the integrand does not vanish; i nodes from it.
-float endWeight(int i) {
-    return i == 0 ? 3.0 / 8.0 : i == 1 ? 7.0 / 6.0 : i == 2 ? 23.0 / 24.0 : 1.0;
-}
-
-// Gregory's corrections of both ends, three nodes each, must not overlap.
-const int FEWEST_INTERVALS = 6;
 
 // Deviations of an order's power at which it is 1e-9 of its maximum: nothing that anybody sees.
 const float FLANK_REACH = 6.5;
@@ -70,21 +36,17 @@ vec3 oneOrder(vec3 uvw, vec2 bin) {
     float spacing = min(orderNodeSpacing * deviation, orderLargestStep * middle * middle);
     // Where the band cuts an order, the trapezoid rule loses the accuracy that it owes to vanishing ends.
     int intervals = int(ceil((high - low) / (cutLow || cutHigh ? 0.5 * spacing : spacing)));
-    intervals = max(intervals, FEWEST_INTERVALS);
-    float stepSize = (high - low) / float(intervals);
-    vec3 sum = vec3(0.0);
-    for (int i = 0; i <= intervals; ++i) {
-        float end = (cutLow ? endWeight(i) : 1.0) * (cutHigh ? endWeight(intervals - i) : 1.0);
-        sum += end * contribution(uvw, low + float(i) * stepSize);
-    }
-    return sum * stepSize;
+    intervals = max(intervals, FEWEST_CUT_INTERVALS);
+    Steps steps = Steps(low, (high - low) / float(intervals), 0, intervals, cutLow, cutHigh);
+    return partXyz(Ray(uvw), steps);
 }
 
 vec3 diffractedXyz(vec3 uvw) {
-    // Five deviations out of the specular order at the longest wavelength, its power is e^-25.
+    // The order of bin (0, 0) covers the whole band at once. Five deviations out of it at the longest wavelength, its power
+    // is e^-25.
     const float SPECULAR_REACH = 5.0;
     if (length(uvw.xy) < SPECULAR_REACH * windowSigmaFrequency * LONGEST_WAVELENGTH) {
-        return specularOrder(uvw);
+        return bandXyz(Ray(uvw), wholeBand(specularNodes));
     }
     // Orders along the axis on which the ray crosses more of them; on the other, the one nearest to the ray.
     vec2 binsPerWaveNumber = uvw.xy * tablePeriod;

@@ -1,3 +1,6 @@
+#include "include/average.glsl"
+#include "include/expansion.glsl"
+
 // Spectra that were windowed and resampled beforehand (sunbeam.precompute.resample), and how they are interpolated.
 
 // Weights of the TAPS taps by the fraction of the position between two samples; four taps a texel, rows of texels.
@@ -28,8 +31,25 @@ Taps tapsAround(float position) {
     return taps;
 }
 
-// Interpolated along y only.
-vec4 onColumn(sampler2DArray grid, int layer, int column, Taps y) {
+// Where a grid is looked at: on one of its columns, interpolated along y only, or anywhere, along both axes.
+struct Place {
+    bool onColumn;
+    int column;
+    Taps x;
+    Taps y;
+};
+
+Place onColumn(int column, float y) {
+    Taps taps = tapsAround(y);
+    return Place(true, column, taps, taps);
+}
+
+// position: in samples of the grid.
+Place inGrid(vec2 position) {
+    return Place(false, 0, tapsAround(position.x), tapsAround(position.y));
+}
+
+vec4 columnTexel(sampler2DArray grid, int layer, int column, Taps y) {
     vec4 sum = vec4(0.0);
     for (int j = 0; j < TAPS; ++j) {
         sum += y.weights[j] * texelFetch(grid, ivec3(column, y.first + j, layer), 0);
@@ -37,91 +57,43 @@ vec4 onColumn(sampler2DArray grid, int layer, int column, Taps y) {
     return sum;
 }
 
-// Interpolated along both axes.
-vec4 atPoint(sampler2DArray grid, int layer, Taps x, Taps y) {
+vec4 texelAt(sampler2DArray grid, int layer, Place place) {
+    if (place.onColumn) {
+        return columnTexel(grid, layer, place.column, place.y);
+    }
     vec4 sum = vec4(0.0);
     for (int i = 0; i < TAPS; ++i) {
-        sum += x.weights[i] * onColumn(grid, layer, x.first + i, y);
+        sum += place.x.weights[i] * columnTexel(grid, layer, place.x.first + i, place.y);
     }
     return sum;
 }
-
-// Four coefficients of the expansion a texel. phaseMap: offset and scale from zeta to the texture coordinate.
-vec4 fourCoefficients(sampler2D coefficients, int row, int rows, vec2 phaseMap, float zeta) {
-    return texture(coefficients, vec2(phaseMap.x + phaseMap.y * zeta, (float(row) + 0.5) / float(rows)));
-}
-
-#if COHERENT_LAYERS > 0
-// Two complex terms a texel.
-uniform sampler2DArray coherentPoint;
-uniform sampler2DArray coherentRays;
-uniform sampler2D coherentCoefficients;
-uniform vec2 coherentPhaseMap;
-// Samples per cycle per metre, and index of the first sample along x and y.
-uniform float coherentScale;
-uniform vec2 coherentPointFirst;
-
-const int COHERENT_ROWS = (COHERENT_LAYERS + 1) / 2;
 
 vec2 twoTerms(vec4 terms, vec2 coefficients) {
     return coefficients.x * terms.xy + coefficients.y * terms.zw;
 }
 
-float coherentPointPower(vec2 frequency, float zeta) {
-    vec2 position = frequency * coherentScale - coherentPointFirst;
-    Taps x = tapsAround(position.x);
-    Taps y = tapsAround(position.y);
+// Sum of complex terms, two a texel, times their coefficients, four a texel.
+vec2 amplitudeAt(
+        sampler2DArray grid, int firstLayer, int layers, Place place, sampler2D coefficients, vec2 phaseMap, float zeta) {
+    int rows = (layers + 1) / 2;
     vec2 amplitude = vec2(0.0);
-    for (int row = 0; row < COHERENT_ROWS; ++row) {
-        vec4 four = fourCoefficients(coherentCoefficients, row, COHERENT_ROWS, coherentPhaseMap, zeta);
-        amplitude += twoTerms(atPoint(coherentPoint, 2 * row, x, y), four.xy);
-        if (2 * row + 1 < COHERENT_LAYERS) {
-            amplitude += twoTerms(atPoint(coherentPoint, 2 * row + 1, x, y), four.zw);
+    for (int row = 0; row < rows; ++row) {
+        vec4 four = sampledCoefficients(coefficients, phaseMap, zeta, row, rows);
+        amplitude += twoTerms(texelAt(grid, firstLayer + 2 * row, place), four.xy);
+        if (2 * row + 1 < layers) {
+            amplitude += twoTerms(texelAt(grid, firstLayer + 2 * row + 1, place), four.zw);
         }
     }
-    return squaredMagnitude(amplitude);
+    return amplitude;
 }
 
-float coherentRayPower(int firstLayer, int column, Taps taps, float zeta) {
-    vec2 amplitude = vec2(0.0);
-    for (int row = 0; row < COHERENT_ROWS; ++row) {
-        vec4 four = fourCoefficients(coherentCoefficients, row, COHERENT_ROWS, coherentPhaseMap, zeta);
-        amplitude += twoTerms(onColumn(coherentRays, firstLayer + 2 * row, column, taps), four.xy);
-        if (2 * row + 1 < COHERENT_LAYERS) {
-            amplitude += twoTerms(onColumn(coherentRays, firstLayer + 2 * row + 1, column, taps), four.zw);
-        }
+// Sum of real terms, four a texel, times their coefficients.
+float realSumAt(
+        sampler2DArray grid, int firstLayer, int layers, Place place, sampler2D coefficients, vec2 phaseMap, float zeta) {
+    float sum = 0.0;
+    for (int layer = 0; layer < layers; ++layer) {
+        vec4 four = sampledCoefficients(coefficients, phaseMap, zeta, layer, layers);
+        sum += dot(four, texelAt(grid, firstLayer + layer, place));
     }
-    return squaredMagnitude(amplitude);
+    return sum;
 }
-#endif
-
-#if ENSEMBLE_LAYERS > 0
-// Four real terms a texel.
-uniform sampler2DArray ensemblePoint;
-uniform sampler2DArray ensembleRays;
-uniform sampler2D ensembleCoefficients;
-uniform vec2 ensemblePhaseMap;
-uniform float ensembleScale;
-uniform vec2 ensemblePointFirst;
-
-float ensemblePointPower(vec2 frequency, float zeta) {
-    vec2 position = frequency * ensembleScale - ensemblePointFirst;
-    Taps x = tapsAround(position.x);
-    Taps y = tapsAround(position.y);
-    float power = 0.0;
-    for (int layer = 0; layer < ENSEMBLE_LAYERS; ++layer) {
-        vec4 four = fourCoefficients(ensembleCoefficients, layer, ENSEMBLE_LAYERS, ensemblePhaseMap, zeta);
-        power += dot(four, atPoint(ensemblePoint, layer, x, y));
-    }
-    return power;
-}
-
-float ensembleRayPower(int firstLayer, int column, Taps taps, float zeta) {
-    float power = 0.0;
-    for (int layer = 0; layer < ENSEMBLE_LAYERS; ++layer) {
-        vec4 four = fourCoefficients(ensembleCoefficients, layer, ENSEMBLE_LAYERS, ensemblePhaseMap, zeta);
-        power += dot(four, onColumn(ensembleRays, firstLayer + layer, column, taps));
-    }
-    return power;
-}
-#endif

@@ -1,3 +1,7 @@
+#include "include/average.glsl"
+#include "include/expansion.glsl"
+#include "include/window.glsl"
+
 // Expansion terms times a Gaussian neighbourhood of DFT bins, at one wavelength (thesis algorithm 3.3).
 
 // DFT bins of the terms T_n, one layer each, (real, imaginary); texel (0, 0) is bin tableFirst.

@@ -1,3 +1,8 @@
+#include "include/constants.glsl"
+#include "include/spectrum.glsl"
+#include "include/wavelengths.glsl"
+#include "method/neighbourhood.glsl"
+
 // Only the wavelengths at which the look-up meets a DFT bin, one per order (thesis section 3.5.1), each with the width of its
 // order as weight.
 //
@@ -20,26 +25,12 @@ uniform float orderWidest;
 // Standard deviation of the window's spectrum, cycles per metre.
 uniform float windowSigmaFrequency;
 
-float chosenPower(vec3 uvw, float wavelength) {
-#if AVERAGE == AVERAGE_ENSEMBLE
-    return ensemblePower(uvw, wavelength);
-#else
-    return coherentPower(uvw, wavelength);
-#endif
-}
+// Coherent orders that overlap interfere: no order has a power of its own.
+const bool ORDERS_INTERFERE = ORDERS_OVERLAP == 1 && !ENSEMBLE;
 
 vec3 orderWeight(float waveNumber, float width) {
     vec2 at = vec2(orderPlaceMap.x + orderPlaceMap.y * waveNumber, orderWidthMap.x + orderWidthMap.y * width);
     return width * texture(orderWeights, at).rgb;
-}
-
-vec3 allWavelengths(vec3 uvw) {
-    vec3 xyz = vec3(0.0);
-    for (int i = 0; i < wavelengthCount; ++i) {
-        vec4 node = texelFetch(wavelengthNodes, ivec2(i, 0), 0);
-        xyz += node.yzw * chosenPower(uvw, node.x);
-    }
-    return xyz;
 }
 
 // Wavelength of an order; one whose middle lies just outside the band is looked at on the band's end.
@@ -47,18 +38,15 @@ float orderWavelength(float waveNumber) {
     return clamp(1.0 / waveNumber, SHORTEST_WAVELENGTH, LONGEST_WAVELENGTH);
 }
 
-#if ORDERS_OVERLAP && AVERAGE == AVERAGE_COHERENT
-
-// Orders overlap and interfere: no order has a power of its own. The spectrum is sampled where the ray crosses the bins'
-// columns, and a sample stands for all wavelengths up to half way to the next: W over sqrt(pi) width, times the distance.
-vec3 column(vec3 uvw, float width, float waveNumber) {
+// Where orders interfere, the spectrum is sampled where the ray crosses the bins' columns, and a sample stands for all
+// wavelengths up to half way to the next: W over sqrt(pi) width, times the distance.
+vec3 sampledColumn(vec3 uvw, float width, float waveNumber) {
     return orderWeight(waveNumber, width) * coherentPower(uvw, orderWavelength(waveNumber));
 }
 
 // Samples on the columns meet the bins' Gaussians at their heights and overrate them: on the average over the phases of the
 // bins by Poisson's sum 1 + 2 sum_k exp(-(pi k sigma)^2), sigma in bins. Four terms serve from sigma = 0.2 on.
-float columnShare(float width, float waveNumberStep, float sigmaBins) {
-    const float PI = 3.14159265;
+float sampleShare(float width, float waveNumberStep, float sigmaBins) {
     float overrated = 1.0;
     for (int k = 1; k <= 4; ++k) {
         float turns = PI * float(k) * sigmaBins;
@@ -67,9 +55,8 @@ float columnShare(float width, float waveNumberStep, float sigmaBins) {
     return waveNumberStep / (sqrt(PI) * width * overrated);
 }
 
-#else
-
-vec3 column(vec3 uvw, float width, float waveNumber) {
+// The orders of one column of bins, each with its own power.
+vec3 separateOrders(vec3 uvw, float width, float waveNumber) {
     vec3 xyz = vec3(0.0);
     float squaredLength = dot(uvw.xy, uvw.xy);
     vec2 frequency = uvw.xy * waveNumber * tablePeriod;
@@ -87,16 +74,10 @@ vec3 column(vec3 uvw, float width, float waveNumber) {
     return xyz;
 }
 
-float columnShare(float width, float waveNumberStep, float sigmaBins) {
-    return 1.0;
-}
-
-#endif
-
 vec3 diffractedXyz(vec3 uvw) {
     // |(u, v)| = 0 compares right, too, where a division would not.
     if (windowSigmaFrequency >= orderWidest * length(uvw.xy)) {
-        return allWavelengths(uvw);
+        return fixedWavelengthsXyz(uvw);
     }
     float width = windowSigmaFrequency / length(uvw.xy);
     // Columns of bins along the axis on which the ray crosses more of them.
@@ -110,7 +91,9 @@ vec3 diffractedXyz(vec3 uvw) {
     int last = int(floor(1.0 / (SHORTEST_WAVELENGTH * waveNumberStep) + reach));
     vec3 xyz = vec3(0.0);
     for (int n = first; n <= last; ++n) {
-        xyz += column(uvw, width, float(n) * waveNumberStep);
+        float waveNumber = float(n) * waveNumberStep;
+        xyz += ORDERS_INTERFERE ? sampledColumn(uvw, width, waveNumber) : separateOrders(uvw, width, waveNumber);
     }
-    return xyz * columnShare(width, waveNumberStep, alongX ? windowSigmaBins.x : windowSigmaBins.y);
+    float sigmaBins = alongX ? windowSigmaBins.x : windowSigmaBins.y;
+    return ORDERS_INTERFERE ? xyz * sampleShare(width, waveNumberStep, sigmaBins) : xyz;
 }

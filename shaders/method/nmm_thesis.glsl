@@ -1,3 +1,8 @@
+#include "include/spectrum.glsl"
+// Not used here, but the application sets its uniforms for both forms of nmm alike.
+#include "include/wavelengths.glsl"
+#include "method/neighbourhood.glsl"
+
 // The thesis's own form of nmm (section 3.5.1, algorithm 3.4): wavelengths L |u| / n and L |v| / n, all with the weight of one
 // step of wavelength, as if every order were equally wide. Blue orders, which are narrower, get too much: a purple cast.
 
@@ -9,11 +14,7 @@ vec3 alongAxis(vec3 uvw, float bins) {
     int last = int(floor(bins / SHORTEST_WAVELENGTH));
     for (int n = max(1, int(ceil(bins / LONGEST_WAVELENGTH))); n <= last; ++n) {
         float wavelength = bins / float(n);
-#if AVERAGE == AVERAGE_ENSEMBLE
-        xyz += cieWeight(wavelength) * ensemblePower(uvw, wavelength);
-#else
-        xyz += cieWeight(wavelength) * coherentPower(uvw, wavelength);
-#endif
+        xyz += cieWeight(wavelength) * averagePower(uvw, wavelength);
     }
     return orderStep * xyz;
 }

@@ -1,3 +1,8 @@
+#include "include/constants.glsl"
+#include "include/expansion.glsl"
+#include "include/wavelengths.glsl"
+#include "method/grid_tables.glsl"
+
 // The patch repeated Q times along x and along y, evenly lit, with sharp edges instead of the Gaussian window: the spectrum
 // of one period, interpolated, times the array factor of its replicas (thesis section 3.5.2, eq. 2.62).
 
@@ -12,11 +17,8 @@ uniform vec2 periodFirst;
 uniform vec2 periodLength;
 uniform vec2 periodReplicas;
 
-const int PERIOD_ROWS = (PERIOD_LAYERS + 1) / 2;
-
 // |sin(Q w T / 2) / (Q sin(w T / 2))| with w T / 2 = pi turns: 1 wherever turns is an integer, where both sines vanish.
 float arrayFactor(float turns, float replicas) {
-    const float PI = 3.14159265;
     // The factor has period 1: fewer turns leave float32 more digits.
     float angle = PI * (turns - floor(turns + 0.5));
     float wide = replicas * angle;
@@ -28,20 +30,8 @@ float arrayFactor(float turns, float replicas) {
 }
 
 vec2 periodAmplitude(vec2 frequency, float zeta) {
-    vec2 position = frequency * periodScale - periodFirst;
-    Taps x = tapsAround(position.x);
-    Taps y = tapsAround(position.y);
-    vec2 amplitude = vec2(0.0);
-    for (int row = 0; row < PERIOD_ROWS; ++row) {
-        vec4 coefficients = fourCoefficients(periodCoefficients, row, PERIOD_ROWS, periodPhaseMap, zeta);
-        vec4 pair = atPoint(periodTerms, 2 * row, x, y);
-        amplitude += coefficients.x * pair.xy + coefficients.y * pair.zw;
-        if (2 * row + 1 < PERIOD_LAYERS) {
-            pair = atPoint(periodTerms, 2 * row + 1, x, y);
-            amplitude += coefficients.z * pair.xy + coefficients.w * pair.zw;
-        }
-    }
-    return amplitude;
+    Place place = inGrid(frequency * periodScale - periodFirst);
+    return amplitudeAt(periodTerms, 0, PERIOD_LAYERS, place, periodCoefficients, periodPhaseMap, zeta);
 }
 
 float coherentPower(vec3 uvw, float wavelength) {
@@ -57,10 +47,5 @@ float ensemblePower(vec3 uvw, float wavelength) {
 }
 
 vec3 diffractedXyz(vec3 uvw) {
-    vec3 xyz = vec3(0.0);
-    for (int i = 0; i < wavelengthCount; ++i) {
-        vec4 node = texelFetch(wavelengthNodes, ivec2(i, 0), 0);
-        xyz += node.yzw * coherentPower(uvw, node.x);
-    }
-    return xyz;
+    return fixedWavelengthsXyz(uvw);
 }

@@ -19,10 +19,11 @@ final class IncludeExpansion {
 
     private static final Pattern DIRECTIVE = Pattern.compile("\\s*#\\s*([a-z]+)\\b(.*)");
     private static final Pattern QUOTED_NAME = Pattern.compile("\\s*\"([^\"]+)\"\\s*");
+    private static final Pattern DEFINE_IN_NAME = Pattern.compile("\\{([A-Za-z0-9_]*)}");
     private static final Pattern SAFE_NAME = Pattern.compile("[A-Za-z0-9_.-]+(/[A-Za-z0-9_.-]+)*");
 
     private final ShaderLibrary library;
-    private final List<String> prologue;
+    private final Map<String, String> defines;
     private final StringBuilder text = new StringBuilder();
     private final List<SourceLine> origins = new ArrayList<>();
     private final Map<String, FirstInclusion> included = new HashMap<>();
@@ -32,9 +33,9 @@ final class IncludeExpansion {
 
     private record FirstInclusion(boolean conditional, SourceLine place) {}
 
-    IncludeExpansion(ShaderLibrary library, List<String> prologue) {
+    IncludeExpansion(ShaderLibrary library, Map<String, String> defines) {
         this.library = library;
-        this.prologue = prologue;
+        this.defines = defines;
     }
 
     ShaderSource expand(String root) {
@@ -87,7 +88,7 @@ final class IncludeExpansion {
             throw fault(line, "#include needs a file name in double quotes");
         }
         requireVersionFirst(line, "#include");
-        String name = quoted.group(1);
+        String name = withDefines(line, quoted.group(1));
         checkName(name, line.file() + ":" + line.number() + ": #include ");
         refuseCycle(line, name);
         FirstInclusion first = included.get(name);
@@ -107,6 +108,16 @@ final class IncludeExpansion {
         }
     }
 
+    private String withDefines(SourceLine line, String name) {
+        return DEFINE_IN_NAME.matcher(name).replaceAll(match -> {
+            String value = defines.get(match.group(1));
+            if (value == null) {
+                throw fault(line, "#include asks for the define " + match.group(1) + ", which is not set");
+            }
+            return Matcher.quoteReplacement(value);
+        });
+    }
+
     private void refuseCycle(SourceLine line, String name) {
         if (openFiles.contains(name)) {
             List<String> cycle = new ArrayList<>(openFiles);
@@ -124,6 +135,7 @@ final class IncludeExpansion {
         }
         versionSeen = true;
         emit(line, code);
+        List<String> prologue = Defines.prologue(defines);
         for (int index = 0; index < prologue.size(); index++) {
             emit(new SourceLine(PROLOGUE_FILE, index + 1, prologue.get(index)), prologue.get(index));
         }

@@ -14,7 +14,8 @@ import jrtr.ShaderSource;
 
 /**
  * Shader files by name. Names are relative to the library's root and use forward slashes; {@code #include "x.glsl"}
- * means the same file from wherever it is written.
+ * means the same file from wherever it is written. In {@code #include "{NAME}.glsl"} the value of a define stands for its
+ * name in braces, so that a define can choose a file.
  *
  * <p>{@link #load} expands includes by these rules. A file is included once; later includes of it are skipped. A file
  * that was first included inside {@code #if} may not be included again, since the first one may have been compiled out.
@@ -50,7 +51,7 @@ public interface ShaderLibrary {
      *     that is none
      */
     default ShaderSource load(String name, Map<String, String> defines) {
-        return new IncludeExpansion(this, Defines.prologue(defines)).expand(name);
+        return new IncludeExpansion(this, defines).expand(name);
     }
 
     /** This library, and where it lacks a file, another. */

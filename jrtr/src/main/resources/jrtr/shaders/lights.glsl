@@ -6,3 +6,8 @@ uniform int lightCount;
 uniform vec3 lightDirections[MAX_LIGHTS];
 // Linear, in the unit that the application's shaders agree on.
 uniform vec3 lightRadiances[MAX_LIGHTS];
+
+// Towards a light, in the frame of a surface (columns T, B, N in world space): wi.
+vec3 lightDirection(mat3 frame, int light) {
+    return lightDirections[light] * frame;
+}

@@ -29,8 +29,3 @@ mat3 tangentFrame() {
 vec3 viewDirection(mat3 frame) {
     return normalize(eyePosition - worldPosition) * frame;
 }
-
-// Towards a light, in the frame: wi.
-vec3 lightDirection(mat3 frame, int light) {
-    return lightDirections[light] * frame;
-}

@@ -138,6 +138,26 @@ class IncludeExpansionTest {
     }
 
     @Test
+    void aDefineInBracesChoosesTheFile() {
+        ShaderLibrary library = ShaderLibrary.ofMap(Map.of(
+                "root.glsl", VERSION + "#include \"shape/{SHAPE}_{SIDES}.glsl\"\n",
+                "shape/prism_3.glsl", "three\n",
+                "shape/prism_4.glsl", "four\n"));
+
+        assertThat(library.load("root.glsl", Map.of("SHAPE", "prism", "SIDES", "4"))
+                        .text())
+                .endsWith("four\n")
+                .doesNotContain("three");
+        assertThatThrownBy(() -> library.load("root.glsl", Map.of("SHAPE", "prism")))
+                .isInstanceOf(ShaderException.class)
+                .hasMessageStartingWith("root.glsl:2: #include asks for the define SIDES, which is not set");
+        assertThatThrownBy(() -> library.load("root.glsl", Map.of("SHAPE", "prism", "SIDES", "5")))
+                .hasMessageStartingWith("root.glsl:2: included file shape/prism_5.glsl is missing");
+        assertThatThrownBy(() -> library.load("root.glsl", Map.of("SHAPE", "../prism", "SIDES", "4")))
+                .hasMessageStartingWith("root.glsl:2: #include \"shape/../prism_4.glsl\"");
+    }
+
+    @Test
     void namesCannotLeaveTheLibrary() {
         for (String name : new String[] {"../x.glsl", "/etc/passwd", "a/../../x", "a\\\\b", ".", "a//b"}) {
             assertThatThrownBy(() -> load(Map.of("root.glsl", VERSION + "#include \"" + name + "\"\n")))

@@ -75,9 +75,9 @@ final class BinsMethod implements DiffractionMethod {
 
     private String shader() {
         if (plan.sampling() instanceof Sampling.Bins) {
-            return "METHOD_FULL_BINS";
+            return "full_bins";
         }
-        return plan.sampling() instanceof Sampling.Rays ? "METHOD_FULL_RAYS" : "METHOD_FULL_ORDERS";
+        return plan.sampling() instanceof Sampling.Rays ? "full_rays" : "full_orders";
     }
 
     @Override

@@ -22,7 +22,7 @@ public final class GemMethod implements DiffractionMethod {
 
     @Override
     public Map<String, String> defines() {
-        return MethodDefines.of("METHOD_GEM", Average.COHERENT);
+        return MethodDefines.of("gem", Average.COHERENT);
     }
 
     @Override

@@ -84,7 +84,7 @@ final class GridMethod implements DiffractionMethod {
 
     @Override
     public Map<String, String> defines() {
-        Map<String, String> all = MethodDefines.of("METHOD_FULL_GRID", plan.average());
+        Map<String, String> all = MethodDefines.of("full_grid", plan.average());
         all.putAll(defines);
         all.put("TAPS", Integer.toString(sampling.interpolation().taps()));
         return all;

@@ -8,17 +8,13 @@ import sunbeam.precompute.plan.Average;
 final class MethodDefines {
     private MethodDefines() {}
 
-    /** A new map with the method and the average chosen. */
+    /**
+     * A new map with the method and the average chosen.
+     *
+     * @param method name of a file in shaders/method, without its ending
+     */
     static Map<String, String> of(String method, Average average) {
         Map<String, String> defines = new TreeMap<>();
-        defines.put("METHOD_FULL_BINS", "0");
-        defines.put("METHOD_FULL_ORDERS", "1");
-        defines.put("METHOD_FULL_GRID", "2");
-        defines.put("METHOD_NMM", "3");
-        defines.put("METHOD_NMM_THESIS", "4");
-        defines.put("METHOD_PQ", "5");
-        defines.put("METHOD_GEM", "6");
-        defines.put("METHOD_FULL_RAYS", "7");
         defines.put("METHOD", method);
         defines.put("AVERAGE_COHERENT", "0");
         defines.put("AVERAGE_ENSEMBLE", "1");

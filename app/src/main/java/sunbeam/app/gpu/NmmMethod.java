@@ -82,7 +82,7 @@ public final class NmmMethod implements DiffractionMethod {
     @Override
     public Map<String, String> defines() {
         Map<String, String> defines = bins.defines();
-        defines.put("METHOD", weighted ? "METHOD_NMM" : "METHOD_NMM_THESIS");
+        defines.put("METHOD", weighted ? "nmm" : "nmm_thesis");
         double width = table.patch().width();
         double height = table.patch().height();
         double sigma = plan.window().sigmaFrequency();

@@ -78,9 +78,7 @@ public final class PqMethod implements DiffractionMethod {
 
     @Override
     public Map<String, String> defines() {
-        Map<String, String> defines = MethodDefines.of("METHOD_PQ", Average.COHERENT);
-        defines.put("COHERENT_LAYERS", "0");
-        defines.put("ENSEMBLE_LAYERS", "0");
+        Map<String, String> defines = MethodDefines.of("pq", Average.COHERENT);
         defines.put("TAPS", Integer.toString(spectrum.interpolation().taps()));
         defines.put("PERIOD_LAYERS", Integer.toString(layers()));
         return defines;

@@ -11,7 +11,7 @@ import sunbeam.precompute.text.Quoted;
  */
 public record SceneColor(int rgb) {
     private static final Pattern HEXADECIMAL = Pattern.compile("#[0-9a-fA-F]{6}");
-    // Linear sRGB to XYZ, IEC 61966-2-1; the inverse of the matrix in shaders/include/display.glsl.
+    // Linear sRGB to XYZ, IEC 61966-2-1; the inverse of the matrix in shaders/include/srgb.glsl.
     private static final double[][] TO_XYZ = {
         {0.4124564, 0.3575761, 0.1804375}, {0.2126729, 0.7151522, 0.0721750}, {0.0193339, 0.1191920, 0.9503041}
     };

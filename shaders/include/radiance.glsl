@@ -1,0 +1,8 @@
+#include "include/gain.glsl"
+#include "method/{METHOD}.glsl"
+
+// What the chosen method diffracts from a light into a direction: linear XYZ of the relative radiance. Both directions in
+// the tangent frame, above the surface.
+vec3 diffractedRadiance(vec3 wi, vec3 wr) {
+    return relativeRadiance(wi, wr) * diffractedXyz(diffractionVector(wi, wr));
+}

@@ -1,0 +1,19 @@
+// Linear XYZ and sRGB (IEC 61966-2-1): primaries with the white of D65, and the curve.
+
+// Columns of red, green, blue.
+const mat3 LINEAR_SRGB_TO_XYZ = mat3(
+        0.4124564, 0.2126729, 0.0193339,
+        0.3575761, 0.7151522, 0.1191920,
+        0.1804375, 0.0721750, 0.9503041);
+
+// Its inverse; columns of X, Y, Z.
+const mat3 XYZ_TO_LINEAR_SRGB = mat3(
+        3.2404542, -0.9692660, 0.0556434,
+        -1.5371385, 1.8760108, -0.2040259,
+        -0.4985314, 0.0415560, 1.0572252);
+
+vec3 srgbCurve(vec3 linear) {
+    vec3 low = 12.92 * linear;
+    vec3 high = 1.055 * pow(max(linear, vec3(0.0031308)), vec3(1.0 / 2.4)) - 0.055;
+    return mix(high, low, lessThanEqual(linear, vec3(0.0031308)));
+}
