@@ -10,6 +10,9 @@ uniform ivec2 tableFirst;
 // Number of bins per unit of frequency, which is the patch's period in metres.
 uniform vec2 tablePeriod;
 
+// Beyond, bins are not held in arrays.
+#define UNROLLED_RADIUS 4
+
 const int SIDE = 2 * RADIUS + 1;
 
 struct Neighbourhood {
@@ -39,6 +42,67 @@ Neighbourhood neighbourhoodOf(vec2 uv, float wavelength) {
     return result;
 }
 
+// |F_j|^2 of the bin at a texel; 0 beyond the table, which holds all that can be seen.
+float binPower(ivec2 texel, float zeta) {
+    if (any(lessThan(texel, ivec2(0))) || any(greaterThanEqual(texel, textureSize(tableTerms, 0).xy))) {
+        return 0.0;
+    }
+    float coefficient = firstCoefficient(zeta);
+    vec2 amplitude = vec2(0.0);
+    for (int n = 0; n < TERMS; ++n) {
+        amplitude += coefficient * texelFetch(tableTerms, ivec3(texel, n), 0).rg;
+        coefficient = nextCoefficient(coefficient, n + 1, zeta);
+    }
+    return squaredMagnitude(amplitude);
+}
+
+#if RADIUS > UNROLLED_RADIUS
+
+// Many bins: loops of a length that compilers do not know, lest they write each out.
+uniform int tableRadius;
+
+vec2 manyBins(vec3 uvw, float wavelength) {
+    vec2 position = uvw.xy / wavelength * tablePeriod;
+    ivec2 nearest = anchorBin(position);
+    vec2 offset = vec2(nearest) - position;
+    float zeta = expansionPhase(uvw.z, wavelength);
+    float coefficients[TERMS];
+    float coefficient = firstCoefficient(zeta);
+    for (int n = 0; n < TERMS; ++n) {
+        coefficients[n] = coefficient;
+        coefficient = nextCoefficient(coefficient, n + 1, zeta);
+    }
+    vec2 sum = vec2(0.0);
+    float squares = 0.0;
+    for (int j = -tableRadius; j <= tableRadius; ++j) {
+        float weightY = windowAmplitude(offset.y + float(j), windowSigmaBins.y);
+        vec2 row = vec2(0.0);
+        float rowSquares = 0.0;
+        for (int i = -tableRadius; i <= tableRadius; ++i) {
+            float weight = windowAmplitude(offset.x + float(i), windowSigmaBins.x);
+            vec2 bin = vec2(0.0);
+            for (int n = 0; n < TERMS; ++n) {
+                bin += coefficients[n] * texelFetch(tableTerms, ivec3(nearest - tableFirst + ivec2(i, j), n), 0).rg;
+            }
+            row += weight * bin;
+            rowSquares += weight * weight * dot(bin, bin);
+        }
+        sum += weightY * row;
+        squares += weightY * weightY * rowSquares;
+    }
+    return vec2(squaredMagnitude(sum), squares);
+}
+
+float coherentPower(vec3 uvw, float wavelength) {
+    return manyBins(uvw, wavelength).x;
+}
+
+float ensemblePower(vec3 uvw, float wavelength) {
+    return manyBins(uvw, wavelength).y;
+}
+
+#else
+
 // Amplitudes of the taps first, square last: one coherence area.
 float coherentPower(vec3 uvw, float wavelength) {
     Neighbourhood taps = neighbourhoodOf(uvw.xy, wavelength);
@@ -60,20 +124,6 @@ float coherentPower(vec3 uvw, float wavelength) {
     return squaredMagnitude(amplitude);
 }
 
-// |F_j|^2 of the bin at a texel; 0 beyond the table, which holds all that can be seen.
-float binPower(ivec2 texel, float zeta) {
-    if (any(lessThan(texel, ivec2(0))) || any(greaterThanEqual(texel, textureSize(tableTerms, 0).xy))) {
-        return 0.0;
-    }
-    float coefficient = firstCoefficient(zeta);
-    vec2 amplitude = vec2(0.0);
-    for (int n = 0; n < TERMS; ++n) {
-        amplitude += coefficient * texelFetch(tableTerms, ivec3(texel, n), 0).rg;
-        coefficient = nextCoefficient(coefficient, n + 1, zeta);
-    }
-    return squaredMagnitude(amplitude);
-}
-
 // Squares of the taps, then their sum: Stam's angle brackets (thesis eq. 2.29 in spirit).
 float ensemblePower(vec3 uvw, float wavelength) {
     Neighbourhood taps = neighbourhoodOf(uvw.xy, wavelength);
@@ -87,3 +137,5 @@ float ensemblePower(vec3 uvw, float wavelength) {
     }
     return power;
 }
+
+#endif

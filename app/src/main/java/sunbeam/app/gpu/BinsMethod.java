@@ -23,6 +23,9 @@ import sunbeam.precompute.table.WindowPhase;
  * steps along each direction's ray (full_rays.glsl) or around the middles of orders (full_orders.glsl).
  */
 final class BinsMethod implements DiffractionMethod {
+    // As in shaders/method/neighbourhood.glsl.
+    private static final int UNROLLED_RADIUS = 4;
+
     private final Plan plan;
     private final FourierTable table;
     private final CieTable cie;
@@ -103,6 +106,9 @@ final class BinsMethod implements DiffractionMethod {
         program.set("tablePeriod", new Vector2f((float) width, (float) height));
         program.set("windowSigmaBins", new Vector2f((float) (window.sigmaFrequency() * width), (float)
                 (window.sigmaFrequency() * height)));
+        if (neighbourhood().radius() > UNROLLED_RADIUS) {
+            program.set("tableRadius", neighbourhood().radius());
+        }
         program.set("heightHalfRange", (float) table.scale().halfRange());
         if (table.coefficients() != null) {
             program.set("expansionPhaseMap", Textures.phaseMap(table.coefficients()));

@@ -9,6 +9,7 @@ import jrtr.RenderContext;
 import jrtr.ShaderProgram;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.plan.Average;
+import sunbeam.precompute.plan.ErrorBudget;
 import sunbeam.precompute.plan.Plan;
 import sunbeam.precompute.plan.Sampling;
 import sunbeam.precompute.plan.VisibleRange;
@@ -19,8 +20,9 @@ import sunbeam.precompute.table.FourierTable;
 
 /** Method {@code full} over windowed, resampled spectra (shaders/method/full_grid.glsl). */
 final class GridMethod implements DiffractionMethod {
-    // Linear interpolation between so many weights of the kernel errs by 1e-6.
-    private static final int KERNEL_SAMPLES = 1024;
+    // Linear interpolation between so many weights of the kernel errs by 4e-9. On a skirt, the outermost tap meets a sample
+    // that is a thousand times brighter than what it is for.
+    private static final int KERNEL_SAMPLES = 16384;
 
     private final Plan plan;
     private final Sampling.Grid sampling;
@@ -35,7 +37,9 @@ final class GridMethod implements DiffractionMethod {
     GridMethod(
             RenderContext context, Plan plan, Sampling.Grid sampling, FourierTable table, MethodUse use, CieTable cie) {
         this.plan = plan;
-        this.sampling = sampling;
+        ErrorBudget budget = new ErrorBudget(plan.tolerance());
+        // Of single wavelengths both averages are wanted.
+        this.sampling = use == MethodUse.SPECTRAL ? sampling.with(budget.interpolation(Average.ENSEMBLE)) : sampling;
         this.table = table;
         this.use = use;
         this.cie = cie;
@@ -46,21 +50,17 @@ final class GridMethod implements DiffractionMethod {
         if (use == MethodUse.SPECTRAL || !ensemble) {
             AmplitudeFields fields = new AmplitudeFields(table, plan.expansion(), plan.origin());
             double sigma = plan.window().sigmaFrequency();
-            add(new GridTextures("coherent", plan, sampling, table, fields, sigma), "COHERENT_LAYERS");
+            add(new GridTextures("coherent", plan, this.sampling, table, fields, sigma), "COHERENT_LAYERS");
         }
         if (use == MethodUse.SPECTRAL || ensemble) {
-            PowerFields fields = new PowerFields(table, plan.expansion(), powerTolerance());
+            PowerFields fields = new PowerFields(table, plan.expansion(), budget.powerBasis());
             // The square of a Gaussian is narrower by sqrt(2).
             double sigma = plan.window().sigmaFrequency() / Math.sqrt(2);
-            add(new GridTextures("ensemble", plan, sampling, table, fields, sigma), "ENSEMBLE_LAYERS");
+            add(new GridTextures("ensemble", plan, this.sampling, table, fields, sigma), "ENSEMBLE_LAYERS");
         }
-        InterpolationDesign design = sampling.interpolation();
+        InterpolationDesign design = this.sampling.interpolation();
         textures.addInterpolationKernel(KERNEL_SAMPLES, design.taps(), design::kernel);
         textures.addCieWeights(cie);
-    }
-
-    private double powerTolerance() {
-        return 0.1 * plan.tolerance();
     }
 
     private void add(GridTextures grid, String layersName) {

@@ -27,4 +27,10 @@ public record Plan(
         CoherenceWindow window,
         WindowOrigin origin,
         Average average,
-        Sampling sampling) {}
+        Sampling sampling) {
+
+    /** The same, sampled otherwise. */
+    public Plan with(Sampling other) {
+        return new Plan(tolerance, range, expansion, bandX, bandY, window, origin, average, other);
+    }
+}

@@ -62,7 +62,7 @@ final class PlanWarnings {
 
     private void checkRadius(int radius, List<String> lines) {
         double sigmaBins = plan.window().sigmaFrequency() * Math.max(map.width(), map.height());
-        int needed = SamplingPlanner.neighbourhoodRadius(sigmaBins, new Tolerances(plan.tolerance()));
+        int needed = new ErrorBudget(plan.tolerance()).neighbourhoodRadius(sigmaBins);
         if (radius < needed) {
             lines.add(format(
                     "radius %d cuts the window's spectrum, which is %.2f DFT bins wide; the tolerance %s takes --radius %d",

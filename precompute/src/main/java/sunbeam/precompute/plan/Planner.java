@@ -48,10 +48,10 @@ public final class Planner {
      */
     public Plan plan(PlanRequest request, VisibleRange range) {
         PlanChecks.check(request, map);
-        Tolerances tolerances = new Tolerances(request.tolerance());
+        ErrorBudget budget = new ErrorBudget(request.tolerance());
         Plan plan = null;
-        for (Sampling sampling : samplings(request, range, tolerances)) {
-            plan = plan(request, range, tolerances, sampling);
+        for (Sampling sampling : samplings(request, range, budget)) {
+            plan = plan(request, range, budget, sampling);
             if (MemoryNeed.of(plan, map.rows()).fits(heapLimit)) {
                 break;
             }
@@ -65,11 +65,11 @@ public final class Planner {
         return new PlanWarnings(plan, map).lines();
     }
 
-    private Plan plan(PlanRequest request, VisibleRange range, Tolerances tolerances, Sampling sampling) {
+    private Plan plan(PlanRequest request, VisibleRange range, ErrorBudget budget, Sampling sampling) {
         return new Plan(
-                request.isThesis() ? Double.NaN : tolerances.value(),
+                request.isThesis() ? Double.NaN : budget.tolerance(),
                 range,
-                expansion(request, range, tolerances.expansion()),
+                expansion(request, range, budget.expansion()),
                 range.bandX(map.width(), margin(sampling, request, map.width())),
                 range.bandY(map.height(), margin(sampling, request, map.height())),
                 request.window(),
@@ -78,28 +78,34 @@ public final class Planner {
                 sampling);
     }
 
-    private List<Sampling> samplings(PlanRequest request, VisibleRange range, Tolerances tolerances) {
+    private List<Sampling> samplings(PlanRequest request, VisibleRange range, ErrorBudget budget) {
         return request.isThesis() || request.fixesBins()
-                ? List.of(bins(request, range, tolerances))
-                : new SamplingPlanner(map, heights, request.window(), range, tolerances).choices();
+                ? List.of(bins(request, range, budget))
+                : new SamplingPlanner(
+                                map,
+                                heights,
+                                request.window(),
+                                request.average().orElse(Average.COHERENT),
+                                range,
+                                budget).choices();
     }
 
-    private Sampling bins(PlanRequest request, VisibleRange range, Tolerances tolerances) {
+    private Sampling bins(PlanRequest request, VisibleRange range, ErrorBudget budget) {
         boolean thesis = request.isThesis();
         double sigmaBins = request.window().sigmaFrequency() * Math.max(map.width(), map.height());
         int radius = request.radius()
-                .orElseGet(() -> thesis ? 1 : SamplingPlanner.neighbourhoodRadius(sigmaBins, tolerances));
+                .orElseGet(() -> thesis ? 1 : budget.neighbourhoodRadius(sigmaBins));
         PlanChecks.checkRadius(radius, sigmaBins);
         Neighbourhood.Anchor anchor =
                 request.anchor().orElse(thesis ? Neighbourhood.Anchor.FLOOR : Neighbourhood.Anchor.NEAREST);
         double step = request.wavelengthStep()
-                .orElseGet(() -> thesis ? THESIS_WAVELENGTH_STEP : wavelengthStep(request, range, tolerances));
+                .orElseGet(() -> thesis ? THESIS_WAVELENGTH_STEP : wavelengthStep(request, range, budget));
         return new Sampling.Bins(new Neighbourhood(radius, anchor), WavelengthNodes.uniform(cie, step));
     }
 
     /** Fine enough for the sharpest order, for the colour matching functions, and for textures' longest side. */
-    private static double wavelengthStep(PlanRequest request, VisibleRange range, Tolerances tolerances) {
-        double orders = PlanWarnings.coarsestWavelengthStep(request.window(), range, tolerances.value());
+    private static double wavelengthStep(PlanRequest request, VisibleRange range, ErrorBudget budget) {
+        double orders = PlanWarnings.coarsestWavelengthStep(request.window(), range, budget.tolerance());
         return Math.max(FINEST_WAVELENGTH_STEP, Math.min(COARSEST_WAVELENGTH_STEP, orders));
     }
 

@@ -45,6 +45,11 @@ public sealed interface Sampling {
     record Grid(InterpolationDesign interpolation, double nodeStep, int largestStride, int fewestNodes)
             implements Sampling {
 
+        /** The same with another interpolation. */
+        public Grid with(InterpolationDesign other) {
+            return new Grid(other, nodeStep, largestStride, fewestNodes);
+        }
+
         /** Largest of |u|, |v| up to which both axes are interpolated. */
         public double centreReach() {
             double waveNumbers = 1 / CieTable.MINIMUM_WAVELENGTH - 1 / CieTable.MAXIMUM_WAVELENGTH;

@@ -1,0 +1,82 @@
+package sunbeam.precompute.plan;
+
+import sunbeam.precompute.resample.InterpolationDesign;
+
+/**
+ * What each source of error may take of the one tolerance that is promised: the relative error of power, and of X, Y, Z, at
+ * every direction whose power is at least {@link #DARKEST_POWER} of the mirror's. Derived in docs/error-budget.md. The
+ * shares of one output add up to less than 1, worst case upon worst case.
+ *
+ * @param tolerance relative error, {@link Tolerances#FINEST}..{@link Tolerances#COARSEST}
+ */
+public record ErrorBudget(double tolerance) {
+    /** Power, relative to the mirror's, from which on the promise holds. */
+    public static final double DARKEST_POWER = 1e-9;
+
+    /** Its amplitude: an error of an amplitude counts twice in the power, relative to this. */
+    public static final double DARKEST_AMPLITUDE = Math.sqrt(DARKEST_POWER);
+
+    private static final double EXPANSION_SHARE = 0.3;
+    private static final double WINDOW_SHARE = 0.3;
+    private static final double WAVELENGTHS_SHARE = 0.3;
+
+    /**
+     * Error of the expansion, root mean square over the surface. The error of any amplitude is a mean of the expansion's
+     * errors with weights of magnitude 1 under the window, so this bounds it wherever the window sees the whole patch.
+     */
+    public double expansion() {
+        return 0.5 * EXPANSION_SHARE * tolerance * DARKEST_AMPLITUDE;
+    }
+
+    /** Relative error of the powers of single bins over the phases, where the ensemble's powers have a basis of their own. */
+    public double powerBasis() {
+        return EXPANSION_SHARE * tolerance;
+    }
+
+    /** Amplitude below which what a bin lends to a frequency may be left out: beside the darkest amplitude that counts. */
+    public double leftOut() {
+        return 0.5 * WINDOW_SHARE * tolerance * DARKEST_AMPLITUDE;
+    }
+
+    /** Standard deviations of the window's spectrum beyond which a bin may be left out. */
+    public double windowReach() {
+        return Math.sqrt(2 * Math.log(1 / leftOut()));
+    }
+
+    /** Bins on each side of the nearest that matter: the first that is left out is half a bin farther away. */
+    public int neighbourhoodRadius(double sigmaBins) {
+        return (int) Math.max(0, Math.ceil(sigmaBins * windowReach() - 0.5));
+    }
+
+    /** Relative error of an amplitude by interpolation along one axis, anywhere on a skirt; the power has it twice an axis. */
+    public double interpolatedAmplitude() {
+        return 0.25 * WINDOW_SHARE * tolerance;
+    }
+
+    /** Relative error of a power that is interpolated itself, along one axis. */
+    public double interpolatedPower() {
+        return 0.5 * WINDOW_SHARE * tolerance;
+    }
+
+    /** How the grid of an average is interpolated; that of the ensemble serves both. */
+    public InterpolationDesign interpolation(Average average) {
+        return average == Average.ENSEMBLE
+                ? InterpolationDesign.within(interpolatedPower(), powerSkirt())
+                : InterpolationDesign.within(interpolatedAmplitude(), amplitudeSkirt());
+    }
+
+    /** Deviations of an amplitude's Gaussian down to the darkest amplitude. */
+    public static double amplitudeSkirt() {
+        return Math.sqrt(-2 * Math.log(DARKEST_AMPLITUDE));
+    }
+
+    /** Deviations of a power's Gaussian, narrower by sqrt(2), down to the darkest power. */
+    public static double powerSkirt() {
+        return Math.sqrt(-2 * Math.log(DARKEST_POWER));
+    }
+
+    /** Relative error of the trapezoid rule over wavelengths for a lone order. */
+    public double wavelengths() {
+        return WAVELENGTHS_SHARE * tolerance;
+    }
+}
