@@ -97,7 +97,7 @@ vec3 diffractedXyz(vec3 uvw) {
     if (abs(major) < gridCentreReach) {
         // Near the specular direction: both axes interpolated.
         Ray ray = Ray(uvw, false, alongX, 0.0, 0.0, vec2(0.0), 0.0);
-        return bandXyz(ray, wholeBand(gridCentreNodes));
+        return bandXyz(ray, cutBand(gridCentreNodes));
     }
     float minorPerColumn = (alongX ? uvw.y : uvw.x) / abs(major) * gridNodeStep * gridRayScale;
     // 1 / lambda = column step / |major|, and the phase grows in proportion.

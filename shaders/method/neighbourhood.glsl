@@ -21,20 +21,34 @@ struct Neighbourhood {
     float weightsY[SIDE];
 };
 
-ivec2 anchorBin(vec2 position) {
-#if ANCHOR == ANCHOR_FLOOR
-    return ivec2(floor(position));
+// A frequency among the bins: the one in the middle of its neighbourhood, and how far that lies from it.
+struct Anchored {
+    ivec2 bin;
+    vec2 offset;
+};
+
+Anchored anchored(vec2 uv, float wavelength) {
+#ifdef SPECTRAL
+    ivec2 nearest = ivec2(exactBin.xy);
+    vec2 rest = exactBin.zw;
 #else
-    return ivec2(floor(position + 0.5));
+    vec2 position = uv / wavelength * tablePeriod;
+    ivec2 nearest = ivec2(floor(position + 0.5));
+    vec2 rest = position - vec2(nearest);
+#endif
+#if ANCHOR == ANCHOR_FLOOR
+    ivec2 below = ivec2(lessThan(rest, vec2(0.0)));
+    return Anchored(nearest - below, -vec2(below) - rest);
+#else
+    return Anchored(nearest, -rest);
 #endif
 }
 
 Neighbourhood neighbourhoodOf(vec2 uv, float wavelength) {
-    vec2 position = uv / wavelength * tablePeriod;
-    ivec2 first = anchorBin(position) - RADIUS;
+    Anchored middle = anchored(uv, wavelength);
     Neighbourhood result;
-    result.corner = first - tableFirst;
-    vec2 offset = vec2(first) - position;
+    result.corner = middle.bin - RADIUS - tableFirst;
+    vec2 offset = middle.offset - float(RADIUS);
     for (int i = 0; i < SIDE; ++i) {
         result.weightsX[i] = windowAmplitude(offset.x + float(i), windowSigmaBins.x);
         result.weightsY[i] = windowAmplitude(offset.y + float(i), windowSigmaBins.y);
@@ -62,9 +76,9 @@ float binPower(ivec2 texel, float zeta) {
 uniform int tableRadius;
 
 vec2 manyBins(vec3 uvw, float wavelength) {
-    vec2 position = uvw.xy / wavelength * tablePeriod;
-    ivec2 nearest = anchorBin(position);
-    vec2 offset = vec2(nearest) - position;
+    Anchored middle = anchored(uvw.xy, wavelength);
+    ivec2 nearest = middle.bin;
+    vec2 offset = middle.offset;
     float zeta = expansionPhase(uvw.z, wavelength);
     float coefficients[TERMS];
     float coefficient = firstCoefficient(zeta);

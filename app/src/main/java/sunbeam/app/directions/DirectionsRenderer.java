@@ -23,9 +23,12 @@ import sunbeam.precompute.optics.Geometry;
 public final class DirectionsRenderer implements AutoCloseable {
     // Directions per draw: short enough for a slow driver, long enough to fill it.
     private static final int BATCH = 256;
+    // Texels of a direction.
+    private static final int ROWS = 4;
 
     private final RenderContext context;
     private final DiffractionMethod method;
+    private final boolean spectral;
     private final ShaderProgram program;
 
     /**
@@ -36,6 +39,7 @@ public final class DirectionsRenderer implements AutoCloseable {
     public DirectionsRenderer(RenderContext context, DiffractionMethod method, boolean spectral) {
         this.context = context;
         this.method = method;
+        this.spectral = spectral;
         Map<String, String> defines = new TreeMap<>(method.defines());
         if (spectral) {
             defines.put("SPECTRAL", "1");
@@ -57,7 +61,7 @@ public final class DirectionsRenderer implements AutoCloseable {
     public List<float[]> evaluate(List<Query> queries, LongConsumer progress) {
         List<float[]> results = new ArrayList<>(queries.size());
         try (FloatTexture texture =
-                        context.createFloatTexture("directions", FloatTextureSpec.flat(BATCH, 3, FloatFormat.RGBA32F));
+                        context.createFloatTexture("directions", FloatTextureSpec.flat(BATCH, ROWS, FloatFormat.RGBA32F));
                 FloatTarget target = context.createFloatTarget("directions", FloatTargetSpec.color(BATCH, 1))) {
             List<Binding> bindings = new ArrayList<>(method.bindings());
             bindings.add(new Binding("directions", texture));
@@ -75,16 +79,29 @@ public final class DirectionsRenderer implements AutoCloseable {
         return results;
     }
 
-    private static float[] texels(List<Query> batch) {
-        float[] texels = new float[4 * 3 * BATCH];
+    private float[] texels(List<Query> batch) {
+        float[] texels = new float[4 * ROWS * BATCH];
         for (int i = 0; i < batch.size(); i++) {
             Geometry geometry = batch.get(i).geometry();
             put(texels, i, 0, geometry.wi(), 0);
             put(texels, i, 1, geometry.wr(), 0);
             Direction uvw = new Direction(geometry.u(), geometry.v(), geometry.w());
-            put(texels, i, 2, uvw, batch.get(i).wavelength());
+            double wavelength = batch.get(i).wavelength();
+            put(texels, i, 2, uvw, wavelength);
+            if (spectral) {
+                putBin(texels, i, uvw.x() / wavelength * method.binsPerFrequencyX(), 0);
+                putBin(texels, i, uvw.y() / wavelength * method.binsPerFrequencyY(), 1);
+            }
         }
         return texels;
+    }
+
+    /** The nearest bin, and how far beyond it the position lies. */
+    private static void putBin(float[] texels, int column, double position, int axis) {
+        double nearest = Math.rint(position);
+        int at = 4 * (3 * BATCH + column) + axis;
+        texels[at] = (float) nearest;
+        texels[at + 2] = (float) (position - nearest);
     }
 
     private static void put(float[] texels, int column, int row, Direction direction, double fourth) {

@@ -122,6 +122,7 @@ final class BinsMethod implements DiffractionMethod {
         } else if (plan.sampling() instanceof Sampling.Orders orders) {
             program.set("orderReach", (float) orders.reach());
             program.set("orderNodeSpacing", (float) orders.nodeSpacing());
+            program.set("orderCutSpacing", (float) orders.cutSpacing());
             program.set("orderLargestStep", (float) orders.largestStep());
             program.set("specularNodes", orders.specularNodes());
             program.set("windowSigmaFrequency", (float) window.sigmaFrequency());
@@ -132,6 +133,16 @@ final class BinsMethod implements DiffractionMethod {
     @Override
     public List<Binding> bindings() {
         return textures.bindings();
+    }
+
+    @Override
+    public double binsPerFrequencyX() {
+        return table.patch().width();
+    }
+
+    @Override
+    public double binsPerFrequencyY() {
+        return table.patch().height();
     }
 
     @Override

@@ -22,6 +22,16 @@ public interface DiffractionMethod extends AutoCloseable {
     /** Standard deviation of the coherence window, metres. */
     double windowSigma();
 
+    /** DFT bins per cycle per metre along x, the patch's width in metres; 0 for a method without bins. */
+    default double binsPerFrequencyX() {
+        return 0;
+    }
+
+    /** DFT bins per cycle per metre along y, the patch's height in metres; 0 for a method without bins. */
+    default double binsPerFrequencyY() {
+        return 0;
+    }
+
     /** |(u, v)| up to which a direction sees the specular peak, which outshines what is diffracted. */
     default double specularReach() {
         // The peak is as wide as the window's spectrum; five deviations of the longest wavelength hold all of it.

@@ -121,6 +121,16 @@ public final class NmmMethod implements DiffractionMethod {
     }
 
     @Override
+    public double binsPerFrequencyX() {
+        return bins.binsPerFrequencyX();
+    }
+
+    @Override
+    public double binsPerFrequencyY() {
+        return bins.binsPerFrequencyY();
+    }
+
+    @Override
     public double windowSigma() {
         return bins.windowSigma();
     }

@@ -16,11 +16,13 @@ public sealed interface Sampling {
      *
      * @param reach how far from an order's middle wavelengths lie, in standard deviations of the order's power
      * @param nodeSpacing their distance, likewise
+     * @param cutSpacing the same for orders that the visible band cuts
      * @param largestStep their largest distance in metres: orders near the specular one are broader than the structure of
      *     the colour matching functions and D65
      * @param specularNodes wavelengths within the specular order, which has no middle
      */
-    record Orders(double reach, double nodeSpacing, double largestStep, int specularNodes) implements Sampling {}
+    record Orders(double reach, double nodeSpacing, double cutSpacing, double largestStep, int specularNodes)
+            implements Sampling {}
 
     /**
      * Sums a neighbourhood of bins, at wavelengths in equal steps along the ray f = (u, v) / lambda: for orders that the

@@ -70,17 +70,23 @@ final class SamplingPlanner {
     }
 
     private Sampling rays(int radius) {
-        // The trapezoid rule along the ray, as in grid(), but with the ray's own steps.
-        double step = Math.PI * window.sigmaFrequency() / Math.sqrt(Math.log(2 / budget.wavelengths()));
+        // Gregory's corrections of cut ends want the order resolved; the trapezoid rule alone would do with twice the step.
+        double step = Math.min(1, cutSpacing()) * window.sigmaFrequency() / Math.sqrt(2);
         return new Sampling.Rays(new Neighbourhood(radius, Neighbourhood.Anchor.NEAREST), step, fewestNodes());
     }
 
     private Sampling orders() {
         // Trapezoid rule for a Gaussian of deviation 1: error 2 exp(-2 (pi / step)^2); the rest is for the slope of the
-        // colour matching functions. Beyond four and a half deviations lies 7e-6 of the order.
+        // colour matching functions.
         double spacing = Math.min(1, Math.PI * Math.sqrt(2 / Math.log(2 / (0.01 * budget.tolerance()))));
         double reach = Math.max(3, Math.sqrt(2 * Math.log(1 / (0.1 * budget.tolerance()))));
-        return new Sampling.Orders(reach, spacing, WAVELENGTH_STEP_AT_STANDARD / relativeFineness(), 4 * fewestNodes());
+        return new Sampling.Orders(
+                reach, spacing, cutSpacing(), WAVELENGTH_STEP_AT_STANDARD / relativeFineness(), 4 * fewestNodes());
+    }
+
+    /** Gregory's rule with three corrected nodes errs by the fourth power of the step, some hundredth of a Gaussian's. */
+    private double cutSpacing() {
+        return Math.pow(30 * budget.wavelengths(), 0.25);
     }
 
     private Sampling grid() {
