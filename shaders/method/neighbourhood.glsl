@@ -9,6 +9,8 @@ uniform sampler2DArray tableTerms;
 uniform ivec2 tableFirst;
 // Number of bins per unit of frequency, which is the patch's period in metres.
 uniform vec2 tablePeriod;
+// What float32 leaves of it; for those who find a bin in double precision.
+uniform vec2 tablePeriodRest;
 
 // Beyond, bins are not held in arrays.
 #define UNROLLED_RADIUS 4

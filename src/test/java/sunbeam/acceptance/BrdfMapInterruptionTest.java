@@ -30,13 +30,13 @@ class BrdfMapInterruptionTest {
             assertThat(result.stderr()).startsWith("plan: ").hasLineCount(1);
         }
         assertThat(workplace.files()).isEmpty();
-        assertThat(workplace.tables()).allMatch(table -> table.toString().endsWith(".h5"));
+        assertThat(workplace.tables()).allMatch(table -> table.toString().endsWith(".tables"));
     }
 
     /** Tables are in the cache before the drawing begins, which lasts for hours. */
     private static void awaitDrawing(Workplace workplace) throws Exception {
         long deadline = System.nanoTime() + Duration.ofSeconds(60).toNanos();
-        while (workplace.tables().stream().noneMatch(table -> table.toString().endsWith(".h5"))) {
+        while (workplace.tables().stream().noneMatch(table -> table.toString().endsWith(".tables"))) {
             assertThat(System.nanoTime()).as("time until there is a table").isLessThan(deadline);
             Thread.sleep(50);
         }

@@ -2,11 +2,11 @@ package sunbeam.acceptance;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import io.jhdf.HdfFile;
-import io.jhdf.WritableHdfFile;
 import java.io.IOException;
+import java.nio.ByteBuffer;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
 import java.util.Arrays;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
@@ -54,7 +54,7 @@ class DamagedCacheTest {
     void anEmptyTable() throws Exception {
         Files.write(table, new byte[0]);
 
-        isMadeAgain("not a readable HDF5 file");
+        isMadeAgain("truncated: 0 bytes are no tables");
     }
 
     @Test
@@ -68,23 +68,28 @@ class DamagedCacheTest {
 
     @Test
     void aTableOfAnotherVersion() throws Exception {
-        Files.deleteIfExists(table);
-        try (WritableHdfFile file = HdfFile.write(table)) {
-            file.putAttribute("format", "sunbeam fourier table");
-            file.putAttribute("format_version", 99);
-        }
+        byte[] other = goodTable.clone();
+        // Behind the eight bytes that say whose file it is.
+        ByteBuffer.wrap(other).putInt(8, 99);
+        Files.write(table, other);
 
-        isMadeAgain("table of version 99, this Sunbeam reads version ");
+        isMadeAgain("tables of version 99, this Sunbeam reads version ");
     }
 
     @Test
-    void aTableOfAnotherProgram() throws Exception {
-        Files.deleteIfExists(table);
-        try (WritableHdfFile file = HdfFile.write(table)) {
-            file.putAttribute("format", "weather");
-        }
+    void aTableOfAnotherPlan() throws Exception {
+        Workplace elsewhere = Workplace.in(Files.createDirectory(root.resolve("elsewhere")));
+        elsewhere.succeed("brdf-map", "--patch", "sinusoid", "--size", "9", "--output", "other.png");
+        Files.copy(elsewhere.tables().get(0), table, StandardCopyOption.REPLACE_EXISTING);
 
-        isMadeAgain("not a Sunbeam table");
+        isMadeAgain("tables of another surface or plan");
+    }
+
+    @Test
+    void aFileOfAnotherProgram() throws Exception {
+        Files.writeString(table, "weather in the mountains: fine, with some clouds in the evening");
+
+        isMadeAgain("not tables of Sunbeam's");
     }
 
     private static void isMadeAgain(String reason) throws Exception {

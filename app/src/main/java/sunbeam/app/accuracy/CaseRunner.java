@@ -9,14 +9,13 @@ import sunbeam.app.certificate.RelativeError;
 import sunbeam.app.directions.DirectionList;
 import sunbeam.app.directions.DirectionsRenderer;
 import sunbeam.app.directions.DirectionsRenderer.Query;
-import sunbeam.app.gpu.DiffractionMethod;
-import sunbeam.app.gpu.FullMethod;
-import sunbeam.app.gpu.MethodUse;
+import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.setup.DiffractionSetup;
 import sunbeam.precompute.plan.Plan;
 import sunbeam.precompute.plan.PlanException;
 import sunbeam.precompute.plan.PlanReport;
 import sunbeam.precompute.plan.VisibleRange;
+import sunbeam.precompute.shader.MethodUse;
 
 /** Holds method {@code full} to its tolerance on the directions of a case. */
 final class CaseRunner {
@@ -75,7 +74,7 @@ final class CaseRunner {
                     surface.name(), "-", tolerance, ErrorStatistics.of(), Verdict.REFUSED, refusal.getMessage()));
         }
         List<float[]> results = evaluate(surface, setup, plan);
-        boolean said = !setup.warnings(plan).isEmpty();
+        boolean said = !setup.surface().planner().warnings(plan).isEmpty();
         List<Outcome> outcomes = new ArrayList<>();
         for (String quantity : quantities(surface)) {
             double[] errors = errors(surface, quantity, results);
@@ -109,7 +108,8 @@ final class CaseRunner {
             queries.add(new Query(list.geometry(row), list.spectral() ? list.wavelength(row) : 0));
         }
         MethodUse use = list.spectral() ? MethodUse.SPECTRAL : MethodUse.COLOUR;
-        try (DiffractionMethod method = FullMethod.create(context, plan, setup.freshTable(plan), use, setup.cie());
+        try (UploadedTables method = UploadedTables.upload(
+                        context, plan.sampling().tables(plan, setup.freshTable(plan), use, setup.cie()));
                 DirectionsRenderer renderer = new DirectionsRenderer(context, method, list.spectral())) {
             return renderer.evaluate(queries, done -> {});
         }

@@ -2,7 +2,6 @@ package sunbeam.app.accuracy;
 
 import java.util.Arrays;
 import java.util.List;
-import java.util.Optional;
 import java.util.stream.IntStream;
 import jrtr.RenderContext;
 import sunbeam.app.accuracy.MethodsFigure.Entry;
@@ -12,16 +11,16 @@ import sunbeam.app.certificate.ErrorStatistics;
 import sunbeam.app.certificate.RelativeError;
 import sunbeam.app.directions.DirectionsRenderer;
 import sunbeam.app.directions.DirectionsRenderer.Query;
-import sunbeam.app.gpu.DiffractionMethod;
 import sunbeam.app.gpu.MethodKind;
-import sunbeam.app.gpu.MethodUse;
+import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.setup.DiffractionSetup;
-import sunbeam.app.setup.MethodFactory;
 import sunbeam.app.setup.MethodRequest;
+import sunbeam.app.setup.Methods;
+import sunbeam.precompute.method.MethodPlan;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.plan.PlanRequest;
 import sunbeam.precompute.plan.VisibleRange;
-import sunbeam.precompute.table.FourierTable;
+import sunbeam.precompute.shader.MethodUse;
 
 /** Measures error and time of methods on one patch, each with a plan for what is drawn. */
 final class MethodMeter {
@@ -48,14 +47,13 @@ final class MethodMeter {
         List<Color> colors = subject.samplesFor(request).colors();
         List<Query> queries = colors.stream().map(Color::query).toList();
         DiffractionSetup setup = subject.setup();
-        MethodFactory factory = new MethodFactory(
+        MethodPlan plan = Methods.plan(
                 setup,
                 method,
                 request,
                 VisibleRange.of(queries.stream().map(Query::geometry).toList()));
-        Optional<FourierTable> table = factory.plan().map(setup::freshTable);
         ErrorStatistics errors;
-        try (DiffractionMethod drawn = factory.create(context, MethodUse.COLOUR, table)) {
+        try (UploadedTables drawn = upload(plan)) {
             double[][] xyz = evaluate(drawn, queries);
             if (method.kind() == MethodKind.GEM) {
                 scale(xyz, colors);
@@ -68,14 +66,17 @@ final class MethodMeter {
     /** Time per pixel of a map lit from the normal, microseconds, by a plan for that map: what a scene would draw with. */
     private double time(MethodRequest method, PlanRequest request) {
         DiffractionSetup setup = subject.setup();
-        MethodFactory factory = new MethodFactory(setup, method, request, VisibleRange.of(NORMAL));
-        Optional<FourierTable> table = factory.plan().map(setup::freshTable);
-        try (DiffractionMethod drawn = factory.create(context, MethodUse.COLOUR, table)) {
+        MethodPlan plan = Methods.plan(setup, method, request, VisibleRange.of(NORMAL));
+        try (UploadedTables drawn = upload(plan)) {
             return new FrameTimer(context, mapSize, FRAMES).time(drawn, NORMAL).fastestMicrosecondsPerPixel();
         }
     }
 
-    private double[][] evaluate(DiffractionMethod method, List<Query> queries) {
+    private UploadedTables upload(MethodPlan plan) {
+        return UploadedTables.upload(context, subject.setup().freshTables(plan, MethodUse.COLOUR));
+    }
+
+    private double[][] evaluate(UploadedTables method, List<Query> queries) {
         try (DirectionsRenderer renderer = new DirectionsRenderer(context, method, false)) {
             return renderer.evaluate(queries, done -> {}).stream()
                     .map(rgba -> new double[] {rgba[0], rgba[1], rgba[2]})

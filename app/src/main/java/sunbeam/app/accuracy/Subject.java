@@ -8,9 +8,7 @@ import sunbeam.app.accuracy.ReferenceSamples.SampleCounts;
 import sunbeam.app.certificate.RelativeError;
 import sunbeam.app.directions.DirectionsRenderer;
 import sunbeam.app.directions.DirectionsRenderer.Query;
-import sunbeam.app.gpu.DiffractionMethod;
-import sunbeam.app.gpu.FullMethod;
-import sunbeam.app.gpu.MethodUse;
+import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.setup.DiffractionSetup;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.Geometry;
@@ -18,6 +16,8 @@ import sunbeam.precompute.optics.WindowOrigin;
 import sunbeam.precompute.plan.Plan;
 import sunbeam.precompute.plan.PlanRequest;
 import sunbeam.precompute.plan.VisibleRange;
+import sunbeam.precompute.shader.MethodUse;
+import sunbeam.precompute.shader.ShaderTables;
 import sunbeam.precompute.table.FourierTable;
 
 /** One patch whose errors are measured on the GPU, with its exact samples. */
@@ -122,7 +122,8 @@ final class Subject {
     }
 
     private List<float[]> evaluate(Plan plan, FourierTable table, MethodUse use, List<Query> queries) {
-        try (DiffractionMethod method = FullMethod.create(context, plan, table, use, setup.cie());
+        ShaderTables tables = plan.sampling().tables(plan, table, use, setup.cie());
+        try (UploadedTables method = UploadedTables.upload(context, tables);
                 DirectionsRenderer renderer = new DirectionsRenderer(context, method, use == MethodUse.SPECTRAL)) {
             return new ArrayList<>(renderer.evaluate(queries, done -> {}));
         }

@@ -4,7 +4,6 @@ import java.io.PrintWriter;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import java.util.Optional;
 import java.util.concurrent.Callable;
 import jrtr.RenderContext;
 import jrtr.gl.RenderContexts;
@@ -16,21 +15,21 @@ import picocli.CommandLine.Spec;
 import sunbeam.app.cli.Environment;
 import sunbeam.app.cli.ExitCode;
 import sunbeam.app.cli.UsageException;
-import sunbeam.app.gpu.DiffractionMethod;
 import sunbeam.app.gpu.MethodKind;
-import sunbeam.app.gpu.MethodUse;
+import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.setup.DiffractionSetup;
 import sunbeam.app.setup.LightOptions;
-import sunbeam.app.setup.MethodFactory;
 import sunbeam.app.setup.MethodOptions;
 import sunbeam.app.setup.MethodRequest;
+import sunbeam.app.setup.Methods;
 import sunbeam.app.setup.PatchOptions;
 import sunbeam.app.setup.PlanOptions;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.plan.PlanRequest;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.reference.ReferenceEvaluator;
-import sunbeam.precompute.table.FourierTable;
+import sunbeam.precompute.shader.MethodUse;
+import sunbeam.precompute.shader.ShaderTables;
 
 /** {@code sunbeam benchmark}: time per frame of a BRDF map, as a ratio to the thesis's shader in the same run. */
 @Command(
@@ -91,13 +90,12 @@ public final class BenchmarkCommand implements Callable<Integer> {
         List<Contender> contenders = List.of(
                 new Contender(
                         "thesis",
-                        new MethodFactory(
+                        Methods.plan(
                                 setup,
                                 MethodRequest.of(MethodKind.FULL),
                                 PlanRequest.of(PlanRequest.Preset.THESIS),
                                 range)),
-                new Contender(
-                        "asked for", new MethodFactory(setup, methodOptions.request(), planOptions.request(), range)));
+                new Contender("asked for", Methods.plan(setup, methodOptions.request(), planOptions.request(), range)));
         try (RenderContext context = RenderContexts.offscreen()) {
             List<FrameTime> times = new ArrayList<>();
             for (Contender contender : contenders) {
@@ -117,9 +115,9 @@ public final class BenchmarkCommand implements Callable<Integer> {
 
     private FrameTime time(RenderContext context, DiffractionSetup setup, Contender contender, Direction wi) {
         long start = System.nanoTime();
-        Optional<FourierTable> table = contender.method().plan().map(setup::freshTable);
+        ShaderTables tables = setup.freshTables(contender.method(), MethodUse.COLOUR);
         long tableReady = System.nanoTime();
-        try (DiffractionMethod method = contender.method().create(context, MethodUse.COLOUR, table)) {
+        try (UploadedTables method = UploadedTables.upload(context, tables)) {
             double uploadSeconds = (System.nanoTime() - tableReady) * 1e-9;
             FrameTimer.Timing timing = new FrameTimer(context, size, frames).time(method, wi);
             return new FrameTime(

@@ -5,7 +5,7 @@ import jrtr.GpuTime;
 import jrtr.GpuTimer;
 import jrtr.RenderContext;
 import sunbeam.app.brdf.BrdfMapRenderer;
-import sunbeam.app.gpu.DiffractionMethod;
+import sunbeam.app.gpu.UploadedTables;
 import sunbeam.precompute.optics.Direction;
 
 /**
@@ -35,7 +35,7 @@ public record FrameTimer(RenderContext context, int size, int frames) {
     }
 
     /** Times a method's map of one light. */
-    public Timing time(DiffractionMethod method, Direction light) {
+    public Timing time(UploadedTables method, Direction light) {
         long start = System.nanoTime();
         try (BrdfMapRenderer renderer = new BrdfMapRenderer(context, method, size);
                 GpuTimer timer = context.createTimer()) {

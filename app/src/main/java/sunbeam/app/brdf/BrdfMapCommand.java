@@ -20,10 +20,8 @@ import sunbeam.app.certificate.CertifyOption;
 import sunbeam.app.certificate.ExactColor;
 import sunbeam.app.cli.Environment;
 import sunbeam.app.cli.ExitCode;
-import sunbeam.app.cli.Numbers;
 import sunbeam.app.cli.UsageException;
-import sunbeam.app.gpu.DiffractionMethod;
-import sunbeam.app.gpu.MethodUse;
+import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.output.AtomicFile;
 import sunbeam.app.output.DefaultName;
 import sunbeam.app.output.ForceOption;
@@ -37,14 +35,18 @@ import sunbeam.app.picture.LinearPicture;
 import sunbeam.app.progress.Progress;
 import sunbeam.app.setup.DiffractionSetup;
 import sunbeam.app.setup.LightOptions;
-import sunbeam.app.setup.MethodFactory;
 import sunbeam.app.setup.MethodOptions;
 import sunbeam.app.setup.MethodRequest;
+import sunbeam.app.setup.Methods;
 import sunbeam.app.setup.PatchOptions;
 import sunbeam.app.setup.PlanOptions;
+import sunbeam.precompute.method.MethodPlan;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.plan.PlanRequest;
 import sunbeam.precompute.plan.VisibleRange;
+import sunbeam.precompute.shader.MethodUse;
+import sunbeam.precompute.shader.ShaderTables;
+import sunbeam.precompute.units.Decimals;
 
 /** {@code sunbeam brdf-map}: from a height map to the picture of its BRDF. */
 @Command(
@@ -133,12 +135,13 @@ public final class BrdfMapCommand implements Callable<Integer> {
             checkDifferent(picture);
             AtomicFile.checkWritable(linear, overwrite);
         }
-        MethodFactory factory = new MethodFactory(setup, methodRequest, request, VisibleRange.of(wi));
+        MethodPlan plan = Methods.plan(setup, methodRequest, request, VisibleRange.of(wi));
         PrintWriter out = specification.commandLine().getOut();
-        planOptions.print(factory, err);
+        planOptions.print(plan, err);
+        ShaderTables tables = setup.tables(plan, MethodUse.COLOUR);
         Optional<Certificate> certificate;
         try (RenderContext context = RenderContexts.offscreen();
-                DiffractionMethod method = factory.create(context, MethodUse.COLOUR);
+                UploadedTables method = UploadedTables.upload(context, tables);
                 BrdfMapRenderer renderer = new BrdfMapRenderer(context, method, size);
                 DisplayPass display = new DisplayPass(context)) {
             LinearPicture map = render(renderer, wi);
@@ -149,7 +152,7 @@ public final class BrdfMapCommand implements Callable<Integer> {
             certificate = certify.certificate(
                     count -> new Certifier(ExactColor.of(setup, methodRequest, request), directions::at)
                             .certify(map, count, CertifyOption.SEED, factor, request.tolerance()));
-            Map<String, String> text = describe(setup, methodRequest, factory.summary(), factor, context);
+            Map<String, String> text = describe(setup, methodRequest, plan.summary(), factor, context);
             certificate.ifPresent(stated -> text.put("Certificate", stated.summary()));
             BufferedImage image = SrgbImage.fromEncoded(size, size, display.srgb(map, factor));
             write(picture, stream -> PngWriter.write(stream, image, text), map);
@@ -188,7 +191,7 @@ public final class BrdfMapCommand implements Callable<Integer> {
         if (exposure.equals("auto")) {
             return 0;
         }
-        double value = Numbers.parse(exposure).orElse(Double.NaN);
+        double value = Decimals.parse(exposure).orElse(Double.NaN);
         if (!(value > 0)) {
             throw new UsageException("--exposure '" + exposure + "' is neither auto nor a positive number");
         }

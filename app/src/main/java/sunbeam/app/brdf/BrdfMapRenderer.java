@@ -10,8 +10,7 @@ import jrtr.ShaderProgram;
 import jrtr.Tile;
 import org.joml.Vector2f;
 import org.joml.Vector3f;
-import sunbeam.app.gpu.DiffractionMethod;
-import sunbeam.app.gpu.Shaders;
+import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.picture.LinearPicture;
 import sunbeam.precompute.optics.Direction;
 
@@ -23,19 +22,18 @@ public final class BrdfMapRenderer implements AutoCloseable {
     private static final int TILE_SIDE = 128;
 
     private final RenderContext context;
-    private final DiffractionMethod method;
+    private final UploadedTables method;
     private final ShaderProgram program;
     private final FloatTarget target;
     private final int size;
 
     /** A renderer of maps with {@code size x size} pixels. */
-    public BrdfMapRenderer(RenderContext context, DiffractionMethod method, int size) {
+    public BrdfMapRenderer(RenderContext context, UploadedTables method, int size) {
         this.context = context;
         this.method = method;
         this.size = size;
-        this.program = context.createFullScreenProgram(Shaders.library().load("brdf_map.frag", method.defines()));
+        this.program = method.program("brdf_map.frag");
         this.target = context.createFloatTarget("BRDF map", FloatTargetSpec.color(size, size));
-        method.setUniforms(program);
         program.set("mapSize", new Vector2f(size, size));
     }
 

@@ -1,9 +1,12 @@
 package sunbeam.app.cache;
 
+import java.io.File;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Comparator;
+import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
@@ -50,6 +53,30 @@ public final class CacheFolder {
             warning.accept("no cache, so tables are computed anew each time: cannot write to " + path + " ("
                     + failure.getMessage() + "); set XDG_CACHE_HOME to a folder that takes files");
             return Optional.empty();
+        }
+    }
+
+    /**
+     * Deletes files, those first that were written longest ago, until the rest is no larger than a limit. A file that
+     * cannot be deleted stays.
+     *
+     * @param newest stays in any case
+     */
+    public void shrink(long limitBytes, Path newest) {
+        try (Stream<Path> listed = Files.list(path)) {
+            List<File> files = listed.map(Path::toFile)
+                    .filter(File::isFile)
+                    .sorted(Comparator.comparingLong(File::lastModified))
+                    .toList();
+            long bytes = files.stream().mapToLong(File::length).sum();
+            for (File file : files) {
+                if (bytes > limitBytes && !file.toPath().equals(newest)) {
+                    long length = file.length();
+                    bytes -= file.delete() ? length : 0;
+                }
+            }
+        } catch (IOException failure) {
+            throw new UncheckedIOException("cannot list " + path, failure);
         }
     }
 

@@ -1,59 +1,105 @@
 package sunbeam.app.cache;
 
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.security.MessageDigest;
-import java.security.NoSuchAlgorithmException;
-import java.util.HexFormat;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.function.Function;
+import java.util.function.Supplier;
 import sunbeam.app.cli.Environment;
 import sunbeam.app.output.AtomicFile;
 import sunbeam.app.output.OutputException;
 import sunbeam.app.output.Overwrite;
 import sunbeam.app.progress.Progress;
 import sunbeam.precompute.expansion.Expansion;
-import sunbeam.precompute.patch.HeightLevels;
+import sunbeam.precompute.method.MethodPlan;
+import sunbeam.precompute.method.Surface;
 import sunbeam.precompute.plan.Plan;
+import sunbeam.precompute.shader.MethodUse;
+import sunbeam.precompute.shader.ShaderTables;
+import sunbeam.precompute.shader.ShaderTablesFile;
 import sunbeam.precompute.table.FourierTable;
-import sunbeam.precompute.table.PatchIdentity;
 import sunbeam.precompute.table.TableBuilder;
 import sunbeam.precompute.table.TableException;
 import sunbeam.precompute.table.TableFile;
+import sunbeam.precompute.text.Sha256;
 
-/** Fourier tables in the cache folder, by a hash of all that determines them; made where they are missing. */
+/**
+ * Tables of one surface in the cache folder, each under a hash of all that determines it; made where they are missing. A
+ * file that is damaged or of something else is made again, with a word about it.
+ */
 public final class TableStore {
-    private final Environment environment;
+    // Room for a dozen surfaces. Tables of one that any pair of directions may see take some hundred megabytes.
+    private static final long MOST_BYTES = 8L << 30;
+
+    private final Surface surface;
+    private final CacheFolder folder;
     private final Consumer<String> warning;
 
-    public TableStore(Environment environment, Consumer<String> warning) {
-        this.environment = environment;
+    /** @param warning told in one line each what goes wrong with the cache */
+    public TableStore(Surface surface, Environment environment, Consumer<String> warning) {
+        this.surface = surface;
+        this.folder = CacheFolder.of(environment);
         this.warning = warning;
     }
 
-    /** The table for a plan, read or made. A file that is damaged is made again, with a word about it. */
-    public FourierTable get(PatchIdentity patch, HeightLevels heights, Plan plan) {
-        Optional<Path> folder = CacheFolder.of(environment).open(warning);
-        Optional<Path> file = folder.map(path -> path.resolve(fileName(patch, plan)));
-        if (file.isPresent() && Files.exists(file.get())) {
-            try {
-                return TableFile.read(file.get());
-            } catch (TableException failure) {
-                warning.accept("cached table is made again: " + failure.problem());
-            }
+    /**
+     * What a method's shader reads, as it lies in the cache. Nothing is computed where it is there, and layer by layer, on
+     * the way to the file, where it is not. Without a cache folder, layers are computed when they are asked for.
+     */
+    public ShaderTables tables(MethodPlan plan, MethodUse use) {
+        String key = "shader tables " + ShaderTablesFile.VERSION + "|" + plan.key(use);
+        Supplier<ShaderTables> make = () -> plan.tables(use, this::freshTable);
+        Optional<Path> file = file(key, "tables");
+        if (file.isEmpty()) {
+            return make.get();
         }
-        FourierTable table = build(patch, heights, plan);
-        file.ifPresent(path -> save(path, table));
+        Optional<ShaderTables> kept = read(file.get(), path -> ShaderTablesFile.read(path, key));
+        if (kept.isPresent()) {
+            return kept.get();
+        }
+        ShaderTables made = make.get();
+        save(file.get(), path -> ShaderTablesFile.write(path, key, made));
+        // Again from the file, so that no more than one layer at a time need be in memory.
+        return Files.exists(file.get())
+                ? read(file.get(), path -> ShaderTablesFile.read(path, key)).orElse(made)
+                : made;
+    }
+
+    /** The Fourier table for a plan. */
+    public FourierTable table(Plan plan) {
+        Optional<Path> file = file("table 1|" + surface.identity().digest() + "|" + plan.tableKey(), "h5");
+        Optional<FourierTable> kept =
+                file.flatMap(path -> read(path, present -> checked(TableFile.read(present), plan)));
+        if (kept.isPresent()) {
+            return kept.get();
+        }
+        FourierTable table = freshTable(plan);
+        file.ifPresent(path -> save(path, target -> TableFile.write(target, table)));
         return table;
     }
 
-    /** Makes a table, with progress. */
-    public static FourierTable build(PatchIdentity patch, HeightLevels heights, Plan plan) {
+    /** A table that was read, under the name that the surface has now. */
+    private FourierTable checked(FourierTable table, Plan plan) {
+        Expansion expansion = plan.expansion();
+        boolean same = table.patch().digest().equals(surface.identity().digest())
+                && table.kind() == expansion.kind()
+                && table.terms() == expansion.terms()
+                && table.scale().equals(expansion.scale())
+                && table.bandX().equals(plan.bandX())
+                && table.bandY().equals(plan.bandY());
+        if (!same) {
+            throw new TableException("it is of another surface or plan");
+        }
+        return table.of(surface.identity());
+    }
+
+    /** Makes a Fourier table, with progress. */
+    public FourierTable freshTable(Plan plan) {
         Expansion expansion = plan.expansion();
         try (Progress progress = Progress.start("Fourier tables", expansion.terms())) {
             int[] done = {0};
-            TableBuilder builder = new TableBuilder(patch, heights, terms -> {
+            TableBuilder builder = new TableBuilder(surface.identity(), surface.levels(), terms -> {
                 progress.step(terms - done[0]);
                 done[0] = terms;
             });
@@ -61,33 +107,29 @@ public final class TableStore {
         }
     }
 
-    private void save(Path file, FourierTable table) {
+    private Optional<Path> file(String key, String ending) {
+        String name = Sha256.hexadecimal(key).substring(0, 32) + "." + ending;
+        return folder.open(warning).map(path -> path.resolve(name));
+    }
+
+    private <T> Optional<T> read(Path file, Function<Path, T> reader) {
+        if (!Files.exists(file)) {
+            return Optional.empty();
+        }
         try {
-            AtomicFile.writeFile(file, Overwrite.REPLACE, path -> TableFile.write(path, table));
-        } catch (OutputException failure) {
-            warning.accept("the table is not kept: " + failure.getMessage());
+            return Optional.of(reader.apply(file));
+        } catch (TableException failure) {
+            warning.accept("cached table is made again: " + failure.problem());
+            return Optional.empty();
         }
     }
 
-    private static String fileName(PatchIdentity patch, Plan plan) {
-        Expansion expansion = plan.expansion();
-        String key = String.join(
-                "|",
-                "table 1",
-                patch.digest(),
-                expansion.kind().label(),
-                Integer.toString(expansion.terms()),
-                Double.toHexString(expansion.scale().centre()),
-                Double.toHexString(expansion.scale().halfRange()),
-                Double.toHexString(expansion.minimumPhase()),
-                Double.toHexString(expansion.maximumPhase()),
-                plan.bandX().toString(),
-                plan.bandY().toString());
+    private void save(Path file, Consumer<Path> writer) {
         try {
-            byte[] hash = MessageDigest.getInstance("SHA-256").digest(key.getBytes(StandardCharsets.UTF_8));
-            return HexFormat.of().formatHex(hash, 0, 16) + ".h5";
-        } catch (NoSuchAlgorithmException e) {
-            throw new IllegalStateException("every Java has SHA-256", e);
+            AtomicFile.writeFile(file, Overwrite.REPLACE, writer::accept);
+            folder.shrink(MOST_BYTES, file);
+        } catch (OutputException failure) {
+            warning.accept("the table is not kept: " + failure.getMessage());
         }
     }
 }

@@ -3,6 +3,7 @@ package sunbeam.app.cli;
 import java.util.Locale;
 import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.TypeConversionException;
+import sunbeam.precompute.units.Decimals;
 
 /** An angle on the command line: degrees ({@code 75}, {@code 75deg}) or radians ({@code 1.3rad}). Yields radians. */
 public final class AngleConverter implements ITypeConverter<Double> {
@@ -19,7 +20,7 @@ public final class AngleConverter implements ITypeConverter<Double> {
     }
 
     private static double number(String text, String digits) {
-        return Numbers.parse(digits)
+        return Decimals.parse(digits)
                 .orElseThrow(() -> new TypeConversionException(
                         "'" + text + "' is not an angle; give degrees as in 75, or radians as in 1.3rad"));
     }

@@ -3,6 +3,7 @@ package sunbeam.app.cli;
 import java.util.OptionalDouble;
 import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.TypeConversionException;
+import sunbeam.precompute.units.Decimals;
 
 /** A range on the command line, {@code min:max:step}, each a plain number in the option's unit. */
 public final class RangeConverter implements ITypeConverter<Range> {
@@ -20,7 +21,7 @@ public final class RangeConverter implements ITypeConverter<Range> {
     }
 
     private static double number(String text, String part) {
-        OptionalDouble value = Numbers.parse(part);
+        OptionalDouble value = Decimals.parse(part);
         return value.orElseThrow(() -> new TypeConversionException(
                 "'" + text + "' is not a range: '" + part + "' is not a number; give min:max:step as in 380:780:5"));
     }

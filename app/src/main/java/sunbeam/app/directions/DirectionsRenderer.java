@@ -3,7 +3,6 @@ package sunbeam.app.directions;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import java.util.TreeMap;
 import java.util.function.LongConsumer;
 import jrtr.Binding;
 import jrtr.FloatFormat;
@@ -14,8 +13,7 @@ import jrtr.FloatTextureSpec;
 import jrtr.RenderContext;
 import jrtr.ShaderProgram;
 import jrtr.Tile;
-import sunbeam.app.gpu.DiffractionMethod;
-import sunbeam.app.gpu.Shaders;
+import sunbeam.app.gpu.UploadedTables;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.Geometry;
 
@@ -27,7 +25,7 @@ public final class DirectionsRenderer implements AutoCloseable {
     private static final int ROWS = 4;
 
     private final RenderContext context;
-    private final DiffractionMethod method;
+    private final UploadedTables method;
     private final boolean spectral;
     private final ShaderProgram program;
 
@@ -36,16 +34,11 @@ public final class DirectionsRenderer implements AutoCloseable {
      *
      * @param spectral whether directions come with a wavelength; else colours are computed
      */
-    public DirectionsRenderer(RenderContext context, DiffractionMethod method, boolean spectral) {
+    public DirectionsRenderer(RenderContext context, UploadedTables method, boolean spectral) {
         this.context = context;
         this.method = method;
         this.spectral = spectral;
-        Map<String, String> defines = new TreeMap<>(method.defines());
-        if (spectral) {
-            defines.put("SPECTRAL", "1");
-        }
-        this.program = context.createFullScreenProgram(Shaders.library().load("directions.frag", defines));
-        method.setUniforms(program);
+        this.program = method.program("directions.frag", spectral ? Map.of("SPECTRAL", "1") : Map.of());
         program.set("windowSigma", (float) method.windowSigma());
     }
 
@@ -88,9 +81,10 @@ public final class DirectionsRenderer implements AutoCloseable {
             Direction uvw = new Direction(geometry.u(), geometry.v(), geometry.w());
             double wavelength = batch.get(i).wavelength();
             put(texels, i, 2, uvw, wavelength);
-            if (spectral) {
-                putBin(texels, i, uvw.x() / wavelength * method.binsPerFrequencyX(), 0);
-                putBin(texels, i, uvw.y() / wavelength * method.binsPerFrequencyY(), 1);
+            if (spectral && method.binsPerFrequency().isPresent()) {
+                double[] bins = method.binsPerFrequency().get();
+                putBin(texels, i, uvw.x() / wavelength * bins[0], 0);
+                putBin(texels, i, uvw.y() / wavelength * bins[1], 1);
             }
         }
         return texels;

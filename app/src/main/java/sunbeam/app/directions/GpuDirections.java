@@ -4,17 +4,21 @@ import java.util.ArrayList;
 import java.util.List;
 import jrtr.RenderContext;
 import jrtr.gl.RenderContexts;
-import sunbeam.app.gpu.DiffractionMethod;
-import sunbeam.app.gpu.MethodUse;
+import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.progress.Progress;
-import sunbeam.app.setup.MethodFactory;
+import sunbeam.app.setup.DiffractionSetup;
+import sunbeam.precompute.method.MethodPlan;
+import sunbeam.precompute.shader.MethodUse;
+import sunbeam.precompute.shader.ShaderTables;
 
 /** Directions by the shaders. */
 final class GpuDirections {
-    private final MethodFactory factory;
+    private final MethodPlan plan;
+    private final DiffractionSetup setup;
 
-    GpuDirections(MethodFactory factory) {
-        this.factory = factory;
+    GpuDirections(DiffractionSetup setup, MethodPlan plan) {
+        this.setup = setup;
+        this.plan = plan;
     }
 
     List<double[]> evaluate(DirectionList list) {
@@ -24,8 +28,9 @@ final class GpuDirections {
             double wavelength = list.spectral() ? list.wavelength(row) : 0;
             queries.add(new DirectionsRenderer.Query(list.geometry(row), wavelength));
         }
+        ShaderTables tables = setup.tables(plan, use);
         try (RenderContext context = RenderContexts.offscreen();
-                DiffractionMethod method = factory.create(context, use);
+                UploadedTables method = UploadedTables.upload(context, tables);
                 DirectionsRenderer renderer = new DirectionsRenderer(context, method, list.spectral());
                 Progress progress = Progress.start("Directions", list.size())) {
             List<double[]> results = new ArrayList<>(list.size());

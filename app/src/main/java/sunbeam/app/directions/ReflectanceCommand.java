@@ -21,11 +21,12 @@ import sunbeam.app.output.AtomicFile;
 import sunbeam.app.output.CsvWriter;
 import sunbeam.app.output.ForceOption;
 import sunbeam.app.setup.DiffractionSetup;
-import sunbeam.app.setup.MethodFactory;
 import sunbeam.app.setup.MethodOptions;
 import sunbeam.app.setup.MethodRequest;
+import sunbeam.app.setup.Methods;
 import sunbeam.app.setup.PatchOptions;
 import sunbeam.app.setup.PlanOptions;
+import sunbeam.precompute.method.MethodPlan;
 import sunbeam.precompute.plan.PlanRequest;
 import sunbeam.precompute.plan.VisibleRange;
 
@@ -100,9 +101,9 @@ public final class ReflectanceCommand implements Callable<Integer> {
     private List<double[]> evaluate(
             DiffractionSetup setup, MethodRequest method, PlanRequest request, DirectionList list) {
         if (method.kind() != MethodKind.REFERENCE) {
-            MethodFactory factory = new MethodFactory(setup, method, request, VisibleRange.of(list.geometries()));
-            planOptions.print(factory, specification.commandLine().getErr());
-            return new GpuDirections(factory).evaluate(list);
+            MethodPlan plan = Methods.plan(setup, method, request, VisibleRange.of(list.geometries()));
+            planOptions.print(plan, specification.commandLine().getErr());
+            return new GpuDirections(setup, plan).evaluate(list);
         }
         return method.replicas().isPresent()
                 ? new ReplicaDirections(setup, method, request).evaluate(list)

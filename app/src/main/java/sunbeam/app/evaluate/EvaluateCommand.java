@@ -137,8 +137,8 @@ public final class EvaluateCommand implements Callable<Integer> {
             Positions.Draw draw = new Positions.Draw(
                     positions,
                     seed,
-                    setup.identity().columns(),
-                    setup.identity().rows());
+                    setup.surface().identity().columns(),
+                    setup.surface().identity().rows());
             Positions all = Positions.measure(
                     evaluation.responses().binSums(),
                     draw,

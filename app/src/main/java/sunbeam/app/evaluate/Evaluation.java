@@ -4,10 +4,10 @@ import java.awt.image.BufferedImage;
 import java.util.Optional;
 import java.util.function.Consumer;
 import sunbeam.app.setup.DiffractionSetup;
-import sunbeam.app.setup.MethodFactory;
 import sunbeam.precompute.evaluation.GratingMeasurement;
 import sunbeam.precompute.evaluation.ResponseGrid;
 import sunbeam.precompute.evaluation.ResponseMatrix;
+import sunbeam.precompute.method.MethodPlan;
 import sunbeam.precompute.plan.PlanRequest;
 
 /** A patch's response in the plane of incidence and the period that it shows. */
@@ -50,7 +50,7 @@ public final class Evaluation {
             PlanRequest request,
             Responses.Method method,
             Quantity quantity,
-            Consumer<MethodFactory> planned) {
+            Consumer<MethodPlan> planned) {
         double sigmaFrequency = request.window().sigmaFrequency();
         GratingTarget target = GratingTarget.of(setup.patch(), grating, sigmaFrequency);
         ResponseGrid grid = grating.grid(target.plane(), target.order(), request.window());

@@ -8,22 +8,24 @@ import java.util.stream.IntStream;
 import jrtr.RenderContext;
 import jrtr.gl.RenderContexts;
 import sunbeam.app.directions.DirectionsRenderer;
-import sunbeam.app.gpu.DiffractionMethod;
 import sunbeam.app.gpu.MethodKind;
-import sunbeam.app.gpu.MethodUse;
+import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.progress.Progress;
 import sunbeam.app.setup.DiffractionSetup;
-import sunbeam.app.setup.MethodFactory;
 import sunbeam.app.setup.MethodRequest;
+import sunbeam.app.setup.Methods;
 import sunbeam.precompute.evaluation.BinSums;
 import sunbeam.precompute.evaluation.ResponseGrid;
 import sunbeam.precompute.evaluation.ResponseMatrix;
 import sunbeam.precompute.evaluation.WindowPlace;
+import sunbeam.precompute.method.MethodPlan;
 import sunbeam.precompute.optics.Geometry;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.PlanRequest;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.reference.ReferenceEvaluator;
+import sunbeam.precompute.shader.MethodUse;
+import sunbeam.precompute.shader.ShaderTables;
 
 /** The power over a grid, by one of the methods. */
 final class Responses {
@@ -33,7 +35,7 @@ final class Responses {
     private final DiffractionSetup setup;
     private final PlanRequest request;
     private final ResponseGrid grid;
-    private final Consumer<MethodFactory> planned;
+    private final Consumer<MethodPlan> planned;
     private String plan;
 
     /** Who evaluates. */
@@ -48,7 +50,7 @@ final class Responses {
     }
 
     /** @param planned told of the method that a shader uses, once it is planned */
-    Responses(DiffractionSetup setup, PlanRequest request, ResponseGrid grid, Consumer<MethodFactory> planned) {
+    Responses(DiffractionSetup setup, PlanRequest request, ResponseGrid grid, Consumer<MethodPlan> planned) {
         this.setup = setup;
         this.request = request;
         this.grid = grid;
@@ -102,15 +104,15 @@ final class Responses {
             }
             WindowPlace place = WindowPlace.of(
                     request.windowOrigin(),
-                    setup.identity().columns(),
-                    setup.identity().rows());
+                    setup.surface().identity().columns(),
+                    setup.surface().identity().rows());
             return sums.coherent(List.of(place), progress::step).get(0);
         }
     }
 
     /** Sums over bins for any position of the window. */
     BinSums binSums() {
-        return BinSums.of(setup.identity(), setup.heights(), request.window(), grid);
+        return BinSums.of(setup.surface().identity(), setup.surface().levels(), request.window(), grid);
     }
 
     private ResponseMatrix onGpu(MethodKind kind) {
@@ -118,13 +120,14 @@ final class Responses {
         for (double angle : grid.angles()) {
             directions.add(grid.plane().geometry(angle));
         }
-        MethodFactory factory = new MethodFactory(setup, MethodRequest.of(kind), request, VisibleRange.of(directions));
-        plan = factory.summary();
-        planned.accept(factory);
+        MethodPlan method = Methods.plan(setup, MethodRequest.of(kind), request, VisibleRange.of(directions));
+        plan = method.summary();
+        planned.accept(method);
+        ShaderTables tables = setup.tables(method, MethodUse.SPECTRAL);
         long count = (long) grid.wavelengths().length * directions.size();
         try (RenderContext context = RenderContexts.offscreen();
-                DiffractionMethod method = factory.create(context, MethodUse.SPECTRAL);
-                DirectionsRenderer renderer = new DirectionsRenderer(context, method, true);
+                UploadedTables uploaded = UploadedTables.upload(context, tables);
+                DirectionsRenderer renderer = new DirectionsRenderer(context, uploaded, true);
                 Progress progress = Progress.start("Response", count)) {
             return new ResponseMatrix(grid, render(renderer, directions, progress));
         }

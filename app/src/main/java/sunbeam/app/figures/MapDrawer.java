@@ -10,17 +10,19 @@ import jrtr.gl.RenderContexts;
 import sunbeam.app.brdf.BrdfMapRenderer;
 import sunbeam.app.brdf.DiscDirections;
 import sunbeam.app.figures.Panel.MapPanel;
-import sunbeam.app.gpu.DiffractionMethod;
-import sunbeam.app.gpu.MethodUse;
+import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.output.SrgbImage;
 import sunbeam.app.picture.AutoExposure;
 import sunbeam.app.picture.DisplayPass;
 import sunbeam.app.picture.LinearPicture;
 import sunbeam.app.progress.Progress;
 import sunbeam.app.setup.DiffractionSetup;
-import sunbeam.app.setup.MethodFactory;
+import sunbeam.app.setup.Methods;
+import sunbeam.precompute.method.MethodPlan;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.plan.VisibleRange;
+import sunbeam.precompute.shader.MethodUse;
+import sunbeam.precompute.shader.ShaderTables;
 
 /** Draws the maps, and each map that others are compared with once. */
 final class MapDrawer implements AutoCloseable {
@@ -84,15 +86,15 @@ final class MapDrawer implements AutoCloseable {
     private DrawnMap render(MapPanel panel) {
         DiffractionSetup setup = patches.setup(panel.role());
         Direction light = Direction.ofDegrees(panel.thetaDegrees(), 0);
-        MethodFactory factory = new MethodFactory(setup, panel.method(), panel.request(), VisibleRange.of(light));
+        MethodPlan plan = Methods.plan(setup, panel.method(), panel.request(), VisibleRange.of(light));
         // A hundred tables that no other command asks for: the cache is spared them.
-        try (DiffractionMethod method =
-                        factory.create(context, MethodUse.COLOUR, factory.plan().map(setup::freshTable));
+        ShaderTables tables = setup.freshTables(plan, MethodUse.COLOUR);
+        try (UploadedTables method = UploadedTables.upload(context, tables);
                 BrdfMapRenderer renderer = new BrdfMapRenderer(context, method, size);
                 Progress progress = Progress.start(panel.name(), (long) size * size)) {
             LinearPicture map = renderer.render(light, progress::step);
             double exposure = AutoExposure.of(map, new DiscDirections(size, light).specular(method.specularReach()));
-            return new DrawnMap(map, exposure, factory.summary());
+            return new DrawnMap(map, exposure, plan.summary());
         }
     }
 

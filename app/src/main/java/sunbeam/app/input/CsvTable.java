@@ -8,7 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.Set;
-import sunbeam.app.cli.Numbers;
+import sunbeam.precompute.units.Decimals;
 
 /**
  * Named columns of finite numbers from comma-separated text with a header row. Columns that were not asked for are
@@ -158,7 +158,7 @@ public final class CsvTable {
     }
 
     private static double number(Path file, int line, String column, String field) {
-        OptionalDouble value = Numbers.parse(field);
+        OptionalDouble value = Decimals.parse(field);
         if (value.isEmpty()) {
             throw fieldFailure(file, line, column, "'" + abbreviated(field) + "'", "is not a finite number");
         }

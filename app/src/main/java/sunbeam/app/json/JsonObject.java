@@ -8,9 +8,9 @@ import java.util.Set;
 import java.util.TreeSet;
 import java.util.function.Function;
 import java.util.function.Supplier;
-import sunbeam.app.cli.Numbers;
 import sunbeam.app.input.InputException;
 import sunbeam.precompute.text.Quoted;
+import sunbeam.precompute.units.Decimals;
 
 /**
  * An object of a JSON file, asked key by key. Afterwards {@link #requireNoOthers} finds the keys that nobody asked for.
@@ -117,7 +117,7 @@ public final class JsonObject {
                     key,
                     value,
                     "%s is out of range; give %s to %s"
-                            .formatted(Numbers.format(number.value()), Numbers.format(least), Numbers.format(most)));
+                            .formatted(Decimals.format(number.value()), Decimals.format(least), Decimals.format(most)));
         }
         return number.value();
     }

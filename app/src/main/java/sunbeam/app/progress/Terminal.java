@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.io.PrintStream;
 import java.nio.file.Path;
 import java.util.Map;
-import sunbeam.app.cli.Numbers;
+import sunbeam.precompute.units.Decimals;
 
 /**
  * Where progress is drawn.
@@ -37,7 +37,7 @@ record Terminal(PrintStream stream, boolean interactive, int columns) {
     }
 
     static int columns(String variable) {
-        double columns = Numbers.parse(variable).orElse(DEFAULT_COLUMNS);
+        double columns = Decimals.parse(variable).orElse(DEFAULT_COLUMNS);
         return (int) Math.max(FEWEST_COLUMNS, Math.min(MOST_COLUMNS, columns));
     }
 }

@@ -6,7 +6,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.OptionalDouble;
 import jrtr.RenderContext;
-import sunbeam.app.cli.Numbers;
 import sunbeam.app.input.PngText;
 import sunbeam.app.output.NpyWriter;
 import sunbeam.app.output.Overwrite;
@@ -17,6 +16,7 @@ import sunbeam.app.scene.SceneData;
 import sunbeam.app.scene.SceneDisplay;
 import sunbeam.app.scene.ScenePicture;
 import sunbeam.app.scene.SceneSession;
+import sunbeam.precompute.units.Decimals;
 
 /** Draws frames and writes each as soon as it is finished. */
 final class FrameSequence implements AutoCloseable {
@@ -73,7 +73,7 @@ final class FrameSequence implements AutoCloseable {
     }
 
     private static OptionalDouble recordedExposure(Path frame) {
-        return Numbers.parse(PngText.read(frame).getOrDefault("Exposure", ""));
+        return Decimals.parse(PngText.read(frame).getOrDefault("Exposure", ""));
     }
 
     private void write(Path file, Overwrite overwrite, Scene scene, ScenePicture picture, double exposure) {

@@ -7,7 +7,6 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import sunbeam.app.cli.AngleConverter;
 import sunbeam.app.cli.LengthConverter;
-import sunbeam.app.cli.Numbers;
 import sunbeam.app.cli.UsageException;
 import sunbeam.app.mesh.BuiltInMeshes;
 import sunbeam.app.scene.Blend;
@@ -18,6 +17,7 @@ import sunbeam.precompute.patch.builtin.BuiltInPatches;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.PlanRequest;
 import sunbeam.precompute.plan.Tolerances;
+import sunbeam.precompute.units.Decimals;
 
 /** Options that stand above what the scene says; to be used as a picocli mixin. */
 public final class SceneOverrides {
@@ -165,7 +165,7 @@ public final class SceneOverrides {
         if (exposure.equals("auto")) {
             return OptionalDouble.empty();
         }
-        double value = Numbers.parse(exposure).orElse(Double.NaN);
+        double value = Decimals.parse(exposure).orElse(Double.NaN);
         if (!(value > 0)) {
             throw new UsageException("--exposure '" + exposure + "' is neither auto nor a positive number");
         }
@@ -175,7 +175,7 @@ public final class SceneOverrides {
     private static void check(String option, Double value, double least, double most) {
         if (value != null && !(value >= least && value <= most)) {
             throw new UsageException("%s %s is out of range; give %s to %s"
-                    .formatted(option, Numbers.format(value), Numbers.format(least), Numbers.format(most)));
+                    .formatted(option, Decimals.format(value), Decimals.format(least), Decimals.format(most)));
         }
     }
 }

@@ -1,11 +1,10 @@
 package sunbeam.app.scene;
 
-import java.util.Optional;
 import sunbeam.app.mesh.Mesh;
-import sunbeam.app.setup.MethodFactory;
 import sunbeam.app.texture.BodyTexture;
+import sunbeam.precompute.method.MethodPlan;
 import sunbeam.precompute.patch.Patch;
-import sunbeam.precompute.table.FourierTable;
+import sunbeam.precompute.shader.ShaderTables;
 
 /**
  * A scene and what it names, loaded and computed: all that a session uploads. Parts that two of these share are the same
@@ -15,11 +14,10 @@ import sunbeam.precompute.table.FourierTable;
  * @param mesh its triangles
  * @param patch its nanostructure
  * @param method how that is evaluated, for every pair of directions
- * @param table the Fourier table of the method's plan, for methods that have one
+ * @param tables what its shader reads
  * @param body its texture
  */
-public record SceneData(
-        Scene scene, Mesh mesh, Patch patch, MethodFactory method, Optional<FourierTable> table, BodyTexture body) {
+public record SceneData(Scene scene, Mesh mesh, Patch patch, MethodPlan method, ShaderTables tables, BodyTexture body) {
 
     /** Whether another scene can be drawn with these parts: only light, camera, weights and the like differ. */
     public boolean suits(Scene other) {
@@ -40,7 +38,7 @@ public record SceneData(
             throw new IllegalArgumentException(
                     "a scene with another mesh, patch, texture, method or plan must be loaded by a SceneLoader");
         }
-        return new SceneData(other, mesh, patch, method, table, body);
+        return new SceneData(other, mesh, patch, method, tables, body);
     }
 
     // The same object, not an equal one: comparing the values would take as long as loading them.

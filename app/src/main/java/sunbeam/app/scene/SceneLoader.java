@@ -7,12 +7,14 @@ import sunbeam.app.mesh.Mesh;
 import sunbeam.app.mesh.MeshSource;
 import sunbeam.app.mesh.ReadMesh;
 import sunbeam.app.setup.DiffractionSetup;
-import sunbeam.app.setup.MethodFactory;
+import sunbeam.app.setup.Methods;
 import sunbeam.app.setup.PatchOptions;
 import sunbeam.app.texture.BodyTexture;
 import sunbeam.app.texture.BodyTextures;
+import sunbeam.precompute.method.MethodPlan;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.plan.VisibleRange;
+import sunbeam.precompute.shader.MethodUse;
 
 /** Loads what a scene names. Needs no OpenGL and may run on any thread; may take seconds. */
 public final class SceneLoader {
@@ -52,7 +54,7 @@ public final class SceneLoader {
         boolean sameMethod =
                 before.method().equals(scene.method()) && before.plan().equals(scene.plan());
         if (samePatch && sameMethod) {
-            return new SceneData(scene, mesh, previous.patch(), previous.method(), previous.table(), body);
+            return new SceneData(scene, mesh, previous.patch(), previous.method(), previous.tables(), body);
         }
         return withTables(scene, mesh, body, samePatch ? previous.patch() : patch(scene));
     }
@@ -72,8 +74,8 @@ public final class SceneLoader {
     /** Light and camera may move at any time, so that the plan holds for every pair of directions. */
     private SceneData withTables(Scene scene, Mesh mesh, BodyTexture body, Patch patch) {
         DiffractionSetup setup = new DiffractionSetup(patch, environment, warning);
-        MethodFactory method =
-                scene.origin().plan(() -> new MethodFactory(setup, scene.method(), scene.plan(), VisibleRange.all()));
-        return new SceneData(scene, mesh, patch, method, method.plan().map(setup::table), body);
+        MethodPlan method =
+                scene.origin().plan(() -> Methods.plan(setup, scene.method(), scene.plan(), VisibleRange.all()));
+        return new SceneData(scene, mesh, patch, method, setup.tables(method, MethodUse.COLOUR), body);
     }
 }

@@ -11,6 +11,7 @@ import jrtr.VertexBuffer;
 import jrtr.Wrap;
 import jrtr.scene.PictureArea;
 import jrtr.scene.SceneRenderer;
+import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.texture.BodyTexture;
 
 /**
@@ -62,6 +63,11 @@ public final class SceneSession implements AutoCloseable {
     /** What is being drawn. */
     public SceneData data() {
         return data;
+    }
+
+    /** The method's tables, for others in this context to draw with until the next update. */
+    public UploadedTables method() {
+        return skin.method();
     }
 
     /** The scene that is being drawn. */

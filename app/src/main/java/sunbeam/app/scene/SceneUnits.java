@@ -3,8 +3,8 @@ package sunbeam.app.scene;
 import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.OptionalDouble;
-import sunbeam.app.cli.Numbers;
 import sunbeam.precompute.text.Quoted;
+import sunbeam.precompute.units.Decimals;
 import sunbeam.precompute.units.Lengths;
 
 /** Quantities as scene files have them: texts with their units. */
@@ -22,7 +22,7 @@ final class SceneUnits {
             throw new IllegalArgumentException(
                     Quoted.of(text) + " is no angle with its unit; write it with deg or rad, such as 30 deg");
         }
-        OptionalDouble number = Numbers.parse(value.substring(0, value.length() - 3));
+        OptionalDouble number = Decimals.parse(value.substring(0, value.length() - 3));
         if (number.isEmpty()) {
             throw new IllegalArgumentException(Quoted.of(text) + " has no number; write it as in 30 deg");
         }

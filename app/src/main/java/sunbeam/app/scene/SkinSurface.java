@@ -8,32 +8,32 @@ import jrtr.FloatTexture;
 import jrtr.RenderContext;
 import jrtr.ShaderProgram;
 import jrtr.Tile;
-import sunbeam.app.gpu.DiffractionMethod;
-import sunbeam.app.gpu.MethodUse;
-import sunbeam.app.gpu.Shaders;
+import sunbeam.app.gpu.UploadedTables;
 
 /** A diffraction method on a mesh: its tables and the program shaders/skin.frag with it compiled in. */
 final class SkinSurface implements AutoCloseable {
-    private final DiffractionMethod method;
+    private final UploadedTables method;
     private final ShaderProgram program;
 
-    private SkinSurface(DiffractionMethod method, ShaderProgram program) {
+    private SkinSurface(UploadedTables method, ShaderProgram program) {
         this.method = method;
         this.program = program;
     }
 
-    /** Resamples and uploads the tables, and compiles. */
+    /** Uploads the tables and compiles. */
     static SkinSurface create(RenderContext context, SceneData data) {
-        DiffractionMethod method = data.method().create(context, MethodUse.COLOUR, data.table());
+        UploadedTables method = UploadedTables.upload(context, data.tables());
         try {
-            ShaderProgram program =
-                    context.createFullScreenProgram(Shaders.library().load("skin.frag", method.defines()));
-            method.setUniforms(program);
-            return new SkinSurface(method, program);
+            return new SkinSurface(method, method.program("skin.frag"));
         } catch (RuntimeException failure) {
             method.close();
             throw failure;
         }
+    }
+
+    /** The tables, which others in this context may draw with for as long as the surface is there. */
+    UploadedTables method() {
+        return method;
     }
 
     /**

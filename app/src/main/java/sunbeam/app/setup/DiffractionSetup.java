@@ -1,27 +1,27 @@
 package sunbeam.app.setup;
 
 import java.io.PrintWriter;
-import java.util.List;
 import java.util.function.Consumer;
 import sunbeam.app.cache.TableStore;
 import sunbeam.app.cli.Environment;
 import sunbeam.app.cli.Messages;
+import sunbeam.app.cli.UsageException;
 import sunbeam.precompute.color.CieTable;
-import sunbeam.precompute.patch.HeightLevels;
+import sunbeam.precompute.method.MethodPlan;
+import sunbeam.precompute.method.Surface;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.plan.Plan;
 import sunbeam.precompute.plan.PlanRequest;
 import sunbeam.precompute.plan.Planner;
 import sunbeam.precompute.plan.VisibleRange;
+import sunbeam.precompute.shader.MethodUse;
+import sunbeam.precompute.shader.ShaderTables;
 import sunbeam.precompute.table.FourierTable;
-import sunbeam.precompute.table.PatchIdentity;
 
-/** A loaded patch and what follows from it: its plan for a range of directions, and its table from cache or anew. */
+/** A loaded patch, and its tables from the cache or anew. */
 public final class DiffractionSetup {
     private final Patch patch;
-    private final HeightLevels heights;
-    private final PatchIdentity identity;
-    private final CieTable cie = CieTable.load();
+    private final Surface surface;
     private final TableStore store;
 
     /** Loads the patch and says what the user should know of it. */
@@ -46,52 +46,62 @@ public final class DiffractionSetup {
      */
     public DiffractionSetup(Patch patch, Environment environment, Consumer<String> warning) {
         this.patch = patch;
-        this.heights = HeightLevels.of(patch.heights());
-        this.identity = new PatchIdentity(
-                patch.name(),
-                patch.heights().columns(),
-                patch.heights().rows(),
-                patch.heights().pitchX(),
-                patch.heights().pitchY(),
-                patch.digest());
-        this.store = new TableStore(environment, warning);
+        this.surface = Surface.of(patch);
+        this.store = new TableStore(surface, environment, warning);
     }
 
     public Patch patch() {
         return patch;
     }
 
-    /** The patch's distinct heights. */
-    public HeightLevels heights() {
-        return heights;
-    }
-
-    /** Which surface the patch's tables belong to. */
-    public PatchIdentity identity() {
-        return identity;
+    /** The patch and the light that colours it. */
+    public Surface surface() {
+        return surface;
     }
 
     public CieTable cie() {
-        return cie;
+        return surface.cie();
     }
 
     /** Plans for the directions that can occur. */
     public Plan plan(PlanRequest request, VisibleRange range) {
-        return new Planner(patch.heights(), heights, cie).plan(request, range);
+        return new Planner(surface.map(), surface.levels(), surface.cie()).plan(request, range);
     }
 
-    /** What of a plan breaks its tolerance, one line each. */
-    public List<String> warnings(Plan plan) {
-        return new Planner(patch.heights(), heights, cie).warnings(plan);
-    }
-
-    /** The table that a plan needs, made now. */
+    /** The Fourier table that a plan needs, made now. */
     public FourierTable freshTable(Plan plan) {
-        return TableStore.build(identity, heights, plan);
+        return store.freshTable(plan);
     }
 
-    /** The table that a plan needs, from the cache where it is there. */
+    /** The Fourier table that a plan needs, from the cache where it is there. */
     public FourierTable table(Plan plan) {
-        return store.get(identity, heights, plan);
+        return store.table(plan);
+    }
+
+    /**
+     * What a method's shader reads, made now, layer by layer as it is asked for.
+     *
+     * @throws UsageException when the method has no answer for the use
+     */
+    public ShaderTables freshTables(MethodPlan plan, MethodUse use) {
+        requireAnswer(plan, use);
+        return plan.tables(use, store::freshTable);
+    }
+
+    /**
+     * What a method's shader reads, from the cache where it is there.
+     *
+     * @throws UsageException when the method has no answer for the use
+     */
+    public ShaderTables tables(MethodPlan plan, MethodUse use) {
+        requireAnswer(plan, use);
+        return store.tables(plan, use);
+    }
+
+    private static void requireAnswer(MethodPlan plan, MethodUse use) {
+        if (!plan.answers(use)) {
+            throw new UsageException("--method gem has colours, but no power at a wavelength; leave out the column"
+                    + " wavelength, or use another method");
+        }
     }
 }

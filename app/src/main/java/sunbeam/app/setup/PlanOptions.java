@@ -9,17 +9,16 @@ import java.util.OptionalInt;
 import picocli.CommandLine.Option;
 import sunbeam.app.cli.LengthConverter;
 import sunbeam.app.cli.Messages;
-import sunbeam.app.cli.Numbers;
 import sunbeam.app.cli.UsageException;
 import sunbeam.app.gpu.MethodKind;
 import sunbeam.precompute.expansion.ExpansionKind;
+import sunbeam.precompute.method.MethodPlan;
 import sunbeam.precompute.optics.WindowOrigin;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.Neighbourhood;
-import sunbeam.precompute.plan.Plan;
-import sunbeam.precompute.plan.PlanReport;
 import sunbeam.precompute.plan.PlanRequest;
 import sunbeam.precompute.plan.Tolerances;
+import sunbeam.precompute.units.Decimals;
 import sunbeam.precompute.units.Lengths;
 
 /** What a user may fix of the plan; to be used as a picocli mixin. */
@@ -150,14 +149,8 @@ public final class PlanOptions {
         }
     }
 
-    /** Prints the plan, with reasons where they are asked for. */
-    public void print(Plan plan, PrintWriter out) {
-        PlanReport report = new PlanReport(plan);
-        print(report.summary(), report.reasons(), out);
-    }
-
     /** Prints a method's plan, with reasons where they are asked for, and what breaks its tolerance. */
-    public void print(MethodFactory method, PrintWriter out) {
+    public void print(MethodPlan method, PrintWriter out) {
         print(method.summary(), method.reasons(), out);
         method.warnings().forEach(line -> out.println(Messages.warning(line)));
         out.flush();
@@ -196,14 +189,14 @@ public final class PlanOptions {
         if (!(value > 0 && value <= Tolerances.COARSEST)) {
             throw new UsageException("--tolerance %s is out of range; give %s to %s, for example 1e-3"
                     .formatted(
-                            Numbers.format(value),
-                            Numbers.format(Tolerances.FINEST),
-                            Numbers.format(Tolerances.COARSEST)));
+                            Decimals.format(value),
+                            Decimals.format(Tolerances.FINEST),
+                            Decimals.format(Tolerances.COARSEST)));
         }
         if (value < Tolerances.FINEST) {
             throw new UsageException(
                     "--tolerance %s is finer than float32 can reach, which is %s; give that or more, or evaluate directions with 'reflectance --method reference'"
-                            .formatted(Numbers.format(value), Numbers.format(Tolerances.FINEST)));
+                            .formatted(Decimals.format(value), Decimals.format(Tolerances.FINEST)));
         }
     }
 
@@ -212,7 +205,8 @@ public final class PlanOptions {
             throw new UsageException(
                     "--tolerance %s contradicts --preset %s, whose choices keep no tolerance; leave one of them out"
                             .formatted(
-                                    Numbers.format(tolerance), preset.toString().toLowerCase(Locale.ROOT)));
+                                    Decimals.format(tolerance),
+                                    preset.toString().toLowerCase(Locale.ROOT)));
         }
     }
 

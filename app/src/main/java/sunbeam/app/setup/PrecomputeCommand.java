@@ -25,8 +25,8 @@ import sunbeam.precompute.table.TableFile;
         description =
                 "Write the Fourier tables of a patch to one HDF5 file: the DFT of every term T_n(h) of the expansion"
                         + " of exp(i k w h), complex float32, cropped to what any pair of directions can see. The file says what"
-                        + " its numbers mean; see docs/table-format.md. (The other commands keep tables of their own in the"
-                        + " cache folder.)")
+                        + " its numbers mean; see docs/table-format.md. Made once, the"
+                        + " table is kept in the cache folder, as are those of the other commands.")
 public final class PrecomputeCommand implements Callable<Integer> {
     private final Environment environment;
 
@@ -59,7 +59,7 @@ public final class PrecomputeCommand implements Callable<Integer> {
         AtomicFile.checkWritable(file, force.overwrite());
         Plan plan = setup.plan(planOptions.request(), VisibleRange.all());
         long start = System.nanoTime();
-        FourierTable table = setup.freshTable(plan);
+        FourierTable table = setup.table(plan);
         double seconds = (System.nanoTime() - start) * 1e-9;
         AtomicFile.writeFile(file, force.overwrite(), path -> TableFile.write(path, table));
         specification
@@ -67,7 +67,7 @@ public final class PrecomputeCommand implements Callable<Integer> {
                 .getOut()
                 .printf(
                         Locale.ROOT,
-                        "%d %s terms of %d x %d bins, %.1f MB, computed in %.2f s%n%s%n",
+                        "%d %s terms of %d x %d bins, %.1f MB, made or read in %.2f s%n%s%n",
                         table.terms(),
                         table.kind().label(),
                         table.bandX().count(),

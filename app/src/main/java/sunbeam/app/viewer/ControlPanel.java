@@ -17,7 +17,6 @@ import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JTextField;
-import sunbeam.app.cli.Numbers;
 import sunbeam.app.mesh.BuiltInMeshes;
 import sunbeam.app.scene.Blend;
 import sunbeam.app.scene.Scene;
@@ -27,6 +26,7 @@ import sunbeam.precompute.patch.builtin.BuiltInPatches;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.PlanRequest;
 import sunbeam.precompute.plan.Tolerances;
+import sunbeam.precompute.units.Decimals;
 import sunbeam.precompute.units.LengthFormatException;
 import sunbeam.precompute.units.Lengths;
 
@@ -262,7 +262,7 @@ final class ControlPanel extends JPanel {
         scene.method().spacing().ifPresent(metres -> spacing.setText(Lengths.format(metres)));
         spacing.setVisible(choice.hasSpacing());
         spacingCaption.setVisible(choice.hasSpacing());
-        tolerance.setSelectedItem(Numbers.format(scene.plan().tolerance()));
+        tolerance.setSelectedItem(Decimals.format(scene.plan().tolerance()));
         tolerance.setEnabled(choice.hasTolerance());
         average.setEnabled(choice.hasAverages());
         if (!coherence.isFocusOwner()) {

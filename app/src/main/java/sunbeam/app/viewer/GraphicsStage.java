@@ -2,6 +2,7 @@ package sunbeam.app.viewer;
 
 import java.awt.image.BufferedImage;
 import java.util.Optional;
+import java.util.function.BooleanSupplier;
 import jrtr.ContextInfo;
 import jrtr.RenderContext;
 import jrtr.Tile;
@@ -12,6 +13,7 @@ import sunbeam.app.scene.SceneDisplay;
 import sunbeam.app.scene.ScenePicture;
 import sunbeam.app.scene.ScenePreview;
 import sunbeam.app.scene.SceneSession;
+import sunbeam.precompute.optics.Direction;
 
 /** Everything of the viewer that lives on the graphics card. Belongs to the thread that made it. */
 final class GraphicsStage implements AutoCloseable {
@@ -81,8 +83,9 @@ final class GraphicsStage implements AutoCloseable {
         return fine == null ? Optional.empty() : fine.pick(x, y, width, height);
     }
 
-    MapStage map() {
-        return map;
+    /** The BRDF map of the scene's method; null if it was interrupted. */
+    BufferedImage map(Direction light, int size, BooleanSupplier interrupted) {
+        return map.draw(fine.method(), light, size, interrupted);
     }
 
     @Override

@@ -5,25 +5,20 @@ import java.util.function.BooleanSupplier;
 import jrtr.RenderContext;
 import jrtr.Tile;
 import sunbeam.app.brdf.BrdfMapRenderer;
-import sunbeam.app.gpu.DiffractionMethod;
-import sunbeam.app.gpu.MethodUse;
+import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.output.SrgbImage;
 import sunbeam.app.picture.AutoExposure;
 import sunbeam.app.picture.DisplayPass;
 import sunbeam.app.picture.LinearPicture;
-import sunbeam.app.scene.SceneData;
-import sunbeam.app.setup.MethodFactory;
 import sunbeam.precompute.optics.Direction;
 
-/** Draws the BRDF map beside the mesh, small first, interruptible at any tile. Uploads a method when a map needs it. */
+/** Draws the BRDF map beside the mesh, small first, interruptible at any tile. */
 final class MapStage implements AutoCloseable {
     static final int PREVIEW_SIZE = 48;
     static final int SIZE = 192;
 
     private final RenderContext context;
     private final DisplayPass display;
-    private MethodFactory uploaded;
-    private DiffractionMethod method;
     private TileSide tileSide = TileSide.first();
 
     MapStage(RenderContext context) {
@@ -34,11 +29,11 @@ final class MapStage implements AutoCloseable {
     /**
      * Draws a map.
      *
+     * @param method the scene's, uploaded to this context
      * @param interrupted asked after every tile
      * @return null if it was interrupted
      */
-    BufferedImage draw(SceneData data, Direction light, int size, BooleanSupplier interrupted) {
-        use(data);
+    BufferedImage draw(UploadedTables method, Direction light, int size, BooleanSupplier interrupted) {
         try (BrdfMapRenderer renderer = new BrdfMapRenderer(context, method, size)) {
             for (Tile block : Tile.cover(size, size, TileSide.LARGEST)) {
                 for (Tile tile : block.divided(tileSide.side())) {
@@ -51,41 +46,21 @@ final class MapStage implements AutoCloseable {
                 }
             }
             LinearPicture picture = renderer.picture();
-            double exposure = AutoExposure.of(picture, pixel -> isSpecular(pixel, size, light));
+            double exposure = AutoExposure.of(picture, pixel -> isSpecular(pixel, size, light, method.specularReach()));
             return SrgbImage.fromEncoded(size, size, display.srgb(picture, exposure));
         }
     }
 
-    // The same object, not an equal one.
-    @SuppressWarnings("ReferenceEquality")
-    private void use(SceneData data) {
-        if (method != null && uploaded == data.method()) {
-            return;
-        }
-        release();
-        method = data.method().create(context, MethodUse.COLOUR, data.table());
-        uploaded = data.method();
-    }
-
     // As in the command brdf-map.
-    private boolean isSpecular(int pixel, int size, Direction light) {
+    private static boolean isSpecular(int pixel, int size, Direction light, double reach) {
         double x = (2.0 * (pixel % size) + 1) / size - 1;
         int row = pixel / size;
         double y = 1 - (2.0 * row + 1) / size;
-        return Math.hypot(x + light.x(), y + light.y()) < method.specularReach();
-    }
-
-    private void release() {
-        if (method != null) {
-            method.close();
-            method = null;
-            uploaded = null;
-        }
+        return Math.hypot(x + light.x(), y + light.y()) < reach;
     }
 
     @Override
     public void close() {
-        release();
         display.close();
     }
 }

@@ -8,7 +8,7 @@ import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.ScenePicture;
 import sunbeam.app.scene.ScenePreview;
 import sunbeam.app.scene.SceneSession;
-import sunbeam.app.setup.MethodFactory;
+import sunbeam.precompute.method.MethodPlan;
 
 /**
  * The render thread: shows the newest state at once in a preview that keeps to its time, and once nothing moves, refines
@@ -24,7 +24,7 @@ final class RenderLoop implements AutoCloseable {
     private final Thread thread;
     private PreviewScale scale = PreviewScale.first();
     private TileSide tileSide = TileSide.first();
-    private MethodFactory measured;
+    private MethodPlan measured;
     private final KeptExposure exposures = new KeptExposure();
 
     /** @param opening makes the stage, on the render thread */
@@ -129,7 +129,7 @@ final class RenderLoop implements AutoCloseable {
 
     /** A method's first frame is left out: the driver compiles its shaders then. */
     @SuppressWarnings("ReferenceEquality") // the same object as long as nothing is loaded anew
-    private void followTime(MethodFactory method, long nanoseconds, long fixed) {
+    private void followTime(MethodPlan method, long nanoseconds, long fixed) {
         if (method == measured) {
             scale = scale.after(nanoseconds, fixed);
         } else {
@@ -172,7 +172,7 @@ final class RenderLoop implements AutoCloseable {
             return true;
         }
         int size = isFinal ? MapStage.SIZE : MapStage.PREVIEW_SIZE;
-        BufferedImage image = stage.map().draw(state.fine(), state.mapLight().get(), size, inbox::isInterrupted);
+        BufferedImage image = stage.map(state.mapLight().get(), size, inbox::isInterrupted);
         if (image == null) {
             return false;
         }

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.attribute.FileTime;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -42,6 +43,22 @@ final class CacheFolderTest {
         Files.write(Files.createDirectory(path.resolve("b")).resolve("c"), new byte[23]);
         assertThat(cache.sizeInBytes()).isEqualTo(123);
         assertThat(warnings).isEmpty();
+    }
+
+    @Test
+    void whatWasWrittenLongestAgoGoesFirst() throws IOException {
+        CacheFolder cache = cache(Map.of());
+        Path path = cache.open(warnings::add).orElseThrow();
+        for (int i = 0; i < 4; i++) {
+            Path file = Files.write(path.resolve("written" + i), new byte[100]);
+            Files.setLastModifiedTime(file, FileTime.fromMillis(1_000_000L + 1000L * i));
+        }
+
+        cache.shrink(250, path.resolve("written3"));
+        assertThat(path.toFile().list()).containsExactlyInAnyOrder("written2", "written3");
+
+        cache.shrink(50, path.resolve("written3"));
+        assertThat(path.toFile().list()).as("the newest stays").containsExactly("written3");
     }
 
     @Test

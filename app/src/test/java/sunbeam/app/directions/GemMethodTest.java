@@ -42,10 +42,10 @@ class GemMethodTest {
     @Test
     void aPatchOfManyPeriodsNeedsASpacing() {
         MethodProbe probe = new MethodProbe(home, "--patch", "disc");
-        assertThatThrownBy(() -> probe.factory(VisibleRange.all(), "--method", "gem"))
+        assertThatThrownBy(() -> probe.plan(VisibleRange.all(), "--method", "gem"))
                 .isInstanceOf(UsageException.class)
                 .hasMessageContaining("--spacing");
-        assertThat(probe.factory(VisibleRange.all(), "--method", "gem", "--spacing", "1.6um")
+        assertThat(probe.plan(VisibleRange.all(), "--method", "gem", "--spacing", "1.6um")
                         .summary())
                 .contains("1.6 um")
                 .contains("for comparison only");

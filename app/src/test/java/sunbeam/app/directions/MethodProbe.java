@@ -11,17 +11,18 @@ import jrtr.gl.RenderContexts;
 import picocli.CommandLine;
 import sunbeam.app.brdf.BrdfMapRenderer;
 import sunbeam.app.cli.Environment;
-import sunbeam.app.gpu.DiffractionMethod;
-import sunbeam.app.gpu.MethodUse;
+import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.picture.LinearPicture;
 import sunbeam.app.setup.DiffractionSetup;
-import sunbeam.app.setup.MethodFactory;
 import sunbeam.app.setup.MethodOptions;
+import sunbeam.app.setup.Methods;
 import sunbeam.app.setup.PatchOptions;
 import sunbeam.app.setup.PlanOptions;
+import sunbeam.precompute.method.MethodPlan;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.Geometry;
 import sunbeam.precompute.plan.VisibleRange;
+import sunbeam.precompute.shader.MethodUse;
 
 /** One patch, and methods on it as the command line asks for them. */
 final class MethodProbe {
@@ -51,11 +52,11 @@ final class MethodProbe {
         return geometries;
     }
 
-    MethodFactory factory(VisibleRange range, String... options) {
+    MethodPlan plan(VisibleRange range, String... options) {
         CommandLine line = new CommandLine(new Options()).setCaseInsensitiveEnumValuesAllowed(true);
         Options parsed = line.getCommand();
         line.parseArgs(options);
-        return new MethodFactory(setup, parsed.method.request(), parsed.plan.request(), range);
+        return Methods.plan(setup, parsed.method.request(), parsed.plan.request(), range);
     }
 
     /** X, Y, Z of the power. */
@@ -72,19 +73,21 @@ final class MethodProbe {
         List<DirectionsRenderer.Query> queries = new ArrayList<>();
         geometries.forEach(geometry -> queries.add(new DirectionsRenderer.Query(geometry, wavelength)));
         try (RenderContext context = RenderContexts.offscreen();
-                DiffractionMethod method =
-                        factory(VisibleRange.of(geometries), options).create(context, use);
+                UploadedTables method = upload(context, plan(VisibleRange.of(geometries), options), use);
                 DirectionsRenderer renderer = new DirectionsRenderer(context, method, use == MethodUse.SPECTRAL)) {
             return renderer.evaluate(queries, count -> {});
         }
+    }
+
+    private UploadedTables upload(RenderContext context, MethodPlan plan, MethodUse use) {
+        return UploadedTables.upload(context, setup.tables(plan, use));
     }
 
     /** A BRDF map, lit from the normal. */
     LinearPicture map(int size, String... options) {
         Direction normal = new Direction(0, 0, 1);
         try (RenderContext context = RenderContexts.offscreen();
-                DiffractionMethod method =
-                        factory(VisibleRange.of(normal), options).create(context, MethodUse.COLOUR);
+                UploadedTables method = upload(context, plan(VisibleRange.of(normal), options), MethodUse.COLOUR);
                 BrdfMapRenderer renderer = new BrdfMapRenderer(context, method, size)) {
             return renderer.render(normal, pixels -> {});
         }

@@ -168,9 +168,8 @@ class NmmMethodTest {
     @Test
     void aPatchTooSmallForAnyOrderIsRefused() {
         MethodProbe probe = new MethodProbe(home, "--patch", "blaze");
-        assertThat(probe.factory(VisibleRange.all(), "--method", "nmm").summary())
-                .contains("nmm");
-        assertThatThrownBy(() -> probe.factory(VisibleRange.all(), "--method", "reference"))
+        assertThat(probe.plan(VisibleRange.all(), "--method", "nmm").summary()).contains("nmm");
+        assertThatThrownBy(() -> probe.plan(VisibleRange.all(), "--method", "reference"))
                 .isInstanceOf(UsageException.class)
                 .hasMessageContaining("--method reference")
                 .hasMessageContaining("reflectance");

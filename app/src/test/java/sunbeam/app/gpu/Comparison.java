@@ -17,6 +17,7 @@ import sunbeam.precompute.plan.Planner;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.reference.ReferenceColor;
 import sunbeam.precompute.reference.ReferenceEvaluator;
+import sunbeam.precompute.shader.MethodUse;
 import sunbeam.precompute.table.FourierTable;
 import sunbeam.precompute.table.PatchIdentity;
 import sunbeam.precompute.table.TableBuilder;
@@ -62,7 +63,8 @@ final class Comparison {
         FourierTable table =
                 new TableBuilder(identity, heights, done -> {}).build(plan.expansion(), plan.bandX(), plan.bandY());
         MethodUse use = spectral ? MethodUse.SPECTRAL : MethodUse.COLOUR;
-        try (DiffractionMethod method = FullMethod.create(context, plan, table, use, cie);
+        try (UploadedTables method =
+                        UploadedTables.upload(context, plan.sampling().tables(plan, table, use, cie));
                 DirectionsRenderer renderer = new DirectionsRenderer(context, method, spectral)) {
             return renderer.evaluate(queries, done -> {});
         }

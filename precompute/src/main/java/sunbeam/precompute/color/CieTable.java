@@ -5,9 +5,12 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.io.InputStreamReader;
 import java.io.UncheckedIOException;
+import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
+import java.security.MessageDigest;
 import java.util.ArrayList;
 import java.util.List;
+import sunbeam.precompute.text.Sha256;
 
 /**
  * CIE 1931 2-degree colour matching functions (CIE 018:2019) times the relative power of illuminant D65 (ISO/CIE
@@ -67,6 +70,17 @@ public final class CieTable {
         int index = Math.min(last - 1, (int) position);
         double fraction = position - index;
         return weighted[index][channel] * (1 - fraction) + weighted[index + 1][channel] * fraction;
+    }
+
+    /** SHA-256 of all values, in hexadecimal: equal for equal tables. */
+    public String digest() {
+        MessageDigest digest = Sha256.digest();
+        for (double[] row : weighted) {
+            ByteBuffer bytes = ByteBuffer.allocate(row.length * Double.BYTES);
+            bytes.asDoubleBuffer().put(row);
+            digest.update(bytes);
+        }
+        return Sha256.hexadecimal(digest);
     }
 
     /** Integral of S ybar over the band (trapezoid on the 1 nm table, exact for linear interpolation), in metres. */

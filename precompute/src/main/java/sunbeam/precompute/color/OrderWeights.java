@@ -27,8 +27,12 @@ public record OrderWeights(
         float[] values) {
 
     // 0.7 nm at 500 nm: the colour matching functions bend over tens of nanometres. The table's own grid is 1 nm.
-    private static final int COLUMNS = 768;
-    private static final int ROWS = 24;
+    /** Places that are tabulated. */
+    public static final int COLUMNS = 768;
+
+    /** Widths that are tabulated. */
+    public static final int ROWS = 24;
+
     // exp(-4.5^2) = 2e-9.
     private static final double REACH = 4.5;
     // Trapezoid rule for exp(-(x / width)^2): relative error 2 exp(-(pi width / step)^2) = 1e-17 at a quarter.

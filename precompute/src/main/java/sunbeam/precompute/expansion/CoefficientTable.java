@@ -28,7 +28,7 @@ public record CoefficientTable(double minimumPhase, double maximumPhase, float[]
     /** Samples functions of the phase. */
     public static CoefficientTable sampled(
             double low, double high, int terms, DoubleFunction<double[]> coefficientsAt) {
-        int samples = (int) Math.min(MOST, Math.max(FEWEST, Math.ceil((high - low) / STEP)));
+        int samples = sampleCount(low, high);
         float[][] values = new float[terms][samples];
         IntStream.range(0, samples).parallel().forEach(i -> {
             double[] coefficients = coefficientsAt.apply(low + (high - low) * i / (samples - 1));
@@ -37,6 +37,11 @@ public record CoefficientTable(double minimumPhase, double maximumPhase, float[]
             }
         });
         return new CoefficientTable(low, high, values);
+    }
+
+    /** Samples that a range of phases takes. */
+    public static int sampleCount(double low, double high) {
+        return (int) Math.min(MOST, Math.max(FEWEST, Math.ceil((high - low) / STEP)));
     }
 
     /** The table with fewer terms. */

@@ -36,6 +36,17 @@ public interface Expansion {
     /** A bound of |exp(-i zeta s) - sum| in exact arithmetic, for every height that occurs. */
     double errorBound(double zeta);
 
+    /** Which expansion of a patch's heights it is, as text; numbers are written so that no two of them are written alike. */
+    default String key() {
+        return String.join(
+                "|",
+                kind().label(),
+                Integer.toString(terms()),
+                scale().toString(),
+                Double.toString(minimumPhase()),
+                Double.toString(maximumPhase()));
+    }
+
     /** The sum, for comparison with exp(-i zeta s). */
     default Complex sum(double zeta, double s) {
         double[] coefficients = coefficients(zeta);

@@ -28,4 +28,12 @@ public record CoherenceWindow(double sigmaMetres) {
     public double sigmaFrequency() {
         return 1 / (2 * Math.PI * sigmaMetres);
     }
+
+    /**
+     * |(u, v)| up to which a direction sees the specular peak of any wavelength up to the longest, metres: the peak is as
+     * wide as the window's spectrum, and five deviations hold all of it.
+     */
+    public double specularReach(double longestWavelength) {
+        return 5 * sigmaFrequency() * longestWavelength;
+    }
 }

@@ -3,8 +3,7 @@ package sunbeam.precompute.patch;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.security.MessageDigest;
-import java.security.NoSuchAlgorithmException;
-import java.util.HexFormat;
+import sunbeam.precompute.text.Sha256;
 
 /** Fingerprint of a height map for cache keys: equal for equal surfaces, whatever file they came from. */
 public final class HeightDigest {
@@ -17,7 +16,7 @@ public final class HeightDigest {
      * row (IEEE doubles), big-endian, after a tag that names this layout.
      */
     public static String sha256(HeightMap map) {
-        MessageDigest digest = newDigest();
+        MessageDigest digest = Sha256.digest();
         digest.update("sunbeam height map 1\n".getBytes(StandardCharsets.US_ASCII));
         ByteBuffer block = ByteBuffer.allocate(HEIGHTS_PER_BLOCK * Double.BYTES);
         block.putInt(map.columns()).putInt(map.rows());
@@ -32,14 +31,6 @@ public final class HeightDigest {
             }
         }
         digest.update(block.flip());
-        return HexFormat.of().formatHex(digest.digest());
-    }
-
-    private static MessageDigest newDigest() {
-        try {
-            return MessageDigest.getInstance("SHA-256");
-        } catch (NoSuchAlgorithmException e) {
-            throw new IllegalStateException("every Java platform has SHA-256", e);
-        }
+        return Sha256.hexadecimal(digest);
     }
 }

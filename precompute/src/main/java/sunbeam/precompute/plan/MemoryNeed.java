@@ -1,18 +1,20 @@
 package sunbeam.precompute.plan;
 
+import java.util.List;
 import java.util.Locale;
 import sunbeam.precompute.fourier.Band;
-import sunbeam.precompute.resample.AxisGrid;
+import sunbeam.precompute.shader.ArrayLayout;
+import sunbeam.precompute.shader.MethodUse;
 import sunbeam.precompute.units.Lengths;
 
 /**
  * What a plan takes, estimated from above before any of it is taken.
  *
  * @param heapBytes tables and work space in Java's heap at their peak
- * @param textureBytes on the graphics card
+ * @param textureBytes the arrays on the graphics card, of the use that takes more
  * @param longestSide texels along the longest side of a texture
  */
-record MemoryNeed(long heapBytes, long textureBytes, long longestSide) {
+public record MemoryNeed(long heapBytes, long textureBytes, long longestSide) {
     /** The most that textures of one plan may take: what small graphics cards have. */
     static final long MOST_TEXTURE_BYTES = 3L << 30;
 
@@ -23,50 +25,47 @@ record MemoryNeed(long heapBytes, long textureBytes, long longestSide) {
     private static final double USABLE_HEAP = 0.8;
     private static final long TERM_BYTES = 2 * Float.BYTES;
     private static final long COMPLEX_BYTES = 2 * Double.BYTES;
-    private static final long TEXEL_BYTES = 4 * Float.BYTES;
 
-    /** @param rows of the patch */
-    static MemoryNeed of(Plan plan, int rows) {
-        int terms = plan.expansion().terms();
-        MemoryNeed table = ofBins(rows, terms, plan.bandX(), plan.bandY());
-        return plan.sampling() instanceof Sampling.Grid grid
-                ? ofGrid(grid, plan.window().sigmaFrequency(), plan.range(), table, terms)
-                : table;
-    }
-
-    /** A Fourier table and its textures. */
-    private static MemoryNeed ofBins(int rows, int terms, Band bandX, Band bandY) {
-        long bins = (long) bandX.count() * bandY.count();
-        long table = TERM_BYTES * terms * bins;
+    /**
+     * What a plan takes, of the use that takes more.
+     *
+     * @param rows of the patch
+     */
+    public static MemoryNeed of(Plan plan, int rows) {
+        Band bandX = plan.bandX();
+        Band bandY = plan.bandY();
+        long table = TERM_BYTES * plan.expansion().terms() * bandX.count() * bandY.count();
         // A band of two real terms is transformed as one that is symmetric, up to twice as wide each way.
         long lines = (long) rows + bandY.symmetric().count();
         long transform = COMPLEX_BYTES * lines * bandX.symmetric().count();
-        return new MemoryNeed(table + transform, table, Math.max(bandX.count(), bandY.count()));
+        MemoryNeed colour = of(0, plan.sampling().layouts(plan, MethodUse.COLOUR));
+        MemoryNeed spectral = of(0, plan.sampling().layouts(plan, MethodUse.SPECTRAL));
+        return new MemoryNeed(
+                table + Math.max(transform, plan.sampling().workBytes(plan)),
+                Math.max(colour.textureBytes, spectral.textureBytes),
+                Math.max(colour.longestSide, spectral.longestSide));
     }
 
-    /** The same table resampled; see sunbeam.app.gpu.GridTextures. */
-    private static MemoryNeed ofGrid(
-            Sampling.Grid grid, double sigmaFrequency, VisibleRange range, MemoryNeed table, int terms) {
-        int taps = grid.interpolation().taps();
-        // The ensemble's Gaussian is narrower by sqrt(2) and its fields, about twice the terms, are real: four a texel,
-        // where two complex terms share one.
-        double step = sigmaFrequency / Math.sqrt(2) / grid.interpolation().deviation();
-        AxisGrid pointX = range.gridX(step, taps);
-        AxisGrid pointY = range.gridY(step, taps);
-        AxisGrid nodesX = range.gridX(grid.nodeStep(), 1);
-        AxisGrid nodesY = range.gridY(grid.nodeStep(), 1);
-        long width = Math.max(nodesX.count(), nodesY.count());
-        long height = Math.max(pointX.count(), pointY.count());
-        long layers = (terms + 1L) / 2;
-        // Single wavelengths take both averages on both axes; colours take two sets of rays.
-        long points = layers * pointX.count() * pointY.count() * 3 / 2;
-        long rays = 2 * layers * width * height;
-        long turnedTerms = COMPLEX_BYTES / TERM_BYTES * table.textureBytes();
-        long oneLayer = TEXEL_BYTES * Math.max(width * height, (long) pointX.count() * pointY.count());
+    /**
+     * What some arrays take.
+     *
+     * @param heapBytes while they are made
+     */
+    public static MemoryNeed of(long heapBytes, List<ArrayLayout> layouts) {
+        return new MemoryNeed(heapBytes, 0, 0).and(layouts);
+    }
+
+    /** With further arrays on the graphics card. */
+    public MemoryNeed and(List<ArrayLayout> layouts) {
         return new MemoryNeed(
-                table.textureBytes() + Math.max(table.heapBytes(), 2 * turnedTerms + 2 * oneLayer),
-                TEXEL_BYTES * Math.max(points, rays),
-                Math.max(width, height));
+                heapBytes,
+                textureBytes + layouts.stream().mapToLong(ArrayLayout::bytes).sum(),
+                Math.max(
+                        longestSide,
+                        layouts.stream()
+                                .mapToInt(ArrayLayout::longestSide)
+                                .max()
+                                .orElse(0)));
     }
 
     boolean fits(long heapLimit) {
@@ -82,16 +81,22 @@ record MemoryNeed(long heapBytes, long textureBytes, long longestSide) {
      * @throws PlanException when more is needed than there is
      */
     void require(long heapLimit, Plan plan) {
+        require(
+                heapLimit,
+                String.format(
+                        Locale.ROOT,
+                        "a coherence length of %s and %d x %d DFT bins in %d terms",
+                        Lengths.format(plan.window().coherenceLength()),
+                        plan.bandX().count(),
+                        plan.bandY().count(),
+                        plan.expansion().terms()));
+    }
+
+    /** @param what takes so much, for the message */
+    void require(long heapLimit, String what) {
         if (fits(heapLimit)) {
             return;
         }
-        String what = String.format(
-                Locale.ROOT,
-                "a coherence length of %s and %d x %d DFT bins in %d terms",
-                Lengths.format(plan.window().coherenceLength()),
-                plan.bandX().count(),
-                plan.bandY().count(),
-                plan.expansion().terms());
         String remedy = "; crop the patch, or give a coarser --tolerance, fewer --terms or another --coherence-length";
         if (longestSide > LONGEST_SIDE) {
             throw new PlanException("%s need textures of %d texels along a side, more than the %d of common drivers%s"

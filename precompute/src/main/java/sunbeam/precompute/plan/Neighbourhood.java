@@ -26,4 +26,25 @@ public record Neighbourhood(int radius, Anchor anchor) {
             throw new IllegalArgumentException("radius " + radius + " is not in 0.." + LARGEST_SUM);
         }
     }
+
+    /** Bins along each axis. */
+    private int side() {
+        return 2 * radius + 1;
+    }
+
+    /** In a few words. */
+    String summary() {
+        String middle = anchor == Anchor.FLOOR ? "floored" : "nearest";
+        return side() + " x " + side() + " bins around the " + middle + " one";
+    }
+
+    /** Bins beyond the visible ones that are summed, and one more, because float32 may round into the next one. */
+    int margin() {
+        return radius + 1;
+    }
+
+    /** Texture reads of all bins. */
+    long reads(int terms) {
+        return (long) side() * side() * terms;
+    }
 }

@@ -1,5 +1,6 @@
 package sunbeam.precompute.plan;
 
+import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.expansion.Expansion;
 import sunbeam.precompute.fourier.Band;
 import sunbeam.precompute.optics.CoherenceWindow;
@@ -8,7 +9,7 @@ import sunbeam.precompute.optics.WindowOrigin;
 /**
  * Everything that method {@code full} needs to know beside the patch.
  *
- * @param tolerance relative error that each part was chosen for; NaN where a preset chose
+ * @param accuracy what each part was chosen for
  * @param range directions that can occur
  * @param expansion of exp(i k w h), with its number of terms
  * @param bandX bins along x that are computed and stored
@@ -19,7 +20,7 @@ import sunbeam.precompute.optics.WindowOrigin;
  * @param sampling how the windowed spectrum is read off the bins, and at which wavelengths
  */
 public record Plan(
-        double tolerance,
+        Accuracy accuracy,
         VisibleRange range,
         Expansion expansion,
         Band bandX,
@@ -29,8 +30,28 @@ public record Plan(
         Average average,
         Sampling sampling) {
 
-    /** The same, sampled otherwise. */
-    public Plan with(Sampling other) {
-        return new Plan(tolerance, range, expansion, bandX, bandY, window, origin, average, other);
+    /** |(u, v)| up to which a direction sees the specular peak, which outshines what is diffracted. */
+    public double specularReach() {
+        return window.specularReach(CieTable.MAXIMUM_WAVELENGTH);
+    }
+
+    /**
+     * All of it that decides what a Fourier table holds, as text: equal texts of one patch mean equal tables. Numbers are
+     * written so that no two of them are written alike.
+     */
+    public String tableKey() {
+        return String.join("|", expansion.key(), bandX.toString(), bandY.toString());
+    }
+
+    /** As {@link #tableKey()}, of what a shader reads. */
+    public String key() {
+        return String.join(
+                "|",
+                tableKey(),
+                range.toString(),
+                window.toString(),
+                origin.toString(),
+                average.toString(),
+                sampling.toString());
     }
 }

@@ -2,6 +2,7 @@ package sunbeam.precompute.plan;
 
 import java.util.Locale;
 import sunbeam.precompute.expansion.TaylorExpansion;
+import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.patch.HeightMap;
 import sunbeam.precompute.units.Lengths;
 
@@ -13,15 +14,10 @@ final class PlanChecks {
 
     private PlanChecks() {}
 
-    /** Choices that contradict each other or the patch. */
-    static void check(PlanRequest request, HeightMap map) {
-        if (request.anchor().isPresent() && request.radius().isEmpty() && !request.isThesis()) {
-            throw new PlanException(
-                    "anchor %s is the middle of a neighbourhood of bins, but no radius is given; add for example --radius 3, or leave --anchor out"
-                            .formatted(request.anchor().get().toString().toLowerCase(Locale.ROOT)));
-        }
+    /** A window that the patch has too few samples for. */
+    static void check(CoherenceWindow window, HeightMap map) {
         double pitch = Math.max(map.columns() > 1 ? map.pitchX() : 0, map.rows() > 1 ? map.pitchY() : 0);
-        double coherenceLength = request.window().coherenceLength();
+        double coherenceLength = window.coherenceLength();
         if (coherenceLength < FEWEST_SAMPLES * pitch) {
             throw new PlanException(
                     "a coherence length of %s is less than %.1f samples of the patch, which are %s apart; give %s or more"

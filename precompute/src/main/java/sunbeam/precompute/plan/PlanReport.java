@@ -3,11 +3,10 @@ package sunbeam.precompute.plan;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import sunbeam.precompute.color.CieTable;
+import java.util.OptionalDouble;
 import sunbeam.precompute.expansion.Expansion;
 import sunbeam.precompute.expansion.LowRankExpansion;
 import sunbeam.precompute.optics.WindowOrigin;
-import sunbeam.precompute.resample.InterpolationDesign;
 import sunbeam.precompute.units.Lengths;
 
 /** A plan in words. */
@@ -23,11 +22,12 @@ public final class PlanReport {
 
     /** One line: what is computed. */
     public String summary() {
-        return terms() + ", " + sampling() + ", " + bins() + tolerance();
+        return terms() + ", " + plan.sampling().summary(plan.range()) + ", " + bins() + accuracy();
     }
 
-    private String tolerance() {
-        return Double.isNaN(plan.tolerance()) ? " (thesis)" : " (tolerance " + plan.tolerance() + ")";
+    private String accuracy() {
+        OptionalDouble tolerance = plan.accuracy().tolerance();
+        return tolerance.isPresent() ? " (tolerance " + tolerance.getAsDouble() + ")" : " (thesis)";
     }
 
     private String terms() {
@@ -39,48 +39,6 @@ public final class PlanReport {
         return plan.bandX().count() + " x " + plan.bandY().count() + " DFT bins";
     }
 
-    private String sampling() {
-        Sampling sampling = plan.sampling();
-        if (sampling instanceof Sampling.Bins bins) {
-            return neighbourhood(bins.neighbourhood()) + " at "
-                    + bins.wavelengths().count() + " wavelengths";
-        }
-        if (sampling instanceof Sampling.Rays rays) {
-            return "%s at %d to %d wavelengths"
-                    .formatted(neighbourhood(rays.neighbourhood()), rays.fewestNodes(), mostNodes(rays));
-        }
-        if (sampling instanceof Sampling.Grid grid) {
-            return "grid with %d taps, %d to %d wavelengths"
-                    .formatted(grid.interpolation().taps(), grid.fewestNodes(), mostNodes(grid));
-        }
-        Sampling.Orders orders = (Sampling.Orders) sampling;
-        return "single orders with %d wavelengths each or more".formatted(orderNodes(orders));
-    }
-
-    private static int orderNodes(Sampling.Orders orders) {
-        return 2 * (int) Math.ceil(orders.reach() / orders.nodeSpacing()) + 1;
-    }
-
-    private static String neighbourhood(Neighbourhood neighbourhood) {
-        int side = 2 * neighbourhood.radius() + 1;
-        String middle = neighbourhood.anchor() == Neighbourhood.Anchor.FLOOR ? "floored" : "nearest";
-        return side + " x " + side + " bins around the " + middle + " one";
-    }
-
-    private int mostNodes(Sampling.Rays rays) {
-        VisibleRange range = plan.range();
-        double longest = Math.sqrt(2) * range.maximumComponent();
-        double waveNumbers = 1 / CieTable.MINIMUM_WAVELENGTH - 1 / CieTable.MAXIMUM_WAVELENGTH;
-        return Math.max(rays.fewestNodes(), (int) Math.ceil(longest * waveNumbers / rays.nodeStep()) + 1);
-    }
-
-    /** Columns that the longest ray crosses. */
-    private int mostNodes(Sampling.Grid grid) {
-        double waveNumbers = 1 / CieTable.MINIMUM_WAVELENGTH - 1 / CieTable.MAXIMUM_WAVELENGTH;
-        return Math.max(grid.fewestNodes(), (int)
-                Math.ceil(plan.range().maximumComponent() * waveNumbers / (grid.largestStride() * grid.nodeStep())));
-    }
-
     /**
      * One line: memory on the graphics card and texture reads of the pixel that takes most, beside those of the thesis's
      * shader.
@@ -90,30 +48,9 @@ public final class PlanReport {
     public String cost(int patchRows) {
         return format(
                 "textures of at most %.3g MB; up to %d texture reads a pixel (the thesis's shader: %d)",
-                MemoryNeed.of(plan, patchRows).textureBytes() * 1e-6, reads(), THESIS_READS);
-    }
-
-    private long reads() {
-        long terms = plan.expansion().terms();
-        Sampling sampling = plan.sampling();
-        if (sampling instanceof Sampling.Bins bins) {
-            return bins.wavelengths().count() * binReads(bins.neighbourhood());
-        }
-        if (sampling instanceof Sampling.Rays rays) {
-            return mostNodes(rays) * binReads(rays.neighbourhood());
-        }
-        if (sampling instanceof Sampling.Grid grid) {
-            // Two complex terms share a texel.
-            return (terms + 1) / 2 * mostNodes(grid) * grid.interpolation().taps();
-        }
-        // A ray from the middle passes at most half of the orders each way.
-        long passed = ((long) plan.bandX().count() + plan.bandY().count()) / 2;
-        return passed * orderNodes((Sampling.Orders) sampling) * terms;
-    }
-
-    private long binReads(Neighbourhood neighbourhood) {
-        long side = 2L * neighbourhood.radius() + 1;
-        return side * side * plan.expansion().terms();
+                MemoryNeed.of(plan, patchRows).textureBytes() * 1e-6,
+                plan.sampling().reads(plan),
+                THESIS_READS);
     }
 
     /** Several lines: each choice and its reason. */
@@ -143,50 +80,9 @@ public final class PlanReport {
                 Lengths.format(plan.window().coherenceLength()),
                 plan.window().sigmaFrequency(),
                 plan.origin() == WindowOrigin.CORNER ? "corner" : "patch's centre"));
-        lines.addAll(samplingReasons());
+        lines.addAll(plan.sampling().reasons(range));
         lines.add("bins: " + bins() + " reach every visible frequency at 380 nm and the window's width beyond");
         return lines;
-    }
-
-    private List<String> samplingReasons() {
-        Sampling sampling = plan.sampling();
-        if (sampling instanceof Sampling.Grid grid) {
-            InterpolationDesign design = grid.interpolation();
-            return List.of(
-                    format(
-                            "spectrum: windowed and resampled at %.2f samples per deviation, interpolated by %d"
-                                    + " Kaiser-Bessel taps; relative error of an amplitude %.1e",
-                            design.deviation(), design.taps(), design.error()),
-                    format(
-                            "wavelengths: where the ray (u, v) / lambda crosses columns %.4g cycles per metre apart, with"
-                                    + " strides of up to %d, at most %d; where |u|, |v| < %.3f, %d equal steps of"
-                                    + " 1 / lambda",
-                            grid.nodeStep(),
-                            grid.largestStride(),
-                            mostNodes(grid),
-                            grid.centreReach(),
-                            grid.fewestNodes()));
-        }
-        if (sampling instanceof Sampling.Orders orders) {
-            return List.of(
-                    "spectrum: the patch is so small that the window resolves every order; the nearest bin is enough",
-                    format(
-                            "wavelengths: %d or more around each order's middle, %.2f deviations of its power and at most"
-                                    + " %s apart; %d within the specular order",
-                            orderNodes(orders),
-                            orders.nodeSpacing(),
-                            Lengths.format(orders.largestStep()),
-                            orders.specularNodes()));
-        }
-        if (sampling instanceof Sampling.Rays rays) {
-            return List.of(
-                    "spectrum: the window's is so narrow that its flanks lie bare between orders, or a grid would not fit"
-                            + " into memory; " + neighbourhood(rays.neighbourhood()) + " are summed",
-                    format(
-                            "wavelengths: in steps of %.4g cycles per metre along the ray (u, v) / lambda, %d or more",
-                            rays.nodeStep(), rays.fewestNodes()));
-        }
-        return List.of("spectrum and wavelengths: " + sampling() + ", as asked for");
     }
 
     private static String format(String pattern, Object... values) {

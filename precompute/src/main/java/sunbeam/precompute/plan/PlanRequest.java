@@ -1,5 +1,6 @@
 package sunbeam.precompute.plan;
 
+import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
@@ -84,6 +85,38 @@ public record PlanRequest(
     /** The window, sunlight's unless asked otherwise. */
     public CoherenceWindow window() {
         return CoherenceWindow.ofCoherenceLength(coherenceLength.orElse(CoherenceWindow.SUNLIGHT_COHERENCE_LENGTH));
+    }
+
+    /** What is fixed of tables and wavelengths. */
+    public TableChoices table() {
+        return new TableChoices(
+                isThesis() ? new Accuracy.ThesisPreset() : new Accuracy.ByTolerance(tolerance),
+                expansion,
+                terms,
+                wavelengthStep);
+    }
+
+    /**
+     * The neighbourhood of bins that is fixed, if any.
+     *
+     * @throws PlanException for a middle of none
+     */
+    public Optional<Neighbourhood> neighbourhood() {
+        if (radius.isEmpty() && anchor.isEmpty()) {
+            return Optional.empty();
+        }
+        if (radius.isEmpty() && !isThesis()) {
+            throw new PlanException(
+                    "anchor %s is the middle of a neighbourhood of bins, but no radius is given; add for example --radius 3, or leave --anchor out"
+                            .formatted(anchor.get().toString().toLowerCase(Locale.ROOT)));
+        }
+        Neighbourhood.Anchor usual = isThesis() ? Neighbourhood.Anchor.FLOOR : Neighbourhood.Anchor.NEAREST;
+        return Optional.of(new Neighbourhood(radius.orElse(1), anchor.orElse(usual)));
+    }
+
+    /** The window, its place, and which power. */
+    public GaussianArea area() {
+        return new GaussianArea(window(), windowOrigin(), average.orElse(Average.COHERENT));
     }
 
     /** The window's place: the patch's centre unless the thesis is asked for. */

@@ -1,6 +1,7 @@
 package sunbeam.precompute.plan;
 
 import java.util.List;
+import java.util.Optional;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.WavelengthNodes;
 import sunbeam.precompute.expansion.ChebyshevExpansion;
@@ -9,6 +10,7 @@ import sunbeam.precompute.expansion.ExpansionKind;
 import sunbeam.precompute.expansion.HeightScale;
 import sunbeam.precompute.expansion.LowRankExpansion;
 import sunbeam.precompute.expansion.TaylorExpansion;
+import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.patch.HeightLevels;
 import sunbeam.precompute.patch.HeightMap;
 
@@ -16,6 +18,7 @@ import sunbeam.precompute.patch.HeightMap;
 public final class Planner {
     private static final int THESIS_TERMS = 37;
     private static final double THESIS_WAVELENGTH_STEP = 5e-9;
+    private static final Neighbourhood THESIS_NEIGHBOURHOOD = new Neighbourhood(1, Neighbourhood.Anchor.FLOOR);
     private static final double COARSEST_WAVELENGTH_STEP = 1e-9;
     private static final double FINEST_WAVELENGTH_STEP = 0.05e-9;
 
@@ -44,14 +47,27 @@ public final class Planner {
     /**
      * The plan: the fastest that keeps the tolerance and fits into memory.
      *
-     * @throws PlanException when none does, or when what is fixed makes no sense together
+     * @param table what is fixed of tables and wavelengths
+     * @param neighbourhood of bins that are to be summed, if any
+     * @param area the window, its place, and which power
+     * @param range directions that can occur
+     * @throws PlanException when none does, or when what is fixed makes no sense for the patch
      */
-    public Plan plan(PlanRequest request, VisibleRange range) {
-        PlanChecks.check(request, map);
-        ErrorBudget budget = new ErrorBudget(request.tolerance());
+    public Plan plan(TableChoices table, Optional<Neighbourhood> neighbourhood, GaussianArea area, VisibleRange range) {
+        PlanChecks.check(area.window(), map);
+        Expansion expansion = expansion(table, range);
         Plan plan = null;
-        for (Sampling sampling : samplings(request, range, budget)) {
-            plan = plan(request, range, budget, sampling);
+        for (Sampling sampling : samplings(table, neighbourhood, area, range)) {
+            plan = new Plan(
+                    table.accuracy(),
+                    range,
+                    expansion,
+                    range.bandX(map.width(), sampling.margin(area.window(), map.width())),
+                    range.bandY(map.height(), sampling.margin(area.window(), map.height())),
+                    area.window(),
+                    area.origin(),
+                    area.average(),
+                    sampling);
             if (MemoryNeed.of(plan, map.rows()).fits(heapLimit)) {
                 break;
             }
@@ -60,85 +76,82 @@ public final class Planner {
         return plan;
     }
 
+    /** As {@link #plan(TableChoices, Optional, GaussianArea, VisibleRange)}. */
+    public Plan plan(PlanRequest request, VisibleRange range) {
+        return plan(request.table(), request.neighbourhood(), request.area(), range);
+    }
+
+    /**
+     * Refuses tables that do not fit.
+     *
+     * @throws PlanException when more is needed than there is
+     */
+    public void require(MemoryNeed need, String what) {
+        need.require(heapLimit, what);
+    }
+
     /** What the user fixed of a plan that breaks its tolerance, one line each. */
     public List<String> warnings(Plan plan) {
         return new PlanWarnings(plan, map).lines();
     }
 
-    private Plan plan(PlanRequest request, VisibleRange range, ErrorBudget budget, Sampling sampling) {
-        return new Plan(
-                request.isThesis() ? Double.NaN : budget.tolerance(),
-                range,
-                expansion(request, range, budget.expansion()),
-                range.bandX(map.width(), margin(sampling, request, map.width())),
-                range.bandY(map.height(), margin(sampling, request, map.height())),
-                request.window(),
-                request.windowOrigin(),
-                request.average().orElse(Average.COHERENT),
-                sampling);
+    /** Where the thesis's choices stand in, it keeps no tolerance, and only what a user fixes is planned for the standard one. */
+    private static ErrorBudget budget(TableChoices table) {
+        return new ErrorBudget(table.accuracy().tolerance().orElse(Tolerances.STANDARD));
     }
 
-    private List<Sampling> samplings(PlanRequest request, VisibleRange range, ErrorBudget budget) {
-        return request.isThesis() || request.fixesBins()
-                ? List.of(bins(request, range, budget))
-                : new SamplingPlanner(
-                                map,
-                                heights,
-                                request.window(),
-                                request.average().orElse(Average.COHERENT),
-                                range,
-                                budget).choices();
+    private List<Sampling> samplings(
+            TableChoices table, Optional<Neighbourhood> neighbourhood, GaussianArea area, VisibleRange range) {
+        boolean fixesBins = neighbourhood.isPresent() || table.wavelengthStep().isPresent();
+        return table.accuracy().isThesis() || fixesBins
+                ? List.of(bins(table, neighbourhood, area.window(), range))
+                : new SamplingPlanner(map, heights, area, range, budget(table)).choices();
     }
 
-    private Sampling bins(PlanRequest request, VisibleRange range, ErrorBudget budget) {
-        boolean thesis = request.isThesis();
-        double sigmaBins = request.window().sigmaFrequency() * Math.max(map.width(), map.height());
-        int radius = request.radius()
-                .orElseGet(() -> thesis ? 1 : budget.neighbourhoodRadius(sigmaBins));
+    private Sampling bins(
+            TableChoices table, Optional<Neighbourhood> neighbourhood, CoherenceWindow window, VisibleRange range) {
+        boolean thesis = table.accuracy().isThesis();
+        double step = table.wavelengthStep()
+                .orElseGet(() -> thesis ? THESIS_WAVELENGTH_STEP : wavelengthStep(window, range, budget(table)));
+        return new BinSampling(
+                neighbourhood.orElseGet(() -> thesis ? THESIS_NEIGHBOURHOOD : neighbourhood(window, budget(table))),
+                WavelengthNodes.uniform(cie, step));
+    }
+
+    private Neighbourhood neighbourhood(CoherenceWindow window, ErrorBudget budget) {
+        double sigmaBins = window.sigmaFrequency() * Math.max(map.width(), map.height());
+        int radius = budget.neighbourhoodRadius(sigmaBins);
         PlanChecks.checkRadius(radius, sigmaBins);
-        Neighbourhood.Anchor anchor =
-                request.anchor().orElse(thesis ? Neighbourhood.Anchor.FLOOR : Neighbourhood.Anchor.NEAREST);
-        double step = request.wavelengthStep()
-                .orElseGet(() -> thesis ? THESIS_WAVELENGTH_STEP : wavelengthStep(request, range, budget));
-        return new Sampling.Bins(new Neighbourhood(radius, anchor), WavelengthNodes.uniform(cie, step));
+        return new Neighbourhood(radius, Neighbourhood.Anchor.NEAREST);
     }
 
     /** Fine enough for the sharpest order, for the colour matching functions, and for textures' longest side. */
-    private static double wavelengthStep(PlanRequest request, VisibleRange range, ErrorBudget budget) {
-        double orders = PlanWarnings.coarsestWavelengthStep(request.window(), range, budget.tolerance());
+    private static double wavelengthStep(CoherenceWindow window, VisibleRange range, ErrorBudget budget) {
+        double orders = BinSampling.coarsestWavelengthStep(window, range, budget.tolerance());
         return Math.max(FINEST_WAVELENGTH_STEP, Math.min(COARSEST_WAVELENGTH_STEP, orders));
     }
 
-    /** Bins beyond the visible ones that the window brings into view. */
-    private static int margin(Sampling sampling, PlanRequest request, double period) {
-        // One more bin, because float32 may round a frequency into the next one.
-        if (sampling instanceof Sampling.Bins bins) {
-            return bins.neighbourhood().radius() + 1;
-        }
-        if (sampling instanceof Sampling.Rays rays) {
-            return rays.neighbourhood().radius() + 1;
-        }
-        return sampling instanceof Sampling.Grid
-                ? (int) Math.ceil(SamplingPlanner.GAUSS_REACH * request.window().sigmaFrequency() * period) + 1
-                : 1;
-    }
-
-    private Expansion expansion(PlanRequest request, VisibleRange range, double tolerance) {
-        boolean thesis = request.isThesis();
-        ExpansionKind kind = request.expansion().orElse(thesis ? ExpansionKind.TAYLOR : ExpansionKind.LOWRANK);
+    /** The expansion that a plan has. */
+    public Expansion expansion(TableChoices table, VisibleRange range) {
+        boolean thesis = table.accuracy().isThesis();
+        ExpansionKind kind = table.expansion().orElse(thesis ? ExpansionKind.TAYLOR : ExpansionKind.LOWRANK);
         HeightScale scale = thesis ? HeightScale.mean(heights) : HeightScale.midRange(heights);
         double minimum = scale.phase(CieTable.MAXIMUM_WAVELENGTH, range.minimumW());
         double maximum = scale.phase(CieTable.MINIMUM_WAVELENGTH, range.maximumW());
-        if (request.terms().isPresent() || thesis) {
-            int terms = request.terms().orElse(THESIS_TERMS);
+        if (table.terms().isPresent() || thesis) {
+            int terms = table.terms().orElse(THESIS_TERMS);
             return switch (kind) {
                 case TAYLOR -> PlanChecks.withinFloatRange(new TaylorExpansion(scale, terms, maximum));
                 case CHEBYSHEV -> new ChebyshevExpansion(scale, terms, maximum);
                 case LOWRANK -> LowRankExpansion.ofTerms(heights, scale, minimum, maximum, terms);
             };
         }
+        double tolerance = budget(table).expansion();
         return switch (kind) {
-            case TAYLOR -> PlanChecks.accurate(TaylorExpansion.within(scale, maximum, tolerance), request.tolerance());
+            case TAYLOR ->
+                PlanChecks.accurate(
+                        TaylorExpansion.within(scale, maximum, tolerance),
+                        budget(table).tolerance());
             case CHEBYSHEV -> ChebyshevExpansion.within(scale, maximum, tolerance);
             case LOWRANK -> LowRankExpansion.within(heights, scale, minimum, maximum, tolerance);
         };

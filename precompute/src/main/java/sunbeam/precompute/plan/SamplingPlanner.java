@@ -34,16 +34,11 @@ final class SamplingPlanner {
     private final ErrorBudget budget;
 
     SamplingPlanner(
-            HeightMap map,
-            HeightLevels heights,
-            CoherenceWindow window,
-            Average average,
-            VisibleRange range,
-            ErrorBudget budget) {
-        this.average = average;
+            HeightMap map, HeightLevels heights, GaussianArea area, VisibleRange range, ErrorBudget budget) {
         this.map = map;
         this.heights = heights;
-        this.window = window;
+        this.window = area.window();
+        this.average = area.average();
         this.range = range;
         this.budget = budget;
     }
@@ -72,7 +67,7 @@ final class SamplingPlanner {
     private Sampling rays(int radius) {
         // Gregory's corrections of cut ends want the order resolved; the trapezoid rule alone would do with twice the step.
         double step = Math.min(1, cutSpacing()) * window.sigmaFrequency() / Math.sqrt(2);
-        return new Sampling.Rays(new Neighbourhood(radius, Neighbourhood.Anchor.NEAREST), step, fewestNodes());
+        return new RaySampling(new Neighbourhood(radius, Neighbourhood.Anchor.NEAREST), step, fewestNodes());
     }
 
     private Sampling orders() {
@@ -80,7 +75,7 @@ final class SamplingPlanner {
         // colour matching functions.
         double spacing = Math.min(1, Math.PI * Math.sqrt(2 / Math.log(2 / (0.01 * budget.tolerance()))));
         double reach = Math.max(3, Math.sqrt(2 * Math.log(1 / (0.1 * budget.tolerance()))));
-        return new Sampling.Orders(
+        return new OrderSampling(
                 reach, spacing, cutSpacing(), WAVELENGTH_STEP_AT_STANDARD / relativeFineness(), 4 * fewestNodes());
     }
 
@@ -95,9 +90,9 @@ final class SamplingPlanner {
         // of deviation sigma / sqrt(2), for which the trapezoid rule errs by 2 exp(-2 (pi deviation / step)^2).
         double perStep = Math.sqrt(2 / (Math.PI * Math.PI) * Math.log(2 / budget.wavelengths()));
         double step = window.sigmaFrequency() / perStep;
-        double centre = new Sampling.Grid(design, step, 1, fewestNodes()).centreReach();
+        double centre = new GridSampling(design, step, 1, fewestNodes(), budget).centreReach();
         int stride = (int) Math.ceil(centre / LARGEST_CENTRE);
-        return new Sampling.Grid(design, step / stride, stride, fewestNodes());
+        return new GridSampling(design, step / stride, stride, fewestNodes(), budget);
     }
 
     /** How much finer than at the standard tolerance wavelengths are resolved. */

@@ -10,6 +10,14 @@ import java.util.stream.IntStream;
  */
 public record GridResampler(AxisResampler alongX, AxisResampler alongY) {
 
+    /** Which axis runs fastest. */
+    public enum Order {
+        /** x. */
+        ROWS,
+        /** y. */
+        COLUMNS
+    }
+
     /** Number of samples of one field. */
     public int size() {
         return Math.multiplyExact(alongX.grid().count(), alongY.grid().count());
@@ -20,10 +28,9 @@ public record GridResampler(AxisResampler alongX, AxisResampler alongY) {
      *
      * @param target samples are stored here
      * @param offset index of the first
-     * @param stride distance of neighbouring samples along x, or along y when transposed
-     * @param transposed whether y runs fastest
+     * @param stride distance of neighbouring samples along the axis that runs fastest
      */
-    public void resample(double[] bins, float[] target, int offset, int stride, boolean transposed) {
+    public void resample(double[] bins, float[] target, int offset, int stride, Order order) {
         int binColumns = alongX.band().count();
         int columns = alongX.grid().count();
         int rows = alongY.grid().count();
@@ -49,7 +56,7 @@ public record GridResampler(AxisResampler alongX, AxisResampler alongY) {
                 }
             }
             for (int column = 0; column < columns; column++) {
-                int sample = transposed ? column * rows + row : row * columns + column;
+                int sample = order == Order.COLUMNS ? column * rows + row : row * columns + column;
                 target[offset + sample * stride] = (float) sums[column];
             }
         });

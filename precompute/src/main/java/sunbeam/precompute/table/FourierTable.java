@@ -1,6 +1,7 @@
 package sunbeam.precompute.table;
 
 import java.util.Arrays;
+import java.util.Optional;
 import sunbeam.precompute.expansion.CoefficientTable;
 import sunbeam.precompute.expansion.ExpansionKind;
 import sunbeam.precompute.expansion.HeightScale;
@@ -17,7 +18,7 @@ import sunbeam.precompute.fourier.Band;
  * @param real {@code [term][row * bandX.count() + column]}, rows of ascending jy, columns of ascending jx; origin of the
  *     phases at sample (0, 0), the top left
  * @param imaginary as {@code real}
- * @param coefficients sampled c_n(zeta), for expansions without a closed form; null otherwise
+ * @param coefficients sampled c_n(zeta), for expansions without a closed form
  */
 public record FourierTable(
         PatchIdentity patch,
@@ -27,7 +28,7 @@ public record FourierTable(
         Band bandY,
         float[][] real,
         float[][] imaginary,
-        CoefficientTable coefficients) {
+        Optional<CoefficientTable> coefficients) {
 
     public FourierTable {
         if (real.length == 0 || real.length != imaginary.length) {
@@ -45,6 +46,11 @@ public record FourierTable(
         return real.length;
     }
 
+    /** The same table under another name of its surface. */
+    public FourierTable of(PatchIdentity identity) {
+        return new FourierTable(identity, kind, scale, bandX, bandY, real, imaginary, coefficients);
+    }
+
     /** The table of the same expansion with fewer terms, which share this one's arrays. */
     public FourierTable firstTerms(int count) {
         return new FourierTable(
@@ -55,7 +61,7 @@ public record FourierTable(
                 bandY,
                 Arrays.copyOf(real, count),
                 Arrays.copyOf(imaginary, count),
-                coefficients == null ? null : coefficients.firstTerms(count));
+                coefficients.map(table -> table.firstTerms(count)));
     }
 
     /** Bytes that the terms take in memory and, nearly, in a file. */

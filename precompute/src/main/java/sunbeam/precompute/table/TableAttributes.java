@@ -2,7 +2,6 @@ package sunbeam.precompute.table;
 
 import java.util.Map;
 import java.util.TreeMap;
-import sunbeam.precompute.expansion.CoefficientTable;
 import sunbeam.precompute.expansion.ExpansionKind;
 import sunbeam.precompute.expansion.HeightScale;
 
@@ -44,11 +43,10 @@ final class TableAttributes {
         values.put("height_half_range_metres", table.scale().halfRange());
         values.put("first_bin_x", table.bandX().first());
         values.put("first_bin_y", table.bandY().first());
-        CoefficientTable coefficients = table.coefficients();
-        if (coefficients != null) {
+        table.coefficients().ifPresent(coefficients -> {
             values.put("coefficients_first_phase_radians", coefficients.minimumPhase());
             values.put("coefficients_last_phase_radians", coefficients.maximumPhase());
-        }
+        });
         return new TableAttributes(values);
     }
 

@@ -1,5 +1,6 @@
 package sunbeam.precompute.table;
 
+import java.util.Optional;
 import java.util.function.IntConsumer;
 import java.util.stream.IntStream;
 import org.apache.commons.math3.complex.Complex;
@@ -45,7 +46,9 @@ public final class TableBuilder {
                 bandY,
                 real,
                 imaginary,
-                expansion.kind() == ExpansionKind.TAYLOR ? null : CoefficientTable.sampled(expansion));
+                expansion.kind() == ExpansionKind.TAYLOR
+                        ? Optional.empty()
+                        : Optional.of(CoefficientTable.sampled(expansion)));
     }
 
     private void transformSingly(Expansion expansion, Band bandX, Band bandY, float[][] real, float[][] imaginary) {

@@ -11,12 +11,12 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.security.MessageDigest;
-import java.security.NoSuchAlgorithmException;
-import java.util.HexFormat;
 import java.util.Map;
+import java.util.Optional;
 import java.util.TreeMap;
 import sunbeam.precompute.expansion.CoefficientTable;
 import sunbeam.precompute.fourier.Band;
+import sunbeam.precompute.text.Sha256;
 
 /**
  * Fourier tables as HDF5: dataset {@code terms} of float32, shape (terms, 2, rows, columns) with real and imaginary
@@ -38,9 +38,7 @@ public final class TableFile {
         TableAttributes attributes = TableAttributes.describing(table);
         try (WritableHdfFile hdf = HdfFile.write(file)) {
             hdf.putDataset(TERMS, nested(table));
-            if (table.coefficients() != null) {
-                hdf.putDataset(COEFFICIENTS, table.coefficients().values());
-            }
+            table.coefficients().ifPresent(coefficients -> hdf.putDataset(COEFFICIENTS, coefficients.values()));
             attributes.values().forEach(hdf::putAttribute);
             hdf.putAttribute(TableAttributes.CHECKSUM, checksum(attributes, table));
         } catch (RuntimeException e) {
@@ -146,15 +144,15 @@ public final class TableFile {
         return parts;
     }
 
-    private static CoefficientTable coefficients(HdfFile hdf, TableAttributes attributes, long fileBytes) {
+    private static Optional<CoefficientTable> coefficients(HdfFile hdf, TableAttributes attributes, long fileBytes) {
         if (!attributes.has("coefficients_first_phase_radians")) {
-            return null;
+            return Optional.empty();
         }
         float[][] values = (float[][]) dataset(hdf, COEFFICIENTS, 2, fileBytes).getData();
-        return new CoefficientTable(
+        return Optional.of(new CoefficientTable(
                 attributes.real("coefficients_first_phase_radians"),
                 attributes.real("coefficients_last_phase_radians"),
-                values);
+                values));
     }
 
     private static float[][][][] nested(FourierTable table) {
@@ -171,22 +169,18 @@ public final class TableFile {
     }
 
     private static String checksum(TableAttributes attributes, FourierTable table) {
-        try {
-            MessageDigest digest = MessageDigest.getInstance("SHA-256");
-            digest.update(attributes.canonical().getBytes(StandardCharsets.UTF_8));
-            for (int n = 0; n < table.terms(); n++) {
-                update(digest, table.real()[n]);
-                update(digest, table.imaginary()[n]);
-            }
-            if (table.coefficients() != null) {
-                for (float[] row : table.coefficients().values()) {
-                    update(digest, row);
-                }
-            }
-            return HexFormat.of().formatHex(digest.digest());
-        } catch (NoSuchAlgorithmException e) {
-            throw new IllegalStateException("every Java has SHA-256", e);
+        MessageDigest digest = Sha256.digest();
+        digest.update(attributes.canonical().getBytes(StandardCharsets.UTF_8));
+        for (int n = 0; n < table.terms(); n++) {
+            update(digest, table.real()[n]);
+            update(digest, table.imaginary()[n]);
         }
+        table.coefficients().ifPresent(coefficients -> {
+            for (float[] row : coefficients.values()) {
+                update(digest, row);
+            }
+        });
+        return Sha256.hexadecimal(digest);
     }
 
     private static void update(MessageDigest digest, float[] values) {

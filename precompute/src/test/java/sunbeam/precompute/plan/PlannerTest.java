@@ -29,7 +29,7 @@ class PlannerTest {
         // 3.2 um under a window of 65 um: 0.03 bins.
         Plan plan = planner(64, 400e-9).plan(request(Optional.empty(), 0, OptionalInt.empty(), 65e-6, 0), MAP);
 
-        assertThat(plan.sampling()).isInstanceOf(Sampling.Orders.class);
+        assertThat(plan.sampling()).isInstanceOf(OrderSampling.class);
     }
 
     @Test
@@ -37,7 +37,7 @@ class PlannerTest {
         // 3.2 um under a window of 3.2 um: 0.64 bins, as the measured skins under sunlight's window.
         Plan plan = planner(64, 400e-9).plan(request(Optional.empty(), 0, OptionalInt.empty(), 3.2e-6, 0), MAP);
 
-        assertThat(plan.sampling()).isInstanceOf(Sampling.Grid.class);
+        assertThat(plan.sampling()).isInstanceOf(GridSampling.class);
     }
 
     @Test
@@ -45,14 +45,14 @@ class PlannerTest {
         // 3.2 um under a window of 10 um: 0.2 bins.
         Plan plan = planner(64, 400e-9).plan(request(Optional.empty(), 0, OptionalInt.empty(), 10e-6, 0), MAP);
 
-        assertThat(plan.sampling()).isInstanceOf(Sampling.Rays.class);
+        assertThat(plan.sampling()).isInstanceOf(RaySampling.class);
     }
 
     @Test
     void theThesisStaysAsItIs() {
         Plan plan = planner(64, 400e-9).plan(PlanRequest.of(Preset.THESIS), MAP);
 
-        Sampling.Bins bins = (Sampling.Bins) plan.sampling();
+        BinSampling bins = (BinSampling) plan.sampling();
         assertThat(bins.neighbourhood()).isEqualTo(new Neighbourhood(1, Neighbourhood.Anchor.FLOOR));
         assertThat(bins.wavelengths().count())
                 .as("380..780 nm in steps of 5 nm")

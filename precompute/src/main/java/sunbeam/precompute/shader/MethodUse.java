@@ -1,6 +1,6 @@
-package sunbeam.app.gpu;
+package sunbeam.precompute.shader;
 
-/** What a method is asked for; it uploads no more than that needs. */
+/** What a method is asked for; its tables hold no more than that needs. */
 public enum MethodUse {
     /** Colours: all wavelengths of a direction. */
     COLOUR,

@@ -1,6 +1,4 @@
-package sunbeam.app.gpu;
-
-import sunbeam.precompute.color.CieTable;
+package sunbeam.precompute.color;
 
 /**
  * The CIE weights without the corners of their table. Linear interpolation between whole nanometres lies up to 1.5e-3
@@ -8,16 +6,16 @@ import sunbeam.precompute.color.CieTable;
  * average that as an integral does. A smooth function with the same spectrum at the wavelengths that matter takes its place:
  * the table low-passed as its chords are, (w[i-1] + 10 w[i] + w[i+1]) / 12, and a cubic between (Catmull and Rom 1974).
  */
-final class SmoothCieWeights {
+public final class SmoothCieWeights {
     private static final int TABLE_LAST = 400;
     private static final int PER_NANOMETRE = 8;
     /** Eight samples a nanometre from 380 to 780 nm, both ends included. */
-    static final int SAMPLES = TABLE_LAST * PER_NANOMETRE + 1;
+    public static final int SAMPLES = TABLE_LAST * PER_NANOMETRE + 1;
 
     private SmoothCieWeights() {}
 
     /** S xbar, S ybar or S zbar, not normalised. */
-    static double[] of(CieTable cie, int channel) {
+    public static double[] of(CieTable cie, int channel) {
         double[] smooth = new double[TABLE_LAST + 1];
         for (int i = 0; i <= TABLE_LAST; i++) {
             smooth[i] = (at(cie, i - 1, channel) + 10 * at(cie, i, channel) + at(cie, i + 1, channel)) / 12;

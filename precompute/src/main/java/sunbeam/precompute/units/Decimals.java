@@ -1,16 +1,16 @@
-package sunbeam.app.cli;
+package sunbeam.precompute.units;
 
 import java.util.OptionalDouble;
 import java.util.regex.Pattern;
 
 /** Decimal numbers as people write them. */
-public final class Numbers {
+public final class Decimals {
     /** Narrower than Double.parseDouble, which also takes 1d, 0x1p3 and NaN. */
     private static final Pattern DECIMAL = Pattern.compile("[+-]?(\\d+\\.?\\d*|\\.\\d+)([eE][+-]?\\d+)?");
 
     private static final int LONGEST = 100;
 
-    private Numbers() {}
+    private Decimals() {}
 
     /** A number as people write it: whole ones without a point, powers of ten as 1e-5. */
     public static String format(double value) {

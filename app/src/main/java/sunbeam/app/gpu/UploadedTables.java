@@ -1,0 +1,146 @@
+package sunbeam.app.gpu;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import jrtr.Binding;
+import jrtr.Filter;
+import jrtr.FloatFormat;
+import jrtr.FloatTexture;
+import jrtr.FloatTextureSpec;
+import jrtr.RenderContext;
+import jrtr.ShaderProgram;
+import sunbeam.precompute.shader.ArrayLayout;
+import sunbeam.precompute.shader.ShaderTables;
+import sunbeam.precompute.shader.TableArray;
+import sunbeam.precompute.shader.UniformValue;
+
+/** A method's tables on the graphics card, for any program that draws with it. It owns its textures. */
+public final class UploadedTables implements AutoCloseable {
+    private final RenderContext context;
+    private final ShaderTables tables;
+    private final List<FloatTexture> textures = new ArrayList<>();
+    private final List<Binding> bindings = new ArrayList<>();
+
+    private UploadedTables(RenderContext context, ShaderTables tables) {
+        this.context = context;
+        this.tables = tables;
+    }
+
+    /**
+     * Uploads tables, layer by layer.
+     *
+     * @throws jrtr.GraphicsException if the device has no room for them
+     */
+    public static UploadedTables upload(RenderContext context, ShaderTables tables) {
+        UploadedTables uploaded = new UploadedTables(context, tables);
+        try {
+            tables.arrays().forEach(uploaded::upload);
+            return uploaded;
+        } catch (RuntimeException | Error failure) {
+            uploaded.close();
+            throw failure;
+        }
+    }
+
+    private void upload(TableArray array) {
+        ArrayLayout layout = array.layout();
+        FloatTexture texture = context.createFloatTexture(layout.sampler(), spec(layout));
+        textures.add(texture);
+        bindings.add(new Binding(layout.sampler(), texture));
+        for (int layer = 0; layer < layout.layers(); layer++) {
+            texture.uploadLayer(layer, array.layer(layer));
+        }
+    }
+
+    private static FloatTextureSpec spec(ArrayLayout layout) {
+        FloatFormat format = format(layout.channels());
+        FloatTextureSpec spec = layout.kind() == ArrayLayout.Kind.LAYERED
+                ? FloatTextureSpec.array(layout.width(), layout.height(), layout.layers(), format)
+                : FloatTextureSpec.flat(layout.width(), layout.height(), format);
+        return layout.reading() == ArrayLayout.Reading.LINEAR ? spec.with(Filter.LINEAR) : spec;
+    }
+
+    private static FloatFormat format(int channels) {
+        for (FloatFormat format : FloatFormat.values()) {
+            if (format.channels() == channels) {
+                return format;
+            }
+        }
+        throw new IllegalArgumentException("no texture has " + channels + " channels");
+    }
+
+    /**
+     * Compiles a program with the method in it, and sets the method's uniforms; the caller closes it.
+     *
+     * @param fragment file in shaders/ that includes the method
+     */
+    public ShaderProgram program(String fragment) {
+        return program(fragment, Map.of());
+    }
+
+    /** As {@link #program(String)}, with further defines. */
+    public ShaderProgram program(String fragment, Map<String, String> further) {
+        Map<String, String> defines = new HashMap<>(tables.defines());
+        defines.put("METHOD", tables.shader());
+        defines.putAll(further);
+        ShaderProgram program =
+                context.createFullScreenProgram(Shaders.library().load(fragment, defines));
+        try {
+            tables.uniforms().forEach((name, value) -> set(program, name, value));
+            return program;
+        } catch (RuntimeException failure) {
+            program.close();
+            throw failure;
+        }
+    }
+
+    private static void set(ShaderProgram program, String name, UniformValue value) {
+        if (value instanceof UniformValue.Reals reals) {
+            float[] components = new float[reals.components().size()];
+            for (int i = 0; i < components.length; i++) {
+                components[i] = reals.components().get(i);
+            }
+            program.set(name, components);
+        } else if (value instanceof UniformValue.Integers integers) {
+            program.set(
+                    name,
+                    integers.components().stream().mapToInt(Integer::intValue).toArray());
+        }
+    }
+
+    /** The method's textures, by sampler name. */
+    public List<Binding> bindings() {
+        return bindings;
+    }
+
+    /** DFT bins per cycle per metre along x and y, the patch's width and height in metres; none where there are no bins. */
+    public Optional<double[]> binsPerFrequency() {
+        UniformValue rest = tables.uniforms().get("tablePeriodRest");
+        if (!(tables.uniforms().get("tablePeriod") instanceof UniformValue.Reals whole)
+                || !(rest instanceof UniformValue.Reals small)) {
+            return Optional.empty();
+        }
+        return Optional.of(new double[] {
+            (double) whole.components().get(0) + small.components().get(0),
+            (double) whole.components().get(1) + small.components().get(1)
+        });
+    }
+
+    /** Standard deviation of the coherence window, metres. */
+    public double windowSigma() {
+        return tables.windowSigma();
+    }
+
+    /** |(u, v)| up to which a direction sees the specular peak, which outshines what is diffracted. */
+    public double specularReach() {
+        return tables.specularReach();
+    }
+
+    @Override
+    public void close() {
+        textures.forEach(FloatTexture::close);
+    }
+}

@@ -1,0 +1,108 @@
+package sunbeam.precompute.method;
+
+import java.util.List;
+import java.util.Optional;
+import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.plan.Accuracy;
+import sunbeam.precompute.plan.GaussianArea;
+import sunbeam.precompute.plan.MemoryNeed;
+import sunbeam.precompute.plan.Neighbourhood;
+import sunbeam.precompute.plan.Plan;
+import sunbeam.precompute.plan.PlanReport;
+import sunbeam.precompute.plan.TableChoices;
+import sunbeam.precompute.plan.VisibleRange;
+import sunbeam.precompute.shader.MethodUse;
+import sunbeam.precompute.shader.ShaderTables;
+
+/**
+ * Every wavelength of the planned or the thesis's sampling, under a Gaussian window.
+ *
+ * @param table the tables and wavelengths
+ * @param neighbourhood of bins around each frequency
+ * @param area the window and its average
+ */
+public record FullMethod(TableChoices table, Optional<Neighbourhood> neighbourhood, GaussianArea area)
+        implements Method {
+    /** Its name and settings. */
+    public static final MethodType TYPE = new MethodType(
+            "full",
+            "all wavelengths, Gaussian coherence window.",
+            BinSettings.ALL,
+            choices -> new FullMethod(
+                    TableChoices.of(choices), BinSettings.neighbourhood(choices), GaussianArea.of(choices)));
+
+    /** Planned for a tolerance, in sunlight. */
+    public static FullMethod within(double tolerance) {
+        return new FullMethod(
+                TableChoices.of(new Accuracy.ByTolerance(tolerance)), Optional.empty(), GaussianArea.STANDARD);
+    }
+
+    /** The thesis's shader: the baseline of every comparison. */
+    public static FullMethod thesis() {
+        return new FullMethod(TableChoices.of(new Accuracy.ThesisPreset()), Optional.empty(), GaussianArea.THESIS);
+    }
+
+    /** The same with other tables. */
+    public FullMethod with(TableChoices other) {
+        return new FullMethod(other, neighbourhood, area);
+    }
+
+    /** The same with a neighbourhood of bins. */
+    public FullMethod with(Neighbourhood other) {
+        return new FullMethod(table, Optional.of(other), area);
+    }
+
+    /** The same under another window. */
+    public FullMethod with(GaussianArea other) {
+        return new FullMethod(table, neighbourhood, other);
+    }
+
+    @Override
+    public MethodType type() {
+        return TYPE;
+    }
+
+    @Override
+    public ReferenceMethod exact(HeightMap map) {
+        return new ReferenceMethod(area);
+    }
+
+    @Override
+    public MethodPlan plan(Surface surface, VisibleRange range) {
+        return new Planned(surface, surface.planner().plan(table, neighbourhood, area, range));
+    }
+
+    /** In the form that the plan's sampling has. */
+    private record Planned(Surface surface, Plan plan) implements MethodPlan {
+
+        @Override
+        public String summary() {
+            return new PlanReport(plan).summary();
+        }
+
+        @Override
+        public List<String> reasons() {
+            return new PlanReport(plan).reasons();
+        }
+
+        @Override
+        public List<String> warnings() {
+            return surface.planner().warnings(plan);
+        }
+
+        @Override
+        public MemoryNeed memory() {
+            return MemoryNeed.of(plan, surface.map().rows());
+        }
+
+        @Override
+        public String key(MethodUse use) {
+            return String.join("|", "full", use.toString(), surface.key(), plan.key());
+        }
+
+        @Override
+        public ShaderTables tables(MethodUse use, FourierTables fourier) {
+            return plan.sampling().tables(plan, fourier.of(plan), use, surface.cie());
+        }
+    }
+}

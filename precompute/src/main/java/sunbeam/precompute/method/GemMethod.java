@@ -1,0 +1,112 @@
+package sunbeam.precompute.method;
+
+import static sunbeam.precompute.plan.MethodSettings.COHERENCE_LENGTH;
+import static sunbeam.precompute.plan.MethodSettings.SPACING;
+
+import java.util.List;
+import java.util.OptionalDouble;
+import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.optics.CoherenceWindow;
+import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.plan.Average;
+import sunbeam.precompute.plan.GaussianArea;
+import sunbeam.precompute.plan.MemoryNeed;
+import sunbeam.precompute.plan.VisibleRange;
+import sunbeam.precompute.setting.SettingException;
+import sunbeam.precompute.shader.MethodUse;
+import sunbeam.precompute.shader.ShaderTables;
+import sunbeam.precompute.units.Lengths;
+
+/**
+ * A grating's spacing and nothing else of the surface (GPU Gems, chapter 8); for comparison only.
+ *
+ * @param spacing distance of the lines in metres; empty for the patch's width, where it is one period
+ * @param window the Gaussian coherence window
+ */
+public record GemMethod(OptionalDouble spacing, CoherenceWindow window) implements Method {
+    // Beyond, a patch is no single period of a grating whose colours can be seen.
+    private static final double WIDEST_PERIOD = 10e-6;
+
+    /** Its name and settings. */
+    public static final MethodType TYPE = new MethodType(
+            "gem",
+            "a grating's spacing alone, for comparison only.",
+            List.of(SPACING, COHERENCE_LENGTH),
+            choices -> new GemMethod(
+                    choices.find(SPACING).map(OptionalDouble::of).orElseGet(OptionalDouble::empty),
+                    GaussianArea.windowOf(choices)));
+
+    public GemMethod {
+        spacing.ifPresent(SPACING.kind()::check);
+    }
+
+    @Override
+    public MethodType type() {
+        return TYPE;
+    }
+
+    @Override
+    public ReferenceMethod exact(HeightMap map) {
+        return new ReferenceMethod(GaussianArea.STANDARD.with(window));
+    }
+
+    @Override
+    public Brightness brightness() {
+        return Brightness.UNRELATED;
+    }
+
+    @Override
+    public MethodPlan plan(Surface surface, VisibleRange range) {
+        double width = surface.map().width();
+        if (spacing.isEmpty() && width > WIDEST_PERIOD) {
+            throw new SettingException(
+                    SPACING,
+                    "is needed: a patch that is " + Lengths.format(width)
+                            + " wide is no single period; give the grating's, for example 1um");
+        }
+        return new Planned(spacing.orElse(width), window);
+    }
+
+    /**
+     * For a spacing.
+     *
+     * @param spacing metres
+     * @param window of which the method takes no notice
+     */
+    private record Planned(double spacing, CoherenceWindow window) implements MethodPlan {
+
+        @Override
+        public String summary() {
+            return "gem: lines " + Lengths.format(spacing) + " apart, for comparison only";
+        }
+
+        @Override
+        public List<String> reasons() {
+            return List.of("nothing of the surface is used");
+        }
+
+        @Override
+        public MemoryNeed memory() {
+            return MemoryNeed.of(0, List.of());
+        }
+
+        /** It has colours, but no power at a wavelength. */
+        @Override
+        public boolean answers(MethodUse use) {
+            return use == MethodUse.COLOUR;
+        }
+
+        @Override
+        public String key(MethodUse use) {
+            return String.join("|", "gem", Double.toString(spacing), window.toString());
+        }
+
+        @Override
+        public ShaderTables tables(MethodUse use, FourierTables fourier) {
+            ShaderTables.Builder tables = new ShaderTables.Builder("gem");
+            Average.COHERENT.defineIn(tables);
+            return tables.reals("gemSpacing", spacing)
+                    .build(window.sigmaMetres(), window.specularReach(CieTable.MAXIMUM_WAVELENGTH));
+        }
+    }
+}

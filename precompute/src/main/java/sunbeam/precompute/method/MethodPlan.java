@@ -1,0 +1,40 @@
+package sunbeam.precompute.method;
+
+import java.util.List;
+import sunbeam.precompute.plan.MemoryNeed;
+import sunbeam.precompute.shader.MethodUse;
+import sunbeam.precompute.shader.ShaderTables;
+
+/** A method planned for a surface and the directions that can occur. */
+public interface MethodPlan {
+
+    /** One line: what is computed. */
+    String summary();
+
+    /** Several lines: each choice and its reason. */
+    List<String> reasons();
+
+    /** What breaks the tolerance, one line each. */
+    default List<String> warnings() {
+        return List.of();
+    }
+
+    /** What the tables take, at most. */
+    MemoryNeed memory();
+
+    /** Whether the method has an answer for a use. */
+    default boolean answers(MethodUse use) {
+        return true;
+    }
+
+    /** All that determines the tables, as text: equal texts mean equal tables. */
+    String key(MethodUse use);
+
+    /**
+     * What the method's shader reads. Layers of large arrays are made when they are asked for.
+     *
+     * @param use one that the method answers
+     * @param fourier of the surface
+     */
+    ShaderTables tables(MethodUse use, FourierTables fourier);
+}

@@ -1,0 +1,86 @@
+package sunbeam.precompute.method;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Collectors;
+import sunbeam.precompute.plan.MethodSettings;
+import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.setting.Kinds;
+import sunbeam.precompute.setting.Setting;
+import sunbeam.precompute.setting.SettingException;
+
+/** The methods that there are. */
+public final class Methods {
+    /** Each of them; a new one is entered here. */
+    public static final List<MethodType> ALL =
+            List.of(FullMethod.TYPE, NmmMethod.TYPE, PqMethod.TYPE, GemMethod.TYPE, ReferenceMethod.TYPE);
+
+    /** Which method. */
+    public static final Setting<MethodType> METHOD = new Setting<>(
+                    "method",
+                    Kinds.oneOf("METHOD", ALL, MethodType::label),
+                    ALL.stream().map(type -> type.label() + ": " + type.help()).collect(Collectors.joining(" "))
+                            + " See docs/methods.md.")
+            .withStandard(FullMethod.TYPE);
+
+    /** The method and all that belongs to one, in a manual's order. */
+    public static final List<Setting<?>> SETTINGS = settings();
+
+    private Methods() {}
+
+    private static List<Setting<?>> settings() {
+        List<Setting<?>> settings = new ArrayList<>(List.of(METHOD));
+        settings.addAll(MethodSettings.ALL);
+        return List.copyOf(settings);
+    }
+
+    /**
+     * The method that was chosen, with what was chosen of it.
+     *
+     * @param choices others than {@link #SETTINGS} are not looked at
+     * @throws SettingException in the words of the place where a choice was made that does not belong to the method, or
+     *     not beside another
+     */
+    public static Method of(Choices choices) {
+        MethodType type = choices.get(METHOD);
+        for (Setting<?> setting : choices.only(MethodSettings.ALL).chosen()) {
+            if (!type.has(setting)) {
+                checkFixed(type, setting, choices);
+            }
+        }
+        return type.create(choices);
+    }
+
+    /** As {@link #of(Choices)}, where some values hold unless chosen, for the methods that have their settings. */
+    public static Method of(Choices choices, Choices otherwise) {
+        return of(choices.over(otherwise.only(choices.get(METHOD).settings())));
+    }
+
+    private static void checkFixed(MethodType type, Setting<?> setting, Choices choices) {
+        Optional<String> fixed = type.fixed(setting);
+        if (fixed.isEmpty()) {
+            throw choices.complaint(
+                    setting, "belongs to ", METHOD, " " + owners(setting) + ", not " + type.label() + "; leave it out");
+        }
+        if (!fixed.get().equals(choices.written(setting))) {
+            throw choices.complaint(
+                    setting,
+                    "is not for ",
+                    METHOD,
+                    " %s, which has %s only; leave it out or use ".formatted(type.label(), fixed.get()),
+                    METHOD,
+                    " " + owners(setting));
+        }
+    }
+
+    /** Of the methods that have a setting: "pq or reference". */
+    private static String owners(Setting<?> setting) {
+        List<String> labels = ALL.stream()
+                .filter(type -> type.has(setting))
+                .map(MethodType::label)
+                .toList();
+        String last = labels.get(labels.size() - 1);
+        return labels.size() == 1 ? last : String.join(", ", labels.subList(0, labels.size() - 1)) + " or " + last;
+    }
+}

@@ -1,0 +1,178 @@
+package sunbeam.precompute.method;
+
+import java.util.List;
+import java.util.Optional;
+import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.color.OrderWeights;
+import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.plan.Accuracy;
+import sunbeam.precompute.plan.GaussianArea;
+import sunbeam.precompute.plan.MemoryNeed;
+import sunbeam.precompute.plan.Neighbourhood;
+import sunbeam.precompute.plan.Plan;
+import sunbeam.precompute.plan.PlanReport;
+import sunbeam.precompute.plan.TableChoices;
+import sunbeam.precompute.plan.VisibleRange;
+import sunbeam.precompute.setting.SettingException;
+import sunbeam.precompute.shader.ArrayLayout;
+import sunbeam.precompute.shader.ColorArrays;
+import sunbeam.precompute.shader.MethodUse;
+import sunbeam.precompute.shader.ShaderTables;
+import sunbeam.precompute.shader.SpectrumArrays;
+import sunbeam.precompute.shader.TableArray;
+import sunbeam.precompute.units.Lengths;
+
+/**
+ * One wavelength per diffraction order, weighted by the order's width (unweighted with the thesis's preset), under a
+ * Gaussian window.
+ *
+ * @param table the tables, and the wavelengths near the specular direction
+ * @param neighbourhood of bins around each frequency
+ * @param area the window and its average
+ */
+public record NmmMethod(TableChoices table, Optional<Neighbourhood> neighbourhood, GaussianArea area)
+        implements Method {
+    // For directions so near to the specular one that an order covers them all, metres.
+    private static final double WAVELENGTH_STEP = 5e-9;
+
+    // Widest order that one wavelength stands for, in 1 / metre of 1 / lambda: at 500 nm a deviation of 12 nm, a third
+    // of
+    // the narrowest colour matching function's. At 380 nm a deviation of 7 nm, which steps of 5 nm still resolve.
+    private static final double WIDEST_ORDER = 7e4;
+    // Largest |(u, v)|: grazing light, grazing view.
+    private static final double LARGEST_UV = 2;
+    // Of an order farther from the ray less than this is seen.
+    private static final double FAINTEST = 1e-3;
+    // exp(-1 / (4 sigma^2)) of interference between neighbouring bins that are sigma deviations apart: 2e-3.
+    private static final double OVERLAP_SIGMA_BINS = 0.2;
+
+    /** Its name and settings. */
+    public static final MethodType TYPE = new MethodType(
+            "nmm",
+            "one wavelength per diffraction order, weighted by the order's width.",
+            BinSettings.ALL,
+            choices -> new NmmMethod(
+                    TableChoices.of(choices), BinSettings.neighbourhood(choices), GaussianArea.of(choices)));
+
+    /** Planned for a tolerance, in sunlight. */
+    public static NmmMethod within(double tolerance) {
+        return new NmmMethod(
+                TableChoices.of(new Accuracy.ByTolerance(tolerance)), Optional.empty(), GaussianArea.STANDARD);
+    }
+
+    @Override
+    public MethodType type() {
+        return TYPE;
+    }
+
+    /** What an order counts. */
+    private enum Weighting {
+        /** Its width in wavelength (shaders/method/nmm.glsl). */
+        WIDTH,
+        /** One step of wavelength, however wide it is, as in the thesis (nmm_thesis.glsl). */
+        STEP
+    }
+
+    @Override
+    public ReferenceMethod exact(HeightMap map) {
+        return new ReferenceMethod(area);
+    }
+
+    @Override
+    public MethodPlan plan(Surface surface, VisibleRange range) {
+        checkOrders(surface.map());
+        TableChoices planned = table.wavelengthStep().isPresent() ? table : table.withWavelengthStep(WAVELENGTH_STEP);
+        return new Planned(
+                surface,
+                surface.planner().plan(planned, neighbourhood, area, range),
+                table.accuracy().isThesis() ? Weighting.STEP : Weighting.WIDTH);
+    }
+
+    /** Whether there are orders to look at. */
+    private static void checkOrders(HeightMap map) {
+        if (LARGEST_UV * Math.max(map.width(), map.height()) < CieTable.MINIMUM_WAVELENGTH) {
+            throw new SettingException(
+                    Methods.METHOD,
+                    "has no order: a patch of %s x %s has no DFT bin beside the specular one in the visible band; use "
+                            .formatted(Lengths.format(map.width()), Lengths.format(map.height())),
+                    Methods.METHOD,
+                    " full");
+        }
+    }
+
+    private record Planned(Surface surface, Plan plan, Weighting weighting) implements MethodPlan {
+        @Override
+        public String summary() {
+            return "nmm: one wavelength per order" + (weighting == Weighting.STEP ? ", unweighted" : "")
+                    + "; near the specular direction " + new PlanReport(plan).summary();
+        }
+
+        @Override
+        public List<String> reasons() {
+            return new PlanReport(plan).reasons();
+        }
+
+        @Override
+        public MemoryNeed memory() {
+            return MemoryNeed.of(plan, surface.map().rows()).and(List.of(ownLayout()));
+        }
+
+        private ArrayLayout ownLayout() {
+            return weighting == Weighting.WIDTH
+                    ? ArrayLayout.flat("orderWeights", OrderWeights.COLUMNS, OrderWeights.ROWS, 4)
+                            .linear()
+                    : ColorArrays.cieWeightsLayout();
+        }
+
+        @Override
+        public String key(MethodUse use) {
+            return String.join("|", "nmm", weighting.toString(), surface.key(), plan.key());
+        }
+
+        @Override
+        public ShaderTables tables(MethodUse use, FourierTables fourier) {
+            boolean weighted = weighting == Weighting.WIDTH;
+            ShaderTables bins = plan.sampling().tables(plan, fourier.of(plan), use, surface.cie());
+            double width = surface.map().width();
+            double height = surface.map().height();
+            double sigma = plan.window().sigmaFrequency();
+            // A ray that crosses columns obliquely passes a column's bins at up to this many times their distance to
+            // it.
+            double reach = Math.sqrt(-Math.log(FAINTEST)) * sigma * Math.hypot(width, height);
+            ShaderTables.Builder tables = new ShaderTables.Builder(weighted ? "nmm" : "nmm_thesis")
+                    .all(bins)
+                    .define("ORDERS_OVERLAP", sigma * Math.max(width, height) > OVERLAP_SIGMA_BINS ? "1" : "0")
+                    .define("ACROSS", (int) Math.max(0, Math.ceil(reach - 0.5)));
+            if (weighted) {
+                addWidths(tables, sigma);
+                return tables.build(bins.windowSigma(), bins.specularReach());
+            }
+            tables.array(ColorArrays.cieWeights(surface.cie()))
+                    .reals("orderStep", WAVELENGTH_STEP)
+                    .reals("cieWhite", ColorArrays.cieWhite(surface.cie()));
+            // The thesis's form has a white disc in its place, up to the first wavelength that meets a bin.
+            double disc = CieTable.MINIMUM_WAVELENGTH / Math.min(width, height);
+            return tables.build(bins.windowSigma(), Math.max(bins.specularReach(), disc));
+        }
+
+        private void addWidths(ShaderTables.Builder tables, double sigma) {
+            OrderWeights weights = OrderWeights.tabulate(
+                    surface.cie(), Math.min(sigma / LARGEST_UV, 0.5 * WIDEST_ORDER), WIDEST_ORDER);
+            int texelCount = weights.columns() * weights.rows();
+            float[] texels = new float[4 * texelCount];
+            for (int i = 0; i < texelCount; i++) {
+                System.arraycopy(weights.values(), 3 * i, texels, 4 * i, 3);
+            }
+            tables.array(TableArray.of(ownLayout(), texels))
+                    .reals("windowSigmaFrequency", sigma)
+                    .reals("orderWidest", WIDEST_ORDER)
+                    .reals(
+                            "orderPlaceMap",
+                            SpectrumArrays.textureMap(
+                                    weights.minimumPlace(), weights.maximumPlace(), weights.columns()))
+                    .reals(
+                            "orderWidthMap",
+                            SpectrumArrays.textureMap(weights.minimumWidth(), weights.maximumWidth(), weights.rows()));
+        }
+    }
+}

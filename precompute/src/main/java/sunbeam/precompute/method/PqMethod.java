@@ -1,0 +1,272 @@
+package sunbeam.precompute.method;
+
+import static sunbeam.precompute.plan.MethodSettings.AVERAGE;
+import static sunbeam.precompute.plan.MethodSettings.COHERENCE_LENGTH;
+import static sunbeam.precompute.plan.MethodSettings.INTERPOLATION;
+import static sunbeam.precompute.plan.MethodSettings.REPLICAS;
+
+import java.util.ArrayList;
+import java.util.List;
+import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.color.WavelengthNodes;
+import sunbeam.precompute.expansion.CoefficientTable;
+import sunbeam.precompute.expansion.Expansion;
+import sunbeam.precompute.fourier.Band;
+import sunbeam.precompute.fourier.ComplexVector;
+import sunbeam.precompute.optics.CoherenceWindow;
+import sunbeam.precompute.optics.Replicas;
+import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.plan.Accuracy;
+import sunbeam.precompute.plan.Average;
+import sunbeam.precompute.plan.GaussianArea;
+import sunbeam.precompute.plan.MemoryNeed;
+import sunbeam.precompute.plan.ReplicatedArea;
+import sunbeam.precompute.plan.TableChoices;
+import sunbeam.precompute.plan.VisibleRange;
+import sunbeam.precompute.resample.PeriodInterpolation;
+import sunbeam.precompute.resample.PeriodSpectrum;
+import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.setting.Setting;
+import sunbeam.precompute.shader.ArrayLayout;
+import sunbeam.precompute.shader.CoefficientSource;
+import sunbeam.precompute.shader.ColorArrays;
+import sunbeam.precompute.shader.MethodUse;
+import sunbeam.precompute.shader.ShaderTables;
+import sunbeam.precompute.shader.SpectrumArrays;
+import sunbeam.precompute.shader.TableArray;
+
+/**
+ * The patch repeated Q times, with a sharp edge in place of a window. The replicas lie at one place, so that there is one
+ * average only.
+ *
+ * @param table the tables and wavelengths
+ * @param interpolation between the bins of one period's DFT
+ * @param repetition how often
+ */
+public record PqMethod(TableChoices table, PeriodInterpolation interpolation, Repetition repetition) implements Method {
+    // The thesis's, metres.
+    private static final double COARSEST_STEP = 5e-9;
+
+    private static final double FINEST_STEP = 0.05e-9;
+    private static final int TERMS_PER_TEXEL = 2;
+    private static final String TERMS = "periodTerms";
+    private static final String COEFFICIENTS = "periodCoefficients";
+
+    /** Its name and settings. */
+    public static final MethodType TYPE = new MethodType(
+                    "pq", "the patch repeated Q times, sharp edge.", settings(), PqMethod::of)
+            .fixing(AVERAGE, Average.COHERENT);
+
+    /** How often the patch is repeated. */
+    public sealed interface Repetition {
+        /** For a patch. */
+        Replicas of(HeightMap map);
+    }
+
+    /**
+     * As often as comes closest to a coherence length.
+     *
+     * @param window that length's
+     */
+    public record Filling(CoherenceWindow window) implements Repetition {
+        @Override
+        public Replicas of(HeightMap map) {
+            return Replicas.filling(window, map.width(), map.height());
+        }
+    }
+
+    /**
+     * So many times along both axes, whatever the coherence length.
+     *
+     * @param replicas 1..{@link Replicas#MOST}
+     */
+    public record Times(int replicas) implements Repetition {
+        public Times {
+            REPLICAS.kind().check(replicas);
+        }
+
+        @Override
+        public Replicas of(HeightMap map) {
+            return new Replicas(replicas, replicas);
+        }
+    }
+
+    private static List<Setting<?>> settings() {
+        List<Setting<?>> settings = new ArrayList<>(TableChoices.SETTINGS);
+        settings.addAll(List.of(COHERENCE_LENGTH, INTERPOLATION, REPLICAS));
+        return settings;
+    }
+
+    private static PqMethod of(Choices choices) {
+        Repetition repetition = choices.find(REPLICAS)
+                .<Repetition>map(Times::new)
+                .orElseGet(() -> new Filling(GaussianArea.windowOf(choices)));
+        return new PqMethod(TableChoices.of(choices), choices.get(INTERPOLATION), repetition);
+    }
+
+    /** Planned for a tolerance, filling sunlight's coherence length. */
+    public static PqMethod within(double tolerance, PeriodInterpolation interpolation) {
+        return new PqMethod(
+                TableChoices.of(new Accuracy.ByTolerance(tolerance)),
+                interpolation,
+                new Filling(GaussianArea.STANDARD.window()));
+    }
+
+    @Override
+    public MethodType type() {
+        return TYPE;
+    }
+
+    @Override
+    public ReferenceMethod exact(HeightMap map) {
+        return new ReferenceMethod(new ReplicatedArea(repetition.of(map)));
+    }
+
+    @Override
+    public MethodPlan plan(Surface surface, VisibleRange range) {
+        Replicas replicas = repetition.of(surface.map());
+        double step = table.accuracy().isThesis() ? COARSEST_STEP : wavelengthStep(surface.map(), replicas, range);
+        WavelengthNodes wavelengths =
+                WavelengthNodes.uniform(surface.cie(), table.wavelengthStep().orElse(step));
+        Planned planned = new Planned(
+                surface, surface.planner().expansion(table, range), range, interpolation, replicas, wavelengths);
+        surface.planner()
+                .require(
+                        planned.memory(),
+                        "%d x %d samples of the period's spectrum in %d terms"
+                                .formatted(
+                                        planned.bandX().count(),
+                                        planned.bandY().count(),
+                                        planned.expansion().terms()));
+        return planned;
+    }
+
+    /**
+     * The step of the wavelength that resolves the replicas' fringes, metres: as a function of 1 / lambda the power of a
+     * width a is band-limited to |u| a + |v| b cycles, and one node a cycle is what the trapezoid rule needs at least.
+     */
+    private static double wavelengthStep(HeightMap map, Replicas replicas, VisibleRange range) {
+        double cycles = largest(range.minimumU(), range.maximumU()) * replicas.alongX() * map.width()
+                + largest(range.minimumV(), range.maximumV()) * replicas.alongY() * map.height();
+        double shortest = CieTable.MINIMUM_WAVELENGTH;
+        return Math.min(COARSEST_STEP, Math.max(FINEST_STEP, shortest * shortest / Math.max(1e-9, cycles)));
+    }
+
+    private static double largest(double a, double b) {
+        return Math.max(Math.abs(a), Math.abs(b));
+    }
+
+    /** For a surface and the directions that can occur. */
+    private record Planned(
+            Surface surface,
+            Expansion expansion,
+            VisibleRange range,
+            PeriodInterpolation interpolation,
+            Replicas replicas,
+            WavelengthNodes wavelengths)
+            implements MethodPlan {
+        @Override
+        public String summary() {
+            return "pq: %d %s terms, %d x %d replicas with sharp edges, %s interpolation, %d wavelengths"
+                    .formatted(
+                            expansion.terms(),
+                            expansion.kind().label(),
+                            replicas.alongX(),
+                            replicas.alongY(),
+                            interpolation.label(),
+                            wavelengths.count());
+        }
+
+        @Override
+        public List<String> reasons() {
+            return List.of(
+                    "replicas: as asked for, or as many as come closest to the coherence length",
+                    "spectrum: of one period, %d samples a bin, %d taps along each axis; see docs/methods.md for its error"
+                            .formatted(interpolation.oversampling(), interpolation.taps()),
+                    "wavelengths: as asked for, or one for each cycle of the power over 1 / lambda");
+        }
+
+        /** Samples of the spectrum along x. */
+        private Band bandX() {
+            return range.bandX(interpolation.oversampling() * surface.map().width(), interpolation.margin());
+        }
+
+        /** Samples of the spectrum along y. */
+        private Band bandY() {
+            return range.bandY(interpolation.oversampling() * surface.map().height(), interpolation.margin());
+        }
+
+        private ArrayLayout termsLayout() {
+            int layers = (expansion.terms() + TERMS_PER_TEXEL - 1) / TERMS_PER_TEXEL;
+            return ArrayLayout.layered(TERMS, bandX().count(), bandY().count(), layers, 2 * TERMS_PER_TEXEL);
+        }
+
+        @Override
+        public MemoryNeed memory() {
+            ArrayLayout terms = termsLayout();
+            int samples = CoefficientTable.sampleCount(expansion.minimumPhase(), expansion.maximumPhase());
+            List<ArrayLayout> layouts = List.of(
+                    SpectrumArrays.kernelLayout(interpolation.taps()),
+                    SpectrumArrays.coefficientsLayout(COEFFICIENTS, samples, expansion.terms(), 4),
+                    ColorArrays.wavelengthsLayout(wavelengths),
+                    terms);
+            // One transform, complex numbers in double precision, half and whole, and the layer that it goes to.
+            long lines = (long) interpolation.oversampling() * surface.map().rows() + terms.height();
+            return MemoryNeed.of(2L * Double.BYTES * lines * terms.width() + terms.bytes() / terms.layers(), layouts);
+        }
+
+        @Override
+        public String key(MethodUse use) {
+            return String.join(
+                    "|",
+                    "pq",
+                    surface.key(),
+                    expansion.key(),
+                    range.toString(),
+                    interpolation.toString(),
+                    replicas.toString(),
+                    Integer.toString(wavelengths.count()));
+        }
+
+        @Override
+        public ShaderTables tables(MethodUse use, FourierTables fourier) {
+            HeightMap map = surface.map();
+            PeriodSpectrum spectrum =
+                    new PeriodSpectrum(map, surface.levels(), expansion, bandX(), bandY(), interpolation);
+            CoefficientTable coefficients = spectrum.coefficients();
+            ArrayLayout terms = termsLayout();
+            ShaderTables.Builder tables = new ShaderTables.Builder("pq");
+            Average.COHERENT.defineIn(tables);
+            CoefficientSource.SAMPLED.defineIn(tables, expansion.terms());
+            // Of the Gaussian whose effective area, 4 pi sigma^2, is that of the replicas.
+            CoherenceWindow equalArea = replicas.equalAreaWindow(map.width(), map.height());
+            return tables.define("TAPS", interpolation.taps())
+                    .define("PERIOD_LAYERS", terms.layers())
+                    .array(SpectrumArrays.kernel(interpolation.taps(), interpolation::kernel))
+                    .array(SpectrumArrays.coefficients(COEFFICIENTS, coefficients, 4))
+                    .array(ColorArrays.wavelengths(wavelengths))
+                    .array(TableArray.computed(terms, layer -> layer(spectrum, layer)))
+                    .reals("heightHalfRange", expansion.scale().halfRange())
+                    .reals("periodPhaseMap", SpectrumArrays.phaseMap(coefficients))
+                    .reals("periodScale", spectrum.scaleX(), spectrum.scaleY())
+                    .reals("periodFirst", bandX().first(), bandY().first())
+                    .reals("periodLength", spectrum.width(), spectrum.height())
+                    .reals("periodReplicas", replicas.alongX(), replicas.alongY())
+                    .integers("wavelengthCount", wavelengths.count())
+                    .build(equalArea.sigmaMetres(), equalArea.specularReach(CieTable.MAXIMUM_WAVELENGTH));
+        }
+
+        private static float[] layer(PeriodSpectrum spectrum, int layer) {
+            float[] texels =
+                    new float[4 * spectrum.bandX().count() * spectrum.bandY().count()];
+            for (int n = 0; n < TERMS_PER_TEXEL && TERMS_PER_TEXEL * layer + n < spectrum.terms(); n++) {
+                ComplexVector term = spectrum.term(TERMS_PER_TEXEL * layer + n);
+                for (int i = 0; i < term.length(); i++) {
+                    texels[4 * i + 2 * n] = (float) term.real()[i];
+                    texels[4 * i + 2 * n + 1] = (float) term.imaginary()[i];
+                }
+            }
+            return texels;
+        }
+    }
+}

@@ -1,0 +1,71 @@
+package sunbeam.precompute.method;
+
+import static sunbeam.precompute.plan.MethodSettings.AVERAGE;
+import static sunbeam.precompute.plan.MethodSettings.PRESET;
+import static sunbeam.precompute.plan.MethodSettings.REPLICAS;
+import static sunbeam.precompute.plan.MethodSettings.WINDOW_ORIGIN;
+
+import java.util.ArrayList;
+import java.util.List;
+import sunbeam.precompute.optics.Replicas;
+import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.plan.Average;
+import sunbeam.precompute.plan.CoherenceArea;
+import sunbeam.precompute.plan.GaussianArea;
+import sunbeam.precompute.plan.ReplicatedArea;
+import sunbeam.precompute.plan.VisibleRange;
+import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.setting.Setting;
+import sunbeam.precompute.setting.SettingException;
+
+/**
+ * Direct sums over the surface in double precision: the truth.
+ *
+ * @param area the window, or the replicas in its place
+ */
+public record ReferenceMethod(CoherenceArea area) implements Method {
+    /** Its name and settings. Of the preset it takes the window's place. */
+    public static final MethodType TYPE = new MethodType(
+            "reference",
+            "direct sums in double precision on the processor; slow, the truth; not for maps.",
+            settings(),
+            ReferenceMethod::of);
+
+    private static List<Setting<?>> settings() {
+        List<Setting<?>> settings = new ArrayList<>(List.of(PRESET));
+        settings.addAll(GaussianArea.SETTINGS);
+        settings.add(REPLICAS);
+        return settings;
+    }
+
+    private static ReferenceMethod of(Choices choices) {
+        if (!choices.has(REPLICAS)) {
+            return new ReferenceMethod(GaussianArea.of(choices));
+        }
+        if (choices.get(AVERAGE) == Average.ENSEMBLE) {
+            throw choices.complaint(AVERAGE, "is not for ", REPLICAS, ", which lie at one place; leave out one");
+        }
+        if (choices.has(WINDOW_ORIGIN)) {
+            throw choices.complaint(
+                    WINDOW_ORIGIN, "is about the Gaussian window, in whose place ", REPLICAS, " stand; leave out one");
+        }
+        int count = choices.get(REPLICAS, 1);
+        return new ReferenceMethod(new ReplicatedArea(new Replicas(count, count)));
+    }
+
+    @Override
+    public MethodType type() {
+        return TYPE;
+    }
+
+    @Override
+    public ReferenceMethod exact(HeightMap map) {
+        return this;
+    }
+
+    /** It has no shader. */
+    @Override
+    public MethodPlan plan(Surface surface, VisibleRange range) {
+        throw new SettingException(Methods.METHOD, "reference evaluates single directions; use it with 'reflectance'");
+    }
+}

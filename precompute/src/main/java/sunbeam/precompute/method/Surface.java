@@ -1,0 +1,37 @@
+package sunbeam.precompute.method;
+
+import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.patch.HeightLevels;
+import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.patch.Patch;
+import sunbeam.precompute.plan.Planner;
+import sunbeam.precompute.table.PatchIdentity;
+
+/**
+ * A surface and the light that colours it: all that a method is planned for but the directions.
+ *
+ * @param map heights without missing samples
+ * @param levels the same, by distinct height
+ * @param identity whose tables are whose
+ * @param cie the observer and the illuminant
+ */
+public record Surface(HeightMap map, HeightLevels levels, PatchIdentity identity, CieTable cie) {
+
+    /** A loaded patch under D65. */
+    public static Surface of(Patch patch) {
+        HeightMap map = patch.heights();
+        PatchIdentity identity =
+                new PatchIdentity(patch.name(), map.columns(), map.rows(), map.pitchX(), map.pitchY(), patch.digest());
+        return new Surface(map, HeightLevels.of(map), identity, CieTable.load());
+    }
+
+    /** Plans Fourier tables of it. */
+    public Planner planner() {
+        return new Planner(map, levels, cie);
+    }
+
+    /** Which surface and which light, as text: equal texts mean equal tables of equal plans. */
+    String key() {
+        return identity.digest() + "|" + cie.digest();
+    }
+}

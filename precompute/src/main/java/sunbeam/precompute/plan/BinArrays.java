@@ -1,0 +1,90 @@
+package sunbeam.precompute.plan;
+
+import java.util.ArrayList;
+import java.util.List;
+import sunbeam.precompute.expansion.CoefficientTable;
+import sunbeam.precompute.expansion.Expansion;
+import sunbeam.precompute.expansion.ExpansionKind;
+import sunbeam.precompute.fourier.Band;
+import sunbeam.precompute.fourier.ComplexVector;
+import sunbeam.precompute.shader.ArrayLayout;
+import sunbeam.precompute.shader.CoefficientSource;
+import sunbeam.precompute.shader.ShaderTables;
+import sunbeam.precompute.shader.SpectrumArrays;
+import sunbeam.precompute.shader.TableArray;
+import sunbeam.precompute.table.FourierTable;
+import sunbeam.precompute.table.WindowPhase;
+
+/** DFT bins as shaders/method/neighbourhood.glsl reads them. */
+final class BinArrays {
+    // As in shaders/method/neighbourhood.glsl.
+    private static final int UNROLLED_RADIUS = 4;
+    private static final String TERMS = "tableTerms";
+    private static final String COEFFICIENTS = "expansionCoefficients";
+
+    private BinArrays() {}
+
+    static List<ArrayLayout> layouts(Plan plan) {
+        List<ArrayLayout> layouts = new ArrayList<>();
+        Expansion expansion = plan.expansion();
+        layouts.add(terms(plan.bandX(), plan.bandY(), expansion.terms()));
+        if (expansion.kind() != ExpansionKind.TAYLOR) {
+            int samples = CoefficientTable.sampleCount(expansion.minimumPhase(), expansion.maximumPhase());
+            layouts.add(SpectrumArrays.coefficientsLayout(COEFFICIENTS, samples, expansion.terms(), 1));
+        }
+        return layouts;
+    }
+
+    /** One layer a term, real and imaginary parts. */
+    private static ArrayLayout terms(Band bandX, Band bandY, int terms) {
+        return ArrayLayout.layered(TERMS, bandX.count(), bandY.count(), terms, 2);
+    }
+
+    /** Everything but the wavelengths. */
+    static ShaderTables.Builder tables(String shader, Plan plan, FourierTable table, Neighbourhood neighbourhood) {
+        ShaderTables.Builder tables = new ShaderTables.Builder(shader);
+        plan.average().defineIn(tables);
+        addTerms(tables, plan, table);
+        addExpansion(tables, table);
+        boolean floor = neighbourhood.anchor() == Neighbourhood.Anchor.FLOOR;
+        tables.define("ANCHOR_FLOOR", 0)
+                .define("ANCHOR_NEAREST", 1)
+                .define("ANCHOR", floor ? "ANCHOR_FLOOR" : "ANCHOR_NEAREST")
+                .define("RADIUS", neighbourhood.radius());
+        if (neighbourhood.radius() > UNROLLED_RADIUS) {
+            tables.integers("tableRadius", neighbourhood.radius());
+        }
+        double sigma = plan.window().sigmaFrequency();
+        double width = table.patch().width();
+        double height = table.patch().height();
+        return tables.reals("tablePeriod", width, height)
+                .reals("tablePeriodRest", width - (float) width, height - (float) height)
+                .reals("windowSigmaBins", sigma * width, sigma * height);
+    }
+
+    private static void addTerms(ShaderTables.Builder tables, Plan plan, FourierTable table) {
+        WindowPhase phase = new WindowPhase(table, plan.origin());
+        tables.array(TableArray.computed(
+                        terms(table.bandX(), table.bandY(), table.terms()), n -> interleaved(phase.term(n))))
+                .integers("tableFirst", table.bandX().first(), table.bandY().first());
+    }
+
+    private static void addExpansion(ShaderTables.Builder tables, FourierTable table) {
+        CoefficientSource source =
+                table.coefficients().isPresent() ? CoefficientSource.SAMPLED : CoefficientSource.TAYLOR;
+        source.defineIn(tables, table.terms());
+        tables.reals("heightHalfRange", table.scale().halfRange());
+        table.coefficients()
+                .ifPresent(coefficients -> tables.array(SpectrumArrays.coefficients(COEFFICIENTS, coefficients, 1))
+                        .reals("expansionPhaseMap", SpectrumArrays.phaseMap(coefficients)));
+    }
+
+    private static float[] interleaved(ComplexVector values) {
+        float[] result = new float[2 * values.length()];
+        for (int i = 0; i < values.length(); i++) {
+            result[2 * i] = (float) values.real()[i];
+            result[2 * i + 1] = (float) values.imaginary()[i];
+        }
+        return result;
+    }
+}

@@ -1,0 +1,123 @@
+package sunbeam.precompute.plan;
+
+import java.math.BigDecimal;
+import java.math.MathContext;
+import java.math.RoundingMode;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.color.WavelengthNodes;
+import sunbeam.precompute.optics.CoherenceWindow;
+import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.shader.ArrayLayout;
+import sunbeam.precompute.shader.ColorArrays;
+import sunbeam.precompute.shader.MethodUse;
+import sunbeam.precompute.shader.ShaderTables;
+import sunbeam.precompute.table.FourierTable;
+import sunbeam.precompute.units.Lengths;
+
+/**
+ * Sums a neighbourhood of bins at fixed wavelengths: the thesis's way (shaders/method/full_bins.glsl).
+ *
+ * @param neighbourhood the bins
+ * @param wavelengths in equal steps
+ */
+public record BinSampling(Neighbourhood neighbourhood, WavelengthNodes wavelengths) implements Sampling {
+
+    @Override
+    public String summary(VisibleRange range) {
+        return neighbourhood.summary() + " at " + wavelengths.count() + " wavelengths";
+    }
+
+    @Override
+    public List<String> reasons(VisibleRange range) {
+        return List.of("spectrum and wavelengths: " + summary(range) + ", as asked for");
+    }
+
+    @Override
+    public List<String> warnings(Plan plan, double tolerance, HeightMap map) {
+        List<String> lines = new ArrayList<>();
+        checkRadius(plan, tolerance, map, lines);
+        checkWavelengths(plan, tolerance, lines);
+        return lines;
+    }
+
+    private void checkRadius(Plan plan, double tolerance, HeightMap map, List<String> lines) {
+        double sigmaBins = plan.window().sigmaFrequency() * Math.max(map.width(), map.height());
+        int needed = new ErrorBudget(tolerance).neighbourhoodRadius(sigmaBins);
+        if (neighbourhood.radius() < needed) {
+            lines.add(String.format(
+                    Locale.ROOT,
+                    "radius %d cuts the window's spectrum, which is %.2f DFT bins wide; the tolerance %s takes --radius %d",
+                    neighbourhood.radius(),
+                    sigmaBins,
+                    tolerance,
+                    needed));
+        }
+    }
+
+    private void checkWavelengths(Plan plan, double tolerance, List<String> lines) {
+        double step = (CieTable.MAXIMUM_WAVELENGTH - CieTable.MINIMUM_WAVELENGTH) / (wavelengths.count() - 1);
+        double needed = coarsestWavelengthStep(plan.window(), plan.range(), tolerance);
+        // 1e-9: a step that was planned comes back by way of a count.
+        if (step > needed * (1 + 1e-9)) {
+            lines.add(String.format(
+                    Locale.ROOT,
+                    "wavelengths %s apart miss parts of the orders farthest from the specular direction; the tolerance %s"
+                            + " takes --wavelength-step %s",
+                    Lengths.format(step),
+                    tolerance,
+                    Lengths.format(roundedDown(needed)).replace(" ", "")));
+        }
+    }
+
+    /**
+     * The coarsest step of the wavelength that keeps a tolerance, metres. The power of a lone order is a Gaussian of
+     * deviation lambda^2 sigma_f / (sqrt(2) |(u, v)|), for which the trapezoid rule errs by 2 exp(-2 (pi deviation /
+     * step)^2).
+     */
+    static double coarsestWavelengthStep(CoherenceWindow window, VisibleRange range, double tolerance) {
+        double shortest = CieTable.MINIMUM_WAVELENGTH;
+        double deviation =
+                shortest * shortest * window.sigmaFrequency() / (Math.sqrt(2) * Math.max(1e-9, range.longestUv()));
+        return Math.PI * deviation * Math.sqrt(2 / Math.log(2 / tolerance));
+    }
+
+    private static double roundedDown(double value) {
+        return new BigDecimal(value)
+                .round(new MathContext(2, RoundingMode.DOWN))
+                .doubleValue();
+    }
+
+    @Override
+    public int margin(CoherenceWindow window, double period) {
+        return neighbourhood.margin();
+    }
+
+    @Override
+    public long reads(Plan plan) {
+        return wavelengths.count() * neighbourhood.reads(plan.expansion().terms());
+    }
+
+    @Override
+    public List<ArrayLayout> layouts(Plan plan, MethodUse use) {
+        List<ArrayLayout> layouts = BinArrays.layouts(plan);
+        layouts.add(ColorArrays.wavelengthsLayout(wavelengths));
+        return layouts;
+    }
+
+    @Override
+    public ShaderTables tables(Plan plan, FourierTable table, MethodUse use, CieTable cie) {
+        return BinArrays.tables("full_bins", plan, table, neighbourhood)
+                .array(ColorArrays.wavelengths(wavelengths))
+                .integers("wavelengthCount", wavelengths.count())
+                .build(plan.window().sigmaMetres(), plan.specularReach());
+    }
+
+    /** For keys: the wavelengths follow from their number. */
+    @Override
+    public String toString() {
+        return "BinSampling[" + neighbourhood + ", " + wavelengths.count() + " wavelengths]";
+    }
+}

@@ -1,0 +1,170 @@
+package sunbeam.precompute.plan;
+
+import java.util.List;
+import java.util.Locale;
+import sunbeam.precompute.expansion.CoefficientTable;
+import sunbeam.precompute.expansion.Expansion;
+import sunbeam.precompute.resample.AxisGrid;
+import sunbeam.precompute.resample.AxisResampler;
+import sunbeam.precompute.resample.Fields;
+import sunbeam.precompute.resample.GridResampler;
+import sunbeam.precompute.resample.GridResampler.Order;
+import sunbeam.precompute.shader.ArrayLayout;
+import sunbeam.precompute.shader.MethodUse;
+import sunbeam.precompute.shader.ShaderTables;
+import sunbeam.precompute.shader.SpectrumArrays;
+import sunbeam.precompute.shader.TableArray;
+import sunbeam.precompute.table.FourierTable;
+
+/** Resampled spectra of one average as shaders/method/grid_tables.glsl reads them. */
+final class GridArrays {
+    private static final int CHANNELS = 4;
+
+    private final GridSampling sampling;
+    private final Plan plan;
+    private final Average average;
+    private final String name;
+    private final double sigma;
+    private final double step;
+    private final int taps;
+
+    /** @param sampling the plan's */
+    GridArrays(GridSampling sampling, Plan plan, Average average) {
+        this.sampling = sampling;
+        this.plan = plan;
+        this.average = average;
+        this.name = average.name().toLowerCase(Locale.ROOT);
+        double window = plan.window().sigmaFrequency();
+        // The square of a Gaussian is narrower by sqrt(2).
+        this.sigma = average == Average.COHERENT ? window : window / Math.sqrt(2);
+        this.step = sigma / sampling.interpolation().deviation();
+        this.taps = sampling.interpolation().taps();
+    }
+
+    /**
+     * Shapes of all arrays. The ensemble has about twice as many terms as the expansion, but real ones, four a texel, where
+     * two complex terms share one.
+     */
+    List<ArrayLayout> layouts(MethodUse use) {
+        Expansion expansion = plan.expansion();
+        int layers = (2 * expansion.terms() + CHANNELS - 1) / CHANNELS;
+        int samples = CoefficientTable.sampleCount(expansion.minimumPhase(), expansion.maximumPhase());
+        int functions = average == Average.COHERENT ? expansion.terms() : CHANNELS * layers;
+        ArrayLayout coefficients =
+                SpectrumArrays.coefficientsLayout(name + "Coefficients", samples, functions, CHANNELS);
+        return use == MethodUse.SPECTRAL
+                ? List.of(coefficients, pointLayout(layers, use))
+                : List.of(coefficients, pointLayout(layers, use), raysLayout(layers));
+    }
+
+    private ArrayLayout pointLayout(int layers, MethodUse use) {
+        VisibleRange range = pointRange(use);
+        return ArrayLayout.layered(
+                name + "Point",
+                range.gridX(step, taps).count(),
+                range.gridY(step, taps).count(),
+                layers,
+                CHANNELS);
+    }
+
+    private ArrayLayout raysLayout(int layers) {
+        return ArrayLayout.layered(
+                name + "Rays",
+                Math.max(nodesX().count(), nodesY().count()),
+                Math.max(samplesX().count(), samplesY().count()),
+                2 * layers,
+                CHANNELS);
+    }
+
+    /** Where both axes are interpolated: everywhere for single wavelengths, near the specular direction for colours. */
+    private VisibleRange pointRange(MethodUse use) {
+        VisibleRange range = plan.range();
+        if (use == MethodUse.SPECTRAL) {
+            return range;
+        }
+        double reach = sampling.centreReach();
+        return new VisibleRange(-reach, reach, -reach, reach, range.minimumW(), range.maximumW());
+    }
+
+    private AxisGrid nodesX() {
+        return plan.range().gridX(sampling.nodeStep(), 1);
+    }
+
+    private AxisGrid nodesY() {
+        return plan.range().gridY(sampling.nodeStep(), 1);
+    }
+
+    private AxisGrid samplesX() {
+        return plan.range().gridX(step, taps);
+    }
+
+    private AxisGrid samplesY() {
+        return plan.range().gridY(step, taps);
+    }
+
+    /** Adds the arrays of some fields, and what the shader must know of them. */
+    void addTo(ShaderTables.Builder tables, FourierTable table, Fields fields, MethodUse use) {
+        int layers = (fields.count() + CHANNELS - 1) / CHANNELS;
+        CoefficientTable coefficients = fields.coefficients();
+        tables.define(name.toUpperCase(Locale.ROOT) + "_LAYERS", layers)
+                .array(SpectrumArrays.coefficients(name + "Coefficients", coefficients, CHANNELS))
+                .reals(name + "PhaseMap", SpectrumArrays.phaseMap(coefficients))
+                .reals(name + "Scale", 1 / step);
+        addPoint(tables, table, fields, pointLayout(layers, use), use);
+        if (use == MethodUse.COLOUR) {
+            addRays(tables, table, fields, raysLayout(layers));
+        }
+    }
+
+    /** The grid on which both axes are interpolated. */
+    private void addPoint(
+            ShaderTables.Builder tables, FourierTable table, Fields fields, ArrayLayout layout, MethodUse use) {
+        AxisGrid pointX = pointRange(use).gridX(step, taps);
+        AxisGrid pointY = pointRange(use).gridY(step, taps);
+        GridResampler resampler = new GridResampler(
+                AxisResampler.forInterpolation(
+                        pointX, table.bandX(), table.patch().width(), sampling.interpolation()),
+                AxisResampler.forInterpolation(
+                        pointY, table.bandY(), table.patch().height(), sampling.interpolation()));
+        tables.array(TableArray.computed(layout, layer -> layer(fields, layer, resampler, Order.ROWS)))
+                .reals(name + "PointFirst", pointX.first(), pointY.first());
+    }
+
+    /** The grids whose columns (along x) and rows (along y) the rays cross; the latter transposed. */
+    private void addRays(ShaderTables.Builder tables, FourierTable table, Fields fields, ArrayLayout layout) {
+        double patchWidth = table.patch().width();
+        double patchHeight = table.patch().height();
+        GridResampler columns = new GridResampler(
+                AxisResampler.exact(nodesX().extended(layout.width()), table.bandX(), patchWidth, sigma),
+                AxisResampler.forInterpolation(
+                        samplesY().extended(layout.height()), table.bandY(), patchHeight, sampling.interpolation()));
+        GridResampler rows = new GridResampler(
+                AxisResampler.forInterpolation(
+                        samplesX().extended(layout.height()), table.bandX(), patchWidth, sampling.interpolation()),
+                AxisResampler.exact(nodesY().extended(layout.width()), table.bandY(), patchHeight, sigma));
+        int layers = layout.layers() / 2;
+        tables.array(TableArray.computed(
+                        layout,
+                        layer -> layer < layers
+                                ? layer(fields, layer, columns, Order.ROWS)
+                                : layer(fields, layer - layers, rows, Order.COLUMNS)))
+                .reals("gridRayScale", 1 / step)
+                .reals(
+                        "gridRaysFirst",
+                        nodesX().first(),
+                        samplesY().first(),
+                        nodesY().first(),
+                        samplesX().first());
+    }
+
+    private static float[] layer(Fields fields, int layer, GridResampler resampler, Order order) {
+        float[] texels = new float[CHANNELS * resampler.size()];
+        for (int channel = 0; channel < CHANNELS; channel++) {
+            int field = CHANNELS * layer + channel;
+            if (field < fields.count()) {
+                resampler.resample(fields.field(field), texels, channel, CHANNELS, order);
+            }
+        }
+        return texels;
+    }
+}

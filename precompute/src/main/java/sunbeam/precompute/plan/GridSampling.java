@@ -1,0 +1,161 @@
+package sunbeam.precompute.plan;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.optics.CoherenceWindow;
+import sunbeam.precompute.resample.AmplitudeFields;
+import sunbeam.precompute.resample.Fields;
+import sunbeam.precompute.resample.InterpolationDesign;
+import sunbeam.precompute.resample.PowerFields;
+import sunbeam.precompute.shader.ArrayLayout;
+import sunbeam.precompute.shader.CoefficientSource;
+import sunbeam.precompute.shader.ColorArrays;
+import sunbeam.precompute.shader.MethodUse;
+import sunbeam.precompute.shader.ShaderTables;
+import sunbeam.precompute.shader.SpectrumArrays;
+import sunbeam.precompute.table.FourierTable;
+
+/**
+ * Interpolates spectra that were windowed and resampled beforehand. Wavelengths lie where the ray f = (u, v) / lambda
+ * crosses the columns of a grid, so that only one axis is left to interpolate (shaders/method/full_grid.glsl).
+ *
+ * @param interpolation along that axis
+ * @param nodeStep distance of the columns, cycles per metre
+ * @param largestStride a ray that crosses many columns stops at every second one, or third, up to this
+ * @param fewestNodes directions whose ray crosses fewer columns than this within the visible band, those near the specular
+ *     one, take this many equal steps of 1 / lambda and interpolate both axes
+ * @param budget what each source may err
+ */
+public record GridSampling(
+        InterpolationDesign interpolation, double nodeStep, int largestStride, int fewestNodes, ErrorBudget budget)
+        implements Sampling {
+
+    /** Largest of |u|, |v| up to which both axes are interpolated. */
+    public double centreReach() {
+        double waveNumbers = 1 / CieTable.MINIMUM_WAVELENGTH - 1 / CieTable.MAXIMUM_WAVELENGTH;
+        return fewestNodes * nodeStep / waveNumbers;
+    }
+
+    @Override
+    public String summary(VisibleRange range) {
+        return "grid with %d taps, %d to %d wavelengths".formatted(interpolation.taps(), fewestNodes, mostNodes(range));
+    }
+
+    /** Columns that the longest ray crosses. */
+    private int mostNodes(VisibleRange range) {
+        double waveNumbers = 1 / CieTable.MINIMUM_WAVELENGTH - 1 / CieTable.MAXIMUM_WAVELENGTH;
+        return Math.max(
+                fewestNodes, (int) Math.ceil(range.maximumComponent() * waveNumbers / (largestStride * nodeStep)));
+    }
+
+    @Override
+    public List<String> reasons(VisibleRange range) {
+        return List.of(
+                String.format(
+                        Locale.ROOT,
+                        "spectrum: windowed and resampled at %.2f samples per deviation, interpolated by %d Kaiser-Bessel"
+                                + " taps; relative error of an amplitude %.1e",
+                        interpolation.deviation(),
+                        interpolation.taps(),
+                        interpolation.error()),
+                String.format(
+                        Locale.ROOT,
+                        "wavelengths: where the ray (u, v) / lambda crosses columns %.4g cycles per metre apart, with"
+                                + " strides of up to %d, at most %d; where |u|, |v| < %.3f, %d equal steps of 1 / lambda",
+                        nodeStep,
+                        largestStride,
+                        mostNodes(range),
+                        centreReach(),
+                        fewestNodes));
+    }
+
+    @Override
+    public int margin(CoherenceWindow window, double period) {
+        return (int) Math.ceil(SamplingPlanner.GAUSS_REACH * window.sigmaFrequency() * period) + 1;
+    }
+
+    @Override
+    public long reads(Plan plan) {
+        // Two complex terms share a texel.
+        return (plan.expansion().terms() + 1L) / 2 * mostNodes(plan.range()) * interpolation.taps();
+    }
+
+    /** The averages that a use asks for. */
+    private static List<Average> averages(Plan plan, MethodUse use) {
+        return use == MethodUse.SPECTRAL ? List.of(Average.COHERENT, Average.ENSEMBLE) : List.of(plan.average());
+    }
+
+    /**
+     * What serves single wavelengths: all bins that count, exactly, where they are not too many, as time is no matter
+     * there; else a grid that is fine enough for both averages.
+     */
+    private Sampling single(Plan plan, double width, double height) {
+        int radius = budget.neighbourhoodRadius(plan.window().sigmaFrequency() * Math.max(width, height));
+        return radius > Neighbourhood.LARGEST_SUM
+                ? new GridSampling(
+                        budget.interpolation(Average.ENSEMBLE), nodeStep, largestStride, fewestNodes, budget)
+                : new RaySampling(
+                        new Neighbourhood(Math.max(1, radius), Neighbourhood.Anchor.NEAREST), nodeStep, fewestNodes);
+    }
+
+    @Override
+    public List<ArrayLayout> layouts(Plan plan, MethodUse use) {
+        List<ArrayLayout> layouts = new ArrayList<>();
+        for (Average average : averages(plan, use)) {
+            layouts.addAll(new GridArrays(this, plan, average).layouts(use));
+        }
+        layouts.add(SpectrumArrays.kernelLayout(interpolation.taps()));
+        layouts.add(ColorArrays.cieWeightsLayout());
+        return layouts;
+    }
+
+    /** The terms with their phases turned, for both averages, and two layers with half-resampled ones. */
+    @Override
+    public long workBytes(Plan plan) {
+        long bins = (long) plan.bandX().count() * plan.bandY().count();
+        long turned = 2L * Double.BYTES * plan.expansion().terms() * bins;
+        long layer = 0;
+        for (MethodUse use : MethodUse.values()) {
+            for (ArrayLayout layout : layouts(plan, use)) {
+                layer = Math.max(layer, layout.bytes() / layout.layers());
+            }
+        }
+        return 2 * turned + 2 * layer;
+    }
+
+    @Override
+    public ShaderTables tables(Plan plan, FourierTable table, MethodUse use, CieTable cie) {
+        Sampling single = single(plan, table.patch().width(), table.patch().height());
+        if (use == MethodUse.SPECTRAL && !equals(single)) {
+            return single.tables(plan, table, use, cie);
+        }
+        ShaderTables.Builder tables = new ShaderTables.Builder("full_grid");
+        plan.average().defineIn(tables);
+        CoefficientSource.SAMPLED.defineIn(tables, table.terms());
+        tables.define("COHERENT_LAYERS", 0)
+                .define("ENSEMBLE_LAYERS", 0)
+                .define("TAPS", interpolation.taps())
+                .reals("heightHalfRange", table.scale().halfRange());
+        for (Average average : averages(plan, use)) {
+            new GridArrays(this, plan, average).addTo(tables, table, fields(average, plan, table), use);
+        }
+        tables.array(SpectrumArrays.kernel(interpolation.taps(), interpolation::kernel))
+                .array(ColorArrays.cieWeights(cie));
+        if (use == MethodUse.COLOUR) {
+            tables.reals("gridNodeStep", nodeStep)
+                    .integers("gridLargestStride", largestStride)
+                    .reals("gridCentreReach", centreReach())
+                    .integers("gridCentreNodes", fewestNodes)
+                    .reals("cieWhite", ColorArrays.cieWhite(cie));
+        }
+        return tables.build(plan.window().sigmaMetres(), plan.specularReach());
+    }
+
+    private Fields fields(Average average, Plan plan, FourierTable table) {
+        return average == Average.COHERENT
+                ? new AmplitudeFields(table, plan.expansion(), plan.origin())
+                : new PowerFields(table, plan.expansion(), budget.powerBasis());
+    }
+}

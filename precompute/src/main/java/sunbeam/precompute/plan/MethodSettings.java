@@ -1,0 +1,132 @@
+package sunbeam.precompute.plan;
+
+import java.util.List;
+import sunbeam.precompute.expansion.ExpansionKind;
+import sunbeam.precompute.optics.CoherenceWindow;
+import sunbeam.precompute.optics.Replicas;
+import sunbeam.precompute.optics.WindowOrigin;
+import sunbeam.precompute.resample.PeriodInterpolation;
+import sunbeam.precompute.setting.Kinds;
+import sunbeam.precompute.setting.Setting;
+import sunbeam.precompute.units.Decimals;
+
+/**
+ * The settings of the methods and their plans. Which of them a method has is said by the method (see {@link
+ * sunbeam.precompute.method.MethodType}).
+ */
+public final class MethodSettings {
+    // A wavelength's step is at most half the visible band, so that both of its ends count.
+    private static final double LARGEST_STEP = 200e-9;
+    private static final double SMALLEST_STEP = 1e-12;
+    private static final int MOST_TERMS = 500;
+
+    /** Whether the thesis's choices stand in for what is not chosen. */
+    public static final Setting<Preset> PRESET = new Setting<>(
+            "preset",
+            Kinds.word("PRESET", Preset.class),
+            "thesis: 37 Taylor terms, 380..780 nm in steps of 5 nm, 3 x 3 bins anchored with floor, window on the corner."
+                    + " Settings below override it one by one.");
+
+    /** Relative error that the plan is made for. */
+    public static final Setting<Double> TOLERANCE = new Setting<>(
+                    "tolerance",
+                    Kinds.number(
+                            "ERROR",
+                            Tolerances.FINEST,
+                            Tolerances.COARSEST,
+                            ("finer than float32 can reach, which is %s; give that or more, or evaluate directions by"
+                                            + " method reference")
+                                    .formatted(Decimals.format(Tolerances.FINEST))),
+                    "Relative error of power and colour that the plan is made for, 1e-5 to 1. Below 2e-5 float32 keeps it"
+                            + " in the median, but not three times it at the 95th percentile; method reference goes"
+                            + " further. Settings below override parts of the plan.")
+            .withStandard(Tolerances.STANDARD);
+
+    /** Kind of expansion. */
+    public static final Setting<ExpansionKind> EXPANSION = new Setting<>(
+            "expansion",
+            Kinds.word("KIND", ExpansionKind.class),
+            "Expansion of exp(i k w h): taylor, chebyshev, lowrank.");
+
+    /** Number of the expansion's terms. */
+    public static final Setting<Integer> TERMS =
+            new Setting<>("terms", Kinds.integer("N", 1, MOST_TERMS), "Number of its terms.");
+
+    /** Of the neighbourhood of bins. */
+    public static final Setting<Integer> RADIUS = new Setting<>(
+            "radius",
+            Kinds.integer("R", 0, Neighbourhood.MAXIMUM_RADIUS),
+            "Sum (2 R + 1) x (2 R + 1) DFT bins around each frequency.");
+
+    /** The neighbourhood's middle. */
+    public static final Setting<Neighbourhood.Anchor> ANCHOR = new Setting<>(
+            "anchor",
+            Kinds.word("BIN", Neighbourhood.Anchor.class),
+            "The bin in their middle: floor (thesis) or nearest.");
+
+    /** Metres. */
+    public static final Setting<Double> WAVELENGTH_STEP = new Setting<>(
+            "wavelengthStep",
+            Kinds.length(SMALLEST_STEP, LARGEST_STEP),
+            "Equal steps of the wavelength, for example 5nm.");
+
+    /** The sample under the window's maximum; the corner for the thesis, the centre otherwise. */
+    public static final Setting<WindowOrigin> WINDOW_ORIGIN = new Setting<>(
+            "windowOrigin",
+            Kinds.word("PLACE", WindowOrigin.class),
+            "Where the coherence window's maximum lies on the patch: centre (default) or corner (thesis).");
+
+    /** Four standard deviations of the window, metres. */
+    public static final Setting<Double> COHERENCE_LENGTH = new Setting<>(
+                    "coherenceLength",
+                    Kinds.length(100e-9, 10e-3),
+                    "Four standard deviations of the coherence window, sunlight's where nothing else is said; 100nm to"
+                            + " 10mm.")
+            .withStandard(CoherenceWindow.SUNLIGHT_COHERENCE_LENGTH);
+
+    /** Which power. */
+    public static final Setting<Average> AVERAGE = new Setting<>(
+                    "average",
+                    Kinds.word("KIND", Average.class),
+                    "coherent: one coherence area, with its speckle. ensemble: the mean over all positions of the window.")
+            .withStandard(Average.COHERENT);
+
+    /** Between the bins of one period's DFT. */
+    public static final Setting<PeriodInterpolation> INTERPOLATION = new Setting<>(
+                    "interpolation",
+                    Kinds.word("KIND", PeriodInterpolation.class),
+                    "For pq: sinc or linear between the bins of one period's DFT.")
+            .withStandard(PeriodInterpolation.SINC);
+
+    /** Q, along both axes. */
+    public static final Setting<Integer> REPLICAS = new Setting<>(
+            "replicas",
+            Kinds.integer("Q", 1, Replicas.MOST),
+            "For pq: repeat the patch Q times along both axes. Default: as fills the coherence length. With reference:"
+                    + " the exact sum over the replicas instead of the Gaussian window.");
+
+    /** Metres. Lines that lie closer diffract no visible light; lines farther apart are no grating. */
+    public static final Setting<Double> SPACING = new Setting<>(
+            "spacing",
+            Kinds.length(100e-9, 1e-3),
+            "For gem: distance of the grating's lines, which run along y. Default: the patch's width, for patches of one"
+                    + " period.");
+
+    /** All of them, in a manual's order. */
+    public static final List<Setting<?>> ALL = List.of(
+            PRESET,
+            TOLERANCE,
+            EXPANSION,
+            TERMS,
+            RADIUS,
+            ANCHOR,
+            WAVELENGTH_STEP,
+            WINDOW_ORIGIN,
+            COHERENCE_LENGTH,
+            AVERAGE,
+            INTERPOLATION,
+            REPLICAS,
+            SPACING);
+
+    private MethodSettings() {}
+}

@@ -1,0 +1,84 @@
+package sunbeam.precompute.plan;
+
+import java.util.List;
+import java.util.Locale;
+import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.optics.CoherenceWindow;
+import sunbeam.precompute.shader.ArrayLayout;
+import sunbeam.precompute.shader.ColorArrays;
+import sunbeam.precompute.shader.MethodUse;
+import sunbeam.precompute.shader.ShaderTables;
+import sunbeam.precompute.table.FourierTable;
+import sunbeam.precompute.units.Lengths;
+
+/**
+ * Looks at the nearest bin only, at wavelengths placed around the middle of each order that a direction sees: for patches
+ * so small that the window resolves every order (shaders/method/full_orders.glsl).
+ *
+ * @param reach how far from an order's middle wavelengths lie, in standard deviations of the order's power
+ * @param nodeSpacing their distance, likewise
+ * @param cutSpacing the same for orders that the visible band cuts
+ * @param largestStep their largest distance in metres: orders near the specular one are broader than the structure of the
+ *     colour matching functions and D65
+ * @param specularNodes wavelengths within the specular order, which has no middle
+ */
+public record OrderSampling(double reach, double nodeSpacing, double cutSpacing, double largestStep, int specularNodes)
+        implements Sampling {
+    private static final Neighbourhood NEAREST_BIN = new Neighbourhood(0, Neighbourhood.Anchor.NEAREST);
+
+    @Override
+    public String summary(VisibleRange range) {
+        return "single orders with %d wavelengths each or more".formatted(nodes());
+    }
+
+    private int nodes() {
+        return 2 * (int) Math.ceil(reach / nodeSpacing) + 1;
+    }
+
+    @Override
+    public List<String> reasons(VisibleRange range) {
+        return List.of(
+                "spectrum: the patch is so small that the window resolves every order; the nearest bin is enough",
+                String.format(
+                        Locale.ROOT,
+                        "wavelengths: %d or more around each order's middle, %.2f deviations of its power and at most %s"
+                                + " apart; %d within the specular order",
+                        nodes(),
+                        nodeSpacing,
+                        Lengths.format(largestStep),
+                        specularNodes));
+    }
+
+    @Override
+    public int margin(CoherenceWindow window, double period) {
+        return NEAREST_BIN.margin();
+    }
+
+    @Override
+    public long reads(Plan plan) {
+        // A ray from the middle passes at most half of the orders each way.
+        long passed = ((long) plan.bandX().count() + plan.bandY().count()) / 2;
+        return passed * nodes() * plan.expansion().terms();
+    }
+
+    @Override
+    public List<ArrayLayout> layouts(Plan plan, MethodUse use) {
+        List<ArrayLayout> layouts = BinArrays.layouts(plan);
+        layouts.add(ColorArrays.cieWeightsLayout());
+        return layouts;
+    }
+
+    @Override
+    public ShaderTables tables(Plan plan, FourierTable table, MethodUse use, CieTable cie) {
+        return BinArrays.tables("full_orders", plan, table, NEAREST_BIN)
+                .array(ColorArrays.cieWeights(cie))
+                .reals("orderReach", reach)
+                .reals("orderNodeSpacing", nodeSpacing)
+                .reals("orderCutSpacing", cutSpacing)
+                .reals("orderLargestStep", largestStep)
+                .integers("specularNodes", specularNodes)
+                .reals("windowSigmaFrequency", plan.window().sigmaFrequency())
+                .reals("cieWhite", ColorArrays.cieWhite(cie))
+                .build(plan.window().sigmaMetres(), plan.specularReach());
+    }
+}

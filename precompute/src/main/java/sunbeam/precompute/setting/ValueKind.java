@@ -1,0 +1,43 @@
+package sunbeam.precompute.setting;
+
+/**
+ * The values that a setting takes, as people write them.
+ *
+ * @param <T> of a value; immutable
+ */
+public interface ValueKind<T> {
+    /** How a file writes such a value. */
+    enum Form {
+        /** A text, with its unit where it has one. */
+        TEXT,
+        /** A bare number. */
+        NUMBER
+    }
+
+    /** What stands for a value in a manual, such as LENGTH. */
+    String placeholder();
+
+    /** How a file writes it. */
+    Form form();
+
+    /**
+     * The value, within the limits.
+     *
+     * @throws IllegalArgumentException when it is none; the message shows the text and says what to write instead, and does
+     *     not name the setting
+     */
+    T parse(String text);
+
+    /**
+     * A value that came from elsewhere, within the limits.
+     *
+     * @throws IllegalArgumentException as {@link #parse}
+     */
+    T check(T value);
+
+    /** The value as {@link #parse} reads it again. */
+    String format(T value);
+
+    /** What may be written, for manuals and messages: "100 nm to 10 mm", "taylor, chebyshev, lowrank". */
+    String range();
+}

@@ -1,0 +1,58 @@
+package sunbeam.precompute.shader;
+
+import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.color.SmoothCieWeights;
+import sunbeam.precompute.color.WavelengthNodes;
+
+/** Colour matching as shaders read it: weights at any wavelength, or at fixed ones. */
+public final class ColorArrays {
+    private ColorArrays() {}
+
+    /** Shape of {@link #cieWeights}. */
+    public static ArrayLayout cieWeightsLayout() {
+        return ArrayLayout.flat("cieWeights", SmoothCieWeights.SAMPLES, 1, 4).linear();
+    }
+
+    /** The CIE weights of shaders/include/spectrum.glsl, per metre of wavelength. */
+    public static TableArray cieWeights(CieTable cie) {
+        int samples = SmoothCieWeights.SAMPLES;
+        double norm = 1 / cie.integralOfY();
+        float[] texels = new float[4 * samples];
+        for (int c = 0; c < 3; c++) {
+            double[] weights = SmoothCieWeights.of(cie, c);
+            for (int i = 0; i < samples; i++) {
+                texels[4 * i + c] = (float) (weights[i] * norm);
+            }
+        }
+        return TableArray.of(cieWeightsLayout(), texels);
+    }
+
+    /** XYZ of D65 over the band, as the array of {@link #cieWeights} integrates to. */
+    public static double[] cieWhite(CieTable cie) {
+        double[] sums = new double[3];
+        for (int c = 0; c < 3; c++) {
+            for (int i = 0; i < 400; i++) {
+                double left = CieTable.MINIMUM_WAVELENGTH + i * 1e-9;
+                sums[c] += 0.5e-9 * (cie.at(left, c) + cie.at(left + 1e-9, c));
+            }
+        }
+        return new double[] {sums[0] / sums[1], 1, sums[2] / sums[1]};
+    }
+
+    /** Shape of {@link #wavelengths}. */
+    public static ArrayLayout wavelengthsLayout(WavelengthNodes nodes) {
+        return ArrayLayout.flat("wavelengthNodes", nodes.count(), 1, 4);
+    }
+
+    /** The fixed wavelengths of shaders/include/wavelengths.glsl. */
+    public static TableArray wavelengths(WavelengthNodes nodes) {
+        float[] texels = new float[4 * nodes.count()];
+        for (int i = 0; i < nodes.count(); i++) {
+            texels[4 * i] = (float) nodes.wavelengths()[i];
+            for (int c = 0; c < 3; c++) {
+                texels[4 * i + 1 + c] = (float) nodes.weights()[i][c];
+            }
+        }
+        return TableArray.of(wavelengthsLayout(nodes), texels);
+    }
+}

@@ -1,0 +1,91 @@
+package sunbeam.precompute.shader;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+
+/**
+ * All that a method's shader reads.
+ *
+ * @param shader the method's file in shaders/method, without its ending
+ * @param defines constants that it is compiled with
+ * @param uniforms by name
+ * @param arrays by the names in their layouts
+ * @param windowSigma standard deviation of the coherence window, metres
+ * @param specularReach |(u, v)| up to which a direction sees the specular peak, which outshines what is diffracted
+ */
+public record ShaderTables(
+        String shader,
+        Map<String, String> defines,
+        Map<String, UniformValue> uniforms,
+        List<TableArray> arrays,
+        double windowSigma,
+        double specularReach) {
+
+    /** Copies. */
+    public ShaderTables {
+        defines = Collections.unmodifiableMap(new TreeMap<>(defines));
+        uniforms = Collections.unmodifiableMap(new TreeMap<>(uniforms));
+        arrays = List.copyOf(arrays);
+    }
+
+    /** Bytes that the arrays take on the graphics card. */
+    public long bytes() {
+        return arrays.stream().mapToLong(array -> array.layout().bytes()).sum();
+    }
+
+    /** The tables of one method while they are put together. */
+    public static final class Builder {
+        private final String shader;
+        private final Map<String, String> defines = new TreeMap<>();
+        private final Map<String, UniformValue> uniforms = new TreeMap<>();
+        private final List<TableArray> arrays = new ArrayList<>();
+
+        /** @param shader the method's file in shaders/method, without its ending */
+        public Builder(String shader) {
+            this.shader = shader;
+        }
+
+        public Builder define(String name, Object value) {
+            defines.put(name, value.toString());
+            return this;
+        }
+
+        /** A float or a vector of floats. */
+        public Builder reals(String name, double... components) {
+            uniforms.put(name, UniformValue.reals(components));
+            return this;
+        }
+
+        /** An int or a vector of ints. */
+        public Builder integers(String name, int... components) {
+            uniforms.put(name, UniformValue.integers(components));
+            return this;
+        }
+
+        public Builder array(TableArray array) {
+            arrays.add(array);
+            return this;
+        }
+
+        /** All defines, uniforms and arrays of other tables. */
+        public Builder all(ShaderTables others) {
+            defines.putAll(others.defines());
+            uniforms.putAll(others.uniforms());
+            arrays.addAll(others.arrays());
+            return this;
+        }
+
+        /**
+         * The tables.
+         *
+         * @param windowSigma standard deviation of the coherence window, metres
+         * @param specularReach |(u, v)| up to which a direction sees the specular peak
+         */
+        public ShaderTables build(double windowSigma, double specularReach) {
+            return new ShaderTables(shader, defines, uniforms, arrays, windowSigma, specularReach);
+        }
+    }
+}

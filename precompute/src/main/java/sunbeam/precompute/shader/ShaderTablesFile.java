@@ -1,0 +1,184 @@
+package sunbeam.precompute.shader;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.FloatBuffer;
+import java.nio.MappedByteBuffer;
+import java.nio.channels.FileChannel;
+import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.zip.CRC32C;
+import sunbeam.precompute.table.TableException;
+
+/**
+ * {@link ShaderTables} as a file that is read without being computed on: the arrays lie in it as the shader reads them.
+ *
+ * <pre>
+ * 16 bytes   "SUNBEAM1", version and length of the header (int32, big-endian)
+ * header     key, shader, defines, uniforms, shapes of the arrays
+ * arrays     layer by layer, float32, little-endian
+ * 8 bytes    CRC-32C of all that comes before (int64, big-endian)
+ * </pre>
+ *
+ * The checksum finds damage, which is what befalls a cache, at ten times the speed of a cryptographic digest.
+ */
+public final class ShaderTablesFile {
+    /**
+     * Part of every file and of every key. To be raised with any change of what the same plan puts into its tables, so
+     * that files from before are not taken for new ones.
+     */
+    public static final int VERSION = 1;
+
+    private static final long MAGIC = 0x53554e4245414d31L;
+    private static final int PREFIX = Long.BYTES + 2 * Integer.BYTES;
+    private static final int BLOCK = 1 << 20;
+
+    private ShaderTablesFile() {}
+
+    /**
+     * Writes tables to a new file, making layers one by one; the caller sees to it that nobody reads it half-written.
+     *
+     * @param key all that determines the tables
+     * @throws UncheckedIOException when the file cannot be written
+     */
+    public static void write(Path file, String key, ShaderTables tables) {
+        CRC32C checksum = new CRC32C();
+        ByteBuffer block = ByteBuffer.allocateDirect(BLOCK).order(ByteOrder.LITTLE_ENDIAN);
+        byte[] header = TablesHeader.of(key, tables).encoded();
+        try (FileChannel channel = FileChannel.open(
+                file, StandardOpenOption.WRITE, StandardOpenOption.CREATE, StandardOpenOption.TRUNCATE_EXISTING)) {
+            ByteBuffer start = ByteBuffer.allocate(PREFIX + header.length);
+            start.putLong(MAGIC).putInt(VERSION).putInt(header.length).put(header);
+            write(channel, checksum, start.flip());
+            for (TableArray array : tables.arrays()) {
+                for (int layer = 0; layer < array.layout().layers(); layer++) {
+                    write(channel, checksum, block, array.layer(layer));
+                }
+            }
+            writeFully(
+                    channel,
+                    ByteBuffer.allocate(Long.BYTES).putLong(checksum.getValue()).flip());
+        } catch (IOException e) {
+            throw new UncheckedIOException("cannot write " + file + ": " + e.getMessage(), e);
+        }
+    }
+
+    private static void write(FileChannel channel, CRC32C checksum, ByteBuffer block, FloatBuffer floats)
+            throws IOException {
+        FloatBuffer left = floats.duplicate();
+        while (left.hasRemaining()) {
+            int count = Math.min(left.remaining(), BLOCK / Float.BYTES);
+            block.clear().limit(count * Float.BYTES);
+            block.asFloatBuffer().put(left.slice(left.position(), count));
+            left.position(left.position() + count);
+            write(channel, checksum, block);
+        }
+    }
+
+    private static void write(FileChannel channel, CRC32C checksum, ByteBuffer bytes) throws IOException {
+        checksum.update(bytes.duplicate());
+        writeFully(channel, bytes);
+    }
+
+    private static void writeFully(FileChannel channel, ByteBuffer bytes) throws IOException {
+        while (bytes.hasRemaining()) {
+            channel.write(bytes);
+        }
+    }
+
+    /**
+     * Reads tables and checks all of the file. Layers stay in the file, mapped to memory: it may be replaced or deleted
+     * meanwhile, but not overwritten.
+     *
+     * @param key that the tables must have
+     * @throws TableException when the file is truncated, altered, of another version or of another key; says what is
+     *     wrong, without a remedy
+     */
+    public static ShaderTables read(Path file, String key) {
+        try (FileChannel channel = FileChannel.open(file, StandardOpenOption.READ)) {
+            return read(channel, key);
+        } catch (TableException e) {
+            throw new TableException(file + ": " + e.getMessage());
+        } catch (IOException e) {
+            throw new TableException(file + ": cannot be read: " + e.getMessage());
+        }
+    }
+
+    private static ShaderTables read(FileChannel channel, String key) throws IOException {
+        long size = channel.size();
+        if (size < PREFIX + Long.BYTES) {
+            throw new TableException("truncated: " + size + " bytes are no tables");
+        }
+        ByteBuffer prefix = map(channel, 0, PREFIX);
+        if (prefix.getLong() != MAGIC) {
+            throw new TableException("not tables of Sunbeam's");
+        }
+        int version = prefix.getInt();
+        if (version != VERSION) {
+            throw new TableException("tables of version " + version + ", this Sunbeam reads version " + VERSION);
+        }
+        int headerBytes = prefix.getInt();
+        if (!TablesHeader.isPlausible(headerBytes) || headerBytes > size - PREFIX - Long.BYTES) {
+            throw new TableException("its header cannot be read");
+        }
+        TablesHeader header = TablesHeader.decoded(map(channel, PREFIX, headerBytes));
+        requireSize(size, header, headerBytes);
+        if (!header.key().equals(key)) {
+            throw new TableException("tables of another surface or plan");
+        }
+        List<MappedByteBuffer> pieces = new ArrayList<>();
+        List<TableArray> arrays = mapped(channel, PREFIX + headerBytes, header.layouts(), pieces);
+        CRC32C checksum = new CRC32C();
+        checksum.update(map(channel, 0, PREFIX + headerBytes));
+        pieces.forEach(piece -> checksum.update(piece.duplicate()));
+        if (map(channel, size - Long.BYTES, Long.BYTES).getLong() != checksum.getValue()) {
+            throw new TableException("its checksum does not fit: the file was altered or damaged");
+        }
+        ShaderTables read = header.tables();
+        return new ShaderTables(
+                read.shader(), read.defines(), read.uniforms(), arrays, read.windowSigma(), read.specularReach());
+    }
+
+    private static MappedByteBuffer map(FileChannel channel, long position, int bytes) throws IOException {
+        return channel.map(FileChannel.MapMode.READ_ONLY, position, bytes);
+    }
+
+    /** Before memory is taken for what the header claims. */
+    private static void requireSize(long size, TablesHeader header, int headerBytes) {
+        long expected;
+        try {
+            expected = Math.addExact(PREFIX + headerBytes + Long.BYTES, header.arrayBytes());
+        } catch (ArithmeticException e) {
+            throw new TableException("its header cannot be read");
+        }
+        if (size != expected) {
+            throw new TableException(
+                    size < expected
+                            ? "truncated: " + size + " bytes left of " + expected
+                            : "too long: " + size + " bytes instead of " + expected);
+        }
+    }
+
+    private static List<TableArray> mapped(
+            FileChannel channel, long start, List<ArrayLayout> layouts, List<MappedByteBuffer> pieces)
+            throws IOException {
+        List<TableArray> arrays = new ArrayList<>();
+        long position = start;
+        for (ArrayLayout layout : layouts) {
+            List<FloatBuffer> layers = new ArrayList<>();
+            int bytes = Float.BYTES * layout.floatsPerLayer();
+            for (int layer = 0; layer < layout.layers(); layer++) {
+                MappedByteBuffer piece = map(channel, position, bytes);
+                pieces.add(piece);
+                layers.add(piece.duplicate().order(ByteOrder.LITTLE_ENDIAN).asFloatBuffer());
+                position += bytes;
+            }
+            arrays.add(new TableArray(layout, layer -> layers.get(layer).duplicate()));
+        }
+        return arrays;
+    }
+}

@@ -1,0 +1,73 @@
+package sunbeam.precompute.shader;
+
+import java.util.function.DoubleUnaryOperator;
+import sunbeam.precompute.expansion.CoefficientTable;
+
+/** What shaders need to interpolate spectra: taps' weights, and the expansion's coefficients. */
+public final class SpectrumArrays {
+    // Linear interpolation between so many weights of a kernel errs by less than 1e-6.
+    private static final int KERNEL_SAMPLES = 16384;
+
+    private SpectrumArrays() {}
+
+    /** Shape of {@link #kernel}. */
+    public static ArrayLayout kernelLayout(int taps) {
+        return ArrayLayout.flat("gridKernel", KERNEL_SAMPLES, (taps + 3) / 4, 4).linear();
+    }
+
+    /**
+     * Weights of taps by the fraction of a position, as shaders/method/grid_tables.glsl reads them.
+     *
+     * @param kernel weight of a sample by its distance in samples
+     */
+    public static TableArray kernel(int taps, DoubleUnaryOperator kernel) {
+        ArrayLayout layout = kernelLayout(taps);
+        float[] texels = new float[layout.floatsPerLayer()];
+        for (int i = 0; i < KERNEL_SAMPLES; i++) {
+            double fraction = (double) i / (KERNEL_SAMPLES - 1);
+            for (int tap = 0; tap < taps; tap++) {
+                double distance = fraction + 0.5 * taps - 1 - tap;
+                texels[4 * (tap / 4 * KERNEL_SAMPLES + i) + tap % 4] = (float) kernel.applyAsDouble(distance);
+            }
+        }
+        return TableArray.of(layout, texels);
+    }
+
+    /** Shape of {@link #coefficients}. */
+    public static ArrayLayout coefficientsLayout(String sampler, int samples, int terms, int channels) {
+        return ArrayLayout.flat(sampler, samples, (terms + channels - 1) / channels, channels)
+                .linear();
+    }
+
+    /**
+     * Coefficients as rows of texels with some terms each.
+     *
+     * @param channels terms per texel
+     */
+    public static TableArray coefficients(String sampler, CoefficientTable coefficients, int channels) {
+        int samples = coefficients.samples();
+        ArrayLayout layout = coefficientsLayout(sampler, samples, coefficients.terms(), channels);
+        float[] texels = new float[layout.floatsPerLayer()];
+        for (int n = 0; n < coefficients.terms(); n++) {
+            for (int i = 0; i < samples; i++) {
+                texels[((n / channels) * samples + i) * channels + n % channels] =
+                        coefficients.values()[n][i];
+            }
+        }
+        return TableArray.of(layout, texels);
+    }
+
+    /**
+     * Offset and scale from a phase to the texture coordinate of its coefficients: the first sample lies at the first
+     * texel's centre, the last at the last's.
+     */
+    public static double[] phaseMap(CoefficientTable coefficients) {
+        return textureMap(coefficients.minimumPhase(), coefficients.maximumPhase(), coefficients.samples());
+    }
+
+    /** Offset and scale to the texture coordinate: the first and the last sample lie at texels' centres. */
+    public static double[] textureMap(double first, double last, int samples) {
+        double scale = (samples - 1.0) / samples / (last - first);
+        return new double[] {0.5 / samples - scale * first, scale};
+    }
+}

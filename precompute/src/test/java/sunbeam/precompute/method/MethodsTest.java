@@ -1,0 +1,110 @@
+package sunbeam.precompute.method;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static sunbeam.precompute.plan.MethodSettings.ANCHOR;
+import static sunbeam.precompute.plan.MethodSettings.AVERAGE;
+import static sunbeam.precompute.plan.MethodSettings.COHERENCE_LENGTH;
+import static sunbeam.precompute.plan.MethodSettings.PRESET;
+import static sunbeam.precompute.plan.MethodSettings.RADIUS;
+import static sunbeam.precompute.plan.MethodSettings.REPLICAS;
+import static sunbeam.precompute.plan.MethodSettings.TERMS;
+import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
+import static sunbeam.precompute.plan.MethodSettings.WINDOW_ORIGIN;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import sunbeam.precompute.optics.Replicas;
+import sunbeam.precompute.optics.WindowOrigin;
+import sunbeam.precompute.plan.Average;
+import sunbeam.precompute.plan.MethodSettings;
+import sunbeam.precompute.plan.Neighbourhood;
+import sunbeam.precompute.plan.Neighbourhood.Anchor;
+import sunbeam.precompute.plan.Preset;
+import sunbeam.precompute.plan.ReplicatedArea;
+import sunbeam.precompute.plan.Tolerances;
+import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.setting.SettingException;
+
+/** From choices to methods in which nothing can be said that has no meaning. */
+class MethodsTest {
+    private static final Choices PQ = Choices.none().with(Methods.METHOD, PqMethod.TYPE);
+    private static final Choices GEM = Choices.none().with(Methods.METHOD, GemMethod.TYPE);
+    private static final Choices REFERENCE = Choices.none().with(Methods.METHOD, ReferenceMethod.TYPE);
+    private static final Choices THESIS = Choices.none().with(PRESET, Preset.THESIS);
+
+    private static Iterable<MethodType> types() {
+        return Methods.ALL;
+    }
+
+    @Test
+    void nothingChosenIsFullWithinTheStandardTolerance() {
+        assertThat(Methods.of(Choices.none())).isEqualTo(FullMethod.within(Tolerances.STANDARD));
+        assertThat(Methods.of(THESIS)).isEqualTo(FullMethod.thesis());
+    }
+
+    @ParameterizedTest
+    @MethodSource("types")
+    void eachTypeMakesItsOwnMethodFromSettingsThatAreDeclared(MethodType type) {
+        assertThat(Methods.of(Choices.none().with(Methods.METHOD, type)).type()).isSameAs(type);
+        assertThat(MethodSettings.ALL).containsAll(type.settings());
+        assertThat(Methods.METHOD.kind().parse(type.label())).isSameAs(type);
+    }
+
+    @Test
+    void refusesWhatBelongsToAnotherMethodNamingBoth() {
+        assertThatThrownBy(() -> Methods.of(Choices.none().with(REPLICAS, 3)))
+                .isInstanceOf(SettingException.class)
+                .hasMessage("replicas 3 belongs to method pq or reference, not full; leave it out");
+        assertThatThrownBy(() -> Methods.of(GEM.with(TOLERANCE, 0.1)))
+                .hasMessage("tolerance 0.1 belongs to method full, nmm or pq, not gem; leave it out");
+        assertThatThrownBy(() -> Methods.of(PQ.with(RADIUS, 3))).hasMessageContaining("not pq");
+        assertThatThrownBy(() -> Methods.of(REFERENCE.with(TERMS, 3))).hasMessageContaining("not reference");
+    }
+
+    @Test
+    void pqHasOneAverageWhichMayBeSaidButNotChanged() {
+        assertThat(Methods.of(PQ.with(AVERAGE, Average.COHERENT))).isEqualTo(Methods.of(PQ));
+        assertThatThrownBy(() -> Methods.of(PQ.with(AVERAGE, Average.ENSEMBLE)))
+                .hasMessageStartingWith("average ensemble is not for method pq, which has coherent only; leave it out");
+    }
+
+    @Test
+    void anAnchorNeedsARadiusUnlessTheThesisGivesOne() {
+        Choices anchor = Choices.none().with(ANCHOR, Anchor.NEAREST);
+        assertThatThrownBy(() -> Methods.of(anchor))
+                .hasMessageStartingWith(
+                        "anchor nearest is the middle of a neighbourhood of bins, but no radius is given");
+        FullMethod method = (FullMethod) Methods.of(anchor.over(THESIS));
+        assertThat(method.neighbourhood()).contains(new Neighbourhood(1, Anchor.NEAREST));
+        FullMethod wide = (FullMethod) Methods.of(THESIS.with(RADIUS, 3));
+        assertThat(wide.neighbourhood()).contains(new Neighbourhood(3, Anchor.FLOOR));
+    }
+
+    @Test
+    void theThesisKeepsNoTolerance() {
+        assertThatThrownBy(() -> Methods.of(THESIS.with(TOLERANCE, 0.1)))
+                .hasMessage("tolerance 0.1 contradicts preset thesis, whose choices keep no tolerance; leave one of"
+                        + " them out");
+    }
+
+    @Test
+    void replicasOfTheReferenceStandInPlaceOfTheWindow() {
+        ReferenceMethod method = (ReferenceMethod) Methods.of(REFERENCE.with(REPLICAS, 3));
+        assertThat(method.area()).isEqualTo(new ReplicatedArea(new Replicas(3, 3)));
+        assertThatThrownBy(() -> Methods.of(REFERENCE.with(REPLICAS, 3).with(WINDOW_ORIGIN, WindowOrigin.CENTRE)))
+                .hasMessageStartingWith("window origin centre is about the Gaussian window, in whose place replicas");
+        assertThatThrownBy(() -> Methods.of(REFERENCE.with(REPLICAS, 3).with(AVERAGE, Average.ENSEMBLE)))
+                .hasMessageStartingWith("average ensemble is not for replicas");
+    }
+
+    @Test
+    void whatHoldsUnlessChosenHoldsForTheMethodsThatHaveIt() {
+        Choices onMeshes = Choices.none().with(AVERAGE, Average.ENSEMBLE);
+        FullMethod full = (FullMethod) Methods.of(Choices.none().with(COHERENCE_LENGTH, 20e-6), onMeshes);
+        assertThat(full.area().average()).isEqualTo(Average.ENSEMBLE);
+        assertThat(full.area().window().coherenceLength()).isEqualTo(20e-6);
+        assertThat(Methods.of(PQ, onMeshes)).isEqualTo(Methods.of(PQ));
+    }
+}

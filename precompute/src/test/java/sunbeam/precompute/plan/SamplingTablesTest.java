@@ -1,0 +1,100 @@
+package sunbeam.precompute.plan;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.OptionalInt;
+import java.util.stream.Stream;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
+import sunbeam.precompute.Surfaces;
+import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.optics.Direction;
+import sunbeam.precompute.patch.HeightDigest;
+import sunbeam.precompute.patch.HeightLevels;
+import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.plan.PlanRequest.Preset;
+import sunbeam.precompute.shader.ArrayLayout;
+import sunbeam.precompute.shader.MethodUse;
+import sunbeam.precompute.shader.ShaderTables;
+import sunbeam.precompute.shader.TableArray;
+import sunbeam.precompute.table.FourierTable;
+import sunbeam.precompute.table.PatchIdentity;
+import sunbeam.precompute.table.TableBuilder;
+
+/** What a plan says its tables take is what they take. */
+class SamplingTablesTest {
+    private static final HeightMap SKIN = Surfaces.random(64, 64, 50e-9, 400e-9, 5);
+    private static final CieTable CIE = CieTable.load();
+
+    /** Each way of sampling, by the coherence length that leads to it, and the thesis's. */
+    static Stream<Arguments> forms() {
+        return Stream.of(MethodUse.values())
+                .flatMap(use -> Stream.of(
+                        Arguments.of(OrderSampling.class, Preset.NONE, 65e-6, use),
+                        Arguments.of(RaySampling.class, Preset.NONE, 10e-6, use),
+                        Arguments.of(GridSampling.class, Preset.NONE, 3.2e-6, use),
+                        Arguments.of(BinSampling.class, Preset.THESIS, 3.2e-6, use)));
+    }
+
+    @ParameterizedTest
+    @MethodSource("forms")
+    void coherentTablesHaveTheShapesThatWerePlanned(
+            Class<?> form, Preset preset, double coherenceLength, MethodUse use) {
+        Plan plan = plan(preset, coherenceLength, Average.COHERENT);
+        assertThat(plan.sampling()).isInstanceOf(form);
+
+        ShaderTables tables = tables(plan, use);
+
+        List<ArrayLayout> planned = plan.sampling().layouts(plan, use).stream()
+                .filter(layout -> !layout.sampler().startsWith("ensemble"))
+                .toList();
+        assertThat(tables.arrays())
+                .extracting(TableArray::layout)
+                .filteredOn(layout -> !layout.sampler().startsWith("ensemble"))
+                .containsExactlyInAnyOrderElementsOf(planned);
+        for (TableArray array : tables.arrays()) {
+            int last = array.layout().layers() - 1;
+            assertThat(array.layer(last).remaining())
+                    .as("%s", array.layout())
+                    .isEqualTo(array.layout().floatsPerLayer());
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("forms")
+    void ensembleTablesTakeNoMoreThanWasPlanned(Class<?> form, Preset preset, double coherenceLength, MethodUse use) {
+        Plan plan = plan(preset, coherenceLength, Average.ENSEMBLE);
+        assertThat(plan.sampling()).isInstanceOf(form);
+
+        long most = MemoryNeed.of(plan, SKIN.rows()).textureBytes();
+
+        assertThat(tables(plan, use).bytes()).isLessThanOrEqualTo(most);
+    }
+
+    private static Plan plan(Preset preset, double coherenceLength, Average average) {
+        PlanRequest request = new PlanRequest(
+                preset,
+                Tolerances.STANDARD,
+                Optional.empty(),
+                OptionalInt.empty(),
+                OptionalInt.empty(),
+                Optional.empty(),
+                OptionalDouble.empty(),
+                Optional.empty(),
+                OptionalDouble.of(coherenceLength),
+                Optional.of(average));
+        return new Planner(SKIN, HeightLevels.of(SKIN), CIE).plan(request, VisibleRange.of(new Direction(0, 0, 1)));
+    }
+
+    private static ShaderTables tables(Plan plan, MethodUse use) {
+        PatchIdentity identity = new PatchIdentity(
+                "skin", SKIN.columns(), SKIN.rows(), SKIN.pitchX(), SKIN.pitchY(), HeightDigest.sha256(SKIN));
+        FourierTable table = new TableBuilder(identity, HeightLevels.of(SKIN), done -> {})
+                .build(plan.expansion(), plan.bandX(), plan.bandY());
+        return plan.sampling().tables(plan, table, use, CIE);
+    }
+}

@@ -1,0 +1,82 @@
+package sunbeam.precompute.setting;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import org.junit.jupiter.api.Test;
+
+/** Choices keep values and the places where they were made. */
+class ChoicesTest {
+    private static final Setting<Double> LENGTH =
+            new Setting<>("coherenceLength", Kinds.length(100e-9, 10e-3), "The window's size.");
+    private static final Setting<Integer> TERMS = new Setting<>("terms", Kinds.integer("N", 1, 500), "How many.");
+
+    /** Names as a command line has them. */
+    private static final Origin OPTION = new Origin() {
+        @Override
+        public Place place() {
+            return Place.OPTION;
+        }
+
+        @Override
+        public String name(Setting<?> setting) {
+            return "--" + setting.words("-");
+        }
+
+        @Override
+        public String complaint(Setting<?> setting, String value, String problem) {
+            return (name(setting) + " " + value).strip() + " " + problem;
+        }
+    };
+
+    @Test
+    void keepsWhatWasChosenAndNothingElse() {
+        Choices choices = Choices.at(OPTION).with(TERMS, 12);
+        assertThat(choices.find(TERMS)).contains(12);
+        assertThat(choices.find(LENGTH)).isEmpty();
+        assertThat(choices.get(LENGTH, 1e-6)).isEqualTo(1e-6);
+        assertThat(choices.without(TERMS)).isEqualTo(Choices.none());
+    }
+
+    @Test
+    void refusesValuesBeyondTheLimitsInTheWordsOfTheirPlace() {
+        assertThatThrownBy(() -> Choices.none().parsed(LENGTH, "50nm", OPTION))
+                .isInstanceOf(SettingException.class)
+                .hasMessage("--coherence-length 50 nm is out of range; give 100 nm to 10 mm");
+        assertThatThrownBy(() -> Choices.none().parsed(TERMS, "2.5", OPTION))
+                .hasMessage("--terms \"2.5\" is no whole number");
+        assertThatThrownBy(() -> Choices.none().parsed(LENGTH, "NaNm", OPTION)).hasMessageContaining("is no length");
+    }
+
+    @Test
+    void aComplaintWithoutAPlaceGetsThatOfTheChoiceItIsAbout() {
+        Choices choices = Choices.none().with(TERMS, 12, OPTION);
+        assertThatThrownBy(() -> choices.located(() -> {
+                    throw new SettingException(TERMS, "are too many; give fewer, or another ", LENGTH);
+                }))
+                .hasMessage("--terms 12 are too many; give fewer, or another --coherence-length");
+        assertThatThrownBy(() -> choices.located(() -> {
+                    throw new SettingException(LENGTH, "is missing");
+                }))
+                .hasMessage("coherence length is missing");
+    }
+
+    @Test
+    void whatLiesAboveHidesWhatLiesBelow() {
+        Choices scene = Choices.none().with(TERMS, 12).with(LENGTH, 65e-6);
+        Choices options = Choices.at(OPTION).with(TERMS, 20);
+        Choices both = options.over(scene);
+        assertThat(both.find(TERMS)).contains(20);
+        assertThat(both.find(LENGTH)).contains(65e-6);
+        assertThat(both.origin(TERMS).place()).isEqualTo(Origin.Place.OPTION);
+        assertThat(both.origin(LENGTH).place()).isEqualTo(Origin.Place.PROGRAM);
+        assertThat(both.describe()).isEqualTo("terms 20, coherence length 65 um");
+    }
+
+    @Test
+    void equalityIsThatOfValues() {
+        assertThat(Choices.none().with(TERMS, 12, OPTION))
+                .isEqualTo(Choices.none().with(TERMS, 12))
+                .isNotEqualTo(Choices.none().with(TERMS, 13));
+    }
+}

@@ -1,0 +1,150 @@
+package sunbeam.precompute.shader;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.FloatBuffer;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.List;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import sunbeam.precompute.table.TableException;
+
+/** Tables come back from a file bit by bit, and no other file is taken for them. */
+class ShaderTablesFileTest {
+    private static final String KEY = "full|a surface|a plan";
+    private static final ArrayLayout FLAT = ArrayLayout.flat("weights", 3, 2, 4).linear();
+    private static final ArrayLayout LAYERED = ArrayLayout.layered("terms", 5, 7, 3, 2);
+
+    @TempDir
+    Path folder;
+
+    private Path file;
+    private byte[] good;
+
+    private static float[] layer(int number) {
+        float[] values = new float[LAYERED.floatsPerLayer()];
+        for (int i = 0; i < values.length; i++) {
+            values[i] = (float) Math.sin(i + 100 * number);
+        }
+        // What arithmetic would not bring back.
+        values[0] = -0f;
+        values[1] = Float.MIN_VALUE;
+        return values;
+    }
+
+    private static ShaderTables tables() {
+        return new ShaderTables.Builder("full_grid")
+                .define("TAPS", 4)
+                .reals("scale", 0.1)
+                .reals("place", 1, 2, 3, 4)
+                .integers("first", -7, 9)
+                .array(TableArray.of(FLAT, new float[FLAT.floatsPerLayer()]))
+                .array(TableArray.computed(LAYERED, ShaderTablesFileTest::layer))
+                .build(16e-6, 0.04);
+    }
+
+    @BeforeEach
+    void write() throws IOException {
+        file = folder.resolve("kept.tables");
+        ShaderTablesFile.write(file, KEY, tables());
+        good = Files.readAllBytes(file);
+    }
+
+    @Test
+    void comeBackAsTheyWere() {
+        ShaderTables read = ShaderTablesFile.read(file, KEY);
+
+        assertThat(read.shader()).isEqualTo("full_grid");
+        assertThat(read.defines()).isEqualTo(tables().defines());
+        assertThat(read.uniforms()).isEqualTo(tables().uniforms());
+        assertThat(read.windowSigma()).isEqualTo(16e-6);
+        assertThat(read.specularReach()).isEqualTo(0.04);
+        assertThat(read.arrays()).extracting(TableArray::layout).containsExactly(FLAT, LAYERED);
+        for (int number = 0; number < LAYERED.layers(); number++) {
+            FloatBuffer floats = read.arrays().get(1).layer(number);
+            float[] values = new float[floats.remaining()];
+            floats.get(values);
+            assertThat(bits(values)).containsExactly(bits(layer(number)));
+        }
+    }
+
+    private static int[] bits(float[] values) {
+        int[] bits = new int[values.length];
+        Arrays.setAll(bits, i -> Float.floatToRawIntBits(values[i]));
+        return bits;
+    }
+
+    @Test
+    void staysReadableWhenTheFileIsReplaced() throws IOException {
+        ShaderTables read = ShaderTablesFile.read(file, KEY);
+        Files.delete(file);
+
+        assertThat(read.arrays().get(1).layer(2).get(2)).isEqualTo(layer(2)[2]);
+    }
+
+    @Test
+    void anotherPlansAreRefused() {
+        assertThatThrownBy(() -> ShaderTablesFile.read(file, KEY + "!"))
+                .isInstanceOf(TableException.class)
+                .hasMessage(file + ": tables of another surface or plan");
+    }
+
+    @Test
+    void aFlippedBitIsNoticedWhereverItIs() throws IOException {
+        for (int at = 0; at < good.length; at += 3) {
+            byte[] flipped = good.clone();
+            flipped[at] ^= 0x10;
+            Files.write(file, flipped);
+            assertThatThrownBy(() -> ShaderTablesFile.read(file, KEY))
+                    .as("byte %d", at)
+                    .isInstanceOf(TableException.class);
+        }
+    }
+
+    @Test
+    void aTruncatedFileIsNoticedWhereverItEnds() throws IOException {
+        for (int length = 0; length < good.length; length += 3) {
+            Files.write(file, Arrays.copyOf(good, length));
+            assertThatThrownBy(() -> ShaderTablesFile.read(file, KEY))
+                    .as("%d bytes", length)
+                    .isInstanceOf(TableException.class);
+        }
+    }
+
+    @Test
+    void whatIsTooLongIsRefused() throws IOException {
+        Files.write(file, Arrays.copyOf(good, good.length + 4));
+
+        assertThatThrownBy(() -> ShaderTablesFile.read(file, KEY)).hasMessageContaining("too long: ");
+    }
+
+    @Test
+    void aLaterVersionIsRefused() throws IOException {
+        byte[] later = good.clone();
+        ByteBuffer.wrap(later).putInt(Long.BYTES, ShaderTablesFile.VERSION + 1);
+        Files.write(file, later);
+
+        assertThatThrownBy(() -> ShaderTablesFile.read(file, KEY)).hasMessageContaining("tables of version ");
+    }
+
+    @Test
+    void anArrayLargerThanTheFileTakesNoMemory() {
+        ArrayLayout huge = ArrayLayout.layered("huge", 8192, 8192, Integer.MAX_VALUE, 4);
+        byte[] header = new TablesHeader(KEY, tables(), List.of(huge)).encoded();
+        ByteBuffer claims = ByteBuffer.allocate(16 + header.length + 8);
+        claims.put(good, 0, Long.BYTES + Integer.BYTES).putInt(header.length).put(header);
+
+        assertThatThrownBy(() -> {
+                    Files.write(file, claims.array());
+                    ShaderTablesFile.read(file, KEY);
+                })
+                .isInstanceOf(TableException.class)
+                .hasMessageContaining("truncated: ");
+    }
+}
