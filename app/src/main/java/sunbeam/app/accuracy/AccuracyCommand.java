@@ -82,6 +82,20 @@ public final class AccuracyCommand implements Callable<Integer> {
             description = "With --cases: the tolerances that are tried. Default: 1e-2,1e-3,1e-4.")
     private List<Double> tolerances = new ArrayList<>();
 
+    @Option(
+            names = "--random",
+            paramLabel = "N",
+            description = "Draw N surfaces with window, average, tolerance and directions, and compare with the reference"
+                    + " instead: prints those that miss, and the distribution by kind.")
+    private Integer random;
+
+    @Option(
+            names = "--seed",
+            paramLabel = "SEED",
+            defaultValue = "1",
+            description = "With --random: the first case's; the next ones count up. Default: ${DEFAULT-VALUE}.")
+    private long seed;
+
     @Option(names = "--quick", description = "Fewer directions: a first impression in a fifth of the time.")
     private boolean quick;
 
@@ -99,6 +113,9 @@ public final class AccuracyCommand implements Callable<Integer> {
     public Integer call() {
         if (cases != null) {
             return holdToCases().code();
+        }
+        if (random != null) {
+            return drawCases().code();
         }
         if (!tolerances.isEmpty()) {
             throw new UsageException("--tolerance belongs to --cases; leave it out");
@@ -129,6 +146,16 @@ public final class AccuracyCommand implements Callable<Integer> {
         }
         specification.commandLine().getOut().println(report.file());
         return ExitCode.OK.code();
+    }
+
+    private ExitCode drawCases() {
+        if (random < 1) {
+            throw new UsageException("--random " + random + " is out of range; give 1 or more");
+        }
+        try (RenderContext context = RenderContexts.offscreen()) {
+            int missed = new RandomCases(context, specification.commandLine().getOut()).run(seed, random);
+            return missed == 0 ? ExitCode.OK : ExitCode.TOLERANCE_MISSED;
+        }
     }
 
     private ExitCode holdToCases() {
