@@ -82,6 +82,12 @@ public record GridSampling(
         return (plan.expansion().terms() + 1L) / 2 * mostNodes(plan.range()) * interpolation.taps();
     }
 
+    private int kernelSamples() {
+        return budget.roughness().isRough()
+                ? SpectrumArrays.FEW_KERNEL_SAMPLES
+                : SpectrumArrays.MANY_KERNEL_SAMPLES;
+    }
+
     /** The averages that a use asks for. */
     private static List<Average> averages(Plan plan, MethodUse use) {
         return use == MethodUse.SPECTRAL ? List.of(Average.COHERENT, Average.ENSEMBLE) : List.of(plan.average());
@@ -95,7 +101,7 @@ public record GridSampling(
         int radius = budget.neighbourhoodRadius(plan.window().sigmaFrequency() * Math.max(width, height));
         return radius > Neighbourhood.LARGEST_SUM
                 ? new GridSampling(
-                        budget.interpolation(Average.ENSEMBLE), nodeStep, largestStride, fewestNodes, budget)
+                        new ErrorBudget(budget.tolerance()).interpolation(Average.ENSEMBLE), nodeStep, largestStride, fewestNodes, budget)
                 : new RaySampling(
                         new Neighbourhood(Math.max(1, radius), Neighbourhood.Anchor.NEAREST), nodeStep, fewestNodes);
     }
@@ -106,7 +112,7 @@ public record GridSampling(
         for (Average average : averages(plan, use)) {
             layouts.addAll(new GridArrays(this, plan, average).layouts(use));
         }
-        layouts.add(SpectrumArrays.kernelLayout(interpolation.taps()));
+        layouts.add(SpectrumArrays.kernelLayout(interpolation.taps(), kernelSamples()));
         layouts.add(ColorArrays.cieWeightsLayout());
         return layouts;
     }
@@ -141,7 +147,7 @@ public record GridSampling(
         for (Average average : averages(plan, use)) {
             new GridArrays(this, plan, average).addTo(tables, table, fields(average, plan, table), use);
         }
-        tables.array(SpectrumArrays.kernel(interpolation.taps(), interpolation::kernel))
+        tables.array(SpectrumArrays.kernel(interpolation.taps(), interpolation::kernel, kernelSamples()))
                 .array(ColorArrays.cieWeights(cie));
         if (use == MethodUse.COLOUR) {
             tables.reals("gridNodeStep", nodeStep)

@@ -55,9 +55,10 @@ public final class Planner {
      */
     public Plan plan(TableChoices table, Optional<Neighbourhood> neighbourhood, GaussianArea area, VisibleRange range) {
         PlanChecks.check(area.window(), map);
-        Expansion expansion = expansion(table, range);
+        ErrorBudget budget = budget(table, neighbourhood, area, range);
+        Expansion expansion = expansion(table, range, budget);
         Plan plan = null;
-        for (Sampling sampling : samplings(table, neighbourhood, area, range)) {
+        for (Sampling sampling : samplings(table, neighbourhood, area, range, budget)) {
             plan = new Plan(
                     table.accuracy(),
                     range,
@@ -101,11 +102,15 @@ public final class Planner {
     }
 
     private List<Sampling> samplings(
-            TableChoices table, Optional<Neighbourhood> neighbourhood, GaussianArea area, VisibleRange range) {
+            TableChoices table,
+            Optional<Neighbourhood> neighbourhood,
+            GaussianArea area,
+            VisibleRange range,
+            ErrorBudget budget) {
         boolean fixesBins = neighbourhood.isPresent() || table.wavelengthStep().isPresent();
         return table.accuracy().isThesis() || fixesBins
                 ? List.of(bins(table, neighbourhood, area.window(), range))
-                : new SamplingPlanner(map, heights, area, range, budget(table)).choices();
+                : new SamplingPlanner(map, heights, area, range, budget).choices();
     }
 
     private Sampling bins(
@@ -131,8 +136,22 @@ public final class Planner {
         return Math.max(FINEST_WAVELENGTH_STEP, Math.min(COARSEST_WAVELENGTH_STEP, orders));
     }
 
-    /** The expansion that a plan has. */
+    /** The budget, with the roughness where it tells between two plans: where a grid is interpolated. */
+    private ErrorBudget budget(
+            TableChoices table, Optional<Neighbourhood> neighbourhood, GaussianArea area, VisibleRange range) {
+        ErrorBudget budget = budget(table);
+        boolean free = !table.accuracy().isThesis() && neighbourhood.isEmpty() && table.wavelengthStep().isEmpty();
+        return free && SamplingPlanner.interpolates(map, area.window())
+                ? new ErrorBudget(budget.tolerance(), Roughness.measure(map, area.window(), area.origin(), range))
+                : budget;
+    }
+
+    /** The expansion that a plan has for a patch of which nothing else is known. */
     public Expansion expansion(TableChoices table, VisibleRange range) {
+        return expansion(table, range, budget(table));
+    }
+
+    private Expansion expansion(TableChoices table, VisibleRange range, ErrorBudget budget) {
         boolean thesis = table.accuracy().isThesis();
         ExpansionKind kind = table.expansion().orElse(thesis ? ExpansionKind.TAYLOR : ExpansionKind.LOWRANK);
         HeightScale scale = thesis ? HeightScale.mean(heights) : HeightScale.midRange(heights);
@@ -146,7 +165,7 @@ public final class Planner {
                 case LOWRANK -> LowRankExpansion.ofTerms(heights, scale, minimum, maximum, terms);
             };
         }
-        double tolerance = budget(table).expansion();
+        double tolerance = budget.expansion();
         return switch (kind) {
             case TAYLOR ->
                 PlanChecks.accurate(

@@ -53,15 +53,21 @@ final class SamplingPlanner {
             return List.of(orders());
         }
         List<Sampling> choices = new ArrayList<>();
-        if (window.sigmaFrequency() * Math.min(map.width(), map.height()) >= RESOLVED_SIGMA_BINS) {
-            choices.add(grid());
+        if (interpolates(map, window)) {
+            choices.add(grid(budget.interpolation(average)));
+            choices.add(grid(budget.compactInterpolation(average)));
         }
         // Half way between two orders both count alike.
         int radius = Math.max(1, budget.neighbourhoodRadius(sigmaBins));
         if (radius <= Neighbourhood.MAXIMUM_RADIUS) {
             choices.add(rays(radius));
         }
-        return choices.isEmpty() ? List.of(grid()) : choices;
+        return choices.isEmpty() ? List.of(grid(budget.interpolation(average))) : choices;
+    }
+
+    /** Whether the window's spectrum is so wide that a grid is worth while. */
+    static boolean interpolates(HeightMap map, CoherenceWindow window) {
+        return window.sigmaFrequency() * Math.min(map.width(), map.height()) >= RESOLVED_SIGMA_BINS;
     }
 
     private Sampling rays(int radius) {
@@ -84,8 +90,7 @@ final class SamplingPlanner {
         return Math.pow(30 * budget.wavelengths(), 0.25);
     }
 
-    private Sampling grid() {
-        InterpolationDesign design = budget.interpolation(average);
+    private Sampling grid(InterpolationDesign design) {
         // Columns are crossed at up to sqrt(2) of their distance. The power of a lone order along the ray is a Gaussian
         // of deviation sigma / sqrt(2), for which the trapezoid rule errs by 2 exp(-2 (pi deviation / step)^2).
         double perStep = Math.sqrt(2 / (Math.PI * Math.PI) * Math.log(2 / budget.wavelengths()));

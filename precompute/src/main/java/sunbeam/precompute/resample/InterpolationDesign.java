@@ -43,6 +43,23 @@ public record InterpolationDesign(double deviation, int taps, double beta, doubl
         throw new IllegalArgumentException("interpolation reaches " + finest.error + " at best, not " + tolerance);
     }
 
+    /**
+     * The coarsest grid that keeps an error, for less memory, and then the fewest taps.
+     *
+     * @throws IllegalArgumentException when no design keeps it
+     */
+    public static InterpolationDesign compact(double tolerance, double skirt) {
+        for (double deviation : DEVIATIONS) {
+            for (int taps = 3; taps <= MOST_TAPS; taps++) {
+                InterpolationDesign design = best(deviation, taps, skirt);
+                if (design.error <= tolerance) {
+                    return design;
+                }
+            }
+        }
+        throw new IllegalArgumentException("no interpolation keeps " + tolerance);
+    }
+
     private static InterpolationDesign coarsest(
             int taps, double tolerance, double skirt, InterpolationDesign finest) {
         for (int i = 0; i < DEVIATIONS.length - 1; i++) {

@@ -141,11 +141,12 @@ public final class PowerFields implements Fields {
     }
 
     @Override
-    public CoefficientTable coefficients() {
+    public CoefficientTable coefficients(int samples) {
         return CoefficientTable.sampled(
                 nodes.minimum(),
                 nodes.maximum(),
                 functions.length,
-                zeta -> nodes.interpolate(functions, functions.length, zeta));
+                zeta -> nodes.interpolate(functions, functions.length, zeta),
+                samples);
     }
 }
