@@ -4,8 +4,8 @@
 
 // A list of directions, one per fragment, through the very code that draws the maps.
 
-// Three rows of texels for each row of fragments: (wi, 0), (wr, 0), (u, v, w, wavelength). The last is computed in double
-// precision, because u and v cancel near the specular direction.
+// Four rows of texels for each row of fragments: (wi, 0), (wr, 0), (u, v, w, wavelength), exactBin. The last two are computed
+// in double precision, because u and v cancel near the specular direction.
 uniform sampler2D directions;
 // Standard deviation of the coherence window in metres.
 uniform float windowSigma;
@@ -14,12 +14,13 @@ uniform float windowSigma;
 layout(location = 0) out vec4 result;
 
 void main() {
-    ivec2 texel = ivec2(gl_FragCoord.xy) * ivec2(1, 3);
+    ivec2 texel = ivec2(gl_FragCoord.xy) * ivec2(1, 4);
     vec3 wi = texelFetch(directions, texel, 0).xyz;
     vec3 wr = texelFetch(directions, texel + ivec2(0, 1), 0).xyz;
     vec4 uvwLambda = texelFetch(directions, texel + ivec2(0, 2), 0);
     float gain = relativeRadiance(wi, wr);
 #ifdef SPECTRAL
+    exactBin = texelFetch(directions, texel + ivec2(0, 3), 0);
     float coherent = coherentPower(uvwLambda.xyz, uvwLambda.w);
     float ensemble = ensemblePower(uvwLambda.xyz, uvwLambda.w);
     float power = ENSEMBLE ? ensemble : coherent;

@@ -1,6 +1,12 @@
 // The averages of power over the places of the coherence window: what each method says of one wavelength, and which of them
 // (AVERAGE) its colours are made of. A method defines those that it has.
 
+#ifdef SPECTRAL
+// The direction's frequency in DFT bins of the patch, from double precision: the nearest bin, and how far beyond it the
+// frequency lies. Far orders of a wide window are narrower than float32 tells frequencies apart.
+vec4 exactBin;
+#endif
+
 // One coherence area: amplitudes add up and are squared last (thesis algorithm 3.3).
 float coherentPower(vec3 uvw, float wavelength);
 

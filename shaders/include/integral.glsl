@@ -27,6 +27,14 @@ Steps wholeBand(int count) {
     return Steps(origin, (1.0 / SHORTEST_WAVELENGTH - origin) / float(count - 1), 0, count - 1, false, false);
 }
 
+// The same for power that does not vanish at the ends: that of a lone order may be all there is to see.
+Steps cutBand(int count) {
+    Steps steps = wholeBand(count);
+    steps.cutFirst = true;
+    steps.cutLast = true;
+    return steps;
+}
+
 // Factor of the i-th step from a cut end.
 float endWeight(int i) {
     return i == 0 ? 3.0 / 8.0 : i == 1 ? 7.0 / 6.0 : i == 2 ? 23.0 / 24.0 : 1.0;

@@ -30,7 +30,7 @@ uniform float coherentScale;
 uniform vec2 coherentPointFirst;
 
 float coherentPower(vec3 uvw, float wavelength) {
-    Place place = inGrid(uvw.xy / wavelength * coherentScale - coherentPointFirst);
+    Place place = inGrid(uvw.xy / wavelength * coherentScale, coherentPointFirst);
     float zeta = expansionPhase(uvw.z, wavelength);
     return squaredMagnitude(
             amplitudeAt(coherentPoint, 0, COHERENT_LAYERS, place, coherentCoefficients, coherentPhaseMap, zeta));
@@ -47,7 +47,7 @@ uniform float ensembleScale;
 uniform vec2 ensemblePointFirst;
 
 float ensemblePower(vec3 uvw, float wavelength) {
-    Place place = inGrid(uvw.xy / wavelength * ensembleScale - ensemblePointFirst);
+    Place place = inGrid(uvw.xy / wavelength * ensembleScale, ensemblePointFirst);
     float zeta = expansionPhase(uvw.z, wavelength);
     return realSumAt(ensemblePoint, 0, ENSEMBLE_LAYERS, place, ensembleCoefficients, ensemblePhaseMap, zeta);
 }
@@ -87,7 +87,7 @@ float powerAtStep(Ray ray, int step, float wavelength) {
         return averagePower(ray.uvw, wavelength);
     }
     float i = float(step);
-    Place place = onColumn(int(i * ray.columnsPerStep - ray.origin.x), i * ray.samplesPerStep - ray.origin.y);
+    Place place = onColumn(int(i * ray.columnsPerStep - ray.origin.x), i * ray.samplesPerStep, ray.origin.y);
     return columnPower(ray.alongX, place, i * ray.zetaPerStep);
 }
 
@@ -97,7 +97,7 @@ vec3 diffractedXyz(vec3 uvw) {
     if (abs(major) < gridCentreReach) {
         // Near the specular direction: both axes interpolated.
         Ray ray = Ray(uvw, false, alongX, 0.0, 0.0, vec2(0.0), 0.0);
-        return bandXyz(ray, wholeBand(gridCentreNodes));
+        return bandXyz(ray, cutBand(gridCentreNodes));
     }
     float minorPerColumn = (alongX ? uvw.y : uvw.x) / abs(major) * gridNodeStep * gridRayScale;
     // 1 / lambda = column step / |major|, and the phase grows in proportion.

@@ -1,12 +1,15 @@
-#include "include/plain_ray.glsl"
+#include "include/average.glsl"
 #include "method/neighbourhood.glsl"
 
 // For patches so small that the window resolves every diffraction order: wavelengths are placed around the middle of each
-// order that the direction sees, and only the nearest bin is looked at.
+// order that the direction sees. Each order counts by its own bin alone: rays nearly along a column of bins meet the windows
+// of several at once, and what another has there is its own to count.
 
 // How far from an order's middle wavelengths lie, and their distance, in deviations of the order's power.
 uniform float orderReach;
 uniform float orderNodeSpacing;
+// The same where the band cuts an order.
+uniform float orderCutSpacing;
 // Their largest distance in metres.
 uniform float orderLargestStep;
 // Wavelengths within the specular order, which has no middle.
@@ -17,28 +20,50 @@ uniform float windowSigmaFrequency;
 // Deviations of an order's power at which it is 1e-9 of its maximum: nothing that anybody sees.
 const float FLANK_REACH = 6.5;
 
+struct Ray {
+    vec3 uvw;
+    // The bin that counts, and where the ray passes it: at 1 / lambda = middle, at this distance in cycles per metre. Or all
+    // bins.
+    bool allBins;
+    ivec2 bin;
+    float middle;
+    float distance;
+};
+
+#include "include/integral.glsl"
+
+float powerAtStep(Ray ray, int step, float wavelength) {
+    if (ray.allBins) {
+        return averagePower(ray.uvw, wavelength);
+    }
+    vec2 off = vec2(ray.distance, (1.0 / wavelength - ray.middle) * length(ray.uvw.xy)) / windowSigmaFrequency;
+    return exp(-dot(off, off)) * binPower(ray.bin - tableFirst, expansionPhase(ray.uvw.z, wavelength));
+}
+
 vec3 oneOrder(vec3 uvw, vec2 bin) {
     vec2 frequency = bin / tablePeriod;
     float squaredLength = dot(uvw.xy, uvw.xy);
     // Where the ray f = (u, v) / lambda passes closest to the bin.
     float middle = dot(frequency, uvw.xy) / squaredLength;
+    float distance = (frequency.x * uvw.y - frequency.y * uvw.x) * inversesqrt(squaredLength);
     float deviation = windowSigmaFrequency * inversesqrt(2.0 * squaredLength);
-    // Of an order outside the band only a flank is seen, and it may be all there is to see.
-    bool inside = middle * LONGEST_WAVELENGTH > 1.0 && middle * SHORTEST_WAVELENGTH < 1.0;
+    // Of an order outside the band only a flank is seen, and it may be all there is to see; near the band's ends the flank
+    // towards the middle meets larger weights than the order.
+    bool inside = middle * LONGEST_WAVELENGTH > 1.03 && middle * SHORTEST_WAVELENGTH < 0.97;
     float halfWidth = (inside ? orderReach : FLANK_REACH) * deviation;
     float low = max(middle - halfWidth, 1.0 / LONGEST_WAVELENGTH);
     float high = min(middle + halfWidth, 1.0 / SHORTEST_WAVELENGTH);
-    if (high <= low) {
+    if (high <= low || abs(distance) > FLANK_REACH * windowSigmaFrequency) {
         return vec3(0.0);
     }
     bool cutLow = low > middle - halfWidth;
     bool cutHigh = high < middle + halfWidth;
-    float spacing = min(orderNodeSpacing * deviation, orderLargestStep * middle * middle);
     // Where the band cuts an order, the trapezoid rule loses the accuracy that it owes to vanishing ends.
-    int intervals = int(ceil((high - low) / (cutLow || cutHigh ? 0.5 * spacing : spacing)));
-    intervals = max(intervals, FEWEST_CUT_INTERVALS);
+    float inDeviations = cutLow || cutHigh ? orderCutSpacing : orderNodeSpacing;
+    float spacing = min(inDeviations * deviation, orderLargestStep * middle * middle);
+    int intervals = max(int(ceil((high - low) / spacing)), FEWEST_CUT_INTERVALS);
     Steps steps = Steps(low, (high - low) / float(intervals), 0, intervals, cutLow, cutHigh);
-    return partXyz(Ray(uvw), steps);
+    return partXyz(Ray(uvw, false, ivec2(bin), middle, distance), steps);
 }
 
 vec3 diffractedXyz(vec3 uvw) {
@@ -46,7 +71,7 @@ vec3 diffractedXyz(vec3 uvw) {
     // is e^-25.
     const float SPECULAR_REACH = 5.0;
     if (length(uvw.xy) < SPECULAR_REACH * windowSigmaFrequency * LONGEST_WAVELENGTH) {
-        return bandXyz(Ray(uvw), wholeBand(specularNodes));
+        return bandXyz(Ray(uvw, true, ivec2(0), 0.0, 0.0), cutBand(specularNodes));
     }
     // Orders along the axis on which the ray crosses more of them; on the other, the one nearest to the ray.
     vec2 binsPerWaveNumber = uvw.xy * tablePeriod;

@@ -11,5 +11,5 @@ uniform int rayFewestNodes;
 vec3 diffractedXyz(vec3 uvw) {
     float band = 1.0 / SHORTEST_WAVELENGTH - 1.0 / LONGEST_WAVELENGTH;
     int along = int(ceil(length(uvw.xy) * band / rayNodeStep)) + 1;
-    return bandXyz(Ray(uvw), wholeBand(max(rayFewestNodes, along)));
+    return bandXyz(Ray(uvw), cutBand(max(rayFewestNodes, along)));
 }

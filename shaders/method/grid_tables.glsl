@@ -7,7 +7,6 @@
 uniform sampler2D gridKernel;
 
 const int KERNEL_ROWS = (TAPS + 3) / 4;
-const float KERNEL_SAMPLES = 1024.0;
 
 // The taps around a position along one axis of a grid.
 struct Taps {
@@ -15,13 +14,15 @@ struct Taps {
     float weights[TAPS];
 };
 
-// position: in samples of the grid, 0 at its first sample.
-Taps tapsAround(float position) {
+// position: in samples, 0 at frequency 0, where float32 is finest and the brightest order has its skirts; origin: the grid's
+// first sample.
+Taps tapsAround(float position, float origin) {
     float edge = position - 0.5 * float(TAPS);
     float below = floor(edge);
     Taps taps;
-    taps.first = int(below) + 1;
-    float at = (0.5 + (edge - below) * (KERNEL_SAMPLES - 1.0)) / KERNEL_SAMPLES;
+    taps.first = int(below) - int(origin) + 1;
+    float samples = float(textureSize(gridKernel, 0).x);
+    float at = (0.5 + (edge - below) * (samples - 1.0)) / samples;
     for (int row = 0; row < KERNEL_ROWS; ++row) {
         vec4 four = texture(gridKernel, vec2(at, (float(row) + 0.5) / float(KERNEL_ROWS)));
         for (int i = 0; i < 4 && 4 * row + i < TAPS; ++i) {
@@ -39,14 +40,14 @@ struct Place {
     Taps y;
 };
 
-Place onColumn(int column, float y) {
-    Taps taps = tapsAround(y);
+Place onColumn(int column, float y, float origin) {
+    Taps taps = tapsAround(y, origin);
     return Place(true, column, taps, taps);
 }
 
-// position: in samples of the grid.
-Place inGrid(vec2 position) {
-    return Place(false, 0, tapsAround(position.x), tapsAround(position.y));
+// position: in samples from frequency 0.
+Place inGrid(vec2 position, vec2 origin) {
+    return Place(false, 0, tapsAround(position.x, origin.x), tapsAround(position.y, origin.y));
 }
 
 vec4 columnTexel(sampler2DArray grid, int layer, int column, Taps y) {

@@ -9,6 +9,11 @@ uniform sampler2DArray tableTerms;
 uniform ivec2 tableFirst;
 // Number of bins per unit of frequency, which is the patch's period in metres.
 uniform vec2 tablePeriod;
+// What float32 leaves of it; for those who find a bin in double precision.
+uniform vec2 tablePeriodRest;
+
+// Beyond, bins are not held in arrays.
+#define UNROLLED_RADIUS 4
 
 const int SIDE = 2 * RADIUS + 1;
 
@@ -18,26 +23,101 @@ struct Neighbourhood {
     float weightsY[SIDE];
 };
 
-ivec2 anchorBin(vec2 position) {
-#if ANCHOR == ANCHOR_FLOOR
-    return ivec2(floor(position));
+// A frequency among the bins: the one in the middle of its neighbourhood, and how far that lies from it.
+struct Anchored {
+    ivec2 bin;
+    vec2 offset;
+};
+
+Anchored anchored(vec2 uv, float wavelength) {
+#ifdef SPECTRAL
+    ivec2 nearest = ivec2(exactBin.xy);
+    vec2 rest = exactBin.zw;
 #else
-    return ivec2(floor(position + 0.5));
+    vec2 position = uv / wavelength * tablePeriod;
+    ivec2 nearest = ivec2(floor(position + 0.5));
+    vec2 rest = position - vec2(nearest);
+#endif
+#if ANCHOR == ANCHOR_FLOOR
+    ivec2 below = ivec2(lessThan(rest, vec2(0.0)));
+    return Anchored(nearest - below, -vec2(below) - rest);
+#else
+    return Anchored(nearest, -rest);
 #endif
 }
 
 Neighbourhood neighbourhoodOf(vec2 uv, float wavelength) {
-    vec2 position = uv / wavelength * tablePeriod;
-    ivec2 first = anchorBin(position) - RADIUS;
+    Anchored middle = anchored(uv, wavelength);
     Neighbourhood result;
-    result.corner = first - tableFirst;
-    vec2 offset = vec2(first) - position;
+    result.corner = middle.bin - RADIUS - tableFirst;
+    vec2 offset = middle.offset - float(RADIUS);
     for (int i = 0; i < SIDE; ++i) {
         result.weightsX[i] = windowAmplitude(offset.x + float(i), windowSigmaBins.x);
         result.weightsY[i] = windowAmplitude(offset.y + float(i), windowSigmaBins.y);
     }
     return result;
 }
+
+// |F_j|^2 of the bin at a texel; 0 beyond the table, which holds all that can be seen.
+float binPower(ivec2 texel, float zeta) {
+    if (any(lessThan(texel, ivec2(0))) || any(greaterThanEqual(texel, textureSize(tableTerms, 0).xy))) {
+        return 0.0;
+    }
+    float coefficient = firstCoefficient(zeta);
+    vec2 amplitude = vec2(0.0);
+    for (int n = 0; n < TERMS; ++n) {
+        amplitude += coefficient * texelFetch(tableTerms, ivec3(texel, n), 0).rg;
+        coefficient = nextCoefficient(coefficient, n + 1, zeta);
+    }
+    return squaredMagnitude(amplitude);
+}
+
+#if RADIUS > UNROLLED_RADIUS
+
+// Many bins: loops of a length that compilers do not know, lest they write each out.
+uniform int tableRadius;
+
+vec2 manyBins(vec3 uvw, float wavelength) {
+    Anchored middle = anchored(uvw.xy, wavelength);
+    ivec2 nearest = middle.bin;
+    vec2 offset = middle.offset;
+    float zeta = expansionPhase(uvw.z, wavelength);
+    float coefficients[TERMS];
+    float coefficient = firstCoefficient(zeta);
+    for (int n = 0; n < TERMS; ++n) {
+        coefficients[n] = coefficient;
+        coefficient = nextCoefficient(coefficient, n + 1, zeta);
+    }
+    vec2 sum = vec2(0.0);
+    float squares = 0.0;
+    for (int j = -tableRadius; j <= tableRadius; ++j) {
+        float weightY = windowAmplitude(offset.y + float(j), windowSigmaBins.y);
+        vec2 row = vec2(0.0);
+        float rowSquares = 0.0;
+        for (int i = -tableRadius; i <= tableRadius; ++i) {
+            float weight = windowAmplitude(offset.x + float(i), windowSigmaBins.x);
+            vec2 bin = vec2(0.0);
+            for (int n = 0; n < TERMS; ++n) {
+                bin += coefficients[n] * texelFetch(tableTerms, ivec3(nearest - tableFirst + ivec2(i, j), n), 0).rg;
+            }
+            row += weight * bin;
+            rowSquares += weight * weight * dot(bin, bin);
+        }
+        sum += weightY * row;
+        squares += weightY * weightY * rowSquares;
+    }
+    return vec2(squaredMagnitude(sum), squares);
+}
+
+float coherentPower(vec3 uvw, float wavelength) {
+    return manyBins(uvw, wavelength).x;
+}
+
+float ensemblePower(vec3 uvw, float wavelength) {
+    return manyBins(uvw, wavelength).y;
+}
+
+#else
 
 // Amplitudes of the taps first, square last: one coherence area.
 float coherentPower(vec3 uvw, float wavelength) {
@@ -60,20 +140,6 @@ float coherentPower(vec3 uvw, float wavelength) {
     return squaredMagnitude(amplitude);
 }
 
-// |F_j|^2 of the bin at a texel; 0 beyond the table, which holds all that can be seen.
-float binPower(ivec2 texel, float zeta) {
-    if (any(lessThan(texel, ivec2(0))) || any(greaterThanEqual(texel, textureSize(tableTerms, 0).xy))) {
-        return 0.0;
-    }
-    float coefficient = firstCoefficient(zeta);
-    vec2 amplitude = vec2(0.0);
-    for (int n = 0; n < TERMS; ++n) {
-        amplitude += coefficient * texelFetch(tableTerms, ivec3(texel, n), 0).rg;
-        coefficient = nextCoefficient(coefficient, n + 1, zeta);
-    }
-    return squaredMagnitude(amplitude);
-}
-
 // Squares of the taps, then their sum: Stam's angle brackets (thesis eq. 2.29 in spirit).
 float ensemblePower(vec3 uvw, float wavelength) {
     Neighbourhood taps = neighbourhoodOf(uvw.xy, wavelength);
@@ -87,3 +153,5 @@ float ensemblePower(vec3 uvw, float wavelength) {
     }
     return power;
 }
+
+#endif

@@ -30,7 +30,7 @@ float arrayFactor(float turns, float replicas) {
 }
 
 vec2 periodAmplitude(vec2 frequency, float zeta) {
-    Place place = inGrid(frequency * periodScale - periodFirst);
+    Place place = inGrid(frequency * periodScale, periodFirst);
     return amplitudeAt(periodTerms, 0, PERIOD_LAYERS, place, periodCoefficients, periodPhaseMap, zeta);
 }
 

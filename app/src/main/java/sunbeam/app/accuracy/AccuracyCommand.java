@@ -21,6 +21,7 @@ import picocli.CommandLine.Spec;
 import sunbeam.app.accuracy.ReferenceSamples.SampleCounts;
 import sunbeam.app.cli.Environment;
 import sunbeam.app.cli.ExitCode;
+import sunbeam.app.cli.UsageException;
 import sunbeam.app.output.ForceOption;
 import sunbeam.app.output.OutputException;
 import sunbeam.app.progress.Progress;
@@ -40,9 +41,11 @@ import sunbeam.precompute.units.Lengths;
                 + " of each expansion, the neighbourhood, the wavelength step, and the tolerance, on random directions,"
                 + " half of them aimed at diffraction orders; and of all methods over their time per pixel. Writes"
                 + " tables (CSV), plots (PNG) and a page that shows them (README.md) into a folder. Takes some minutes"
-                + " a patch; --quick, one.")
+                + " a patch; --quick, one. With --cases, holds method full to its tolerance on given surfaces and"
+                + " directions instead: prints a line for each; exit code 3 when one is missed.")
 public final class AccuracyCommand implements Callable<Integer> {
     private static final List<String> DEFAULT_PATCHES = List.of("blaze", "elaphe-like", "xenopeltis-like");
+    private static final List<Double> CASE_TOLERANCES = List.of(1e-2, 1e-3, 1e-4);
     private static final SampleCounts USUAL = new SampleCounts(300, 32, 3);
     private static final SampleCounts QUICK = new SampleCounts(120, 10, 3);
     private static final int USUAL_MAP = 128;
@@ -64,6 +67,37 @@ public final class AccuracyCommand implements Callable<Integer> {
             description = "Where the files go; made if it is missing. Default: ${DEFAULT-VALUE}.")
     private Path output;
 
+    @Option(
+            names = "--cases",
+            paramLabel = "FOLDER",
+            description =
+                    "A folder of cases with exact values: index.csv names case, patch and options, CASE/in.csv has"
+                            + " directions and exact_power, exact_power_ensemble or exact_X,exact_Y,exact_Z"
+                            + " (docs/accuracy). Nothing is written.")
+    private Path cases;
+
+    @Option(
+            names = "--tolerance",
+            paramLabel = "ERROR",
+            split = ",",
+            description = "With --cases: the tolerances that are tried. Default: 1e-2,1e-3,1e-4.")
+    private List<Double> tolerances = new ArrayList<>();
+
+    @Option(
+            names = "--random",
+            paramLabel = "N",
+            description =
+                    "Draw N surfaces with window, average, tolerance and directions, and compare with the reference"
+                            + " instead: prints those that miss, and the distribution by kind.")
+    private Integer random;
+
+    @Option(
+            names = "--seed",
+            paramLabel = "SEED",
+            defaultValue = "1",
+            description = "With --random: the first case's; the next ones count up. Default: ${DEFAULT-VALUE}.")
+    private long seed;
+
     @Option(names = "--quick", description = "Fewer directions: a first impression in a fifth of the time.")
     private boolean quick;
 
@@ -79,6 +113,15 @@ public final class AccuracyCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
+        if (cases != null) {
+            return holdToCases().code();
+        }
+        if (random != null) {
+            return drawCases().code();
+        }
+        if (!tolerances.isEmpty()) {
+            throw new UsageException("--tolerance belongs to --cases; leave it out");
+        }
         SampleCounts counts = quick ? QUICK : USUAL;
         Map<String, String> descriptions = new LinkedHashMap<>();
         Map<String, Patch> named = load(descriptions);
@@ -105,6 +148,43 @@ public final class AccuracyCommand implements Callable<Integer> {
         }
         specification.commandLine().getOut().println(report.file());
         return ExitCode.OK.code();
+    }
+
+    private ExitCode drawCases() {
+        if (random < 1) {
+            throw new UsageException("--random " + random + " is out of range; give 1 or more");
+        }
+        try (RenderContext context = RenderContexts.offscreen()) {
+            int missed = new RandomCases(context, specification.commandLine().getOut()).run(seed, random);
+            return missed == 0 ? ExitCode.OK : ExitCode.TOLERANCE_MISSED;
+        }
+    }
+
+    private ExitCode holdToCases() {
+        if (!patches.isEmpty() || quick) {
+            throw new UsageException("--patch and --quick are not for --cases, which name their own; leave them out");
+        }
+        List<AccuracyCase> all = AccuracyCase.readAll(cases);
+        PrintWriter out = specification.commandLine().getOut();
+        PrintWriter err = specification.commandLine().getErr();
+        int missed = 0;
+        int tried = 0;
+        try (RenderContext context = RenderContexts.offscreen()) {
+            CaseRunner runner = new CaseRunner(context);
+            for (AccuracyCase surface : all) {
+                DiffractionSetup setup = new DiffractionSetup(surface.patch(), environment, err);
+                for (double tolerance : tolerances.isEmpty() ? CASE_TOLERANCES : tolerances) {
+                    for (CaseRunner.Outcome outcome : runner.run(surface, setup, tolerance)) {
+                        out.println(outcome.line());
+                        out.flush();
+                        missed += outcome.verdict() == CaseRunner.Verdict.KEPT ? 0 : 1;
+                        tried++;
+                    }
+                }
+            }
+        }
+        out.printf("%d of %d kept%n", tried - missed, tried);
+        return missed == 0 ? ExitCode.OK : ExitCode.TOLERANCE_MISSED;
     }
 
     /** By names that differ, as files are named after them. */

@@ -21,9 +21,12 @@ import sunbeam.precompute.optics.DirectionPair;
 public final class DirectionsRenderer implements AutoCloseable {
     // Directions per draw: short enough for a slow driver, long enough to fill it.
     private static final int BATCH = 256;
+    // Texels of a direction.
+    private static final int ROWS = 4;
 
     private final RenderContext context;
     private final UploadedTables method;
+    private final boolean spectral;
     private final ShaderProgram program;
 
     /**
@@ -34,6 +37,7 @@ public final class DirectionsRenderer implements AutoCloseable {
     public DirectionsRenderer(RenderContext context, UploadedTables method, boolean spectral) {
         this.context = context;
         this.method = method;
+        this.spectral = spectral;
         this.program = method.program("directions.frag", spectral ? Map.of("SPECTRAL", "1") : Map.of());
         program.set("windowSigma", (float) method.windowSigma());
     }
@@ -49,8 +53,8 @@ public final class DirectionsRenderer implements AutoCloseable {
      */
     public List<float[]> evaluate(List<Query> queries, LongConsumer progress) {
         List<float[]> results = new ArrayList<>(queries.size());
-        try (FloatTexture texture =
-                        context.createFloatTexture("directions", FloatTextureSpec.flat(BATCH, 3, FloatFormat.RGBA32F));
+        try (FloatTexture texture = context.createFloatTexture(
+                        "directions", FloatTextureSpec.flat(BATCH, ROWS, FloatFormat.RGBA32F));
                 FloatTarget target = context.createFloatTarget("directions", FloatTargetSpec.color(BATCH, 1))) {
             List<Binding> bindings = new ArrayList<>(method.bindings());
             bindings.add(new Binding("directions", texture));
@@ -68,16 +72,30 @@ public final class DirectionsRenderer implements AutoCloseable {
         return results;
     }
 
-    private static float[] texels(List<Query> batch) {
-        float[] texels = new float[4 * 3 * BATCH];
+    private float[] texels(List<Query> batch) {
+        float[] texels = new float[4 * ROWS * BATCH];
         for (int i = 0; i < batch.size(); i++) {
             DirectionPair pair = batch.get(i).pair();
             put(texels, i, 0, pair.wi(), 0);
             put(texels, i, 1, pair.wr(), 0);
             Direction uvw = new Direction(pair.u(), pair.v(), pair.w());
-            put(texels, i, 2, uvw, batch.get(i).wavelength());
+            double wavelength = batch.get(i).wavelength();
+            put(texels, i, 2, uvw, wavelength);
+            if (spectral && method.binsPerFrequency().isPresent()) {
+                double[] bins = method.binsPerFrequency().get();
+                putBin(texels, i, uvw.x() / wavelength * bins[0], 0);
+                putBin(texels, i, uvw.y() / wavelength * bins[1], 1);
+            }
         }
         return texels;
+    }
+
+    /** The nearest bin, and how far beyond it the position lies. */
+    private static void putBin(float[] texels, int column, double position, int axis) {
+        double nearest = Math.rint(position);
+        int at = 4 * (3 * BATCH + column) + axis;
+        texels[at] = (float) nearest;
+        texels[at + 2] = (float) (position - nearest);
     }
 
     private static void put(float[] texels, int column, int row, Direction direction, double fourth) {

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import jrtr.Binding;
 import jrtr.Filter;
 import jrtr.FloatFormat;
@@ -113,6 +114,19 @@ public final class UploadedTables implements AutoCloseable {
     /** The method's textures, by sampler name. */
     public List<Binding> bindings() {
         return bindings;
+    }
+
+    /** DFT bins per cycle per metre along x and y, the patch's width and height in metres; none where there are no bins. */
+    public Optional<double[]> binsPerFrequency() {
+        UniformValue rest = tables.uniforms().get("tablePeriodRest");
+        if (!(tables.uniforms().get("tablePeriod") instanceof UniformValue.Reals whole)
+                || !(rest instanceof UniformValue.Reals small)) {
+            return Optional.empty();
+        }
+        return Optional.of(new double[] {
+            (double) whole.components().get(0) + small.components().get(0),
+            (double) whole.components().get(1) + small.components().get(1)
+        });
     }
 
     /** Standard deviation of the coherence window, metres. */

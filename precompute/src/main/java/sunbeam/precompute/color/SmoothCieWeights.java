@@ -28,16 +28,21 @@ public final class SmoothCieWeights {
         return result;
     }
 
+    /** Beyond the band's ends straight on: what the table has at an end is what an order there sees. */
     private static double at(CieTable cie, int nanometre, int channel) {
         int inside = Math.min(TABLE_LAST, Math.max(0, nanometre));
-        return cie.at(CieTable.MINIMUM_WAVELENGTH + inside * 1e-9, channel);
+        double value = cie.at(CieTable.MINIMUM_WAVELENGTH + inside * 1e-9, channel);
+        int inwards = Integer.compare(inside, nanometre);
+        return inwards == 0
+                ? value
+                : 2 * value - cie.at(CieTable.MINIMUM_WAVELENGTH + (inside + inwards) * 1e-9, channel);
     }
 
     private static double cubic(double[] values, int left, double t) {
-        double before = values[Math.max(0, left - 1)];
         double from = values[left];
         double to = values[left + 1];
-        double after = values[Math.min(TABLE_LAST, left + 2)];
+        double before = left == 0 ? 2 * from - to : values[left - 1];
+        double after = left + 2 > TABLE_LAST ? 2 * to - from : values[left + 2];
         double slope = 0.5 * (to - before);
         double bend = before - 2.5 * from + 2 * to - 0.5 * after;
         double twist = 0.5 * (after - before) + 1.5 * (from - to);

@@ -1,5 +1,7 @@
 package sunbeam.precompute.color;
 
+import java.util.function.DoubleUnaryOperator;
+
 /**
  * Wavelengths and their weights: X = sum_i power(lambda_i) weightX_i, Y and Z alike, so that power 1 gives D65 white
  * with Y = 1.
@@ -11,6 +13,18 @@ public record WavelengthNodes(double[] wavelengths, double[][] weights) {
 
     public int count() {
         return wavelengths.length;
+    }
+
+    /** X, Y, Z of a power by wavelength in metres. */
+    public double[] sum(DoubleUnaryOperator power) {
+        double[] sum = new double[3];
+        for (int i = 0; i < wavelengths.length; i++) {
+            double value = power.applyAsDouble(wavelengths[i]);
+            for (int c = 0; c < 3; c++) {
+                sum[c] += value * weights[i][c];
+            }
+        }
+        return sum;
     }
 
     /**

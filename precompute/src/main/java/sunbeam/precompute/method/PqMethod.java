@@ -225,7 +225,7 @@ public record PqMethod(TableChoices table, PeriodInterpolation interpolation, Re
             ArrayLayout terms = termsLayout();
             int samples = CoefficientTable.sampleCount(expansion.minimumPhase(), expansion.maximumPhase());
             List<ArrayLayout> layouts = List.of(
-                    SpectrumArrays.kernelLayout(interpolation.taps()),
+                    SpectrumArrays.kernelLayout(interpolation.taps(), SpectrumArrays.FEW_KERNEL_SAMPLES),
                     SpectrumArrays.coefficientsLayout(COEFFICIENTS, samples, expansion.terms(), 4),
                     ColorArrays.wavelengthsLayout(wavelengths),
                     terms);
@@ -261,7 +261,8 @@ public record PqMethod(TableChoices table, PeriodInterpolation interpolation, Re
             CoherenceWindow equalArea = replicas.equalAreaWindow(map.width(), map.height());
             return tables.define("TAPS", interpolation.taps())
                     .define("PERIOD_LAYERS", terms.layers())
-                    .array(SpectrumArrays.kernel(interpolation.taps(), interpolation::kernel))
+                    .array(SpectrumArrays.kernel(
+                            interpolation.taps(), interpolation::kernel, SpectrumArrays.FEW_KERNEL_SAMPLES))
                     .array(SpectrumArrays.coefficients(COEFFICIENTS, coefficients, 4))
                     .array(ColorArrays.wavelengths(wavelengths))
                     .array(TableArray.computed(terms, layer -> layer(spectrum, layer)))

@@ -17,6 +17,8 @@ import sunbeam.precompute.table.WindowPhase;
 
 /** DFT bins as shaders/method/neighbourhood.glsl reads them. */
 final class BinArrays {
+    // As in shaders/method/neighbourhood.glsl.
+    private static final int UNROLLED_RADIUS = 4;
     private static final String TERMS = "tableTerms";
     private static final String COEFFICIENTS = "expansionCoefficients";
 
@@ -49,10 +51,15 @@ final class BinArrays {
                 .define("ANCHOR_NEAREST", 1)
                 .define("ANCHOR", floor ? "ANCHOR_FLOOR" : "ANCHOR_NEAREST")
                 .define("RADIUS", neighbourhood.radius());
+        if (neighbourhood.radius() > UNROLLED_RADIUS) {
+            tables.integers("tableRadius", neighbourhood.radius());
+        }
         double sigma = plan.window().sigmaFrequency();
         double width = table.patch().width();
         double height = table.patch().height();
-        return tables.reals("tablePeriod", width, height).reals("windowSigmaBins", sigma * width, sigma * height);
+        return tables.reals("tablePeriod", width, height)
+                .reals("tablePeriodRest", width - (float) width, height - (float) height)
+                .reals("windowSigmaBins", sigma * width, sigma * height);
     }
 
     private static void addTerms(ShaderTables.Builder tables, Plan plan, FourierTable table) {

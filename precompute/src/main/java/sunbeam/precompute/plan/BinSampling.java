@@ -49,7 +49,7 @@ public record BinSampling(Neighbourhood neighbourhood, WavelengthNodes wavelengt
 
     private void checkRadius(Plan plan, double tolerance, HeightMap map, List<Sentence> lines) {
         double sigmaBins = plan.window().sigmaFrequency() * Math.max(map.width(), map.height());
-        int needed = SamplingPlanner.neighbourhoodRadius(sigmaBins, new Tolerances(tolerance));
+        int needed = new ErrorBudget(tolerance).neighbourhoodRadius(sigmaBins);
         if (neighbourhood.radius() < needed) {
             lines.add(Sentence.of(
                     String.format(

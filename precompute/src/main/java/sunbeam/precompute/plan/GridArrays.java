@@ -45,10 +45,18 @@ final class GridArrays {
      * Shapes of all arrays. The ensemble has about twice as many terms as the expansion, but real ones, four a texel, where
      * two complex terms share one.
      */
+    private int samples() {
+        double low = plan.expansion().minimumPhase();
+        double high = plan.expansion().maximumPhase();
+        return sampling.budget().roughness().isRough()
+                ? CoefficientTable.fewSamples(low, high)
+                : CoefficientTable.sampleCount(low, high);
+    }
+
     List<ArrayLayout> layouts(MethodUse use) {
         Expansion expansion = plan.expansion();
         int layers = (2 * expansion.terms() + CHANNELS - 1) / CHANNELS;
-        int samples = CoefficientTable.sampleCount(expansion.minimumPhase(), expansion.maximumPhase());
+        int samples = samples();
         int functions = average == Average.COHERENT ? expansion.terms() : CHANNELS * layers;
         ArrayLayout coefficients =
                 SpectrumArrays.coefficientsLayout(name + "Coefficients", samples, functions, CHANNELS);
@@ -105,7 +113,7 @@ final class GridArrays {
     /** Adds the arrays of some fields, and what the shader must know of them. */
     void addTo(ShaderTables.Builder tables, FourierTable table, Fields fields, MethodUse use) {
         int layers = (fields.count() + CHANNELS - 1) / CHANNELS;
-        CoefficientTable coefficients = fields.coefficients();
+        CoefficientTable coefficients = fields.coefficients(samples());
         tables.define(name.toUpperCase(Locale.ROOT) + "_LAYERS", layers)
                 .array(SpectrumArrays.coefficients(name + "Coefficients", coefficients, CHANNELS))
                 .reals(name + "PhaseMap", SpectrumArrays.phaseMap(coefficients))

@@ -26,10 +26,10 @@ import sunbeam.precompute.table.FourierTable;
  * @param largestStride a ray that crosses many columns stops at every second one, or third, up to this
  * @param fewestNodes directions whose ray crosses fewer columns than this within the visible band, those near the specular
  *     one, take this many equal steps of 1 / lambda and interpolate both axes
- * @param powerTolerance relative root-mean-square error of the ensemble's powers over the phases
+ * @param budget what each source may err
  */
 public record GridSampling(
-        InterpolationDesign interpolation, double nodeStep, int largestStride, int fewestNodes, double powerTolerance)
+        InterpolationDesign interpolation, double nodeStep, int largestStride, int fewestNodes, ErrorBudget budget)
         implements Sampling {
 
     /** Largest of |u|, |v| up to which both axes are interpolated. */
@@ -82,9 +82,30 @@ public record GridSampling(
         return (plan.expansion().terms() + 1L) / 2 * mostNodes(plan.range()) * interpolation.taps();
     }
 
+    private int kernelSamples() {
+        return budget.roughness().isRough() ? SpectrumArrays.FEW_KERNEL_SAMPLES : SpectrumArrays.MANY_KERNEL_SAMPLES;
+    }
+
     /** The averages that a use asks for. */
     private static List<Average> averages(Plan plan, MethodUse use) {
         return use == MethodUse.SPECTRAL ? List.of(Average.COHERENT, Average.ENSEMBLE) : List.of(plan.average());
+    }
+
+    /**
+     * What serves single wavelengths: all bins that count, exactly, where they are not too many, as time is no matter
+     * there; else a grid that is fine enough for both averages.
+     */
+    private Sampling single(Plan plan, double width, double height) {
+        int radius = budget.neighbourhoodRadius(plan.window().sigmaFrequency() * Math.max(width, height));
+        return radius > Neighbourhood.LARGEST_SUM
+                ? new GridSampling(
+                        new ErrorBudget(budget.tolerance()).interpolation(Average.ENSEMBLE),
+                        nodeStep,
+                        largestStride,
+                        fewestNodes,
+                        budget)
+                : new RaySampling(
+                        new Neighbourhood(Math.max(1, radius), Neighbourhood.Anchor.NEAREST), nodeStep, fewestNodes);
     }
 
     @Override
@@ -93,7 +114,7 @@ public record GridSampling(
         for (Average average : averages(plan, use)) {
             layouts.addAll(new GridArrays(this, plan, average).layouts(use));
         }
-        layouts.add(SpectrumArrays.kernelLayout(interpolation.taps()));
+        layouts.add(SpectrumArrays.kernelLayout(interpolation.taps(), kernelSamples()));
         layouts.add(ColorArrays.cieWeightsLayout());
         return layouts;
     }
@@ -114,6 +135,10 @@ public record GridSampling(
 
     @Override
     public ShaderTables tables(Plan plan, FourierTable table, MethodUse use, CieTable cie) {
+        Sampling single = single(plan, table.patch().width(), table.patch().height());
+        if (use == MethodUse.SPECTRAL && !equals(single)) {
+            return single.tables(plan, table, use, cie);
+        }
         ShaderTables.Builder tables = new ShaderTables.Builder("full_grid");
         plan.average().defineIn(tables);
         CoefficientSource.SAMPLED.defineIn(tables, table.terms());
@@ -124,7 +149,7 @@ public record GridSampling(
         for (Average average : averages(plan, use)) {
             new GridArrays(this, plan, average).addTo(tables, table, fields(average, plan, table), use);
         }
-        tables.array(SpectrumArrays.kernel(interpolation.taps(), interpolation::kernel))
+        tables.array(SpectrumArrays.kernel(interpolation.taps(), interpolation::kernel, kernelSamples()))
                 .array(ColorArrays.cieWeights(cie));
         if (use == MethodUse.COLOUR) {
             tables.reals("gridNodeStep", nodeStep)
@@ -139,6 +164,6 @@ public record GridSampling(
     private Fields fields(Average average, Plan plan, FourierTable table) {
         return average == Average.COHERENT
                 ? new AmplitudeFields(table, plan.expansion(), plan.origin())
-                : new PowerFields(table, plan.expansion(), powerTolerance);
+                : new PowerFields(table, plan.expansion(), budget.powerBasis());
     }
 }

@@ -3,12 +3,15 @@ package sunbeam.precompute.plan;
 /**
  * The DFT bins that are summed around a frequency, (2 radius + 1)^2 of them.
  *
- * @param radius bins on each side, 0..15
+ * @param radius bins on each side, 0..64
  * @param anchor the bin in the middle
  */
 public record Neighbourhood(int radius, Anchor anchor) {
     /** The largest radius that can be asked for; beyond it a window this narrow wants other means. */
     public static final int MAXIMUM_RADIUS = 15;
+
+    /** The largest radius that is ever summed: for single wavelengths, where time is no matter. */
+    public static final int LARGEST_SUM = 64;
 
     /** How the middle bin follows from the frequency. */
     public enum Anchor {
@@ -19,8 +22,8 @@ public record Neighbourhood(int radius, Anchor anchor) {
     }
 
     public Neighbourhood {
-        if (radius < 0 || radius > MAXIMUM_RADIUS) {
-            throw new IllegalArgumentException("radius " + radius + " is not in 0.." + MAXIMUM_RADIUS);
+        if (radius < 0 || radius > LARGEST_SUM) {
+            throw new IllegalArgumentException("radius " + radius + " is not in 0.." + LARGEST_SUM);
         }
     }
 

@@ -17,11 +17,12 @@ import sunbeam.precompute.units.Lengths;
  *
  * @param reach how far from an order's middle wavelengths lie, in standard deviations of the order's power
  * @param nodeSpacing their distance, likewise
+ * @param cutSpacing the same for orders that the visible band cuts
  * @param largestStep their largest distance in metres: orders near the specular one are broader than the structure of the
  *     colour matching functions and D65
  * @param specularNodes wavelengths within the specular order, which has no middle
  */
-public record OrderSampling(double reach, double nodeSpacing, double largestStep, int specularNodes)
+public record OrderSampling(double reach, double nodeSpacing, double cutSpacing, double largestStep, int specularNodes)
         implements Sampling {
     private static final Neighbourhood NEAREST_BIN = new Neighbourhood(0, Neighbourhood.Anchor.NEAREST);
 
@@ -73,6 +74,7 @@ public record OrderSampling(double reach, double nodeSpacing, double largestStep
                 .array(ColorArrays.cieWeights(cie))
                 .reals("orderReach", reach)
                 .reals("orderNodeSpacing", nodeSpacing)
+                .reals("orderCutSpacing", cutSpacing)
                 .reals("orderLargestStep", largestStep)
                 .integers("specularNodes", specularNodes)
                 .reals("windowSigmaFrequency", plan.window().sigmaFrequency())

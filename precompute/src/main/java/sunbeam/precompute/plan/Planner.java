@@ -61,9 +61,10 @@ public final class Planner {
      */
     public Plan plan(TableChoices table, Optional<Neighbourhood> neighbourhood, GaussianArea area, VisibleRange range) {
         PlanChecks.check(area.window(), map);
-        Expansion expansion = expansion(table, range);
+        ErrorBudget budget = budget(table, neighbourhood, area, range);
+        Expansion expansion = expansion(table, range, budget);
         Plan plan = null;
-        for (Sampling sampling : samplings(table, neighbourhood, area.window(), range)) {
+        for (Sampling sampling : samplings(table, neighbourhood, area, range, budget)) {
             plan = new Plan(
                     table.accuracy(),
                     range,
@@ -112,43 +113,63 @@ public final class Planner {
     }
 
     /** Where the thesis's choices stand in, it keeps no tolerance, and only what a user fixes is planned for the standard one. */
-    private static Tolerances tolerances(TableChoices table) {
-        return new Tolerances(table.accuracy().tolerance().orElse(Tolerances.STANDARD));
+    private static ErrorBudget budget(TableChoices table) {
+        return new ErrorBudget(table.accuracy().tolerance().orElse(Tolerances.STANDARD));
     }
 
     private List<Sampling> samplings(
-            TableChoices table, Optional<Neighbourhood> neighbourhood, CoherenceWindow window, VisibleRange range) {
+            TableChoices table,
+            Optional<Neighbourhood> neighbourhood,
+            GaussianArea area,
+            VisibleRange range,
+            ErrorBudget budget) {
         boolean fixesBins = neighbourhood.isPresent() || table.wavelengthStep().isPresent();
         return table.accuracy().isThesis() || fixesBins
-                ? List.of(bins(table, neighbourhood, window, range))
-                : new SamplingPlanner(map, heights, window, range, tolerances(table)).choices();
+                ? List.of(bins(table, neighbourhood, area.window(), range))
+                : new SamplingPlanner(map, heights, area, range, budget).choices();
     }
 
     private Sampling bins(
             TableChoices table, Optional<Neighbourhood> neighbourhood, CoherenceWindow window, VisibleRange range) {
         boolean thesis = table.accuracy().isThesis();
         double step = table.wavelengthStep()
-                .orElseGet(() -> thesis ? THESIS_WAVELENGTH_STEP : wavelengthStep(window, range, tolerances(table)));
+                .orElseGet(() -> thesis ? THESIS_WAVELENGTH_STEP : wavelengthStep(window, range, budget(table)));
         return new BinSampling(
-                neighbourhood.orElseGet(() -> thesis ? THESIS_NEIGHBOURHOOD : neighbourhood(window, tolerances(table))),
+                neighbourhood.orElseGet(() -> thesis ? THESIS_NEIGHBOURHOOD : neighbourhood(window, budget(table))),
                 WavelengthNodes.uniform(cie, step));
     }
 
-    private Neighbourhood neighbourhood(CoherenceWindow window, Tolerances tolerances) {
+    private Neighbourhood neighbourhood(CoherenceWindow window, ErrorBudget budget) {
         double sigmaBins = window.sigmaFrequency() * Math.max(map.width(), map.height());
-        int radius = SamplingPlanner.neighbourhoodRadius(sigmaBins, tolerances);
+        int radius = budget.neighbourhoodRadius(sigmaBins);
         PlanChecks.checkRadius(radius, window, sigmaBins);
         return new Neighbourhood(radius, Neighbourhood.Anchor.NEAREST);
     }
 
     /** Fine enough for the sharpest order, for the colour matching functions, and for textures' longest side. */
-    private static double wavelengthStep(CoherenceWindow window, VisibleRange range, Tolerances tolerances) {
-        double orders = BinSampling.coarsestWavelengthStep(window, range, tolerances.value());
+    private static double wavelengthStep(CoherenceWindow window, VisibleRange range, ErrorBudget budget) {
+        double orders = BinSampling.coarsestWavelengthStep(window, range, budget.tolerance());
         return Math.max(FINEST_WAVELENGTH_STEP, Math.min(COARSEST_WAVELENGTH_STEP, orders));
     }
 
-    /** The expansion that a plan has. */
+    /** The budget, with the roughness where it tells between two plans: where a grid is interpolated. */
+    private ErrorBudget budget(
+            TableChoices table, Optional<Neighbourhood> neighbourhood, GaussianArea area, VisibleRange range) {
+        ErrorBudget budget = budget(table);
+        boolean free = !table.accuracy().isThesis()
+                && neighbourhood.isEmpty()
+                && table.wavelengthStep().isEmpty();
+        return free && SamplingPlanner.interpolates(map, area.window())
+                ? new ErrorBudget(budget.tolerance(), Roughness.measure(map, area.window(), area.origin(), range))
+                : budget;
+    }
+
+    /** The expansion that a plan has for a patch of which nothing else is known. */
     public Expansion expansion(TableChoices table, VisibleRange range) {
+        return expansion(table, range, budget(table));
+    }
+
+    private Expansion expansion(TableChoices table, VisibleRange range, ErrorBudget budget) {
         boolean thesis = table.accuracy().isThesis();
         ExpansionKind kind = table.expansion().orElse(thesis ? ExpansionKind.TAYLOR : ExpansionKind.LOWRANK);
         HeightScale scale = thesis ? HeightScale.mean(heights) : HeightScale.midRange(heights);
@@ -162,12 +183,12 @@ public final class Planner {
                 case LOWRANK -> LowRankExpansion.ofTerms(heights, scale, minimum, maximum, terms);
             };
         }
-        double tolerance = tolerances(table).expansion();
+        double tolerance = budget.expansion();
         return switch (kind) {
             case TAYLOR ->
                 PlanChecks.accurate(
                         TaylorExpansion.within(scale, maximum, tolerance),
-                        tolerances(table).value());
+                        budget(table).tolerance());
             case CHEBYSHEV -> ChebyshevExpansion.within(scale, maximum, tolerance);
             case LOWRANK -> LowRankExpansion.within(heights, scale, minimum, maximum, tolerance);
         };

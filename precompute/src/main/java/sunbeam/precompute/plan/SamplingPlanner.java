@@ -10,8 +10,8 @@ import sunbeam.precompute.resample.InterpolationDesign;
 
 /** Chooses how the windowed spectrum is sampled: single orders where the window resolves them, a grid elsewhere. */
 final class SamplingPlanner {
-    /** Where the window's spectrum ends, in standard deviations of its amplitude: exp(-6.5^2 / 2) = 7e-10. */
-    static final double GAUSS_REACH = 6.5;
+    /** Where the window's spectrum ends, in standard deviations of its amplitude: exp(-7.5^2 / 2) = 6e-13. */
+    static final double GAUSS_REACH = 7.5;
 
     // Fewer equal steps would not resolve the colour matching functions and D65: 40 steps of 1 / lambda are 5 nm in the
     // blue, 8 nm in the green. Finer tolerances resolve the 5 nm of D65's table; found by measurement.
@@ -29,22 +29,17 @@ final class SamplingPlanner {
     private final HeightMap map;
     private final HeightLevels heights;
     private final CoherenceWindow window;
+    private final Average average;
     private final VisibleRange range;
-    private final Tolerances tolerances;
+    private final ErrorBudget budget;
 
-    SamplingPlanner(
-            HeightMap map, HeightLevels heights, CoherenceWindow window, VisibleRange range, Tolerances tolerances) {
+    SamplingPlanner(HeightMap map, HeightLevels heights, GaussianArea area, VisibleRange range, ErrorBudget budget) {
         this.map = map;
         this.heights = heights;
-        this.window = window;
+        this.window = area.window();
+        this.average = area.average();
         this.range = range;
-        this.tolerances = tolerances;
-    }
-
-    /** Bins on each side of the nearest that matter: at its edge, half a bin further, the Gaussian is the tolerance. */
-    static int neighbourhoodRadius(double sigmaBins, Tolerances tolerances) {
-        double reach = sigmaBins * Math.sqrt(2 * Math.log(1 / (0.1 * tolerances.value())));
-        return (int) Math.max(0, Math.ceil(reach - 0.5));
+        this.budget = budget;
     }
 
     /** The ways that keep the tolerance, the fastest first; later ones take less memory. */
@@ -53,49 +48,61 @@ final class SamplingPlanner {
         // valley between orders nothing is left to see.
         double sigmaBins = window.sigmaFrequency() * Math.max(map.width(), map.height());
         double neighbour = Math.exp(-0.5 * Math.pow(0.5 / sigmaBins, 2));
-        if (neighbour < 1e-3 * tolerances.value()) {
+        if (neighbour < 1e-3 * budget.tolerance()) {
             return List.of(orders());
         }
         List<Sampling> choices = new ArrayList<>();
-        if (window.sigmaFrequency() * Math.min(map.width(), map.height()) >= RESOLVED_SIGMA_BINS) {
-            choices.add(grid());
+        if (interpolates(map, window)) {
+            choices.add(grid(budget.interpolation(average)));
+            choices.add(grid(budget.compactInterpolation(average)));
         }
         // Half way between two orders both count alike.
-        int radius = Math.max(1, neighbourhoodRadius(sigmaBins, tolerances));
+        int radius = Math.max(1, budget.neighbourhoodRadius(sigmaBins));
         if (radius <= Neighbourhood.MAXIMUM_RADIUS) {
             choices.add(rays(radius));
         }
-        return choices.isEmpty() ? List.of(grid()) : choices;
+        return choices.isEmpty() ? List.of(grid(budget.interpolation(average))) : choices;
+    }
+
+    /** Whether the window's spectrum is so wide that a grid is worth while. */
+    static boolean interpolates(HeightMap map, CoherenceWindow window) {
+        return window.sigmaFrequency() * Math.min(map.width(), map.height()) >= RESOLVED_SIGMA_BINS;
     }
 
     private Sampling rays(int radius) {
-        // The trapezoid rule along the ray, as in grid(), but with the ray's own steps.
-        double step = Math.PI * window.sigmaFrequency() / Math.sqrt(Math.log(2 / tolerances.wavelengths()));
+        // Gregory's corrections of cut ends want the order resolved; the trapezoid rule alone would do with twice the
+        // step.
+        double step = Math.min(1, cutSpacing()) * window.sigmaFrequency() / Math.sqrt(2);
         return new RaySampling(new Neighbourhood(radius, Neighbourhood.Anchor.NEAREST), step, fewestNodes());
     }
 
     private Sampling orders() {
         // Trapezoid rule for a Gaussian of deviation 1: error 2 exp(-2 (pi / step)^2); the rest is for the slope of the
-        // colour matching functions. Beyond four and a half deviations lies 7e-6 of the order.
-        double spacing = Math.min(1, Math.PI * Math.sqrt(2 / Math.log(2 / (0.01 * tolerances.value()))));
-        double reach = Math.max(3, Math.sqrt(2 * Math.log(1 / (0.1 * tolerances.value()))));
-        return new OrderSampling(reach, spacing, WAVELENGTH_STEP_AT_STANDARD / relativeFineness(), 4 * fewestNodes());
+        // colour matching functions.
+        double spacing = Math.min(1, Math.PI * Math.sqrt(2 / Math.log(2 / (0.01 * budget.tolerance()))));
+        double reach = Math.max(3, Math.sqrt(2 * Math.log(1 / (0.1 * budget.tolerance()))));
+        return new OrderSampling(
+                reach, spacing, cutSpacing(), WAVELENGTH_STEP_AT_STANDARD / relativeFineness(), 4 * fewestNodes());
     }
 
-    private Sampling grid() {
-        InterpolationDesign design = InterpolationDesign.within(tolerances.interpolation());
+    /** Gregory's rule with three corrected nodes errs by the fourth power of the step, some hundredth of a Gaussian's. */
+    private double cutSpacing() {
+        return Math.pow(30 * budget.wavelengths(), 0.25);
+    }
+
+    private Sampling grid(InterpolationDesign design) {
         // Columns are crossed at up to sqrt(2) of their distance. The power of a lone order along the ray is a Gaussian
         // of deviation sigma / sqrt(2), for which the trapezoid rule errs by 2 exp(-2 (pi deviation / step)^2).
-        double perStep = Math.sqrt(2 / (Math.PI * Math.PI) * Math.log(2 / tolerances.wavelengths()));
+        double perStep = Math.sqrt(2 / (Math.PI * Math.PI) * Math.log(2 / budget.wavelengths()));
         double step = window.sigmaFrequency() / perStep;
-        double centre = new GridSampling(design, step, 1, fewestNodes(), tolerances.powers()).centreReach();
+        double centre = new GridSampling(design, step, 1, fewestNodes(), budget).centreReach();
         int stride = (int) Math.ceil(centre / LARGEST_CENTRE);
-        return new GridSampling(design, step / stride, stride, fewestNodes(), tolerances.powers());
+        return new GridSampling(design, step / stride, stride, fewestNodes(), budget);
     }
 
     /** How much finer than at the standard tolerance wavelengths are resolved. */
     private double relativeFineness() {
-        return Math.cbrt(Tolerances.STANDARD / tolerances.value());
+        return Math.cbrt(Tolerances.STANDARD / budget.tolerance());
     }
 
     private int fewestNodes() {

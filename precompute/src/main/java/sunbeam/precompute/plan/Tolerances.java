@@ -1,12 +1,7 @@
 package sunbeam.precompute.plan;
 
-/**
- * How one tolerance, the relative error of power and XYZ, is shared out. The shares were set by measurement: {@code
- * sunbeam accuracy} shows that the errors they lead to stay below the tolerance.
- *
- * @param value relative error, {@link #FINEST}..{@link #COARSEST}
- */
-public record Tolerances(double value) {
+/** The tolerances that can be asked for. What each source of error may take of one: {@link ErrorBudget}. */
+public final class Tolerances {
     /** What float32 tables and shaders reach; {@code reference} goes further. */
     public static final double FINEST = 1e-5;
 
@@ -22,27 +17,5 @@ public record Tolerances(double value) {
     public static final double COARSEST = 1;
     public static final double STANDARD = 1e-3;
 
-    /**
-     * Root mean square error of the expansion over the surface. Weak directions see more of it than the mean, because
-     * what is left out falls off more slowly with frequency than what is kept: beside the bright directions of a smooth
-     * surface, around a grain of dust, in the lone orders of a grating.
-     */
-    double expansion() {
-        return 0.02 * value;
-    }
-
-    /** Relative error of an amplitude by interpolation; the power has twice that, and its weak spots more. */
-    double interpolation() {
-        return 0.15 * value;
-    }
-
-    /** Root mean square error, over the phases, of the powers that the ensemble's fields stand for. */
-    double powers() {
-        return 0.1 * value;
-    }
-
-    /** Relative error of the trapezoid rule over wavelengths for a lone order. */
-    double wavelengths() {
-        return value;
-    }
+    private Tolerances() {}
 }

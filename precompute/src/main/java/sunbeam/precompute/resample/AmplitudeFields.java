@@ -11,7 +11,7 @@ import sunbeam.precompute.table.WindowPhase;
 public final class AmplitudeFields implements Fields {
     private final FourierTable table;
     private final ComplexVector[] terms;
-    private final CoefficientTable coefficients;
+    private final Expansion expansion;
 
     /** Fields of a table, as seen from the window's place. */
     public AmplitudeFields(FourierTable table, Expansion expansion, WindowOrigin origin) {
@@ -21,7 +21,7 @@ public final class AmplitudeFields implements Fields {
         for (int n = 0; n < terms.length; n++) {
             terms[n] = phase.term(n);
         }
-        this.coefficients = CoefficientTable.sampled(expansion);
+        this.expansion = expansion;
     }
 
     @Override
@@ -36,7 +36,12 @@ public final class AmplitudeFields implements Fields {
     }
 
     @Override
-    public CoefficientTable coefficients() {
-        return coefficients;
+    public CoefficientTable coefficients(int samples) {
+        return CoefficientTable.sampled(
+                expansion.minimumPhase(),
+                expansion.maximumPhase(),
+                expansion.terms(),
+                expansion::coefficients,
+                samples);
     }
 }

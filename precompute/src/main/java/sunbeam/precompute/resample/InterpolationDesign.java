@@ -13,37 +13,56 @@ package sunbeam.precompute.resample;
  * @param deviation standard deviation of the Gaussian in grid steps
  * @param taps grid points that phi reaches along one axis
  * @param beta shape of phi
- * @param error root mean square of the difference of both sides over that of the Gaussian, measured
+ * @param error largest difference of both sides relative to the Gaussian there, down to the skirt it was made for, measured
  */
 public record InterpolationDesign(double deviation, int taps, double beta, double error) {
     /** The most taps that a design is made for. */
-    public static final int MOST_TAPS = 8;
+    public static final int MOST_TAPS = 10;
 
-    private static final double[] DEVIATIONS = {1.28, 1.45, 1.6, 1.75, 1.92, 2.2, 2.5};
-    private static final int SPECTRUM_SAMPLES = 64;
-    private static final int ALIASES = 4;
-    private static final int BETA_CANDIDATES = 96;
+    // Finer grids bend the Gaussian less between two samples, which is what its skirts need.
+    private static final double[] DEVIATIONS = {1.6, 2, 2.5, 3, 4};
+    // Of the shapes tried, 1.5 to 3.2 a tap, these leave the least, in the middle and on the skirts alike.
+    private static final double[] BETA_PER_TAP = {2.5, 2.65, 2.8, 2.95};
 
     /**
      * The fewest taps, and then the coarsest grid, that keep an error.
      *
+     * @param tolerance relative error, at any distance up to the skirt
+     * @param skirt deviations of the Gaussian down to which it counts
      * @throws IllegalArgumentException when no design keeps it
      */
-    public static InterpolationDesign within(double tolerance) {
+    public static InterpolationDesign within(double tolerance, double skirt) {
         InterpolationDesign finest = null;
-        for (int taps = 2; taps <= MOST_TAPS; taps++) {
+        for (int taps = 3; taps <= MOST_TAPS; taps++) {
             // The finest grid has the smallest error: where it fails, so do the coarser ones.
-            finest = best(DEVIATIONS[DEVIATIONS.length - 1], taps);
+            finest = best(DEVIATIONS[DEVIATIONS.length - 1], taps, skirt);
             if (finest.error <= tolerance) {
-                return coarsest(taps, tolerance, finest);
+                return coarsest(taps, tolerance, skirt, finest);
             }
         }
         throw new IllegalArgumentException("interpolation reaches " + finest.error + " at best, not " + tolerance);
     }
 
-    private static InterpolationDesign coarsest(int taps, double tolerance, InterpolationDesign finest) {
+    /**
+     * The coarsest grid that keeps an error, for less memory, and then the fewest taps.
+     *
+     * @throws IllegalArgumentException when no design keeps it
+     */
+    public static InterpolationDesign compact(double tolerance, double skirt) {
+        for (double deviation : DEVIATIONS) {
+            for (int taps = 3; taps <= MOST_TAPS; taps++) {
+                InterpolationDesign design = best(deviation, taps, skirt);
+                if (design.error <= tolerance) {
+                    return design;
+                }
+            }
+        }
+        throw new IllegalArgumentException("no interpolation keeps " + tolerance);
+    }
+
+    private static InterpolationDesign coarsest(int taps, double tolerance, double skirt, InterpolationDesign finest) {
         for (int i = 0; i < DEVIATIONS.length - 1; i++) {
-            InterpolationDesign design = best(DEVIATIONS[i], taps);
+            InterpolationDesign design = best(DEVIATIONS[i], taps, skirt);
             if (design.error <= tolerance) {
                 return design;
             }
@@ -51,41 +70,17 @@ public record InterpolationDesign(double deviation, int taps, double beta, doubl
         return finest;
     }
 
-    /** The best kernel of a number of taps for a Gaussian of so many grid steps. */
-    public static InterpolationDesign best(double deviation, int taps) {
-        double chosen = 0;
-        double least = Double.MAX_VALUE;
-        for (int i = 0; i < BETA_CANDIDATES; i++) {
-            double beta = taps * (1 + 2.5 * i / BETA_CANDIDATES);
-            double error = aliasing(new KaiserBessel(taps, beta), deviation);
-            if (error < least) {
-                least = error;
-                chosen = beta;
+    /** The best kernel of a number of taps for a Gaussian of so many grid steps, down to a skirt in deviations. */
+    public static InterpolationDesign best(double deviation, int taps, double skirt) {
+        InterpolationDesign best = null;
+        for (double perTap : BETA_PER_TAP) {
+            double beta = perTap * taps;
+            double error = new Spread(deviation, taps, beta).largestError(skirt);
+            if (best == null || error < best.error) {
+                best = new InterpolationDesign(deviation, taps, beta, error);
             }
         }
-        return new InterpolationDesign(deviation, taps, chosen, new Spread(deviation, taps, chosen).measuredError());
-    }
-
-    // Parseval over one period of the grid's spectrum: what the aliases carry, against what the Gaussian carries.
-    private static double aliasing(KaiserBessel kernel, double deviation) {
-        double aliases = 0;
-        double signal = 0;
-        for (int i = 0; i <= SPECTRUM_SAMPLES; i++) {
-            double frequency = 0.5 * i / SPECTRUM_SAMPLES;
-            double gauss = Spread.gaussTransform(deviation, frequency);
-            double own = kernel.transform(frequency);
-            if (own <= 0) {
-                return Double.MAX_VALUE;
-            }
-            for (int n = -ALIASES; n <= ALIASES; n++) {
-                if (n != 0) {
-                    double alias = gauss / own * kernel.transform(frequency + n);
-                    aliases += alias * alias;
-                }
-            }
-            signal += gauss * gauss;
-        }
-        return Math.sqrt(aliases / signal);
+        return best;
     }
 
     /** phi at a distance in grid steps; 0 from taps / 2 on. */

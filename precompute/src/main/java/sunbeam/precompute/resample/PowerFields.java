@@ -4,6 +4,7 @@ import java.util.Arrays;
 import java.util.SplittableRandom;
 import java.util.stream.IntStream;
 import org.apache.commons.math3.linear.Array2DRowRealMatrix;
+import org.apache.commons.math3.linear.RealMatrix;
 import org.apache.commons.math3.linear.SingularValueDecomposition;
 import sunbeam.precompute.expansion.CoefficientTable;
 import sunbeam.precompute.expansion.Expansion;
@@ -19,6 +20,10 @@ import sunbeam.precompute.table.WindowPhase;
 public final class PowerFields implements Fields {
     private static final int STRONGEST_BINS = 300;
     private static final int RANDOM_BINS = 300;
+    // A bin this dark is not worth a function of its own: the promise begins at a power of 1e-9.
+    private static final double DARKEST = 1e-10;
+    // Of a row whose bin has no light, squared.
+    private static final double SMALLEST_ROW = 1e-4;
     // The sample of bins is the same at every run.
     private static final long SEED = 20140507;
 
@@ -60,20 +65,13 @@ public final class PowerFields implements Fields {
                 mean += nodes.weight(q) * power[q];
             }
             for (int q = 0; q < power.length; q++) {
-                row[q] = mean > 0 ? power[q] / mean * Math.sqrt(nodes.weight(q)) : 0;
+                row[q] = power[q] / (mean + DARKEST) * Math.sqrt(nodes.weight(q));
             }
         }
         // Columns of the right singular vectors; transposed so that the matrix has more rows than columns.
         SingularValueDecomposition decomposition =
                 new SingularValueDecomposition(new Array2DRowRealMatrix(rows, false));
-        double[] values = decomposition.getSingularValues();
-        double total = Arrays.stream(values).map(value -> value * value).sum();
-        double tail = total;
-        int rank = 0;
-        while (rank < values.length && (rank == 0 || tail > tolerance * tolerance * total)) {
-            tail -= values[rank] * values[rank];
-            rank++;
-        }
+        int rank = rank(decomposition, tolerance);
         double[][] result = new double[rank][nodes.count()];
         for (int n = 0; n < rank; n++) {
             for (int q = 0; q < nodes.count(); q++) {
@@ -83,6 +81,36 @@ public final class PowerFields implements Fields {
         return result;
     }
 
+    /**
+     * The fewest functions that leave of each row, but for one in a hundred, no more than the tolerance. A mean over all
+     * rows would let the few of a grating's weak orders go.
+     */
+    private static int rank(SingularValueDecomposition decomposition, double tolerance) {
+        RealMatrix left = decomposition.getU();
+        double[] values = decomposition.getSingularValues();
+        int rows = left.getRowDimension();
+        double[] rest = new double[rows];
+        double[] norm = new double[rows];
+        for (int row = 0; row < rows; row++) {
+            for (int n = 0; n < values.length; n++) {
+                norm[row] += Math.pow(left.getEntry(row, n) * values[n], 2);
+            }
+            rest[row] = norm[row];
+        }
+        for (int rank = 1; rank < values.length; rank++) {
+            int missed = 0;
+            for (int row = 0; row < rows; row++) {
+                rest[row] -= Math.pow(left.getEntry(row, rank - 1) * values[rank - 1], 2);
+                // What is left of a row that is represented is rounding, which may be negative.
+                missed += rest[row] > tolerance * tolerance * Math.max(norm[row], SMALLEST_ROW) ? 1 : 0;
+            }
+            if (missed <= rows / 100) {
+                return rank;
+            }
+        }
+        return values.length;
+    }
+
     /** The strongest bins, which outshine their surroundings through the window's tails, and some of all. */
     private static int[] sample(BinPowers powers) {
         double[] strengths = new double[powers.bins()];
@@ -90,9 +118,13 @@ public final class PowerFields implements Fields {
         double[] sorted = strengths.clone();
         Arrays.parallelSort(sorted);
         double strong = sorted[Math.max(0, sorted.length - STRONGEST_BINS)];
-        IntStream strongest = IntStream.range(0, strengths.length)
-                .filter(bin -> strengths[bin] >= strong)
-                .limit(STRONGEST_BINS);
+        // Of equally strong bins, as in the row of a grating, whichever come first; what is dark is not strong.
+        long stronger = Arrays.stream(strengths).filter(s -> s > strong).count();
+        IntStream strongest = IntStream.concat(
+                IntStream.range(0, strengths.length).filter(bin -> strengths[bin] > strong),
+                IntStream.range(0, strengths.length)
+                        .filter(bin -> strengths[bin] == strong && strong > 0)
+                        .limit(STRONGEST_BINS - stronger));
         IntStream random =
                 new SplittableRandom(SEED).ints(Math.min(RANDOM_BINS, strengths.length), 0, strengths.length);
         return IntStream.concat(strongest, random).toArray();
@@ -109,11 +141,12 @@ public final class PowerFields implements Fields {
     }
 
     @Override
-    public CoefficientTable coefficients() {
+    public CoefficientTable coefficients(int samples) {
         return CoefficientTable.sampled(
                 nodes.minimum(),
                 nodes.maximum(),
                 functions.length,
-                zeta -> nodes.interpolate(functions, functions.length, zeta));
+                zeta -> nodes.interpolate(functions, functions.length, zeta),
+                samples);
     }
 }

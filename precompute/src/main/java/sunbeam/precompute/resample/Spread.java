@@ -2,9 +2,12 @@ package sunbeam.precompute.resample;
 
 /** K of an {@link InterpolationDesign}: the Gaussian with the kernel's transform divided out. */
 final class Spread {
-    private static final int SPECTRUM_SAMPLES = 1024;
-    // Where the Gaussian's own tail is cut, in standard deviations: exp(-6.5^2 / 2) = 7e-10.
-    static final double GAUSS_REACH = 6.5;
+    private static final int SPECTRUM_SAMPLES = 256;
+    // Where the error of a design is looked at.
+    private static final double DISTANCE_STEP = 0.6;
+    private static final int PLACES = 4;
+    // Where the Gaussian's own tail is cut, in standard deviations: exp(-7.5^2 / 2) = 6e-13.
+    static final double GAUSS_REACH = 7.5;
 
     private final KaiserBessel kernel;
     private final double deviation;
@@ -36,7 +39,7 @@ final class Spread {
         if (Math.abs(distance) > reach()) {
             return 0;
         }
-        // cos(i angle) by rotation; a thousand steps lose three digits of sixteen.
+        // cos(i angle) by rotation; a few hundred steps lose two digits of sixteen.
         double angle = Math.PI * distance / SPECTRUM_SAMPLES;
         double stepCosine = Math.cos(angle);
         double stepSine = Math.sin(angle);
@@ -52,23 +55,24 @@ final class Spread {
         return sum / SPECTRUM_SAMPLES * deviation * Math.sqrt(2 * Math.PI);
     }
 
-    /** Relative root-mean-square difference of sum_m phi(f - m) K(m - f_j) and the Gaussian. */
-    double measuredError() {
-        double difference = 0;
-        double signal = 0;
-        double end = reach();
-        for (double bin = 0; bin < 1; bin += 0.125) {
-            for (double f = bin - end; f <= bin + end; f += 0.23) {
+    /** Largest difference of sum_m phi(f - m) K(m - f_j) and the Gaussian, relative to it, up to a distance in deviations. */
+    double largestError(double skirt) {
+        double largest = 0;
+        int distances = (int) Math.ceil(skirt / DISTANCE_STEP);
+        for (int i = 0; i <= distances; i++) {
+            for (int place = 0; place < PLACES; place++) {
+                double bin = (double) place / PLACES;
+                // Positions between the samples differ from one distance to the next.
+                double f = bin + skirt * i / distances * deviation;
                 double sum = 0;
                 double half = 0.5 * kernel.taps();
                 for (int m = (int) Math.ceil(f - half); m <= f + half; m++) {
                     sum += kernel.value(f - m) * value(m - bin);
                 }
                 double gauss = Math.exp(-0.5 * Math.pow((f - bin) / deviation, 2));
-                difference += (sum - gauss) * (sum - gauss);
-                signal += gauss * gauss;
+                largest = Math.max(largest, Math.abs(sum / gauss - 1));
             }
         }
-        return Math.sqrt(difference / signal);
+        return largest;
     }
 }

@@ -5,14 +5,20 @@ import sunbeam.precompute.expansion.CoefficientTable;
 
 /** What shaders need to interpolate spectra: taps' weights, and the expansion's coefficients. */
 public final class SpectrumArrays {
-    // Linear interpolation between so many weights of a kernel errs by less than 1e-6.
-    private static final int KERNEL_SAMPLES = 1024;
+    /** Linear interpolation between so many weights of a kernel errs by less than 1e-6. */
+    public static final int FEW_KERNEL_SAMPLES = 1024;
+
+    /**
+     * Errs by 4e-9. On the skirt of a bright order, the outermost tap meets a sample that is a thousand times brighter than
+     * what it is for.
+     */
+    public static final int MANY_KERNEL_SAMPLES = 16384;
 
     private SpectrumArrays() {}
 
     /** Shape of {@link #kernel}. */
-    public static ArrayLayout kernelLayout(int taps) {
-        return ArrayLayout.flat("gridKernel", KERNEL_SAMPLES, (taps + 3) / 4, 4).linear();
+    public static ArrayLayout kernelLayout(int taps, int samples) {
+        return ArrayLayout.flat("gridKernel", samples, (taps + 3) / 4, 4).linear();
     }
 
     /**
@@ -20,14 +26,14 @@ public final class SpectrumArrays {
      *
      * @param kernel weight of a sample by its distance in samples
      */
-    public static TableArray kernel(int taps, DoubleUnaryOperator kernel) {
-        ArrayLayout layout = kernelLayout(taps);
+    public static TableArray kernel(int taps, DoubleUnaryOperator kernel, int samples) {
+        ArrayLayout layout = kernelLayout(taps, samples);
         float[] texels = new float[layout.floatsPerLayer()];
-        for (int i = 0; i < KERNEL_SAMPLES; i++) {
-            double fraction = (double) i / (KERNEL_SAMPLES - 1);
+        for (int i = 0; i < samples; i++) {
+            double fraction = (double) i / (samples - 1);
             for (int tap = 0; tap < taps; tap++) {
                 double distance = fraction + 0.5 * taps - 1 - tap;
-                texels[4 * (tap / 4 * KERNEL_SAMPLES + i) + tap % 4] = (float) kernel.applyAsDouble(distance);
+                texels[4 * (tap / 4 * samples + i) + tap % 4] = (float) kernel.applyAsDouble(distance);
             }
         }
         return TableArray.of(layout, texels);

@@ -1,0 +1,112 @@
+package sunbeam.precompute.plan;
+
+import sunbeam.precompute.resample.InterpolationDesign;
+
+/**
+ * What each source of error may take of the one tolerance that is promised: the relative error of power, and of X, Y, Z, at
+ * every direction whose power is at least {@link #DARKEST_POWER} of the mirror's. Derived in docs/error-budget.md. The
+ * shares of one output add up to less than 1, worst case upon worst case.
+ *
+ * @param tolerance relative error, {@link Tolerances#FINEST}..{@link Tolerances#COARSEST}
+ * @param roughness of the patch: where light goes everywhere, errors are beside more of it
+ */
+public record ErrorBudget(double tolerance, Roughness roughness) {
+    /** Power, relative to the mirror's, from which on the promise holds. */
+    public static final double DARKEST_POWER = 1e-9;
+
+    /** Its amplitude: an error of an amplitude counts twice in the power, relative to this. */
+    public static final double DARKEST_AMPLITUDE = Math.sqrt(DARKEST_POWER);
+
+    private static final double EXPANSION_SHARE = 0.4;
+    private static final double WINDOW_SHARE = 0.3;
+    private static final double WAVELENGTHS_SHARE = 0.2;
+
+    // On a rough patch: neighbouring orders are alike to a factor, so that none is seen on another's skirt.
+    private static final double ROUGH_SKIRT = 1;
+    // A colour sums dozens of wavelengths, whose errors of interpolation are independent there: a fifth is left,
+    // measured
+    // on both scans, and so of the trapezoid rule's over dozens of orders.
+    private static final double ROUGH_AVERAGING = 8;
+
+    /** For a patch of which nothing is known. */
+    public ErrorBudget(double tolerance) {
+        this(tolerance, Roughness.NONE);
+    }
+
+    /**
+     * Error of the expansion, root mean square over the surface. The error of any amplitude is a mean of the expansion's
+     * errors with weights of magnitude 1 under the window, so this bounds it wherever the window sees the whole patch.
+     */
+    public double expansion() {
+        // What is left out of a rough patch is spread as its light is, but evenly over bright and dark directions.
+        double beside = roughness.isRough() ? roughness.contrast() : DARKEST_AMPLITUDE;
+        return 0.5 * EXPANSION_SHARE * tolerance * beside;
+    }
+
+    /** Relative error of the powers of single bins over the phases, where the ensemble's powers have a basis of their own. */
+    public double powerBasis() {
+        return EXPANSION_SHARE * tolerance;
+    }
+
+    /** Amplitude below which what a bin lends to a frequency may be left out: beside the darkest amplitude that counts. */
+    public double leftOut() {
+        return 0.5 * WINDOW_SHARE * tolerance * DARKEST_AMPLITUDE;
+    }
+
+    /** Standard deviations of the window's spectrum beyond which a bin may be left out. */
+    public double windowReach() {
+        return Math.sqrt(2 * Math.log(1 / leftOut()));
+    }
+
+    /** Bins on each side of the nearest that matter: the first that is left out is half a bin farther away. */
+    public int neighbourhoodRadius(double sigmaBins) {
+        return (int) Math.max(0, Math.ceil(sigmaBins * windowReach() - 0.5));
+    }
+
+    /** Relative error of an amplitude by interpolation along one axis, anywhere on a skirt; the power has it twice an axis. */
+    public double interpolatedAmplitude() {
+        return 0.25 * WINDOW_SHARE * tolerance;
+    }
+
+    /** Relative error of a power that is interpolated itself, along one axis. */
+    public double interpolatedPower() {
+        return 0.5 * WINDOW_SHARE * tolerance;
+    }
+
+    /** How the grid of an average is interpolated; that of the ensemble serves both. */
+    public InterpolationDesign interpolation(Average average) {
+        return InterpolationDesign.within(interpolated(average), skirt(average));
+    }
+
+    /** The same with a coarser grid, for less memory. */
+    public InterpolationDesign compactInterpolation(Average average) {
+        return InterpolationDesign.compact(interpolated(average), skirt(average));
+    }
+
+    private double interpolated(Average average) {
+        double allowed = average == Average.ENSEMBLE ? interpolatedPower() : interpolatedAmplitude();
+        return allowed * (roughness.isRough() ? ROUGH_AVERAGING : 1);
+    }
+
+    private double skirt(Average average) {
+        if (roughness.isRough()) {
+            return ROUGH_SKIRT;
+        }
+        return average == Average.ENSEMBLE ? powerSkirt() : amplitudeSkirt();
+    }
+
+    /** Deviations of an amplitude's Gaussian down to the darkest amplitude. */
+    public static double amplitudeSkirt() {
+        return Math.sqrt(-2 * Math.log(DARKEST_AMPLITUDE));
+    }
+
+    /** Deviations of a power's Gaussian, narrower by sqrt(2), down to the darkest power. */
+    public static double powerSkirt() {
+        return Math.sqrt(-2 * Math.log(DARKEST_POWER));
+    }
+
+    /** Relative error of the trapezoid rule over wavelengths for a lone order. */
+    public double wavelengths() {
+        return WAVELENGTHS_SHARE * tolerance * (roughness.isRough() ? ROUGH_AVERAGING : 1);
+    }
+}

@@ -1,0 +1,89 @@
+package sunbeam.precompute.plan;
+
+import java.util.Arrays;
+import java.util.SplittableRandom;
+import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.optics.CoherenceWindow;
+import sunbeam.precompute.optics.Direction;
+import sunbeam.precompute.optics.DirectionPair;
+import sunbeam.precompute.optics.WindowOrigin;
+import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.reference.ReferenceEvaluator;
+
+/**
+ * How dark a patch is where it is dark: measured on a few directions with the exact reference. A rough patch, whose light
+ * goes everywhere, has no bare skirts, and what its approximations err is small beside what is seen.
+ *
+ * @param bright share of random directions whose power counts at all, 0..1
+ * @param mean power of these
+ * @param dark power that nine of ten of these exceed
+ * @param deviations of the window's spectrum across the frequencies that can be seen
+ */
+public record Roughness(double bright, double mean, double dark, double deviations) {
+    // A patch of lines, a mirror, a grain of dust leave nearly all directions dark.
+    private static final double FEWEST_BRIGHT = 0.6;
+    // With fewer, all light may be the skirt of one bright spot.
+    private static final double FEWEST_DEVIATIONS = 60;
+    private static final int MOST_TRIES = 1000;
+    private static final int DIRECTIONS = 20;
+    // The same directions at every run.
+    private static final long SEED = 1936;
+
+    /** Nothing is known: bare skirts everywhere. */
+    public static final Roughness NONE = new Roughness(0, 1, 0, 0);
+
+    static Roughness measure(HeightMap map, CoherenceWindow window, WindowOrigin origin, VisibleRange range) {
+        ReferenceEvaluator evaluator = new ReferenceEvaluator(map, window, origin);
+        SplittableRandom random = new SplittableRandom(SEED);
+        Query[] drawn = new Query[DIRECTIONS];
+        Arrays.setAll(drawn, i -> draw(random, range));
+        double[] powers = Arrays.stream(drawn)
+                .parallel()
+                .mapToDouble(query -> evaluator.coherent(query.pair(), query.wavelength()))
+                .filter(power -> power >= ErrorBudget.DARKEST_POWER)
+                .sorted()
+                .toArray();
+        double across = Math.max(range.maximumU() - range.minimumU(), range.maximumV() - range.minimumV())
+                / CieTable.MAXIMUM_WAVELENGTH;
+        return powers.length == 0
+                ? NONE
+                : new Roughness(
+                        (double) powers.length / DIRECTIONS,
+                        Arrays.stream(powers).average().orElseThrow(),
+                        powers[powers.length / 10],
+                        across / window.sigmaFrequency());
+    }
+
+    private record Query(DirectionPair pair, double wavelength) {}
+
+    private static Query draw(SplittableRandom random, VisibleRange range) {
+        Direction sum = new Direction(0, 0, 0);
+        for (int i = 0; i < MOST_TRIES; i++) {
+            sum = new Direction(
+                    -between(random, range.minimumU(), range.maximumU()),
+                    -between(random, range.minimumV(), range.maximumV()),
+                    between(random, range.minimumW(), range.maximumW()));
+            // No two unit vectors have a longer sum.
+            if (sum.dot(sum) <= 4) {
+                break;
+            }
+        }
+        double waveNumber = between(random, 1 / CieTable.MAXIMUM_WAVELENGTH, 1 / CieTable.MINIMUM_WAVELENGTH);
+        // Only the sum of both directions counts.
+        return new Query(new DirectionPair(sum, new Direction(0, 0, 0)), 1 / waveNumber);
+    }
+
+    private static double between(SplittableRandom random, double low, double high) {
+        return low + random.nextDouble() * (high - low);
+    }
+
+    /** Whether light goes everywhere. */
+    public boolean isRough() {
+        return bright >= FEWEST_BRIGHT && deviations >= FEWEST_DEVIATIONS;
+    }
+
+    /** Root of how much darker the dark directions are than the mean, 0..1. */
+    public double contrast() {
+        return Math.min(1, Math.sqrt(dark / mean));
+    }
+}
