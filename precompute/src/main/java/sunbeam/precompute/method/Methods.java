@@ -22,7 +22,6 @@ public final class Methods {
             NmmMethod.TYPE, // one wavelength an order
             PqMethod.TYPE, // replicas with sharp edges
             GemMethod.TYPE, // a spacing
-            LambertMethod.TYPE, // a white disc
             ReferenceMethod.TYPE); // the truth
 
     /** Which method. */
