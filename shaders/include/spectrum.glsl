@@ -1,7 +1,7 @@
 // CIE 1931 colour matching functions times D65 at any wavelength, normalised so that their integral over wavelength is the
 // white of D65 with Y = 1.
 
-// Eight texels per nanometre from 380 to 780 nm (sunbeam.app.gpu.SmoothCieWeights).
+// Eight texels per nanometre from 380 to 780 nm (sunbeam.precompute.shader.ColorArrays).
 uniform sampler2D cieWeights;
 
 const float SHORTEST_WAVELENGTH = 380e-9;

@@ -2,10 +2,10 @@ package sunbeam.app;
 
 import java.io.PrintWriter;
 import java.util.function.BooleanSupplier;
-import sunbeam.app.cli.ExitCode;
-import sunbeam.app.cli.Messages;
-import sunbeam.app.cli.ShutdownHook;
-import sunbeam.app.failure.Failure;
+import sunbeam.app.commands.failure.Failure;
+import sunbeam.app.terminal.ExitCode;
+import sunbeam.app.terminal.Messages;
+import sunbeam.app.terminal.ShutdownHook;
 
 /** What a failed command says to the user and to scripts: one line on standard error and an exit code. */
 final class Failures {

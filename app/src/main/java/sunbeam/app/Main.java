@@ -2,7 +2,7 @@ package sunbeam.app;
 
 import java.io.PrintWriter;
 import java.nio.charset.Charset;
-import sunbeam.app.cli.Environment;
+import sunbeam.app.terminal.Environment;
 
 /** Entry point of the {@code sunbeam} command. */
 public final class Main {

@@ -7,7 +7,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.ScopeType;
 import picocli.CommandLine.Spec;
-import sunbeam.app.cli.Version;
+import sunbeam.app.terminal.Version;
 
 /** {@code sunbeam} without a command: its help is the manual's first page. */
 @Command(

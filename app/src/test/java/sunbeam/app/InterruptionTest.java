@@ -16,8 +16,8 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import sunbeam.app.output.AtomicFile;
-import sunbeam.app.output.Overwrite;
+import sunbeam.app.files.output.AtomicFile;
+import sunbeam.app.files.output.Overwrite;
 
 /** Ctrl-C, as a real process gets it. */
 final class InterruptionTest {

@@ -58,10 +58,15 @@ final class LayersTest {
     static final ArchRule noCycles =
             SlicesRuleDefinition.slices().assignedFrom(new ByPackage()).should().beFreeOfCycles();
 
+    /** docs/architecture.md draws the arrows between the rooms of the application. */
+    @ArchTest
+    static final ArchRule noCyclesBetweenRooms =
+            SlicesRuleDefinition.slices().matching("sunbeam.app.(*)..").should().beFreeOfCycles();
+
     /** jrtr.gl.JoglNoise keeps what JOGL itself prints off the stream; it prints nothing of its own. */
     @ArchTest
     static final ArchRule onlyTheEntryPointAndProgressKnowTheStandardStreams = noClasses()
-            .that(outsideOf(Set.of("sunbeam.app.Main", "sunbeam.app.progress.Terminal", "jrtr.gl.JoglNoise")))
+            .that(outsideOf(Set.of("sunbeam.app.Main", "sunbeam.app.terminal.progress.Terminal", "jrtr.gl.JoglNoise")))
             .should()
             .accessField(System.class, "out")
             .orShould()

@@ -8,7 +8,7 @@ import java.nio.file.Path;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import sunbeam.app.cli.Environment;
+import sunbeam.app.terminal.Environment;
 
 final class SunbeamTest {
     @TempDir

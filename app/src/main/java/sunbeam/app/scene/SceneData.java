@@ -1,7 +1,7 @@
 package sunbeam.app.scene;
 
-import sunbeam.app.mesh.Mesh;
-import sunbeam.app.texture.BodyTexture;
+import sunbeam.app.scene.mesh.Mesh;
+import sunbeam.app.scene.texture.BodyTexture;
 import sunbeam.precompute.method.MethodPlan;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.shader.ShaderTables;

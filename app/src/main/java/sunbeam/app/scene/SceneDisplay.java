@@ -2,10 +2,10 @@ package sunbeam.app.scene;
 
 import java.awt.image.BufferedImage;
 import jrtr.RenderContext;
-import sunbeam.app.output.SrgbImage;
-import sunbeam.app.picture.AutoExposure;
-import sunbeam.app.picture.DisplayPass;
-import sunbeam.app.picture.LinearPicture;
+import sunbeam.app.files.output.SrgbImage;
+import sunbeam.app.gpu.picture.AutoExposure;
+import sunbeam.app.gpu.picture.DisplayPass;
+import sunbeam.app.gpu.picture.LinearPicture;
 
 /** From a scene's linear picture to what one sees. Render and viewer both use it, so that they agree. */
 public final class SceneDisplay implements AutoCloseable {

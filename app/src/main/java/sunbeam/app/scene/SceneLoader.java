@@ -2,14 +2,14 @@ package sunbeam.app.scene;
 
 import java.nio.file.Path;
 import java.util.function.Consumer;
-import sunbeam.app.cli.Environment;
-import sunbeam.app.mesh.Mesh;
-import sunbeam.app.mesh.MeshSource;
-import sunbeam.app.mesh.ReadMesh;
-import sunbeam.app.setup.DiffractionSetup;
-import sunbeam.app.setup.PatchOptions;
-import sunbeam.app.texture.BodyTexture;
-import sunbeam.app.texture.BodyTextures;
+import sunbeam.app.files.cache.DiffractionSetup;
+import sunbeam.app.scene.mesh.Mesh;
+import sunbeam.app.scene.mesh.MeshSource;
+import sunbeam.app.scene.mesh.ReadMesh;
+import sunbeam.app.scene.texture.BodyTexture;
+import sunbeam.app.scene.texture.BodyTextures;
+import sunbeam.app.terminal.Environment;
+import sunbeam.app.terminal.options.PatchOptions;
 import sunbeam.precompute.method.MethodPlan;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.plan.VisibleRange;
@@ -29,8 +29,8 @@ public final class SceneLoader {
     /**
      * Loads everything.
      *
-     * @throws sunbeam.app.mesh.MeshException if the mesh cannot be used
-     * @throws sunbeam.app.input.InputException if the texture cannot be used
+     * @throws sunbeam.app.scene.mesh.MeshException if the mesh cannot be used
+     * @throws sunbeam.app.files.input.InputException if the texture cannot be used
      * @throws sunbeam.precompute.patch.PatchException if the patch cannot be used
      * @throws sunbeam.precompute.json.JsonException if its descriptor cannot be used
      * @throws sunbeam.precompute.setting.SettingException if what was chosen of patch or method cannot be used; names the place

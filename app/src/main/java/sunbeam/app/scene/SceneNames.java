@@ -2,7 +2,7 @@ package sunbeam.app.scene;
 
 import java.nio.file.Path;
 import java.util.Optional;
-import sunbeam.app.output.OutputException;
+import sunbeam.app.files.output.OutputException;
 
 /** How a scene's files are written down: relative to the scene's folder, or absolutely. */
 final class SceneNames {

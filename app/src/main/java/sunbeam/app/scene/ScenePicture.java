@@ -2,7 +2,7 @@ package sunbeam.app.scene;
 
 import java.util.Arrays;
 import jrtr.Tile;
-import sunbeam.app.picture.LinearPicture;
+import sunbeam.app.gpu.picture.LinearPicture;
 
 /**
  * A drawn scene, or a part of one, before exposure.

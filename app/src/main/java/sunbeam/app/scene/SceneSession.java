@@ -12,7 +12,7 @@ import jrtr.Wrap;
 import jrtr.scene.PictureArea;
 import jrtr.scene.SceneRenderer;
 import sunbeam.app.gpu.UploadedTables;
-import sunbeam.app.texture.BodyTexture;
+import sunbeam.app.scene.texture.BodyTexture;
 
 /**
  * A scene in graphics memory, drawn in parts of any size. A pixel depends on the scene, the picture's size and its place

@@ -7,7 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.List;
-import sunbeam.app.input.InputException;
+import sunbeam.app.files.input.InputException;
 import sunbeam.precompute.text.Quoted;
 
 /** Finds a scene by what a user calls it. */

@@ -6,7 +6,7 @@ import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import javax.swing.SwingUtilities;
-import sunbeam.app.failure.Failure;
+import sunbeam.app.commands.failure.Failure;
 
 /** Work off the event thread, one after the other, whose outcomes come back on it. */
 final class Background implements AutoCloseable {

@@ -4,12 +4,12 @@ import java.awt.image.BufferedImage;
 import java.util.function.BooleanSupplier;
 import jrtr.RenderContext;
 import jrtr.Tile;
-import sunbeam.app.brdf.BrdfMapRenderer;
+import sunbeam.app.files.output.SrgbImage;
 import sunbeam.app.gpu.UploadedTables;
-import sunbeam.app.output.SrgbImage;
-import sunbeam.app.picture.AutoExposure;
-import sunbeam.app.picture.DisplayPass;
-import sunbeam.app.picture.LinearPicture;
+import sunbeam.app.gpu.map.BrdfMapRenderer;
+import sunbeam.app.gpu.picture.AutoExposure;
+import sunbeam.app.gpu.picture.DisplayPass;
+import sunbeam.app.gpu.picture.LinearPicture;
 import sunbeam.precompute.optics.Direction;
 
 /** Draws the BRDF map beside the mesh, small first, interruptible at any tile. */

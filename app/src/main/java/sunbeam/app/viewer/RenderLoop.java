@@ -4,7 +4,7 @@ import java.awt.image.BufferedImage;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import jrtr.Tile;
-import sunbeam.app.failure.Failure;
+import sunbeam.app.commands.failure.Failure;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.ScenePicture;
 import sunbeam.app.scene.ScenePreview;

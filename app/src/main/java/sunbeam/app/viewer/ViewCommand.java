@@ -8,11 +8,11 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
-import sunbeam.app.cli.Environment;
-import sunbeam.app.cli.ExitCode;
-import sunbeam.app.cli.UsageException;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.Scenes;
+import sunbeam.app.terminal.Environment;
+import sunbeam.app.terminal.ExitCode;
+import sunbeam.app.terminal.UsageException;
 
 /** {@code sunbeam view}: the window. */
 @Command(

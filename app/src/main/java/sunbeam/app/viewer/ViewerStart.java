@@ -7,10 +7,10 @@ import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Consumer;
 import javax.swing.SwingUtilities;
 import jrtr.GraphicsException;
-import sunbeam.app.cli.Environment;
-import sunbeam.app.cli.Messages;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneLoader;
+import sunbeam.app.terminal.Environment;
+import sunbeam.app.terminal.Messages;
 
 /** From a scene to a window. */
 final class ViewerStart {

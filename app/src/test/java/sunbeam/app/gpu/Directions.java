@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
 import java.util.stream.IntStream;
-import sunbeam.app.directions.DirectionsRenderer.Query;
+import sunbeam.app.gpu.directions.DirectionsRenderer.Query;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;

@@ -9,7 +9,7 @@ import org.apache.commons.math3.special.BesselJ;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import sunbeam.app.directions.DirectionsRenderer.Query;
+import sunbeam.app.gpu.directions.DirectionsRenderer.Query;
 import sunbeam.precompute.patch.HeightMap;
 import sunbeam.precompute.plan.Average;
 

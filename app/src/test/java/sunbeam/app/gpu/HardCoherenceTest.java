@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import sunbeam.app.directions.DirectionsRenderer.Query;
+import sunbeam.app.gpu.directions.DirectionsRenderer.Query;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.WindowOrigin;
 import sunbeam.precompute.patch.HeightMap;

@@ -9,7 +9,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import sunbeam.app.directions.DirectionsRenderer.Query;
+import sunbeam.app.gpu.directions.DirectionsRenderer.Query;
 import sunbeam.precompute.expansion.ExpansionKind;
 import sunbeam.precompute.optics.WindowOrigin;
 import sunbeam.precompute.patch.HeightMap;

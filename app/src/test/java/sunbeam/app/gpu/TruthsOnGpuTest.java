@@ -10,7 +10,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import sunbeam.app.directions.DirectionsRenderer.Query;
+import sunbeam.app.gpu.directions.DirectionsRenderer.Query;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;

@@ -6,7 +6,7 @@ import java.util.OptionalDouble;
 import jrtr.scene.Camera;
 import org.joml.Quaternionf;
 import org.joml.Vector3f;
-import sunbeam.app.cli.Environment;
+import sunbeam.app.terminal.Environment;
 import sunbeam.precompute.patch.PatchRequest;
 
 /** Scenes of the plane, which fills the picture's middle; its patch is small, so that tables are made in a moment. */

@@ -8,7 +8,7 @@ import org.junit.jupiter.api.Test;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneData;
 import sunbeam.app.scene.SceneLight;
-import sunbeam.app.texture.BodyTexture;
+import sunbeam.app.scene.texture.BodyTexture;
 
 class KeptExposureTest {
     private static final double OF_PREVIEW = 7;

@@ -11,7 +11,6 @@ import jrtr.gl.RenderContexts;
 import org.assertj.core.data.Percentage;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import sunbeam.app.cli.Environment;
 import sunbeam.app.scene.Blend;
 import sunbeam.app.scene.NeedsDisplay;
 import sunbeam.app.scene.Scene;
@@ -20,6 +19,7 @@ import sunbeam.app.scene.SceneLoader;
 import sunbeam.app.scene.ScenePicture;
 import sunbeam.app.scene.SceneSession;
 import sunbeam.app.scene.Scenes;
+import sunbeam.app.terminal.Environment;
 
 @NeedsDisplay
 class PreviewBrightnessTest {

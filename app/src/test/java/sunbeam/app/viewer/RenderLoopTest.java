@@ -18,10 +18,10 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
-import sunbeam.app.cli.Environment;
 import sunbeam.app.scene.NeedsDisplay;
 import sunbeam.app.scene.SceneLoader;
 import sunbeam.app.scene.ScenePreview;
+import sunbeam.app.terminal.Environment;
 import sunbeam.precompute.optics.Direction;
 
 /** A render thread, with real OpenGL but no window, that lives on when something cannot be drawn. */

@@ -13,7 +13,7 @@ import java.util.concurrent.TimeUnit;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import sunbeam.app.Main;
-import sunbeam.app.output.Overwrite;
+import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneWriter;
 import sunbeam.precompute.plan.MethodSettings;

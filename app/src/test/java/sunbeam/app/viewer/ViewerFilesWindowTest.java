@@ -11,7 +11,7 @@ import java.nio.file.Path;
 import javax.imageio.ImageIO;
 import org.joml.Vector3f;
 import org.junit.jupiter.api.Test;
-import sunbeam.app.output.Overwrite;
+import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneLight;
 import sunbeam.app.scene.SceneWriter;

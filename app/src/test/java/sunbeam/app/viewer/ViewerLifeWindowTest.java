@@ -15,7 +15,7 @@ import javax.swing.JLabel;
 import javax.swing.JTextField;
 import jrtr.GraphicsException;
 import org.junit.jupiter.api.Test;
-import sunbeam.app.input.PngText;
+import sunbeam.app.files.input.PngText;
 import sunbeam.app.scene.Scene;
 
 /** The viewer's panel and its trouble, in a real window. */

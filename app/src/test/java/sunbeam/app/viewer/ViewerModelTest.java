@@ -17,11 +17,11 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
-import sunbeam.app.cli.Environment;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneLight;
 import sunbeam.app.scene.SceneLoader;
 import sunbeam.app.scene.SceneMethod;
+import sunbeam.app.terminal.Environment;
 import sunbeam.precompute.patch.PatchRequest;
 import sunbeam.precompute.plan.MethodSettings;
 

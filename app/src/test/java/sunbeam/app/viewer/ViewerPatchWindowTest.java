@@ -15,7 +15,7 @@ import javax.swing.JLabel;
 import javax.swing.JProgressBar;
 import org.joml.Vector3f;
 import org.junit.jupiter.api.Test;
-import sunbeam.app.output.Overwrite;
+import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneLight;
 import sunbeam.app.scene.SceneWriter;

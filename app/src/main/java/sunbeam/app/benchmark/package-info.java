@@ -1,2 +1,0 @@
-/** Time per frame, always beside the thesis's shader in the same run. */
-package sunbeam.app.benchmark;

@@ -1,2 +1,0 @@
-/** BRDF maps: directions of the hemisphere as a disc, and their colours. */
-package sunbeam.app.brdf;

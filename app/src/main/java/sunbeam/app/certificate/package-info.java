@@ -1,2 +1,0 @@
-/** How wrong a result is, stated against the exact reference. */
-package sunbeam.app.certificate;

@@ -1,8 +1,0 @@
-package sunbeam.app.cli;
-
-/** The process is being ended by the user; work stops without a message. */
-public final class CancelledException extends RuntimeException {
-    public CancelledException() {
-        super("interrupted");
-    }
-}

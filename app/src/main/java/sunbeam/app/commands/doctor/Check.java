@@ -1,0 +1,24 @@
+package sunbeam.app.commands.doctor;
+
+import java.util.Optional;
+
+/**
+ * One line of the doctor's report.
+ *
+ * @param name what was looked at, a few words
+ * @param value what was found
+ * @param remedy what to do about it; empty when all is well
+ */
+public record Check(String name, String value, Optional<String> remedy) {
+    public static Check ok(String name, String value) {
+        return new Check(name, value, Optional.empty());
+    }
+
+    public static Check failed(String name, String value, String remedy) {
+        return new Check(name, value, Optional.of(remedy));
+    }
+
+    public boolean isOk() {
+        return remedy.isEmpty();
+    }
+}

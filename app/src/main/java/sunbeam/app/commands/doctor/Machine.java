@@ -1,0 +1,85 @@
+package sunbeam.app.commands.doctor;
+
+import com.sun.management.OperatingSystemMXBean;
+import java.io.UncheckedIOException;
+import java.lang.management.ManagementFactory;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import sunbeam.app.files.cache.CacheFolder;
+import sunbeam.app.terminal.Environment;
+
+/** What can be said of the machine without opening graphics. */
+final class Machine {
+    private static final double MEBIBYTE = 1024.0 * 1024.0;
+    /** What the largest patches that are tested take, with room. */
+    private static final double LEAST_HEAP_MEBIBYTES = 1024;
+
+    private Machine() {}
+
+    static List<Check> examine(Environment environment) {
+        List<Check> checks = new ArrayList<>();
+        checks.add(Check.ok(
+                "Java",
+                System.getProperty("java.version") + ", " + System.getProperty("java.vendor") + ", "
+                        + System.getProperty("java.home")));
+        checks.add(Check.ok(
+                "Operating system",
+                System.getProperty("os.name") + " " + System.getProperty("os.version") + ", "
+                        + System.getProperty("os.arch")));
+        checks.add(Check.ok("Cores", Integer.toString(Runtime.getRuntime().availableProcessors())));
+        checks.add(heap());
+        checks.add(memory());
+        checks.add(display(environment));
+        checks.add(cache(CacheFolder.of(environment)));
+        return checks;
+    }
+
+    private static Check heap() {
+        double mebibytes = Runtime.getRuntime().maxMemory() / MEBIBYTE;
+        String value = size(mebibytes) + " at most";
+        return mebibytes >= LEAST_HEAP_MEBIBYTES
+                ? Check.ok("Heap", value)
+                : Check.failed("Heap", value, "large patches need 1 GiB and more: set SUNBEAM_JAVA_OPTIONS=-Xmx2g");
+    }
+
+    private static Check memory() {
+        if (ManagementFactory.getOperatingSystemMXBean() instanceof OperatingSystemMXBean system) {
+            return Check.ok(
+                    "Free memory",
+                    size(system.getFreeMemorySize() / MEBIBYTE) + " of "
+                            + size(system.getTotalMemorySize() / MEBIBYTE));
+        }
+        return Check.ok("Free memory", "not told by this Java");
+    }
+
+    private static Check display(Environment environment) {
+        String display = environment.variable("DISPLAY");
+        boolean needed = System.getProperty("os.name").equals("Linux");
+        if (!display.isEmpty()) {
+            return Check.ok("Display", display);
+        }
+        return needed
+                ? Check.failed("Display", "DISPLAY is not set", "start with ./sunbeam, which starts Xvfb")
+                : Check.ok("Display", "the system's own");
+    }
+
+    private static Check cache(CacheFolder cache) {
+        List<String> warnings = new ArrayList<>();
+        String place = cache.path().toString();
+        try {
+            if (cache.open(warnings::add).isPresent()) {
+                return Check.ok("Cache folder", place + ", " + size(cache.sizeInBytes() / MEBIBYTE) + ", writable");
+            }
+            return Check.failed("Cache folder", place, warnings.get(0));
+        } catch (UncheckedIOException failure) {
+            return Check.failed("Cache folder", place, failure.getMessage() + "; make it readable or remove it");
+        }
+    }
+
+    private static String size(double mebibytes) {
+        return mebibytes < 1024
+                ? String.format(Locale.ROOT, "%.0f MiB", mebibytes)
+                : String.format(Locale.ROOT, "%.1f GiB", mebibytes / 1024);
+    }
+}

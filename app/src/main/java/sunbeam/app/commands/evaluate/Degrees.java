@@ -1,0 +1,16 @@
+package sunbeam.app.commands.evaluate;
+
+import java.text.DecimalFormat;
+import java.text.DecimalFormatSymbols;
+import java.util.Locale;
+
+/** Angles for people. */
+final class Degrees {
+    private Degrees() {}
+
+    /** To hundredths, without zeros at the end. */
+    static String text(double radians) {
+        return new DecimalFormat("0.##", DecimalFormatSymbols.getInstance(Locale.ROOT))
+                .format(Math.toDegrees(radians) + 0.0);
+    }
+}

@@ -1,0 +1,213 @@
+package sunbeam.app.commands.evaluate;
+
+import com.fasterxml.jackson.databind.ObjectMapper;
+import java.io.PrintWriter;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
+import sunbeam.app.files.cache.DiffractionSetup;
+import sunbeam.app.files.output.AtomicFile;
+import sunbeam.app.files.output.ForceOption;
+import sunbeam.app.files.output.Overwrite;
+import sunbeam.app.files.output.PngWriter;
+import sunbeam.app.terminal.Environment;
+import sunbeam.app.terminal.ExitCode;
+import sunbeam.app.terminal.UsageException;
+import sunbeam.app.terminal.Version;
+import sunbeam.app.terminal.options.MethodOptions;
+import sunbeam.app.terminal.options.PatchOptions;
+import sunbeam.precompute.method.FullMethod;
+import sunbeam.precompute.method.Methods;
+import sunbeam.precompute.plan.GaussianArea;
+import sunbeam.precompute.setting.Choices;
+
+/** {@code sunbeam evaluate}: a patch's period from its response, as in the thesis's chapter 4. */
+@Command(
+        name = "evaluate",
+        header = "Measure a patch's period by the light it diffracts.",
+        description = "Measure a patch's period by the light it diffracts: compute the response over wavelengths and"
+                + " angles in the plane of incidence, follow the ridge of the first order, and fit the grating equation."
+                + " Writes the matrix (.csv and .npy), the figures (.json) and a plot (.png). See"
+                + " docs/evaluation.md.")
+public final class EvaluateCommand implements Callable<Integer> {
+    private static final int MOST_POSITIONS = 10_000;
+
+    private final Environment environment;
+
+    @Mixin
+    private PatchOptions patchOptions;
+
+    @Mixin
+    private GratingOptions gratingOptions;
+
+    @Mixin
+    private final MethodOptions methodOptions = MethodOptions.of(FullMethod.TYPE);
+
+    @Mixin
+    private ForceOption force;
+
+    @Option(
+            names = "--method",
+            paramLabel = "METHOD",
+            defaultValue = "full",
+            converter = ResponseMethodConverter.class,
+            description = "full (default): one fragment for each angle and wavelength, through the shader code that"
+                    + " draws the maps. nmm, pq: the thesis's other methods. bins: the sums of full in double precision"
+                    + " on the processor. reference: direct sums over the surface; exact, for a few hundred"
+                    + " directions.")
+    private ResponseMethod method;
+
+    @Option(
+            names = "--quantity",
+            paramLabel = "QUANTITY",
+            defaultValue = "rho",
+            description = "rho (default): relative radiance, what a map shows. power: the diffracted power alone.")
+    private Quantity quantity;
+
+    @Option(
+            names = "--positions",
+            paramLabel = "N",
+            defaultValue = "0",
+            description = "Also evaluate N random positions of the coherence window (by method bins) and the mean over"
+                    + " all positions, and tell how the period is distributed.")
+    private int positions;
+
+    @Option(
+            names = "--seed",
+            paramLabel = "NUMBER",
+            defaultValue = "1",
+            description = "Seed of the random positions. Default: ${DEFAULT-VALUE}.")
+    private long seed;
+
+    @Option(
+            names = "--output",
+            paramLabel = "NAME",
+            description = "What the files are called, without their endings. Default: a name made of the patch.")
+    private Path output;
+
+    @Spec
+    private CommandSpec specification;
+
+    public EvaluateCommand(Environment environment) {
+        this.environment = environment;
+    }
+
+    @Override
+    public Integer call() {
+        Choices choices = methodOptions.choices();
+        return choices.located(() -> evaluate(choices));
+    }
+
+    private int evaluate(Choices choices) {
+        gratingOptions.request();
+        method.of(choices);
+        if (positions < 0 || positions > MOST_POSITIONS) {
+            throw new UsageException("--positions " + positions + " is out of range; give 0 to " + MOST_POSITIONS);
+        }
+        DiffractionSetup setup = new DiffractionSetup(
+                patchOptions, environment, specification.commandLine().getErr());
+        Overwrite overwrite = force.overwrite();
+        OutputFiles files = OutputFiles.of(output, setup.patch().name() + "-evaluate", endings(), overwrite);
+        evaluate(setup, choices, files, overwrite, specification.commandLine().getOut());
+        return ExitCode.OK.code();
+    }
+
+    private List<String> endings() {
+        return positions > 0
+                ? List.of(".png", ".json", ".csv", ".npy", "-positions.csv", "-positions.png")
+                : List.of(".png", ".json", ".csv", ".npy");
+    }
+
+    private void evaluate(
+            DiffractionSetup setup, Choices choices, OutputFiles files, Overwrite overwrite, PrintWriter out) {
+        PrintWriter err = specification.commandLine().getErr();
+        Evaluation evaluation = Evaluation.of(
+                setup,
+                gratingOptions.request(),
+                choices,
+                method,
+                quantity,
+                planned -> methodOptions.print(planned, err));
+        GratingTarget target = evaluation.target();
+        Map<String, Object> report = describe(setup, choices, evaluation);
+        report.putAll(EvaluationReport.tree(evaluation.measurement()));
+        String title = evaluation.title();
+        out.println(title);
+        EvaluationReport.lines(evaluation.measurement()).forEach(out::println);
+        out.flush();
+        List<Path> written = new ArrayList<>();
+        if (positions > 0) {
+            Positions.Draw draw = new Positions.Draw(
+                    positions,
+                    seed,
+                    setup.surface().identity().columns(),
+                    setup.surface().identity().rows());
+            Positions all = Positions.measure(
+                    evaluation.responses().binSums(),
+                    draw,
+                    quantity,
+                    target.order(),
+                    GaussianArea.windowOf(choices).sigmaFrequency());
+            report.put("positions", EvaluationReport.tree(all, seed));
+            EvaluationReport.lines(all).forEach(out::println);
+            written.add(files.path("-positions.csv"));
+            PositionFiles.writeCsv(files.path("-positions.csv"), overwrite, all);
+            if (all.sorted().length > 0) {
+                written.add(files.path("-positions.png"));
+                PngWriter.write(
+                        files.path("-positions.png"),
+                        overwrite,
+                        PositionFiles.draw(title, all),
+                        text(setup, choices, title, ResponseMethod.BINS));
+            }
+        }
+        MatrixFiles.writeCsv(files.path(".csv"), overwrite, evaluation.response());
+        MatrixFiles.writeNpy(files.path(".npy"), overwrite, evaluation.response());
+        AtomicFile.write(
+                files.path(".json"),
+                overwrite,
+                stream -> stream.write(
+                        new ObjectMapper().writerWithDefaultPrettyPrinter().writeValueAsBytes(report)));
+        Map<String, String> text = text(setup, choices, title, method);
+        evaluation.plan().ifPresent(plan -> text.put("Plan", plan));
+        PngWriter.write(files.path(".png"), overwrite, evaluation.plot(), text);
+        List.of(".csv", ".npy", ".json", ".png").forEach(ending -> written.add(files.path(ending)));
+        written.forEach(out::println);
+    }
+
+    private Map<String, Object> describe(DiffractionSetup setup, Choices choices, Evaluation evaluation) {
+        Map<String, Object> report = new LinkedHashMap<>();
+        report.put("program", "Sunbeam " + Version.number());
+        report.put("patch", setup.patch().name());
+        report.put("source", setup.patch().source());
+        report.put("method", method.label());
+        report.put("quantity", quantity.name().toLowerCase(Locale.ROOT));
+        report.put("options", Methods.describe(method.in(choices)));
+        evaluation.plan().ifPresent(plan -> report.put("plan", plan));
+        GaussianArea area = GaussianArea.of(choices);
+        report.put("average", area.average().name().toLowerCase(Locale.ROOT));
+        report.put("window_origin", area.origin().name().toLowerCase(Locale.ROOT));
+        report.put("coherence_length_m", area.window().coherenceLength());
+        report.putAll(EvaluationReport.tree(evaluation.grid()));
+        report.put("heights", EvaluationReport.tree(evaluation.target().heights()));
+        return report;
+    }
+
+    private Map<String, String> text(DiffractionSetup setup, Choices choices, String title, ResponseMethod by) {
+        Map<String, String> text = new LinkedHashMap<>();
+        text.put("Title", title);
+        text.put("Patch", setup.patch().source());
+        text.put("Method", by.label());
+        text.put("Options", Methods.describe(by.in(choices)));
+        return text;
+    }
+}

@@ -1,0 +1,111 @@
+package sunbeam.app.commands.evaluate;
+
+import java.awt.image.BufferedImage;
+import java.util.Optional;
+import java.util.function.Consumer;
+import sunbeam.app.files.cache.DiffractionSetup;
+import sunbeam.precompute.evaluation.GratingMeasurement;
+import sunbeam.precompute.evaluation.ResponseGrid;
+import sunbeam.precompute.evaluation.ResponseMatrix;
+import sunbeam.precompute.method.MethodPlan;
+import sunbeam.precompute.optics.CoherenceWindow;
+import sunbeam.precompute.plan.GaussianArea;
+import sunbeam.precompute.setting.Choices;
+
+/** A patch's response in the plane of incidence and the period that it shows. */
+public final class Evaluation {
+    private final GratingTarget target;
+    private final Responses responses;
+    private final Quantity quantity;
+    private final ResponseMatrix response;
+    private final GratingMeasurement measurement;
+    private final String title;
+
+    private Evaluation(
+            GratingTarget target,
+            Responses responses,
+            Quantity quantity,
+            ResponseMatrix response,
+            GratingMeasurement measurement,
+            String title) {
+        this.target = target;
+        this.responses = responses;
+        this.quantity = quantity;
+        this.response = response;
+        this.measurement = measurement;
+        this.title = title;
+    }
+
+    /**
+     * Evaluates the relative radiance by method {@code full}.
+     *
+     * @param choices of that method's settings
+     * @throws NoPeriodException where the surface or its response has no period
+     */
+    public static Evaluation ofRadiance(DiffractionSetup setup, GratingRequest grating, Choices choices) {
+        return of(setup, grating, choices, ResponseMethod.FULL, Quantity.RHO, method -> {});
+    }
+
+    /** @param planned told of the method that a shader uses, once it is planned */
+    static Evaluation of(
+            DiffractionSetup setup,
+            GratingRequest grating,
+            Choices choices,
+            ResponseMethod method,
+            Quantity quantity,
+            Consumer<MethodPlan> planned) {
+        CoherenceWindow window = GaussianArea.windowOf(choices);
+        double sigmaFrequency = window.sigmaFrequency();
+        GratingTarget target = GratingTarget.of(setup.patch(), grating, sigmaFrequency);
+        ResponseGrid grid = grating.grid(target.plane(), target.order(), window);
+        Responses responses = new Responses(setup, method, choices, grid, planned);
+        ResponseMatrix response = quantity.of(responses.power());
+        String title = "%s, light at %s degrees, azimuth %s degrees"
+                .formatted(
+                        setup.patch().name(),
+                        Degrees.text(grid.plane().thetaI()),
+                        Degrees.text(grid.plane().azimuth()));
+        return new Evaluation(target, responses, quantity, response, target.measure(response, sigmaFrequency), title);
+    }
+
+    /** The patch, the light and the azimuth. */
+    public String title() {
+        return title;
+    }
+
+    /** Direction of the grating in the patch, radians. */
+    public double azimuth() {
+        return grid().plane().azimuth();
+    }
+
+    /** The ridge of the first order and its periods. */
+    public GratingMeasurement measurement() {
+        return measurement;
+    }
+
+    /** The thesis's figures 4.9 to 4.11: the response in colour, its followed peaks and the grating equation. */
+    public BufferedImage plot() {
+        return ResponsePlot.draw(title, quantity.label(), response, measurement);
+    }
+
+    GratingTarget target() {
+        return target;
+    }
+
+    ResponseGrid grid() {
+        return response.grid();
+    }
+
+    ResponseMatrix response() {
+        return response;
+    }
+
+    /** One line: what was planned for the shader; nothing for methods that need no plan. */
+    Optional<String> plan() {
+        return responses.plan();
+    }
+
+    Responses responses() {
+        return responses;
+    }
+}

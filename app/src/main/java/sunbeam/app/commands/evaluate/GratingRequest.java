@@ -1,0 +1,157 @@
+package sunbeam.app.commands.evaluate;
+
+import java.util.Arrays;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import sunbeam.app.terminal.Range;
+import sunbeam.app.terminal.UsageException;
+import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.evaluation.FirstOrder;
+import sunbeam.precompute.evaluation.GratingPlane;
+import sunbeam.precompute.evaluation.ResponseGrid;
+import sunbeam.precompute.optics.CoherenceWindow;
+import sunbeam.precompute.units.Lengths;
+
+/**
+ * Light, plane and grid of an evaluation.
+ *
+ * @param thetaI angle of the light to the normal, radians
+ * @param phiI azimuth of the light against the grating's direction, radians
+ * @param azimuth direction of the grating in the patch, radians; empty where the heights are to tell
+ * @param angles of the viewer in degrees; empty for all that the first order takes
+ * @param wavelengths in nm
+ * @param period to look for, metres; empty where the heights are to tell
+ */
+public record GratingRequest(
+        double thetaI,
+        double phiI,
+        OptionalDouble azimuth,
+        Optional<Range> angles,
+        Range wavelengths,
+        OptionalDouble period) {
+    // Angles that are taken where none are given, as many as the thesis takes.
+    private static final int ANGLES = 1500;
+    private static final double LARGEST_THETA_DEGREES = 89.9;
+    // 160 MB of doubles.
+    private static final long MOST_DIRECTIONS = 20_000_000;
+    // A ridge is 1.7 deviations wide at half its height; three samples must lie on its top.
+    private static final double COARSEST_STEP = 0.6;
+
+    /**
+     * Checks all that can be checked without the patch.
+     *
+     * @throws UsageException for a value that cannot be used
+     */
+    public GratingRequest {
+        double degrees = Math.toDegrees(thetaI);
+        if (!(degrees >= 0 && degrees <= LARGEST_THETA_DEGREES)) {
+            throw new UsageException("--theta-i " + degrees + " is out of range; give 0 to " + LARGEST_THETA_DEGREES);
+        }
+        double shortest = CieTable.MINIMUM_WAVELENGTH * 1e9;
+        double longest = CieTable.MAXIMUM_WAVELENGTH * 1e9;
+        if (wavelengths.minimum() < shortest - 1e-6 || wavelengths.maximum() > longest + 1e-6) {
+            throw new UsageException(
+                    "--wavelengths %s leaves the visible band; give 380 to 780 nm".formatted(text(wavelengths)));
+        }
+        if (wavelengths.count() < 3) {
+            throw new UsageException("--wavelengths %s has %d of them; a period's variance needs 3 or more"
+                    .formatted(text(wavelengths), wavelengths.count()));
+        }
+        if (period.isPresent() && !(period.getAsDouble() >= 100e-9 && period.getAsDouble() <= 1e-3)) {
+            throw new UsageException(
+                    "--period " + Lengths.format(period.getAsDouble()) + " is out of range; give 100 nm to 1 mm");
+        }
+        checkAngles(angles, wavelengths, new GratingPlane(thetaI, phiI, 0));
+    }
+
+    /** The thesis's: light at 75 degrees, 380 to 780 nm in steps of 1 nm, all angles that the first order takes. */
+    public static GratingRequest ofThesis(OptionalDouble azimuth) {
+        return new GratingRequest(
+                Math.toRadians(75), 0, azimuth, Optional.empty(), new Range(380, 780, 1), OptionalDouble.empty());
+    }
+
+    private static void checkAngles(Optional<Range> given, Range wavelengths, GratingPlane plane) {
+        if (given.isEmpty()) {
+            return;
+        }
+        Range angles = given.get();
+        double largest = Math.toDegrees(plane.largestThetaR());
+        if (angles.minimum() < -largest - 1e-9 || angles.maximum() > largest + 1e-9) {
+            throw new UsageException("--angles %s leaves the hemisphere; give %.6g to %.6g degrees"
+                    .formatted(text(angles), -largest, largest));
+        }
+        if (angles.count() < 3) {
+            throw new UsageException(
+                    "--angles %s has %d of them; a peak needs 3 or more".formatted(text(angles), angles.count()));
+        }
+        if ((long) angles.count() * wavelengths.count() > MOST_DIRECTIONS) {
+            throw new UsageException(
+                    "--angles %s and --wavelengths %s make %d directions; take larger steps for %d or less"
+                            .formatted(
+                                    text(angles),
+                                    text(wavelengths),
+                                    (long) angles.count() * wavelengths.count(),
+                                    MOST_DIRECTIONS));
+        }
+    }
+
+    private static String text(Range range) {
+        return "%s:%s:%s".formatted(plain(range.minimum()), plain(range.maximum()), plain(range.step()));
+    }
+
+    private static String plain(double value) {
+        return value == Math.rint(value) && Math.abs(value) < 1e9
+                ? Long.toString((long) value)
+                : Double.toString(value);
+    }
+
+    GratingPlane plane(double azimuthRadians) {
+        return new GratingPlane(thetaI, phiI, azimuthRadians);
+    }
+
+    /**
+     * Angles and wavelengths, checked against the window's resolution.
+     *
+     * @throws UsageException where the steps are too coarse to see a peak, or the first order is not to be seen
+     */
+    ResponseGrid grid(GratingPlane plane, FirstOrder order, CoherenceWindow window) {
+        double[] lambdas =
+                Arrays.stream(wavelengths.values()).map(nm -> nm * 1e-9).toArray();
+        ResponseGrid grid = new ResponseGrid(plane, lambdas, angles(plane, order, lambdas));
+        requireFineAngles(grid, window);
+        return grid;
+    }
+
+    private double[] angles(GratingPlane plane, FirstOrder order, double[] lambdas) {
+        if (angles.isPresent()) {
+            return Arrays.stream(angles.get().values()).map(Math::toRadians).toArray();
+        }
+        double[] ends = order.angles(plane, lambdas[0], lambdas[lambdas.length - 1]);
+        if (ends.length == 0) {
+            throw new UsageException(
+                    "no angle sees the first order of a period near %s with the light at --theta-i %.6g; choose another"
+                                    .formatted(Lengths.format(order.middle()), Math.toDegrees(thetaI))
+                            + " light, or other --wavelengths");
+        }
+        double[] values = new double[ANGLES];
+        Arrays.setAll(values, i -> ends[0] + (ends[1] - ends[0]) * i / (ANGLES - 1));
+        return values;
+    }
+
+    private static void requireFineAngles(ResponseGrid grid, CoherenceWindow window) {
+        double shortest = grid.wavelengths()[0];
+        double[] all = grid.angles();
+        double coarsest = 0;
+        for (int i = 1; i < all.length; i++) {
+            coarsest = Math.max(
+                    coarsest, Math.abs(grid.plane().u(all[i]) - grid.plane().u(all[i - 1])) / shortest);
+        }
+        double allowed = COARSEST_STEP * window.sigmaFrequency();
+        if (coarsest > allowed) {
+            double step = Math.toDegrees(all[1] - all[0]);
+            throw new UsageException(
+                    "--angles: steps of %.3g degrees are too coarse for peaks as sharp as this window's; give %.2g or less"
+                            .formatted(step, 0.99 * step * allowed / coarsest));
+        }
+    }
+}

@@ -1,0 +1,98 @@
+package sunbeam.app.commands.failure;
+
+import java.util.Map;
+import java.util.concurrent.CompletionException;
+import java.util.concurrent.ExecutionException;
+import jrtr.GraphicsException;
+import picocli.CommandLine.ParameterException;
+import sunbeam.app.commands.evaluate.NoPeriodException;
+import sunbeam.app.files.input.InputException;
+import sunbeam.app.files.output.OutputException;
+import sunbeam.app.scene.mesh.MeshException;
+import sunbeam.app.terminal.CancelledException;
+import sunbeam.app.terminal.ExitCode;
+import sunbeam.app.terminal.UsageException;
+import sunbeam.precompute.json.JsonException;
+import sunbeam.precompute.patch.PatchException;
+import sunbeam.precompute.setting.Origin;
+import sunbeam.precompute.setting.SettingException;
+import sunbeam.precompute.table.TableException;
+import sunbeam.precompute.units.LengthFormatException;
+
+/**
+ * What something thrown means to the user, on the command line and in the viewer alike.
+ *
+ * @param code the process's exit status where it ends a command; {@link ExitCode#INTERNAL_ERROR} for a bug
+ * @param message what failed and what helps
+ * @param cause what was thrown, without what thread pools wrap around it
+ */
+public record Failure(ExitCode code, String message, Throwable cause) {
+    /** A new kind of failure needs one line here, and a message that names the value and the remedy. */
+    private static final Map<Class<? extends Throwable>, ExitCode> CODES = Map.ofEntries(
+            Map.entry(ParameterException.class, ExitCode.USAGE),
+            Map.entry(UsageException.class, ExitCode.USAGE),
+            Map.entry(LengthFormatException.class, ExitCode.USAGE),
+            Map.entry(SettingException.class, ExitCode.USAGE),
+            Map.entry(JsonException.class, ExitCode.UNUSABLE_INPUT),
+            Map.entry(PatchException.class, ExitCode.UNUSABLE_INPUT),
+            Map.entry(TableException.class, ExitCode.UNUSABLE_INPUT),
+            Map.entry(InputException.class, ExitCode.UNUSABLE_INPUT),
+            Map.entry(MeshException.class, ExitCode.UNUSABLE_INPUT),
+            Map.entry(NoPeriodException.class, ExitCode.UNUSABLE_INPUT),
+            Map.entry(GraphicsException.class, ExitCode.NO_GRAPHICS),
+            Map.entry(OutputException.class, ExitCode.CANNOT_WRITE),
+            Map.entry(CancelledException.class, ExitCode.INTERRUPTED),
+            Map.entry(InterruptedException.class, ExitCode.INTERRUPTED));
+
+    /** Of anything thrown. */
+    public static Failure of(Throwable thrown) {
+        Throwable cause = unwrapped(thrown);
+        ExitCode code = cause instanceof SettingException choice ? codeOf(choice) : codeOf(cause.getClass());
+        return new Failure(code, message(cause, code), cause);
+    }
+
+    /** Whether nobody but Sunbeam's makers can help. */
+    public boolean isBug() {
+        return code == ExitCode.INTERNAL_ERROR && !(cause instanceof OutOfMemoryError);
+    }
+
+    /** By the place where the choice was made. */
+    private static ExitCode codeOf(SettingException choice) {
+        return choice.place() == Origin.Place.FILE ? ExitCode.UNUSABLE_INPUT : ExitCode.USAGE;
+    }
+
+    /** By the class or the nearest class above it; anything unknown is a bug. */
+    static ExitCode codeOf(Class<?> thrown) {
+        for (Class<?> type = thrown; type != null; type = type.getSuperclass()) {
+            ExitCode code = CODES.get(type);
+            if (code != null) {
+                return code;
+            }
+        }
+        return ExitCode.INTERNAL_ERROR;
+    }
+
+    private static String message(Throwable cause, ExitCode code) {
+        if (cause instanceof ParameterException mistake) {
+            return UsageMistake.message(mistake);
+        }
+        if (cause instanceof OutOfMemoryError) {
+            long mebibytes = Runtime.getRuntime().maxMemory() >> 20;
+            return "out of memory: Java's heap may take " + mebibytes + " MiB (" + cause.getMessage()
+                    + "); allow more with SUNBEAM_JAVA_OPTIONS=-Xmx" + 2 * mebibytes + "m, or ask for less";
+        }
+        if (code == ExitCode.INTERNAL_ERROR) {
+            return "internal error, a bug in Sunbeam: " + cause;
+        }
+        if (code == ExitCode.INTERRUPTED) {
+            return "interrupted";
+        }
+        return cause.getMessage();
+    }
+
+    /** Thread pools wrap what their tasks throw. */
+    private static Throwable unwrapped(Throwable thrown) {
+        boolean wrapper = thrown instanceof ExecutionException || thrown instanceof CompletionException;
+        return wrapper && thrown.getCause() != null ? unwrapped(thrown.getCause()) : thrown;
+    }
+}

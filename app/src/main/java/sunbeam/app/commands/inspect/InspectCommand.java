@@ -1,0 +1,88 @@
+package sunbeam.app.commands.inspect;
+
+import java.io.PrintWriter;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+import sunbeam.app.files.output.AtomicFile;
+import sunbeam.app.files.output.DefaultName;
+import sunbeam.app.files.output.ForceOption;
+import sunbeam.app.files.output.PngWriter;
+import sunbeam.app.terminal.ExitCode;
+import sunbeam.app.terminal.Messages;
+import sunbeam.app.terminal.UsageException;
+import sunbeam.app.terminal.options.PatchOptions;
+import sunbeam.precompute.patch.Patch;
+
+/** {@code sunbeam inspect}: what a patch shows before any light meets it. */
+@Command(
+        name = "inspect",
+        header = "Look at a height map: relief, slopes, periods, plan.",
+        description = "Look at a patch before rendering it: size, relief, roughness, slopes, histogram, power spectrum"
+                + " with its dominant periods and directions, whether the sampling is fine enough, and the plan for"
+                + " the default tolerance; as text and as one picture.")
+public final class InspectCommand implements Callable<Integer> {
+    private static final String PATCH_OPTION = "--patch";
+
+    @Parameters(
+            arity = "0..1",
+            paramLabel = "PATCH",
+            description = "The surface, as for --patch, in whose place it may stand.")
+    private String patch;
+
+    @Mixin
+    private PatchOptions patchOptions;
+
+    @Mixin
+    private ForceOption force;
+
+    @Option(
+            names = "--output",
+            paramLabel = "FILE.png",
+            description = "The picture. Default: a name made of the patch.")
+    private Path output;
+
+    @Spec
+    private CommandSpec specification;
+
+    @Override
+    public Integer call() {
+        PrintWriter out = specification.commandLine().getOut();
+        PrintWriter err = specification.commandLine().getErr();
+        Patch loaded = load();
+        loaded.warnings().forEach(warning -> err.println(Messages.warning(loaded.name() + ": " + warning)));
+        err.flush();
+        Path picture = output != null
+                ? output
+                : DefaultName.choose(Path.of(""), "inspect-" + loaded.name(), "png", force.overwrite());
+        AtomicFile.checkWritable(picture, force.overwrite());
+        Inspection inspection = Inspection.of(loaded);
+        inspection.lines().forEach(out::println);
+        out.flush();
+        Map<String, String> text = new LinkedHashMap<>();
+        text.put("Title", "Inspection of " + loaded.name());
+        text.put("Patch", loaded.source());
+        text.put("Plan", inspection.plan().summary());
+        PngWriter.write(picture, force.overwrite(), new InspectionSheet(inspection).draw(), text);
+        out.println(picture);
+        return ExitCode.OK.code();
+    }
+
+    private Patch load() {
+        if (patch == null) {
+            return patchOptions.load();
+        }
+        boolean both = specification.commandLine().getParseResult().hasMatchedOption(PATCH_OPTION);
+        if (both) {
+            throw new UsageException("'" + patch + "' and " + PATCH_OPTION + " both name a patch; give one of them");
+        }
+        return patchOptions.load(patch);
+    }
+}

@@ -1,0 +1,130 @@
+package sunbeam.app.commands.inspect;
+
+import java.math.BigDecimal;
+import java.math.MathContext;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import sunbeam.precompute.analysis.HeightSpectrum;
+import sunbeam.precompute.analysis.HeightStatistics;
+import sunbeam.precompute.analysis.PeriodFinder;
+import sunbeam.precompute.analysis.Periodicity;
+import sunbeam.precompute.analysis.SpectrumPeak;
+import sunbeam.precompute.method.FullMethod;
+import sunbeam.precompute.method.Surface;
+import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.patch.Patch;
+import sunbeam.precompute.patch.SamplingCheck;
+import sunbeam.precompute.plan.PlanReport;
+import sunbeam.precompute.plan.Tolerances;
+import sunbeam.precompute.plan.VisibleRange;
+import sunbeam.precompute.units.Lengths;
+
+/**
+ * All that is found out about a patch.
+ *
+ * @param patch the surface
+ * @param statistics of its heights and slopes
+ * @param periodicity what repeats in it
+ * @param spectrum that the periodicity rests on
+ * @param plan for the default tolerance and any pair of directions
+ */
+record Inspection(
+        Patch patch, HeightStatistics statistics, Periodicity periodicity, HeightSpectrum spectrum, PlanReport plan) {
+    /** Regularities that are told of. */
+    static final int PEAKS = 6;
+
+    static Inspection of(Patch patch) {
+        HeightMap map = patch.heights();
+        PeriodFinder finder = new PeriodFinder(map);
+        Periodicity periodicity = finder.all();
+        return new Inspection(patch, HeightStatistics.of(map), periodicity, finder.spectrum(periodicity), plan(patch));
+    }
+
+    private static PlanReport plan(Patch patch) {
+        FullMethod standard = FullMethod.within(Tolerances.STANDARD);
+        return new PlanReport(standard.tablePlan(Surface.of(patch), VisibleRange.all()));
+    }
+
+    /** The strongest regularities. */
+    List<SpectrumPeak> peaks() {
+        List<SpectrumPeak> all = periodicity.peaks();
+        return all.subList(0, Math.min(PEAKS, all.size()));
+    }
+
+    /** What to print: a name and a value per line, aligned. */
+    List<String> lines() {
+        HeightMap map = patch.heights();
+        List<String> lines = new ArrayList<>();
+        lines.add(line("patch", patch.source()));
+        lines.add(line(
+                "size",
+                "%s x %s, %d x %d samples"
+                        .formatted(rounded(map.width()), rounded(map.height()), map.columns(), map.rows())));
+        lines.add(line("pitch", pitch()));
+        lines.add(line(
+                "heights",
+                "relief %s, roughness %s rms".formatted(rounded(statistics.relief()), rounded(statistics.rms()))));
+        lines.add(line("slopes", slopes()));
+        lines.addAll(periods());
+        lines.add(line("plan", plan.summary()));
+        lines.add(line("cost", plan.cost(map.rows())));
+        return lines;
+    }
+
+    private String pitch() {
+        HeightMap map = patch.heights();
+        String verdict = SamplingCheck.pitch(map)
+                .orElse("fine enough for light of " + Lengths.format(SamplingCheck.SHORTEST_WAVELENGTH)
+                        + ", which needs " + Lengths.format(SamplingCheck.COARSEST_PITCH));
+        return "%s x %s: %s".formatted(rounded(map.pitchX()), rounded(map.pitchY()), verdict);
+    }
+
+    private String slopes() {
+        return String.format(
+                Locale.ROOT,
+                "%.1f degrees rms, steepest %.1f; %.2g %% of the surface steeper than %.0f degrees, where scalar theory"
+                        + " fails",
+                Math.toDegrees(Math.atan(statistics.rmsSlope())),
+                Math.toDegrees(Math.atan(statistics.largestSlope())),
+                100 * statistics.steepShare(),
+                HeightStatistics.STEEP_DEGREES);
+    }
+
+    private List<String> periods() {
+        if (!periodicity.found()) {
+            return List.of(line("periods", "no periodicity: " + periodicity.describeFigure()));
+        }
+        List<String> lines = new ArrayList<>();
+        for (SpectrumPeak peak : peaks()) {
+            lines.add(line(lines.isEmpty() ? "periods" : "", describe(peak)));
+        }
+        int others = periodicity.peaks().size() - lines.size();
+        if (others > 0) {
+            lines.add(line("", "and %d weaker ones".formatted(others)));
+        }
+        return lines;
+    }
+
+    private String describe(SpectrumPeak peak) {
+        String figure = periodicity.edges() == HeightSpectrum.Edges.TAPERED
+                ? String.format(Locale.ROOT, "%.3g times above its surroundings", peak.figure())
+                : String.format(Locale.ROOT, "%.3g %% of the heights' variance", 100 * peak.figure());
+        return String.format(
+                Locale.ROOT,
+                "%7.1f nm in direction %5.1f degrees, %.1f nm rms, %s",
+                peak.period() * 1e9,
+                Math.toDegrees(peak.direction()),
+                peak.rms() * 1e9,
+                figure);
+    }
+
+    /** Four digits: more would be noise. */
+    private static String rounded(double metres) {
+        return Lengths.format(new BigDecimal(metres).round(new MathContext(4)).doubleValue());
+    }
+
+    private static String line(String name, String value) {
+        return String.format(Locale.ROOT, "%-9s %s", name, value);
+    }
+}

@@ -1,0 +1,189 @@
+package sunbeam.app.commands.inspect;
+
+import java.awt.Color;
+import java.awt.Font;
+import java.awt.Graphics2D;
+import java.awt.RenderingHints;
+import java.awt.image.BufferedImage;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import sunbeam.app.files.plot.ColorMap;
+import sunbeam.app.files.plot.HeatMap;
+import sunbeam.app.files.plot.Plot;
+import sunbeam.precompute.analysis.HeightSpectrum;
+import sunbeam.precompute.analysis.Histogram;
+import sunbeam.precompute.analysis.SpectrumPeak;
+import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.units.Lengths;
+
+/** One picture with all that an inspection found: heights, power spectrum, histogram, a profile, and the text. */
+final class InspectionSheet {
+    private static final int PANEL_WIDTH = 860;
+    private static final int PICTURE_HEIGHT = 720;
+    private static final int PLOT_HEIGHT = 420;
+    private static final int TEXT_LINE = 24;
+    private static final int MARGIN = 24;
+    private static final int HISTOGRAM_BINS = 100;
+    private static final int FINE_BINS = 2000;
+    private static final double DUST = 0.001;
+    private static final int PROFILE_PERIODS = 12;
+    private static final double MICROMETRES = 1e6;
+    private static final double NANOMETRES = 1e9;
+    // Decades of the spectrum that the colours span.
+    private static final double SPAN = 1e-7;
+    // What visible light sees at most, and the least that is shown: orders of red light at normal incidence.
+    private static final double LEAST_SHOWN = 2 / 780e-9;
+    private static final double SHOWN_PER_PERIOD = 1.5;
+
+    private final Inspection inspection;
+    private final HeightMap map;
+
+    InspectionSheet(Inspection inspection) {
+        this.inspection = inspection;
+        this.map = inspection.patch().heights();
+    }
+
+    BufferedImage draw() {
+        List<String> lines = inspection.lines();
+        int textHeight = 2 * MARGIN + (lines.size() + 2) * TEXT_LINE;
+        BufferedImage sheet = new BufferedImage(
+                2 * PANEL_WIDTH, textHeight + PICTURE_HEIGHT + PLOT_HEIGHT, BufferedImage.TYPE_INT_RGB);
+        Graphics2D graphics = sheet.createGraphics();
+        try {
+            graphics.setColor(Color.WHITE);
+            graphics.fillRect(0, 0, sheet.getWidth(), sheet.getHeight());
+            graphics.setRenderingHint(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
+            drawText(graphics, lines);
+            graphics.drawImage(heights(), 0, textHeight, null);
+            graphics.drawImage(spectrum(), PANEL_WIDTH, textHeight, null);
+            graphics.drawImage(histogram(), 0, textHeight + PICTURE_HEIGHT, null);
+            graphics.drawImage(profile(), PANEL_WIDTH, textHeight + PICTURE_HEIGHT, null);
+        } finally {
+            graphics.dispose();
+        }
+        return sheet;
+    }
+
+    private void drawText(Graphics2D graphics, List<String> lines) {
+        graphics.setColor(Color.BLACK);
+        graphics.setFont(new Font(Font.SANS_SERIF, Font.BOLD, 22));
+        int y = MARGIN + TEXT_LINE;
+        graphics.drawString(inspection.patch().name(), MARGIN, y);
+        graphics.setFont(new Font(Font.MONOSPACED, Font.PLAIN, 16));
+        for (String line : lines) {
+            y += TEXT_LINE;
+            graphics.drawString(line, MARGIN, y);
+        }
+    }
+
+    private BufferedImage heights() {
+        double[][] rows = new double[map.rows()][map.columns()];
+        for (int row = 0; row < map.rows(); row++) {
+            for (int column = 0; column < map.columns(); column++) {
+                rows[map.rows() - 1 - row][column] = map.at(column, row) * NANOMETRES;
+            }
+        }
+        // A grain of dust must not leave all else grey: it may burn out.
+        Histogram histogram = Histogram.of(map, FINE_BINS);
+        double low = histogram.quantile(DUST) * NANOMETRES;
+        double high = Math.max(histogram.quantile(1 - DUST) * NANOMETRES, low + 1e-3);
+        HeatMap.Colors colors = new HeatMap.Colors("height / nm", low, high, Plot.Scale.LINEAR, ColorMap.GREY);
+        double width = map.width() * MICROMETRES;
+        double bar = round(0.25 * width);
+        return new HeatMap(
+                        new HeatMap.Frame("Heights", "x / um", "y / um", PANEL_WIDTH, PICTURE_HEIGHT, true),
+                        new HeatMap.Values(
+                                rows,
+                                new double[] {0, width},
+                                new double[] {0, map.height() * MICROMETRES},
+                                colors,
+                                HeatMap.Reduction.MIDDLE))
+                .scaleBar(Lengths.format(bar / MICROMETRES), bar)
+                .draw();
+    }
+
+    /** The largest of 1, 2, 5 times a power of ten that does not exceed a length. */
+    private static double round(double length) {
+        double power = Math.pow(10, Math.floor(Math.log10(length)));
+        double mantissa = length / power;
+        return power * (mantissa >= 5 ? 5 : mantissa >= 2 ? 2 : 1);
+    }
+
+    private BufferedImage spectrum() {
+        HeightSpectrum spectrum = inspection.spectrum();
+        double shown = LEAST_SHOWN;
+        for (SpectrumPeak peak : inspection.peaks()) {
+            shown = Math.max(shown, SHOWN_PER_PERIOD * peak.frequency());
+        }
+        int reachX = (int) Math.min(spectrum.bandX().last(), Math.ceil(shown * spectrum.width()));
+        int reachY = (int) Math.min(spectrum.bandY().last(), Math.ceil(shown * spectrum.height()));
+        double[][] rows = new double[2 * reachY + 1][2 * reachX + 1];
+        double largest = 0;
+        for (int jy = -reachY; jy <= reachY; jy++) {
+            for (int jx = -reachX; jx <= reachX; jx++) {
+                double power = spectrum.at(jx, jy) * NANOMETRES * NANOMETRES;
+                rows[jy + reachY][jx + reachX] = power;
+                largest = Math.max(largest, power);
+            }
+        }
+        double high = largest > 0 ? largest : 1;
+        HeatMap.Colors colors = new HeatMap.Colors(
+                "power of a bin / nm^2", SPAN * high, high, Plot.Scale.LOGARITHMIC, ColorMap.VIRIDIS);
+        double halfX = (reachX + 0.5) / spectrum.width() / MICROMETRES;
+        double halfY = (reachY + 0.5) / spectrum.height() / MICROMETRES;
+        HeatMap picture = new HeatMap(
+                new HeatMap.Frame(
+                        "Power spectrum of the heights",
+                        "periods per um along x",
+                        "periods per um along y",
+                        PANEL_WIDTH,
+                        PICTURE_HEIGHT,
+                        true),
+                new HeatMap.Values(
+                        rows,
+                        new double[] {-halfX, halfX},
+                        new double[] {-halfY, halfY},
+                        colors,
+                        HeatMap.Reduction.LARGEST));
+        for (SpectrumPeak peak : inspection.peaks()) {
+            String label = String.format(Locale.ROOT, "%.0f nm", peak.period() * NANOMETRES);
+            picture.mark(label, peak.frequencyX() / MICROMETRES, peak.frequencyY() / MICROMETRES);
+        }
+        return picture.draw();
+    }
+
+    private BufferedImage histogram() {
+        Histogram histogram = Histogram.of(map, HISTOGRAM_BINS);
+        double[] centres = new double[histogram.bins()];
+        Arrays.setAll(centres, bin -> histogram.centre(bin) * NANOMETRES);
+        double[] shares =
+                Arrays.stream(histogram.shares()).map(share -> 100 * share).toArray();
+        return panel("Histogram", "height / nm", "share of the surface / %")
+                .line("share", centres, shares)
+                .draw();
+    }
+
+    private BufferedImage profile() {
+        boolean periodic = inspection.periodicity().found();
+        boolean column = map.columns() == 1;
+        double direction = periodic ? inspection.peaks().get(0).direction() : column ? 0.5 * Math.PI : 0;
+        double longest = periodic ? PROFILE_PERIODS * inspection.peaks().get(0).period() : Double.POSITIVE_INFINITY;
+        Profile profile = Profile.through(map, direction, longest);
+        String title = String.format(
+                Locale.ROOT, "Profile through the centre, direction %.1f degrees", Math.toDegrees(direction));
+        double[] positions = Arrays.stream(profile.positions())
+                .map(metres -> metres * MICROMETRES)
+                .toArray();
+        double[] heights = Arrays.stream(profile.heights())
+                .map(metres -> metres * NANOMETRES)
+                .toArray();
+        return panel(title, "position / um", "height / nm")
+                .line("heights", positions, heights)
+                .draw();
+    }
+
+    private static Plot panel(String title, String x, String y) {
+        return new Plot(new Plot.Frame(title, Plot.Axis.linear(x), Plot.Axis.linear(y), PANEL_WIDTH, PLOT_HEIGHT));
+    }
+}

@@ -1,0 +1,71 @@
+package sunbeam.app.commands.mesh;
+
+import java.io.PrintWriter;
+import java.nio.file.Path;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+import sunbeam.app.files.output.AtomicFile;
+import sunbeam.app.files.output.DefaultName;
+import sunbeam.app.files.output.ForceOption;
+import sunbeam.app.files.output.Overwrite;
+import sunbeam.app.scene.mesh.MeshReader;
+import sunbeam.app.scene.mesh.MeshSource;
+import sunbeam.app.scene.mesh.MeshWriter;
+import sunbeam.app.scene.mesh.ReadMesh;
+import sunbeam.app.terminal.ExitCode;
+import sunbeam.app.terminal.Messages;
+
+/** {@code sunbeam mesh}: writes a mesh that scenes can use, or that other programs can change. */
+@Command(
+        name = "mesh",
+        header = "Generate or check a mesh.",
+        description =
+                "Generate a mesh, or check one, and write it as Wavefront OBJ: metres, z up, with normals and with"
+                        + " texture coordinates whose u gives the direction of the nanostructure.")
+public final class MeshCommand implements Callable<Integer> {
+    @Mixin
+    private ForceOption force;
+
+    @Parameters(
+            paramLabel = "MESH",
+            description = "snake: coiled, 1.3 m long, with scales in its normals. plane: a square of 0.2 m. sphere: of"
+                    + " radius 0.1 m. cylinder: an open mantle, radius 0.1 m, 0.2 m high. Or an OBJ file, which is"
+                    + " checked, divided into triangles and completed.")
+    private String mesh;
+
+    @Option(
+            names = "--output",
+            paramLabel = "OUT.obj",
+            description = "The file to write. Default: MESH.obj in the current folder.")
+    private Path output;
+
+    @Spec
+    private CommandSpec specification;
+
+    @Override
+    public Integer call() {
+        Overwrite overwrite = force.overwrite();
+        Path target = output != null ? output : DefaultName.choose(Path.of(""), stem(), "obj", overwrite);
+        AtomicFile.checkWritable(target, overwrite);
+        ReadMesh read = MeshSource.load(mesh, Path.of(""));
+        PrintWriter err = specification.commandLine().getErr();
+        read.warnings().forEach(warning -> err.println(Messages.warning(warning)));
+        MeshWriter.write(target, overwrite, read.mesh());
+        PrintWriter out = specification.commandLine().getOut();
+        out.println(target + ": " + MeshReader.count(read.mesh().vertices(), "vertex") + ", "
+                + MeshReader.count(read.mesh().triangles(), "triangle"));
+        return ExitCode.OK.code();
+    }
+
+    /** The mesh's name without folder and extension. */
+    private String stem() {
+        String name = String.valueOf(Path.of(mesh).getFileName());
+        int dot = name.lastIndexOf('.');
+        return dot > 0 ? name.substring(0, dot) : name;
+    }
+}

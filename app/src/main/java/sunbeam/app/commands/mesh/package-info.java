@@ -1,0 +1,2 @@
+/** Meshes as OBJ files. */
+package sunbeam.app.commands.mesh;

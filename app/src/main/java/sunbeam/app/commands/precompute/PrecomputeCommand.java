@@ -1,0 +1,91 @@
+package sunbeam.app.commands.precompute;
+
+import java.nio.file.Path;
+import java.util.Locale;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
+import sunbeam.app.files.cache.DiffractionSetup;
+import sunbeam.app.files.output.AtomicFile;
+import sunbeam.app.files.output.DefaultName;
+import sunbeam.app.files.output.ForceOption;
+import sunbeam.app.terminal.Environment;
+import sunbeam.app.terminal.ExitCode;
+import sunbeam.app.terminal.options.MethodOptions;
+import sunbeam.app.terminal.options.PatchOptions;
+import sunbeam.precompute.method.FullMethod;
+import sunbeam.precompute.plan.Plan;
+import sunbeam.precompute.plan.VisibleRange;
+import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.table.FourierTable;
+import sunbeam.precompute.table.TableFile;
+
+/** {@code sunbeam precompute}: the Fourier tables of a patch as a file for other programs. */
+@Command(
+        name = "precompute",
+        header = "Write the Fourier tables of a patch as HDF5.",
+        description =
+                "Write the Fourier tables of a patch to one HDF5 file: the DFT of every term T_n(h) of the expansion"
+                        + " of exp(i k w h), complex float32, cropped to what any pair of directions can see. The file says what"
+                        + " its numbers mean; see docs/table-format.md. Made once, the"
+                        + " table is kept in the cache folder, as are those of the other commands.")
+public final class PrecomputeCommand implements Callable<Integer> {
+    private final Environment environment;
+
+    @Mixin
+    private PatchOptions patchOptions;
+
+    @Mixin
+    private final MethodOptions methodOptions = MethodOptions.of(FullMethod.TYPE);
+
+    @Mixin
+    private ForceOption force;
+
+    @Option(names = "--output", paramLabel = "FILE.h5", description = "The file. Default: the patch's name.")
+    private Path output;
+
+    @Spec
+    private CommandSpec specification;
+
+    public PrecomputeCommand(Environment environment) {
+        this.environment = environment;
+    }
+
+    @Override
+    public Integer call() {
+        Choices choices = methodOptions.choices();
+        return choices.located(() -> write(FullMethod.of(choices)));
+    }
+
+    private int write(FullMethod method) {
+        DiffractionSetup setup = new DiffractionSetup(
+                patchOptions, environment, specification.commandLine().getErr());
+        Path file = output != null
+                ? output
+                : DefaultName.choose(Path.of(""), setup.patch().name(), "h5", force.overwrite());
+        AtomicFile.checkWritable(file, force.overwrite());
+        Plan plan = method.tablePlan(setup.surface(), VisibleRange.all());
+        methodOptions.explain(plan, specification.commandLine().getErr());
+        long start = System.nanoTime();
+        FourierTable table = setup.table(plan);
+        double seconds = (System.nanoTime() - start) * 1e-9;
+        AtomicFile.writeFile(file, force.overwrite(), path -> TableFile.write(path, table));
+        specification
+                .commandLine()
+                .getOut()
+                .printf(
+                        Locale.ROOT,
+                        "%d %s terms of %d x %d bins, %.1f MB, made or read in %.2f s%n%s%n",
+                        table.terms(),
+                        table.kind().label(),
+                        table.bandX().count(),
+                        table.bandY().count(),
+                        table.bytes() * 1e-6,
+                        seconds,
+                        file);
+        return ExitCode.OK.code();
+    }
+}

@@ -1,0 +1,131 @@
+package sunbeam.app.commands.reflectance;
+
+import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
+
+import java.io.PrintWriter;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
+import sunbeam.app.files.cache.DiffractionSetup;
+import sunbeam.app.files.input.DirectionList;
+import sunbeam.app.files.output.AtomicFile;
+import sunbeam.app.files.output.CsvWriter;
+import sunbeam.app.files.output.ForceOption;
+import sunbeam.app.measure.errors.Certificate;
+import sunbeam.app.measure.errors.CertifyOption;
+import sunbeam.app.terminal.Environment;
+import sunbeam.app.terminal.ExitCode;
+import sunbeam.app.terminal.UsageException;
+import sunbeam.app.terminal.options.MethodOptions;
+import sunbeam.app.terminal.options.PatchOptions;
+import sunbeam.precompute.method.Method;
+import sunbeam.precompute.method.MethodPlan;
+import sunbeam.precompute.method.Methods;
+import sunbeam.precompute.method.ReferenceMethod;
+import sunbeam.precompute.plan.GaussianArea;
+import sunbeam.precompute.plan.ReplicatedArea;
+import sunbeam.precompute.plan.VisibleRange;
+import sunbeam.precompute.setting.Choices;
+
+/** {@code sunbeam reflectance}: numbers for a list of directions, the interface by which anybody can check Sunbeam. */
+@Command(
+        name = "reflectance",
+        header = "Evaluate a list of directions: CSV in, CSV out.",
+        description = "Evaluate a list of directions. The input is a CSV file with a header and the columns theta_i,"
+                + " phi_i, theta_r, phi_r in degrees and, for one wavelength a row, wavelength in nm; other columns are"
+                + " ignored. The output repeats these columns and adds power, power_ensemble, rho and brdf (1/sr,"
+                + " without mask); without wavelengths, X, Y, Z of power and the gain that turns them into rho."
+                + " See docs/reflectance.md.")
+public final class ReflectanceCommand implements Callable<Integer> {
+    private static final List<String> SPECTRAL_RESULTS = List.of("power", "power_ensemble", "rho", "brdf");
+    private static final List<String> COLOUR_RESULTS = List.of("X", "Y", "Z", "gain");
+
+    private final Environment environment;
+
+    @Mixin
+    private PatchOptions patchOptions;
+
+    @Mixin
+    private MethodOptions methodOptions;
+
+    @Mixin
+    private CertifyOption certify;
+
+    @Mixin
+    private ForceOption force;
+
+    @Option(names = "--directions", paramLabel = "IN.csv", required = true, description = "The directions.")
+    private Path directions;
+
+    @Option(names = "--output", paramLabel = "OUT.csv", required = true, description = "The results.")
+    private Path output;
+
+    @Spec
+    private CommandSpec specification;
+
+    public ReflectanceCommand(Environment environment) {
+        this.environment = environment;
+    }
+
+    @Override
+    public Integer call() {
+        Choices choices = methodOptions.choices();
+        return choices.located(() -> tabulate(Methods.of(choices), choices.get(TOLERANCE)));
+    }
+
+    private int tabulate(Method method, double tolerance) {
+        if (certify.count().isPresent() && method instanceof ReferenceMethod) {
+            throw new UsageException("--certify compares with --method reference; leave out one of them");
+        }
+        DirectionList list = DirectionList.read(directions);
+        AtomicFile.checkWritable(output, force.overwrite());
+        DiffractionSetup setup = new DiffractionSetup(
+                patchOptions, environment, specification.commandLine().getErr());
+        PrintWriter out = specification.commandLine().getOut();
+        List<double[]> results = evaluate(setup, method, list);
+        Optional<Certificate> certificate = certify.certificate(
+                count -> new ExactRows(setup, method, list).certifier(results).certify(list.size(), count, tolerance));
+        write(list, results);
+        out.println(output);
+        return certificate
+                .map(stated -> CertifyOption.judge(
+                        stated, out, specification.commandLine().getErr()))
+                .orElse(ExitCode.OK)
+                .code();
+    }
+
+    private List<double[]> evaluate(DiffractionSetup setup, Method method, DirectionList list) {
+        if (!(method instanceof ReferenceMethod reference)) {
+            MethodPlan plan = method.plan(setup.surface(), VisibleRange.of(list.pairs()));
+            methodOptions.print(plan, specification.commandLine().getErr());
+            return new GpuDirections(setup, plan).evaluate(list);
+        }
+        return reference.area() instanceof GaussianArea area
+                ? new ReferenceDirections(setup, area).evaluate(list)
+                : new ReplicaDirections(setup, ((ReplicatedArea) reference.area()).replicas()).evaluate(list);
+    }
+
+    private void write(DirectionList list, List<double[]> results) {
+        List<String> header = new ArrayList<>(list.columns());
+        header.addAll(list.spectral() ? SPECTRAL_RESULTS : COLOUR_RESULTS);
+        AtomicFile.write(output, force.overwrite(), stream -> {
+            try (CsvWriter writer = new CsvWriter(stream, header)) {
+                for (int row = 0; row < list.size(); row++) {
+                    double[] given = list.row(row);
+                    double[] computed = results.get(row);
+                    double[] cells = new double[given.length + computed.length];
+                    System.arraycopy(given, 0, cells, 0, given.length);
+                    System.arraycopy(computed, 0, cells, given.length, computed.length);
+                    writer.row(cells);
+                }
+            }
+        });
+    }
+}

@@ -1,0 +1,110 @@
+package sunbeam.app.commands.render;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import picocli.CommandLine.Option;
+import sunbeam.app.scene.Scene;
+import sunbeam.app.terminal.UsageException;
+
+/** What moves; to be used as a picocli mixin. */
+public final class AnimationOptions {
+    private static final int MOST_FRAMES = 9999;
+
+    @Option(
+            names = "--light-sweep",
+            paramLabel = "FROM:TO",
+            converter = AngleSweep.Converter.class,
+            description = "Frames with the light turned about the vertical by angles FROM to TO in degrees,"
+                    + " counter-clockwise seen from above, 0 being where the scene has it. A whole turn leaves its last"
+                    + " angle out.")
+    private AngleSweep lightSweep;
+
+    @Option(
+            names = "--turntable",
+            paramLabel = "N",
+            description = "N frames of the mesh turning once about the vertical; light and camera stay.")
+    private Integer turntable;
+
+    @Option(
+            names = "--frames",
+            paramLabel = "N",
+            defaultValue = "24",
+            description = "Number of frames of --light-sweep. Default: ${DEFAULT-VALUE}.")
+    private int frames;
+
+    @Option(
+            names = "--frame-rate",
+            paramLabel = "HERTZ",
+            defaultValue = "12",
+            description = "Frames per second of the animation, 0.1 to 50. Default: ${DEFAULT-VALUE}.")
+    private double frameRate;
+
+    @Option(
+            names = "--animation",
+            paramLabel = "FILE",
+            description = "The animation: .gif, or .mp4 where ffmpeg is installed. Default: animation.gif in the"
+                    + " folder of the frames.")
+    private Path animation;
+
+    @Option(
+            names = "--resume",
+            description = "Keep pictures that are there and were drawn with the same parameters; draw the others only.")
+    private boolean resume;
+
+    boolean isAsked() {
+        return lightSweep != null || turntable != null;
+    }
+
+    boolean resume() {
+        return resume;
+    }
+
+    double frameRate() {
+        return frameRate;
+    }
+
+    /** For a folder's name. */
+    String name() {
+        return lightSweep != null ? "light-sweep" : "turntable";
+    }
+
+    /** The animation's file. */
+    Path file(Path folder) {
+        return animation != null ? animation : folder.resolve("animation.gif");
+    }
+
+    boolean isMp4() {
+        return animation != null && extension().equals("mp4");
+    }
+
+    private String extension() {
+        String name = String.valueOf(animation.getFileName()).toLowerCase(Locale.ROOT);
+        return name.substring(name.lastIndexOf('.') + 1);
+    }
+
+    void check() {
+        if (lightSweep != null && turntable != null) {
+            throw new UsageException("--light-sweep and --turntable contradict each other; leave one out");
+        }
+        if (!isAsked() && animation != null) {
+            throw new UsageException("--animation needs --light-sweep or --turntable");
+        }
+        int count = turntable != null ? turntable : frames;
+        if (count < 1 || count > MOST_FRAMES) {
+            throw new UsageException((turntable != null ? "--turntable " : "--frames ") + count
+                    + " is out of range; give 1 to " + MOST_FRAMES);
+        }
+        if (!(frameRate >= 0.1 && frameRate <= 50)) {
+            throw new UsageException("--frame-rate " + frameRate + " is out of range; give 0.1 to 50");
+        }
+        if (animation != null && !List.of("gif", "mp4").contains(extension())) {
+            throw new UsageException("--animation " + animation + " is neither .gif nor .mp4");
+        }
+    }
+
+    /** The scenes of the frames. */
+    List<Scene> scenes(Scene scene) {
+        return turntable != null ? Motion.turntable(scene, turntable) : Motion.lightSweep(scene, lightSweep, frames);
+    }
+}

@@ -1,0 +1,41 @@
+package sunbeam.app.commands.render;
+
+import java.util.function.LongConsumer;
+import jrtr.Tile;
+import sunbeam.app.scene.Scene;
+import sunbeam.app.scene.ScenePicture;
+import sunbeam.app.scene.SceneSession;
+
+/** Draws whole pictures, tile by tile; each pixel is the mean of {@code supersample^2}. */
+final class FrameRenderer {
+    private final SceneSession session;
+    private final PictureSize size;
+    private final int supersample;
+
+    FrameRenderer(SceneSession session, PictureSize size, int supersample) {
+        this.session = session;
+        this.size = size;
+        this.supersample = supersample;
+    }
+
+    /**
+     * Draws a scene.
+     *
+     * @param progress told after every tile how many pixels are done
+     */
+    ScenePicture render(Scene scene, LongConsumer progress) {
+        session.update(scene);
+        ScenePicture picture = ScenePicture.empty(size.width(), size.height());
+        for (Tile tile : SceneSession.tiles(size.width(), size.height(), supersample)) {
+            Tile fine = new Tile(
+                    supersample * tile.x(),
+                    supersample * tile.y(),
+                    supersample * tile.width(),
+                    supersample * tile.height());
+            ScenePicture part = session.draw(supersample * size.width(), supersample * size.height(), fine);
+            picture.put(part.reduced(supersample), tile.x(), tile.y());
+            progress.accept(tile.pixels());
+        }
+        return picture;
+    }
+}

@@ -1,0 +1,89 @@
+package sunbeam.app.commands.render;
+
+import java.nio.file.Path;
+import java.util.Collections;
+import java.util.List;
+import java.util.Map;
+import java.util.OptionalDouble;
+import jrtr.RenderContext;
+import sunbeam.app.files.input.PngText;
+import sunbeam.app.files.output.NpyWriter;
+import sunbeam.app.files.output.Overwrite;
+import sunbeam.app.files.output.PngWriter;
+import sunbeam.app.scene.Scene;
+import sunbeam.app.scene.SceneData;
+import sunbeam.app.scene.SceneDisplay;
+import sunbeam.app.scene.ScenePicture;
+import sunbeam.app.scene.SceneSession;
+import sunbeam.app.terminal.progress.Progress;
+import sunbeam.precompute.units.Decimals;
+
+/** Draws frames and writes each as soon as it is finished. */
+final class FrameSequence implements AutoCloseable {
+    private final SceneData data;
+    private final PictureSize size;
+    private final int supersample;
+    private final String renderer;
+    private final FrameIdentity identity;
+    private final SceneDisplay display;
+    private final SceneSession session;
+
+    FrameSequence(RenderContext context, SceneData data, PictureSize size, int supersample) {
+        this.data = data;
+        this.size = size;
+        this.supersample = supersample;
+        this.renderer = context.info().renderer();
+        this.identity = new FrameIdentity(data, size, supersample);
+        this.display = new SceneDisplay(context);
+        this.session = new SceneSession(context, data);
+    }
+
+    /** What tells the frames apart. */
+    List<String> identities(List<Scene> scenes) {
+        return scenes.stream().map(identity::of).toList();
+    }
+
+    /**
+     * Draws the frames that are missing. Where exposure is automatic, the first frame's holds for all, so that an
+     * animation does not flicker.
+     *
+     * @param linear where the linear colours of the only frame go, or null
+     */
+    void draw(List<Scene> scenes, List<Path> files, List<Boolean> missing, Overwrite overwrite, Path linear) {
+        long frames = Collections.frequency(missing, true);
+        OptionalDouble exposure = missing.get(0) ? OptionalDouble.empty() : recordedExposure(files.get(0));
+        try (Progress progress = Progress.start("rendering", frames * size.width() * size.height())) {
+            FrameRenderer frameRenderer = new FrameRenderer(session, size, supersample);
+            for (int i = 0; i < scenes.size(); i++) {
+                if (!missing.get(i) && linear == null) {
+                    continue;
+                }
+                Scene scene = scenes.get(i);
+                ScenePicture picture = frameRenderer.render(scene, progress::step);
+                double factor = exposure.isPresent() ? exposure.getAsDouble() : SceneDisplay.exposure(scene, picture);
+                exposure = OptionalDouble.of(factor);
+                if (missing.get(i)) {
+                    write(files.get(i), overwrite, scene, picture, factor);
+                }
+                if (linear != null) {
+                    NpyWriter.write(linear, overwrite, picture.linear().xyz(), size.height(), size.width(), 3);
+                }
+            }
+        }
+    }
+
+    private static OptionalDouble recordedExposure(Path frame) {
+        return Decimals.parse(PngText.read(frame).getOrDefault("Exposure", ""));
+    }
+
+    private void write(Path file, Overwrite overwrite, Scene scene, ScenePicture picture, double exposure) {
+        Map<String, String> text = FrameText.of(data, scene, size, supersample, exposure, renderer, identity.of(scene));
+        PngWriter.write(file, overwrite, display.image(picture, exposure, scene.background()), text);
+    }
+
+    @Override
+    public void close() {
+        session.close();
+        display.close();
+    }
+}

@@ -1,0 +1,97 @@
+package sunbeam.app.commands.render;
+
+import java.awt.image.BufferedImage;
+import java.awt.image.IndexColorModel;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.file.Path;
+import java.util.List;
+import javax.imageio.IIOImage;
+import javax.imageio.ImageIO;
+import javax.imageio.ImageTypeSpecifier;
+import javax.imageio.ImageWriter;
+import javax.imageio.metadata.IIOMetadata;
+import javax.imageio.metadata.IIOMetadataNode;
+import javax.imageio.stream.MemoryCacheImageOutputStream;
+import sunbeam.app.files.input.InputException;
+import sunbeam.app.files.output.AtomicFile;
+import sunbeam.app.files.output.Overwrite;
+
+/** Animated GIF that runs for ever, with one palette for all frames. */
+final class GifAnimation {
+    private static final String FRAME_FORMAT = "javax_imageio_gif_image_1.0";
+
+    private GifAnimation() {}
+
+    /** Writes the frames, read back one by one, twice: first for their colours. */
+    static void write(Path target, Overwrite overwrite, List<Path> frames, double framesPerSecond) {
+        Palette palette = new Palette();
+        frames.forEach(frame -> palette.add(read(frame)));
+        IndexColorModel colors = palette.choose();
+        int hundredths = (int) Math.max(2, Math.round(100 / framesPerSecond));
+        AtomicFile.write(target, overwrite, stream -> write(stream, frames, palette, colors, hundredths));
+    }
+
+    private static void write(
+            OutputStream stream, List<Path> frames, Palette palette, IndexColorModel colors, int hundredths)
+            throws IOException {
+        ImageWriter writer = ImageIO.getImageWritersByFormatName("gif").next();
+        try (MemoryCacheImageOutputStream output = new MemoryCacheImageOutputStream(stream)) {
+            writer.setOutput(output);
+            writer.prepareWriteSequence(null);
+            for (int i = 0; i < frames.size(); i++) {
+                BufferedImage image = palette.apply(read(frames.get(i)), colors);
+                // Not createFromRenderedImage, which takes Java's standard colours for those of any indexed image.
+                IIOMetadata metadata =
+                        writer.getDefaultImageMetadata(new ImageTypeSpecifier(image), writer.getDefaultWriteParam());
+                describe(metadata, hundredths, i == 0);
+                writer.writeToSequence(new IIOImage(image, null, metadata), null);
+            }
+            writer.endWriteSequence();
+        } finally {
+            writer.dispose();
+        }
+    }
+
+    private static void describe(IIOMetadata metadata, int hundredths, boolean first) throws IOException {
+        IIOMetadataNode root = (IIOMetadataNode) metadata.getAsTree(FRAME_FORMAT);
+        IIOMetadataNode control = child(root, "GraphicControlExtension");
+        control.setAttribute("disposalMethod", "doNotDispose");
+        control.setAttribute("userInputFlag", "FALSE");
+        control.setAttribute("transparentColorFlag", "FALSE");
+        control.setAttribute("delayTime", Integer.toString(hundredths));
+        control.setAttribute("transparentColorIndex", "0");
+        if (first) {
+            IIOMetadataNode loop = new IIOMetadataNode("ApplicationExtension");
+            loop.setAttribute("applicationID", "NETSCAPE");
+            loop.setAttribute("authenticationCode", "2.0");
+            // Sub-block 1: how often it runs, 0 for ever, 16 bits.
+            loop.setUserObject(new byte[] {1, 0, 0});
+            child(root, "ApplicationExtensions").appendChild(loop);
+        }
+        metadata.setFromTree(FRAME_FORMAT, root);
+    }
+
+    private static IIOMetadataNode child(IIOMetadataNode root, String name) {
+        for (int i = 0; i < root.getLength(); i++) {
+            if (root.item(i).getNodeName().equals(name)) {
+                return (IIOMetadataNode) root.item(i);
+            }
+        }
+        IIOMetadataNode node = new IIOMetadataNode(name);
+        root.appendChild(node);
+        return node;
+    }
+
+    private static BufferedImage read(Path frame) {
+        try {
+            BufferedImage image = ImageIO.read(frame.toFile());
+            if (image == null) {
+                throw new InputException("cannot read " + frame + ": it is no picture; remove it and use --resume");
+            }
+            return image;
+        } catch (IOException failure) {
+            throw InputException.of(frame, failure);
+        }
+    }
+}

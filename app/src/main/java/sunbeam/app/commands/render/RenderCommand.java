@@ -1,0 +1,235 @@
+package sunbeam.app.commands.render;
+
+import java.io.PrintWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.concurrent.Callable;
+import jrtr.RenderContext;
+import jrtr.gl.RenderContexts;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+import sunbeam.app.files.output.AtomicFile;
+import sunbeam.app.files.output.DefaultName;
+import sunbeam.app.files.output.ForceOption;
+import sunbeam.app.files.output.OutputFolder;
+import sunbeam.app.files.output.Overwrite;
+import sunbeam.app.scene.Scene;
+import sunbeam.app.scene.SceneData;
+import sunbeam.app.scene.SceneLoader;
+import sunbeam.app.scene.Scenes;
+import sunbeam.app.terminal.Environment;
+import sunbeam.app.terminal.ExitCode;
+import sunbeam.app.terminal.Messages;
+import sunbeam.app.terminal.SettingOptions;
+import sunbeam.app.terminal.ShutdownHook;
+import sunbeam.app.terminal.UsageException;
+
+/** {@code sunbeam render}: a scene as a picture, or moving, without a window. */
+@Command(
+        name = "render",
+        header = "Draw a scene without a window: picture or animation.",
+        description = "Draw a scene: a mesh with a nanostructured skin, its camera and its light. One PNG, or with"
+                + " --light-sweep or --turntable a folder of numbered PNGs and an animation of them. Ctrl-C keeps"
+                + " the frames that are finished; --resume goes on.")
+public final class RenderCommand implements Callable<Integer> {
+    private static final int MOST_SUPERSAMPLES = 8;
+
+    private final Environment environment;
+
+    @Parameters(
+            paramLabel = "SCENE",
+            description =
+                    "A built-in scene (elaphe, elaphe-body, elaphe-scales, xenopeltis, xenopeltis-body,"
+                            + " xenopeltis-scales, light-left, light-above, light-right) or a scene file (.json; docs/scenes.md).")
+    private String sceneName;
+
+    @Option(
+            names = "--output",
+            paramLabel = "FILE.png",
+            description = "The picture, or of an animation the folder. Default: the scene's name.")
+    private Path output;
+
+    @Option(
+            names = "--linear",
+            paramLabel = "FILE.npy",
+            description = "Also write the linear colours: float32, height x width x 3, row 0 on top, CIE XYZ before"
+                    + " exposure, NaN where the mesh is not.")
+    private Path linear;
+
+    @Option(
+            names = "--size",
+            paramLabel = "WxH",
+            defaultValue = "800x600",
+            converter = PictureSize.Converter.class,
+            description = "Width and height in pixels. Default: ${DEFAULT-VALUE}.")
+    private PictureSize size;
+
+    @Option(
+            names = "--supersample",
+            paramLabel = "N",
+            defaultValue = "1",
+            description = "Each pixel is the mean of N x N, 1 to 8, in linear light. Default: ${DEFAULT-VALUE}.")
+    private int supersample;
+
+    @Mixin
+    private AnimationOptions animation;
+
+    @Mixin
+    private final SettingOptions overrides = SettingOptions.overriding(SceneOverrides.SETTINGS);
+
+    @Mixin
+    private ForceOption force;
+
+    @Spec
+    private CommandSpec specification;
+
+    public RenderCommand(Environment environment) {
+        this.environment = environment;
+    }
+
+    @Override
+    public Integer call() {
+        check();
+        Scene scene = SceneOverrides.apply(Scenes.load(sceneName), overrides.choices());
+        List<Scene> scenes = animation.isAsked() ? animation.scenes(scene) : List.of(scene);
+        Path target = target();
+        List<Path> files = animation.isAsked() ? FrameFiles.names(target, scenes.size()) : List.of(target);
+        checkOutputs(files, target);
+        PrintWriter err = specification.commandLine().getErr();
+        SceneData data = new SceneLoader(environment, warning -> {
+                    err.println(Messages.warning(warning));
+                    err.flush();
+                })
+                .load(scene);
+        PrintWriter out = specification.commandLine().getOut();
+        err.println("plan: " + data.method().summary());
+        err.flush();
+        try (RenderContext context = RenderContexts.offscreen();
+                FrameSequence frames = new FrameSequence(context, data, size, supersample)) {
+            draw(frames, scenes, files, target, err);
+        }
+        outputs(target, files).forEach(out::println);
+        return ExitCode.OK.code();
+    }
+
+    private void check() {
+        if (supersample < 1 || supersample > MOST_SUPERSAMPLES) {
+            throw new UsageException(
+                    "--supersample " + supersample + " is out of range; give 1 to " + MOST_SUPERSAMPLES);
+        }
+        animation.check();
+        if (animation.isAsked() && linear != null) {
+            throw new UsageException("--linear is for single pictures; leave --light-sweep and --turntable out");
+        }
+        if (animation.isMp4()) {
+            Mp4Animation.requireProgram(environment, animation.file(Path.of("")));
+        }
+    }
+
+    private Path target() {
+        if (!animation.isAsked()) {
+            boolean mayUse = animation.resume() || force.overwrite() == Overwrite.REPLACE;
+            return output != null
+                    ? output
+                    : DefaultName.choose(Path.of(""), stem(), "png", mayUse ? Overwrite.REPLACE : Overwrite.REFUSE);
+        }
+        boolean mayUse = animation.resume() || force.overwrite() == Overwrite.REPLACE;
+        return FrameFiles.folder(output, stem() + "-" + animation.name(), mayUse);
+    }
+
+    /** The scene's name without folder and extension. */
+    private String stem() {
+        String name = String.valueOf(Path.of(sceneName).getFileName());
+        int dot = name.lastIndexOf('.');
+        return dot > 0 ? name.substring(0, dot) : name;
+    }
+
+    /** Before anything is loaded: nobody waits for a picture that cannot be written. */
+    private void checkOutputs(List<Path> files, Path target) {
+        if (!animation.resume()) {
+            FrameFiles.requireFree(files, force.overwrite());
+        }
+        if (!animation.isAsked() && !animation.resume()) {
+            AtomicFile.checkWritable(target, force.overwrite());
+        }
+        if (animation.isAsked()) {
+            OutputFolder.check(target);
+            if (Files.isDirectory(target)) {
+                AtomicFile.checkWritable(animation.file(target), overwriteOfAnimation());
+            }
+        }
+        if (linear != null) {
+            AtomicFile.checkWritable(linear, force.overwrite());
+        }
+    }
+
+    private void draw(FrameSequence frames, List<Scene> scenes, List<Path> files, Path target, PrintWriter err) {
+        Overwrite overwrite = force.overwrite();
+        if (animation.isAsked()) {
+            OutputFolder.create(target);
+        }
+        List<Boolean> missing = animation.resume()
+                ? FrameFiles.missing(files, frames.identities(scenes), overwrite)
+                : Collections.nCopies(files.size(), true);
+        AtomicFile.checkWritable(files.get(0), Overwrite.REPLACE);
+        Overwrite ofAnimation = overwriteOfAnimation();
+        if (animation.isAsked()) {
+            AtomicFile.checkWritable(animation.file(target), ofAnimation);
+        }
+        ShutdownHook hook = new ShutdownHook(() -> sayThatFramesAreKept(err));
+        try {
+            frames.draw(scenes, files, missing, overwrite, linear);
+        } finally {
+            hook.close();
+        }
+        if (animation.isMp4()) {
+            Mp4Animation.write(animation.file(target), ofAnimation, files, animation.frameRate());
+        } else if (animation.isAsked()) {
+            GifAnimation.write(animation.file(target), ofAnimation, files, animation.frameRate());
+        }
+        if (animation.isAsked()) {
+            warnOfOlderFrames(target, files.size(), err);
+        }
+    }
+
+    private Overwrite overwriteOfAnimation() {
+        return animation.resume() ? Overwrite.REPLACE : force.overwrite();
+    }
+
+    private static void warnOfOlderFrames(Path folder, int frames, PrintWriter err) {
+        Path next = FrameFiles.names(folder, frames + 1).get(frames);
+        if (Files.exists(next)) {
+            err.println(
+                    Messages.warning(next + " and frames after it are of a longer animation; they were left alone"));
+            err.flush();
+        }
+    }
+
+    private void sayThatFramesAreKept(PrintWriter err) {
+        if (animation.isAsked()) {
+            err.println(Messages.error("interrupted; finished frames are kept, add --resume to draw the others"));
+            err.flush();
+        }
+    }
+
+    private List<Path> outputs(Path target, List<Path> files) {
+        List<Path> outputs = new ArrayList<>();
+        if (animation.isAsked()) {
+            outputs.add(target);
+            outputs.add(animation.file(target));
+        } else {
+            outputs.addAll(files);
+        }
+        if (linear != null) {
+            outputs.add(linear);
+        }
+        return outputs;
+    }
+}

@@ -1,0 +1,81 @@
+package sunbeam.app.commands.render;
+
+import static sunbeam.app.scene.SceneSettings.MESH;
+import static sunbeam.app.scene.SceneSettings.TEXTURE;
+import static sunbeam.precompute.method.Methods.METHOD;
+import static sunbeam.precompute.patch.PatchSettings.PATCH;
+import static sunbeam.precompute.plan.MethodSettings.AVERAGE;
+import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import sunbeam.app.scene.Scene;
+import sunbeam.app.scene.SceneSettings;
+import sunbeam.app.scene.mesh.BuiltInMeshes;
+import sunbeam.app.scene.texture.BodyTextures;
+import sunbeam.precompute.method.Methods;
+import sunbeam.precompute.patch.PatchRequest;
+import sunbeam.precompute.patch.PatchSettings;
+import sunbeam.precompute.patch.builtin.BuiltInPatches;
+import sunbeam.precompute.plan.Average;
+import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.setting.Setting;
+
+/** Choices that stand above what a scene says. */
+final class SceneOverrides {
+    /** What may be chosen. */
+    static final List<Setting<?>> SETTINGS = settings();
+
+    private SceneOverrides() {}
+
+    private static List<Setting<?>> settings() {
+        List<Setting<?>> all = new ArrayList<>(SceneSettings.OVERRIDABLE);
+        all.addAll(PatchSettings.ALL);
+        all.addAll(Methods.SETTINGS);
+        return all;
+    }
+
+    /**
+     * The scene as the choices have it.
+     *
+     * @throws sunbeam.precompute.setting.SettingException for choices that do not go together, or not with the scene
+     */
+    static Scene apply(Scene scene, Choices given) {
+        checkAverage(scene, given);
+        Choices chosen = named(named(given, MESH, BuiltInMeshes.names()), TEXTURE, BodyTextures.names());
+        return patch(scene.with(chosen), named(given, PATCH, BuiltInPatches.names()));
+    }
+
+    /** A method that has no ensemble average must not quietly draw something else than the scene asks for. */
+    private static void checkAverage(Scene scene, Choices given) {
+        boolean lost = given.has(METHOD)
+                && !given.get(METHOD).has(AVERAGE)
+                && scene.method().type().has(AVERAGE)
+                && scene.method().get(AVERAGE) == Average.ENSEMBLE;
+        if (lost && given.get(METHOD).has(TOLERANCE) && !given.has(AVERAGE)) {
+            throw given.complaint(
+                    METHOD, "has no ensemble average, which the scene asks for; add ", AVERAGE, " coherent");
+        }
+    }
+
+    private static Scene patch(Scene scene, Choices given) {
+        Choices ofPatch = given.only(PatchSettings.ALL);
+        if (given.has(PATCH)) {
+            return scene.withPatch(new PatchRequest(ofPatch));
+        }
+        if (!ofPatch.chosen().isEmpty()) {
+            throw given.complaint(ofPatch.chosen().get(0), "needs ", PATCH);
+        }
+        return scene;
+    }
+
+    /** Scenes name files absolutely. */
+    private static Choices named(Choices given, Setting<String> setting, List<String> builtIn) {
+        if (!given.has(setting) || builtIn.contains(given.get(setting))) {
+            return given;
+        }
+        String file = Path.of(given.get(setting)).toAbsolutePath().normalize().toString();
+        return given.with(setting, file, given.origin(setting));
+    }
+}

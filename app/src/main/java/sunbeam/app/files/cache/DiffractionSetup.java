@@ -1,0 +1,101 @@
+package sunbeam.app.files.cache;
+
+import java.io.PrintWriter;
+import java.util.function.Consumer;
+import sunbeam.app.terminal.Environment;
+import sunbeam.app.terminal.Messages;
+import sunbeam.app.terminal.options.PatchOptions;
+import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.method.MethodPlan;
+import sunbeam.precompute.method.Methods;
+import sunbeam.precompute.method.Surface;
+import sunbeam.precompute.patch.Patch;
+import sunbeam.precompute.plan.Plan;
+import sunbeam.precompute.setting.SettingException;
+import sunbeam.precompute.shader.MethodUse;
+import sunbeam.precompute.shader.ShaderTables;
+import sunbeam.precompute.table.FourierTable;
+
+/** A loaded patch, and its tables from the cache or anew. */
+public final class DiffractionSetup {
+    private final Patch patch;
+    private final Surface surface;
+    private final TableStore store;
+
+    /** Loads the patch and says what the user should know of it. */
+    public DiffractionSetup(PatchOptions options, Environment environment, PrintWriter err) {
+        this(options.load(), environment, err);
+    }
+
+    /** Takes a loaded patch and says what the user should know of it. */
+    public DiffractionSetup(Patch patch, Environment environment, PrintWriter err) {
+        this(patch, environment, warning -> {
+            err.println(Messages.warning(warning));
+            err.flush();
+        });
+        patch.warnings().forEach(warning -> err.println(Messages.warning(patch.name() + ": " + warning)));
+        err.flush();
+    }
+
+    /**
+     * Takes a patch that is loaded already, whose warnings have been told.
+     *
+     * @param warning told in one line each what goes wrong with the cache
+     */
+    public DiffractionSetup(Patch patch, Environment environment, Consumer<String> warning) {
+        this.patch = patch;
+        this.surface = Surface.of(patch);
+        this.store = new TableStore(surface, environment, warning);
+    }
+
+    public Patch patch() {
+        return patch;
+    }
+
+    /** The patch and the light that colours it. */
+    public Surface surface() {
+        return surface;
+    }
+
+    public CieTable cie() {
+        return surface.cie();
+    }
+
+    /** The Fourier table that a plan needs, made now. */
+    public FourierTable freshTable(Plan plan) {
+        return store.freshTable(plan);
+    }
+
+    /** The Fourier table that a plan needs, from the cache where it is there. */
+    public FourierTable table(Plan plan) {
+        return store.table(plan);
+    }
+
+    /**
+     * What a method's shader reads, made now, layer by layer as it is asked for.
+     *
+     * @throws SettingException when the method has no answer for the use
+     */
+    public ShaderTables freshTables(MethodPlan plan, MethodUse use) {
+        requireAnswer(plan, use);
+        return plan.tables(use, store::freshTable);
+    }
+
+    /**
+     * What a method's shader reads, from the cache where it is there.
+     *
+     * @throws SettingException when the method has no answer for the use
+     */
+    public ShaderTables tables(MethodPlan plan, MethodUse use) {
+        requireAnswer(plan, use);
+        return store.tables(plan, use);
+    }
+
+    private static void requireAnswer(MethodPlan plan, MethodUse use) {
+        if (!plan.answers(use)) {
+            throw new SettingException(
+                    Methods.METHOD,
+                    "has colours, but no power at a wavelength; leave out the column wavelength, or use another method");
+        }
+    }
+}

@@ -1,0 +1,135 @@
+package sunbeam.app.files.cache;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.function.Consumer;
+import java.util.function.Function;
+import java.util.function.Supplier;
+import sunbeam.app.files.output.AtomicFile;
+import sunbeam.app.files.output.OutputException;
+import sunbeam.app.files.output.Overwrite;
+import sunbeam.app.terminal.Environment;
+import sunbeam.app.terminal.progress.Progress;
+import sunbeam.precompute.expansion.Expansion;
+import sunbeam.precompute.files.Sha256;
+import sunbeam.precompute.method.MethodPlan;
+import sunbeam.precompute.method.Surface;
+import sunbeam.precompute.plan.Plan;
+import sunbeam.precompute.shader.MethodUse;
+import sunbeam.precompute.shader.ShaderTables;
+import sunbeam.precompute.shader.ShaderTablesFile;
+import sunbeam.precompute.table.FourierTable;
+import sunbeam.precompute.table.TableBuilder;
+import sunbeam.precompute.table.TableException;
+import sunbeam.precompute.table.TableFile;
+
+/**
+ * Tables of one surface in the cache folder, each under a hash of all that determines it; made where they are missing. A
+ * file that is damaged or of something else is made again, with a word about it.
+ */
+public final class TableStore {
+    // Room for a dozen surfaces. Tables of one that any pair of directions may see take some hundred megabytes.
+    private static final long MOST_BYTES = 8L << 30;
+
+    private final Surface surface;
+    private final CacheFolder folder;
+    private final Consumer<String> warning;
+
+    /** @param warning told in one line each what goes wrong with the cache */
+    public TableStore(Surface surface, Environment environment, Consumer<String> warning) {
+        this.surface = surface;
+        this.folder = CacheFolder.of(environment);
+        this.warning = warning;
+    }
+
+    /**
+     * What a method's shader reads, as it lies in the cache. Nothing is computed where it is there, and layer by layer, on
+     * the way to the file, where it is not. Without a cache folder, layers are computed when they are asked for.
+     */
+    public ShaderTables tables(MethodPlan plan, MethodUse use) {
+        String key = "shader tables " + ShaderTablesFile.VERSION + "|" + plan.key(use);
+        Supplier<ShaderTables> make = () -> plan.tables(use, this::freshTable);
+        Optional<Path> file = file(key, "tables");
+        if (file.isEmpty()) {
+            return make.get();
+        }
+        Optional<ShaderTables> kept = read(file.get(), path -> ShaderTablesFile.read(path, key));
+        if (kept.isPresent()) {
+            return kept.get();
+        }
+        ShaderTables made = make.get();
+        save(file.get(), path -> ShaderTablesFile.write(path, key, made));
+        // Again from the file, so that no more than one layer at a time need be in memory.
+        return Files.exists(file.get())
+                ? read(file.get(), path -> ShaderTablesFile.read(path, key)).orElse(made)
+                : made;
+    }
+
+    /** The Fourier table for a plan. */
+    public FourierTable table(Plan plan) {
+        Optional<Path> file = file("table 1|" + surface.identity().digest() + "|" + plan.tableKey(), "h5");
+        Optional<FourierTable> kept =
+                file.flatMap(path -> read(path, present -> checked(TableFile.read(present), plan)));
+        if (kept.isPresent()) {
+            return kept.get();
+        }
+        FourierTable table = freshTable(plan);
+        file.ifPresent(path -> save(path, target -> TableFile.write(target, table)));
+        return table;
+    }
+
+    /** A table that was read, under the name that the surface has now. */
+    private FourierTable checked(FourierTable table, Plan plan) {
+        Expansion expansion = plan.expansion();
+        boolean same = table.patch().digest().equals(surface.identity().digest())
+                && table.kind() == expansion.kind()
+                && table.terms() == expansion.terms()
+                && table.scale().equals(expansion.scale())
+                && table.bandX().equals(plan.bandX())
+                && table.bandY().equals(plan.bandY());
+        if (!same) {
+            throw new TableException("it is of another surface or plan");
+        }
+        return table.of(surface.identity());
+    }
+
+    /** Makes a Fourier table, with progress. */
+    public FourierTable freshTable(Plan plan) {
+        Expansion expansion = plan.expansion();
+        try (Progress progress = Progress.start("Fourier tables", expansion.terms())) {
+            int[] done = {0};
+            TableBuilder builder = new TableBuilder(surface.identity(), surface.levels(), terms -> {
+                progress.step(terms - done[0]);
+                done[0] = terms;
+            });
+            return builder.build(expansion, plan.bandX(), plan.bandY());
+        }
+    }
+
+    private Optional<Path> file(String key, String ending) {
+        String name = Sha256.of(key).substring(0, 32) + "." + ending;
+        return folder.open(warning).map(path -> path.resolve(name));
+    }
+
+    private <T> Optional<T> read(Path file, Function<Path, T> reader) {
+        if (!Files.exists(file)) {
+            return Optional.empty();
+        }
+        try {
+            return Optional.of(reader.apply(file));
+        } catch (TableException failure) {
+            warning.accept("cached table is made again: " + failure.problem());
+            return Optional.empty();
+        }
+    }
+
+    private void save(Path file, Consumer<Path> writer) {
+        try {
+            AtomicFile.writeFile(file, Overwrite.REPLACE, writer::accept);
+            folder.shrink(MOST_BYTES, file);
+        } catch (OutputException failure) {
+            warning.accept("the table is not kept: " + failure.getMessage());
+        }
+    }
+}

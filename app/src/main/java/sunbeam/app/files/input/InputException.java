@@ -1,0 +1,38 @@
+package sunbeam.app.files.input;
+
+import java.io.IOException;
+import java.nio.charset.CharacterCodingException;
+import java.nio.file.AccessDeniedException;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+
+/** An input file that is missing or cannot be used; the message names the file, the place, the value and the remedy. */
+public final class InputException extends RuntimeException {
+    public InputException(String message) {
+        super(message);
+    }
+
+    public InputException(String message, Throwable cause) {
+        super(message, cause);
+    }
+
+    /** The operating system's refusal to read the file, put into words. */
+    public static InputException of(Path file, IOException cause) {
+        return new InputException("cannot read " + file + ": " + reason(cause), cause);
+    }
+
+    private static String reason(IOException cause) {
+        if (cause instanceof NoSuchFileException) {
+            return "there is no such file; check the name";
+        }
+        if (cause instanceof AccessDeniedException) {
+            return "permission denied; make it readable";
+        }
+        if (cause instanceof CharacterCodingException) {
+            return "it is not text in UTF-8";
+        }
+        return cause.getMessage() != null
+                ? cause.getMessage()
+                : cause.getClass().getSimpleName();
+    }
+}

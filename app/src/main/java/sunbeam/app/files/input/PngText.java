@@ -1,0 +1,100 @@
+package sunbeam.app.files.input;
+
+import java.io.DataInputStream;
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.Charset;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.zip.CRC32;
+
+/**
+ * The text chunks of a PNG file (ISO/IEC 15948, 11.3.4): tEXt and uncompressed iTXt. Says by what parameters a picture
+ * of Sunbeam's was made.
+ */
+public final class PngText {
+    private static final byte[] SIGNATURE = {(byte) 0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
+    private static final int LONGEST_TEXT_BYTES = 1 << 20;
+
+    private PngText() {}
+
+    /**
+     * Keyword to value, in the file's order.
+     *
+     * @throws InputException when the file is missing, no PNG, damaged, or has a text above 1 MiB or a compressed one
+     */
+    public static Map<String, String> read(Path file) {
+        try (InputStream stream = Files.newInputStream(file)) {
+            return read(file, new DataInputStream(stream));
+        } catch (IOException failure) {
+            throw InputException.of(file, failure);
+        }
+    }
+
+    private static Map<String, String> read(Path file, DataInputStream stream) throws IOException {
+        if (!Arrays.equals(stream.readNBytes(SIGNATURE.length), SIGNATURE)) {
+            throw new InputException("cannot read " + file + ": not a PNG file");
+        }
+        Map<String, String> text = new LinkedHashMap<>();
+        while (true) {
+            long length = Integer.toUnsignedLong(stream.readInt());
+            String type = new String(stream.readNBytes(4), StandardCharsets.ISO_8859_1);
+            if (type.equals("IEND")) {
+                return text;
+            }
+            if (type.equals("tEXt") || type.equals("iTXt")) {
+                addEntry(file, text, type, chunk(file, stream, type, length));
+            } else {
+                // Data and checksum of a chunk that says nothing here.
+                stream.skipNBytes(length + Integer.BYTES);
+            }
+        }
+    }
+
+    private static byte[] chunk(Path file, DataInputStream stream, String type, long length) throws IOException {
+        if (length > LONGEST_TEXT_BYTES) {
+            throw new InputException("cannot read " + file + ": a text of " + length + " bytes");
+        }
+        byte[] data = stream.readNBytes((int) length);
+        CRC32 checksum = new CRC32();
+        checksum.update(type.getBytes(StandardCharsets.ISO_8859_1));
+        checksum.update(data);
+        if ((int) checksum.getValue() != stream.readInt()) {
+            throw new InputException("cannot read " + file + ": its text is damaged (checksum)");
+        }
+        return data;
+    }
+
+    private static void addEntry(Path file, Map<String, String> text, String type, byte[] data) {
+        int keywordEnd = indexOfZero(file, data, 0);
+        String keyword = string(data, 0, keywordEnd, StandardCharsets.ISO_8859_1);
+        if (type.equals("tEXt")) {
+            text.put(keyword, string(data, keywordEnd + 1, data.length, StandardCharsets.ISO_8859_1));
+            return;
+        }
+        // iTXt: keyword 0 flag method language 0 translated keyword 0 text
+        if (keywordEnd + 1 >= data.length || data[keywordEnd + 1] != 0) {
+            throw new InputException("cannot read " + file + ": the text '" + keyword + "' is compressed");
+        }
+        int languageEnd = indexOfZero(file, data, keywordEnd + 3);
+        int translatedEnd = indexOfZero(file, data, languageEnd + 1);
+        text.put(keyword, string(data, translatedEnd + 1, data.length, StandardCharsets.UTF_8));
+    }
+
+    private static int indexOfZero(Path file, byte[] data, int from) {
+        for (int index = from; index < data.length; index++) {
+            if (data[index] == 0) {
+                return index;
+            }
+        }
+        throw new InputException("cannot read " + file + ": its text has no end of a keyword");
+    }
+
+    private static String string(byte[] data, int from, int to, Charset charset) {
+        return new String(data, from, to - from, charset);
+    }
+}

@@ -1,0 +1,2 @@
+/** Files that commands read; each is untrusted. */
+package sunbeam.app.files.input;

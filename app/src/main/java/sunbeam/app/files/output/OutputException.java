@@ -1,0 +1,58 @@
+package sunbeam.app.files.output;
+
+import java.io.IOException;
+import java.nio.file.AccessDeniedException;
+import java.nio.file.FileAlreadyExistsException;
+import java.nio.file.FileSystemException;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+
+/** An output file that cannot be written; the message names the file, the reason and the remedy. */
+public final class OutputException extends RuntimeException {
+    public OutputException(String message) {
+        super(message);
+    }
+
+    public OutputException(String message, Throwable cause) {
+        super(message, cause);
+    }
+
+    /** The operating system's refusal to write the target, put into words. */
+    public static OutputException of(Path target, IOException cause) {
+        return new OutputException("cannot write " + target + ": " + reasonAndRemedy(rootOf(cause)), cause);
+    }
+
+    /** The system's own words: image writers wrap them in "I/O error". */
+    private static IOException rootOf(IOException failure) {
+        return failure.getCause() instanceof IOException cause ? rootOf(cause) : failure;
+    }
+
+    private static String reasonAndRemedy(IOException cause) {
+        if (cause instanceof FileAlreadyExistsException) {
+            return "it exists; add --force to overwrite it, or choose another name";
+        }
+        if (cause instanceof AccessDeniedException) {
+            return "permission denied; choose a folder that you may write to";
+        }
+        if (cause instanceof NoSuchFileException) {
+            return "its folder does not exist or takes no files; create it or choose another";
+        }
+        String reason = reason(cause);
+        if (reason.contains("No space left") || reason.contains("quota")) {
+            return reason + "; free some space or choose another folder";
+        }
+        if (reason.contains("name too long")) {
+            return reason + "; choose a shorter name";
+        }
+        return reason + "; choose another folder";
+    }
+
+    private static String reason(IOException cause) {
+        if (cause instanceof FileSystemException refusal && refusal.getReason() != null) {
+            return refusal.getReason();
+        }
+        return cause.getMessage() != null
+                ? cause.getMessage()
+                : cause.getClass().getSimpleName();
+    }
+}

@@ -1,0 +1,111 @@
+package sunbeam.app.files.output;
+
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import javax.imageio.IIOImage;
+import javax.imageio.ImageIO;
+import javax.imageio.ImageTypeSpecifier;
+import javax.imageio.ImageWriter;
+import javax.imageio.metadata.IIOMetadata;
+import javax.imageio.metadata.IIOMetadataNode;
+import javax.imageio.stream.MemoryCacheImageOutputStream;
+import sunbeam.app.terminal.Version;
+
+/**
+ * 8-bit PNG files that say how they were made: an sRGB chunk, and text chunks (tEXt, or iTXt where Latin-1 does not
+ * reach). {@code Software} is added unless given.
+ */
+public final class PngWriter {
+    private static final String NATIVE_FORMAT = "javax_imageio_png_1.0";
+    private static final int LONGEST_KEYWORD = 79;
+
+    private PngWriter() {}
+
+    /**
+     * Writes a PNG file, whole or not at all.
+     *
+     * @param image sRGB, for example from {@link SrgbImage}
+     * @param text keyword to value in the order to be written; a keyword has 1 to 79 printable ASCII characters
+     * @throws OutputException when the file cannot be written
+     */
+    public static void write(Path target, Overwrite overwrite, BufferedImage image, Map<String, String> text) {
+        AtomicFile.write(target, overwrite, stream -> write(stream, image, text));
+    }
+
+    /** As {@link #write(Path, Overwrite, BufferedImage, Map)}, to a stream, which stays open. */
+    public static void write(OutputStream stream, BufferedImage image, Map<String, String> text) throws IOException {
+        ImageWriter writer = ImageIO.getImageWritersByFormatName("png").next();
+        try (MemoryCacheImageOutputStream output = new MemoryCacheImageOutputStream(stream)) {
+            IIOMetadata metadata = writer.getDefaultImageMetadata(
+                    ImageTypeSpecifier.createFromRenderedImage(image), writer.getDefaultWriteParam());
+            metadata.mergeTree(NATIVE_FORMAT, chunks(withSoftware(text)));
+            writer.setOutput(output);
+            writer.write(new IIOImage(image, null, metadata));
+        } finally {
+            writer.dispose();
+        }
+    }
+
+    private static Map<String, String> withSoftware(Map<String, String> text) {
+        Map<String, String> all = new LinkedHashMap<>();
+        all.put("Software", "Sunbeam " + Version.number());
+        all.putAll(text);
+        return all;
+    }
+
+    private static IIOMetadataNode chunks(Map<String, String> text) {
+        IIOMetadataNode root = new IIOMetadataNode(NATIVE_FORMAT);
+        IIOMetadataNode srgb = new IIOMetadataNode("sRGB");
+        srgb.setAttribute("renderingIntent", "Perceptual");
+        root.appendChild(srgb);
+        IIOMetadataNode latin = new IIOMetadataNode("tEXt");
+        IIOMetadataNode international = new IIOMetadataNode("iTXt");
+        text.forEach((keyword, value) -> {
+            checkKeyword(keyword);
+            if (StandardCharsets.ISO_8859_1.newEncoder().canEncode(value)) {
+                latin.appendChild(latinEntry(keyword, value));
+            } else {
+                international.appendChild(internationalEntry(keyword, value));
+            }
+        });
+        appendUnlessEmpty(root, latin);
+        appendUnlessEmpty(root, international);
+        return root;
+    }
+
+    private static void appendUnlessEmpty(IIOMetadataNode root, IIOMetadataNode entries) {
+        if (entries.hasChildNodes()) {
+            root.appendChild(entries);
+        }
+    }
+
+    private static void checkKeyword(String keyword) {
+        boolean printable = keyword.chars().allMatch(character -> character >= ' ' && character <= '~');
+        if (!printable || keyword.isBlank() || keyword.length() > LONGEST_KEYWORD || !keyword.equals(keyword.strip())) {
+            throw new IllegalArgumentException("not a keyword of a PNG text: '" + keyword + "'");
+        }
+    }
+
+    private static IIOMetadataNode latinEntry(String keyword, String value) {
+        IIOMetadataNode entry = new IIOMetadataNode("tEXtEntry");
+        entry.setAttribute("keyword", keyword);
+        entry.setAttribute("value", value);
+        return entry;
+    }
+
+    private static IIOMetadataNode internationalEntry(String keyword, String value) {
+        IIOMetadataNode entry = new IIOMetadataNode("iTXtEntry");
+        entry.setAttribute("keyword", keyword);
+        entry.setAttribute("compressionFlag", "FALSE");
+        entry.setAttribute("compressionMethod", "0");
+        entry.setAttribute("languageTag", "");
+        entry.setAttribute("translatedKeyword", "");
+        entry.setAttribute("text", value);
+        return entry;
+    }
+}

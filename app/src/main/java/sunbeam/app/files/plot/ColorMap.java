@@ -1,0 +1,34 @@
+package sunbeam.app.files.plot;
+
+/** Values between 0 and 1 as colours whose lightness grows with the value. */
+public final class ColorMap {
+    /** Viridis (S. van der Walt and N. Smith, matplotlib, CC0), at nine evenly spaced points. */
+    public static final ColorMap VIRIDIS =
+            new ColorMap(0x440154, 0x472D7B, 0x3B528B, 0x2C728E, 0x21918C, 0x28AE80, 0x5EC962, 0xADDC30, 0xFDE725);
+
+    /** Black to white: heights, as microscopes show them. */
+    public static final ColorMap GREY = new ColorMap(0x000000, 0xFFFFFF);
+
+    private final int[] points;
+
+    private ColorMap(int... points) {
+        this.points = points;
+    }
+
+    /** Packed 0xRRGGBB, linear between the points; values outside 0..1 take the ends' colours, NaN white. */
+    public int at(double value) {
+        if (Double.isNaN(value)) {
+            return 0xFFFFFF;
+        }
+        double position = Math.max(0, Math.min(1, value)) * (points.length - 1);
+        int index = Math.min(points.length - 2, (int) position);
+        double fraction = position - index;
+        int color = 0;
+        for (int shift = 16; shift >= 0; shift -= 8) {
+            double before = (points[index] >> shift) & 0xFF;
+            double after = (points[index + 1] >> shift) & 0xFF;
+            color |= (int) Math.round(before + fraction * (after - before)) << shift;
+        }
+        return color;
+    }
+}

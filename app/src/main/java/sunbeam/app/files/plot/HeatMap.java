@@ -1,0 +1,229 @@
+package sunbeam.app.files.plot;
+
+import java.awt.BasicStroke;
+import java.awt.Color;
+import java.awt.Paint;
+import java.awt.geom.Line2D;
+import java.awt.geom.Rectangle2D;
+import java.awt.image.BufferedImage;
+import org.jfree.chart.ChartRenderingInfo;
+import org.jfree.chart.JFreeChart;
+import org.jfree.chart.axis.AxisLocation;
+import org.jfree.chart.axis.AxisSpace;
+import org.jfree.chart.axis.NumberAxis;
+import org.jfree.chart.axis.NumberTickUnit;
+import org.jfree.chart.axis.ValueAxis;
+import org.jfree.chart.plot.SeriesRenderingOrder;
+import org.jfree.chart.plot.XYPlot;
+import org.jfree.chart.renderer.PaintScale;
+import org.jfree.chart.renderer.xy.XYLineAndShapeRenderer;
+import org.jfree.chart.title.LegendTitle;
+import org.jfree.chart.title.PaintScaleLegend;
+import org.jfree.chart.ui.Layer;
+import org.jfree.chart.ui.RectangleEdge;
+import org.jfree.chart.ui.RectangleInsets;
+import org.jfree.data.xy.DefaultXYDataset;
+
+/**
+ * A matrix of values in colour over two axes, with a colour bar, curves and marks on top, in the look of {@link Plot}
+ * and drawn without a display, once.
+ */
+public final class HeatMap {
+    // A strip thinner than this is drawn broader than it is.
+    private static final double THINNEST = 10;
+    // For tick labels and the label, pixels.
+    private static final double SPACE_LEFT = 76;
+    private static final double SPACE_BELOW = 64;
+    private static final double GAP = 12;
+    private static final float CURVE_WIDTH = 1.7f;
+    private static final BasicStroke SOLID = new BasicStroke(CURVE_WIDTH, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND);
+    private static final BasicStroke DASHED =
+            new BasicStroke(CURVE_WIDTH, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 1, new float[] {10, 8}, 0);
+
+    private final Frame frame;
+    private final Values values;
+    private final DefaultXYDataset curves = new DefaultXYDataset();
+    private final XYLineAndShapeRenderer renderer = new XYLineAndShapeRenderer(true, false);
+
+    /**
+     * What stands around the matrix.
+     *
+     * @param width of the picture, pixels
+     * @param height of the picture, pixels
+     * @param equalScales whether a unit is as long along y as along x, unless the matrix is a thin strip
+     */
+    public record Frame(String title, String xLabel, String yLabel, int width, int height, boolean equalScales) {}
+
+    /**
+     * The matrix.
+     *
+     * @param rows {@code [row][column]}, row 0 at the lowest y
+     * @param xRange where the first column begins and the last one ends
+     * @param yRange where the first row begins and the last one ends
+     * @param colors from the lowest to the highest value
+     * @param reduction what a pixel shows that holds several values
+     */
+    public record Values(double[][] rows, double[] xRange, double[] yRange, Colors colors, Reduction reduction) {
+
+        /** Ends of a range of cells with these centres in even steps, at least two. */
+        public static double[] around(double[] centres) {
+            double half = 0.5 * (centres[centres.length - 1] - centres[0]) / (centres.length - 1);
+            return new double[] {centres[0] - half, centres[centres.length - 1] + half};
+        }
+    }
+
+    /** What a pixel shows that holds several values. */
+    public enum Reduction {
+        /** The largest, lest a thin ridge or a peak gets lost. */
+        LARGEST,
+        /** The one in the middle: a picture keeps its grain. */
+        MIDDLE
+    }
+
+    /**
+     * How values become colours.
+     *
+     * @param low value of the first colour; positive where logarithmic
+     * @param high value of the last colour, above low
+     */
+    public record Colors(String label, double low, double high, Plot.Scale scale, ColorMap map) {
+        double position(double value) {
+            return scale == Plot.Scale.LINEAR
+                    ? (value - low) / (high - low)
+                    : Math.log(Math.max(value, low) / low) / Math.log(high / low);
+        }
+    }
+
+    public HeatMap(Frame frame, Values values) {
+        this.frame = frame;
+        this.values = values;
+    }
+
+    /** Adds a curve with an entry in the legend; points that are NaN or outside the axes interrupt it. */
+    public HeatMap curve(String name, double[] x, double[] y, int rgb, boolean dashed) {
+        int index = curves.getSeriesCount();
+        curves.addSeries(name, new double[][] {x, y});
+        renderer.setSeriesPaint(index, new Color(rgb));
+        renderer.setSeriesStroke(index, dashed ? DASHED : SOLID);
+        return this;
+    }
+
+    /** Adds a ring around a point with a label beside it. */
+    public HeatMap mark(String label, double x, double y) {
+        renderer.addAnnotation(Overlay.ring(label, x, y));
+        return this;
+    }
+
+    /** Adds a bar of that length along x, in the lower left corner. */
+    public HeatMap scaleBar(String label, double length) {
+        renderer.addAnnotation(Overlay.scaleBar(label, length));
+        return this;
+    }
+
+    /** The picture. */
+    public BufferedImage draw() {
+        return draw(new ChartRenderingInfo());
+    }
+
+    /** The picture, and where its parts lie. */
+    BufferedImage draw(ChartRenderingInfo info) {
+        ValueAxis horizontal = PlotStyle.horizontal(Plot.Axis.linear(frame.xLabel()), 0, 1);
+        horizontal.setRange(values.xRange()[0], values.xRange()[1]);
+        ValueAxis upright = PlotStyle.upright(Plot.Axis.linear(frame.yLabel()), 0, 1);
+        upright.setRange(values.yRange()[0], values.yRange()[1]);
+        XYPlot plot = PlotStyle.plot(horizontal, upright);
+        plot.setDomainGridlinesVisible(false);
+        plot.setRangeGridlinesVisible(false);
+        plot.setDataset(curves);
+        plot.setRenderer(renderer);
+        plot.setSeriesRenderingOrder(SeriesRenderingOrder.FORWARD);
+        // Or else each of a curve's pieces begins with a dash of its own.
+        renderer.setDrawSeriesLineAsPath(true);
+        renderer.setLegendLine(new Line2D.Double(-16, 0, 16, 0));
+        HeatMapCells cells = new HeatMapCells(values);
+        renderer.addAnnotation(
+                new Overlay((graphics, area, alongX, alongY) -> cells.paint(graphics, area)), Layer.BACKGROUND);
+        AxisSpace space = new AxisSpace();
+        space.setLeft(SPACE_LEFT);
+        space.setBottom(SPACE_BELOW);
+        plot.setFixedRangeAxisSpace(space);
+        plot.setFixedDomainAxisSpace(space);
+        JFreeChart chart = PlotStyle.chart(frame.title(), plot);
+        if (curves.getSeriesCount() > 0) {
+            LegendTitle legend = PlotStyle.legend(plot, RectangleEdge.BOTTOM);
+            legend.setBackgroundPaint(new Color(values.colors().map().at(0.2)));
+            legend.setItemPaint(Color.WHITE);
+            chart.addSubtitle(legend);
+        }
+        PaintScaleLegend bar = colourBar();
+        chart.addSubtitle(bar);
+        // The bar's labels, and with them its width, depend on its height.
+        for (int pass = 0; pass < 2; pass++) {
+            RectangleInsets insets = frame.equalScales() ? equalScales(chart) : RectangleInsets.ZERO_INSETS;
+            plot.setInsets(insets);
+            bar.setMargin(insets.getTop(), GAP, insets.getBottom() + SPACE_BELOW, 0);
+        }
+        return image(chart, info);
+    }
+
+    private BufferedImage image(JFreeChart chart, ChartRenderingInfo info) {
+        return chart.createBufferedImage(frame.width(), frame.height(), BufferedImage.TYPE_INT_RGB, info);
+    }
+
+    /** What must be left free around the matrix; known once the chart has been laid out. */
+    private RectangleInsets equalScales(JFreeChart chart) {
+        double extentX = values.xRange()[1] - values.xRange()[0];
+        double extentY = values.yRange()[1] - values.yRange()[0];
+        if (extentX >= THINNEST * extentY || extentY >= THINNEST * extentX) {
+            return RectangleInsets.ZERO_INSETS;
+        }
+        ChartRenderingInfo info = new ChartRenderingInfo();
+        chart.getXYPlot().setInsets(RectangleInsets.ZERO_INSETS);
+        image(chart, info);
+        Rectangle2D area = info.getPlotInfo().getDataArea();
+        double scale = Math.min(area.getWidth() / extentX, area.getHeight() / extentY);
+        double besides = 0.5 * (area.getWidth() - scale * extentX);
+        double above = 0.5 * (area.getHeight() - scale * extentY);
+        return new RectangleInsets(above, besides, above, besides);
+    }
+
+    /** JFreeChart shades a bar in even steps of its axis, so a logarithmic one has exponents along it. */
+    private PaintScaleLegend colourBar() {
+        Colors colors = values.colors();
+        boolean linear = colors.scale() == Plot.Scale.LINEAR;
+        double low = linear ? colors.low() : Math.log10(colors.low());
+        double high = linear ? colors.high() : Math.log10(colors.high());
+        NumberAxis axis = (NumberAxis) PlotStyle.upright(Plot.Axis.linear(colors.label()), low, high);
+        axis.setRange(low, high);
+        if (!linear) {
+            axis.setNumberFormatOverride(PlotStyle.POWERS_BY_EXPONENT);
+            axis.setTickUnit(new NumberTickUnit(1));
+        }
+        PaintScaleLegend bar = new PaintScaleLegend(new Shades(low, high, colors.map()), axis);
+        bar.setMargin(0, GAP, 0, 0);
+        bar.setPosition(RectangleEdge.RIGHT);
+        bar.setAxisLocation(AxisLocation.BOTTOM_OR_RIGHT);
+        bar.setStripWidth(18);
+        bar.setSubdivisionCount(256);
+        bar.setStripOutlineVisible(true);
+        bar.setStripOutlinePaint(PlotStyle.INK);
+        return bar;
+    }
+
+    private record Shades(double low, double high, ColorMap map) implements PaintScale {
+        @Override
+        public double getLowerBound() {
+            return low;
+        }
+
+        @Override
+        public double getUpperBound() {
+            return high;
+        }
+
+        @Override
+        public Paint getPaint(double value) {
+            return new Color(map.at((value - low) / (high - low)));
+        }
+    }
+}

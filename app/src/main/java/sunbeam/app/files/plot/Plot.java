@@ -1,0 +1,197 @@
+package sunbeam.app.files.plot;
+
+import java.awt.geom.Line2D;
+import java.awt.image.BufferedImage;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.DoubleSummaryStatistics;
+import java.util.List;
+import java.util.Map;
+import java.util.function.Function;
+import org.jfree.chart.JFreeChart;
+import org.jfree.chart.plot.DatasetRenderingOrder;
+import org.jfree.chart.plot.XYPlot;
+import org.jfree.chart.renderer.xy.XYLineAndShapeRenderer;
+import org.jfree.chart.ui.RectangleEdge;
+import org.jfree.data.xy.DefaultXYDataset;
+import org.jfree.data.xy.XYDataset;
+import sunbeam.app.files.output.Overwrite;
+import sunbeam.app.files.output.PngWriter;
+
+/**
+ * Lines and points over x in Sunbeam's look, drawn without a display. Units belong into the axes' labels
+ * ({@code wavelength / nm}). Series get the colours and marks of {@link PlotStyle} in the order in which they are
+ * added.
+ */
+public final class Plot {
+    private final Frame frame;
+    private final List<Series> allSeries = new ArrayList<>();
+
+    private enum Form {
+        LINE,
+        POINTS,
+        LINE_WITH_POINTS,
+        RINGS
+    }
+
+    private record Series(String name, double[] x, double[] y, Form form) {
+        XYDataset dataset() {
+            DefaultXYDataset dataset = new DefaultXYDataset();
+            dataset.addSeries(name, new double[][] {x, y});
+            return dataset;
+        }
+    }
+
+    /** How values are laid out along an axis. */
+    public enum Scale {
+        LINEAR,
+        /** Decimal logarithm; values must be positive. */
+        LOGARITHMIC
+    }
+
+    /** An axis's label, with its unit, and scale. */
+    public record Axis(String label, Scale scale) {
+        public static Axis linear(String label) {
+            return new Axis(label, Scale.LINEAR);
+        }
+
+        public static Axis logarithmic(String label) {
+            return new Axis(label, Scale.LOGARITHMIC);
+        }
+    }
+
+    /**
+     * What stands around the series.
+     *
+     * @param width pixels
+     * @param height pixels
+     */
+    public record Frame(String title, Axis x, Axis y, int width, int height) {
+        private static final int WIDTH = 900;
+        private static final int HEIGHT = 600;
+
+        /** The usual 900 x 600 pixels. */
+        public Frame(String title, Axis x, Axis y) {
+            this(title, x, y, WIDTH, HEIGHT);
+        }
+    }
+
+    public Plot(Frame frame) {
+        this.frame = frame;
+    }
+
+    /** Adds points joined by a line, without marks: many points on a smooth curve. */
+    public Plot line(String name, double[] x, double[] y) {
+        return add(new Series(name, x, y, Form.LINE));
+    }
+
+    /** Adds points joined by a line, with marks: few points, such as errors over a number of terms. */
+    public Plot lineWithPoints(String name, double[] x, double[] y) {
+        return add(new Series(name, x, y, Form.LINE_WITH_POINTS));
+    }
+
+    /** Adds points alone: scattered measurements. */
+    public Plot points(String name, double[] x, double[] y) {
+        return add(new Series(name, x, y, Form.POINTS));
+    }
+
+    /**
+     * Adds points to be seen before all others, as black rings around what they may coincide with; every
+     * series after the first as frames.
+     */
+    public Plot rings(String name, double[] x, double[] y) {
+        return add(new Series(name, x, y, Form.RINGS));
+    }
+
+    /**
+     * The picture.
+     *
+     * @throws IllegalStateException when there is no series
+     */
+    public BufferedImage draw() {
+        if (allSeries.isEmpty()) {
+            throw new IllegalStateException("the plot '" + frame.title() + "' has no series");
+        }
+        DoubleSummaryStatistics xRange = range(Series::x);
+        DoubleSummaryStatistics yRange = range(Series::y);
+        XYPlot plot = PlotStyle.plot(
+                PlotStyle.horizontal(frame.x(), xRange.getMin(), xRange.getMax()),
+                PlotStyle.upright(frame.y(), yRange.getMin(), yRange.getMax()));
+        for (int index = 0; index < allSeries.size(); index++) {
+            Series series = allSeries.get(index);
+            plot.setDataset(index, series.dataset());
+            plot.setRenderer(index, renderer(series, index));
+        }
+        // Rings come last, before all others.
+        plot.setDatasetRenderingOrder(DatasetRenderingOrder.FORWARD);
+        JFreeChart chart = PlotStyle.chart(frame.title(), plot);
+        // The title already says what a single series is.
+        if (allSeries.size() > 1) {
+            chart.addSubtitle(PlotStyle.legend(plot, RectangleEdge.RIGHT));
+        }
+        return chart.createBufferedImage(frame.width(), frame.height(), BufferedImage.TYPE_INT_RGB, null);
+    }
+
+    /**
+     * Writes the picture as PNG, whole or not at all.
+     *
+     * @param text chunks that say how the data was made, see {@link PngWriter}
+     * @throws sunbeam.app.files.output.OutputException when the file cannot be written
+     */
+    public void write(Path target, Overwrite overwrite, Map<String, String> text) {
+        PngWriter.write(target, overwrite, draw(), text);
+    }
+
+    private Plot add(Series series) {
+        if (series.x.length != series.y.length || series.x.length == 0) {
+            throw new IllegalArgumentException("series '" + series.name + "' has " + series.x.length + " x values and "
+                    + series.y.length + " y values");
+        }
+        check(series.name, "x", series.x, frame.x().scale());
+        check(series.name, "y", series.y, frame.y().scale());
+        allSeries.add(series);
+        return this;
+    }
+
+    private static void check(String name, String axis, double[] values, Scale scale) {
+        for (double value : values) {
+            boolean drawable = Double.isFinite(value) && (scale == Scale.LINEAR || value > 0);
+            if (!drawable) {
+                throw new IllegalArgumentException("series '" + name + "': " + axis + " = " + value
+                        + " has no place on a " + (scale == Scale.LINEAR ? "linear" : "logarithmic") + " axis");
+            }
+        }
+    }
+
+    private DoubleSummaryStatistics range(Function<Series, double[]> axis) {
+        return allSeries.stream()
+                .flatMapToDouble(series -> Arrays.stream(axis.apply(series)))
+                .summaryStatistics();
+    }
+
+    private XYLineAndShapeRenderer renderer(Series series, int index) {
+        boolean joined = series.form == Form.LINE || series.form == Form.LINE_WITH_POINTS;
+        XYLineAndShapeRenderer renderer = new XYLineAndShapeRenderer(joined, series.form != Form.LINE);
+        renderer.setSeriesPaint(0, series.form == Form.RINGS ? PlotStyle.INK : PlotStyle.colour(index));
+        renderer.setSeriesStroke(0, PlotStyle.LINE);
+        renderer.setSeriesShape(0, PlotStyle.shape(index));
+        renderer.setLegendLine(new Line2D.Double(-12, 0, 12, 0));
+        if (series.form == Form.RINGS) {
+            renderer.setSeriesShape(0, isFirstOfRings(series) ? PlotStyle.RING : PlotStyle.FRAME);
+            renderer.setSeriesShapesFilled(0, false);
+            renderer.setSeriesOutlineStroke(0, PlotStyle.RING_STROKE);
+            renderer.setUseOutlinePaint(true);
+            renderer.setSeriesOutlinePaint(0, PlotStyle.INK);
+        }
+        return renderer;
+    }
+
+    private boolean isFirstOfRings(Series series) {
+        return allSeries.stream()
+                .filter(other -> other.form == Form.RINGS)
+                .findFirst()
+                .filter(series::equals)
+                .isPresent();
+    }
+}

@@ -1,0 +1,212 @@
+package sunbeam.app.files.plot;
+
+import java.awt.BasicStroke;
+import java.awt.Color;
+import java.awt.Font;
+import java.awt.Shape;
+import java.awt.geom.Ellipse2D;
+import java.awt.geom.Rectangle2D;
+import java.math.BigDecimal;
+import java.math.MathContext;
+import java.text.DecimalFormat;
+import java.text.DecimalFormatSymbols;
+import java.text.FieldPosition;
+import java.text.NumberFormat;
+import java.text.ParsePosition;
+import java.util.Locale;
+import java.util.function.DoubleFunction;
+import org.jfree.chart.JFreeChart;
+import org.jfree.chart.axis.LogAxis;
+import org.jfree.chart.axis.NumberAxis;
+import org.jfree.chart.axis.NumberTickUnit;
+import org.jfree.chart.axis.TickUnits;
+import org.jfree.chart.axis.ValueAxis;
+import org.jfree.chart.block.BlockBorder;
+import org.jfree.chart.plot.XYPlot;
+import org.jfree.chart.title.LegendTitle;
+import org.jfree.chart.ui.RectangleEdge;
+import org.jfree.chart.ui.RectangleInsets;
+import org.jfree.chart.util.ShapeUtils;
+
+/** The one look of all plots: white, sans serif, thin grid, colours that colour-blind people can tell apart. */
+final class PlotStyle {
+    /** M. Okabe and K. Ito, "Color Universal Design" (2008), without the yellow, which is too pale on white. */
+    private static final Color[] COLOURS = {
+        new Color(0x0072B2),
+        new Color(0xD55E00),
+        new Color(0x009E73),
+        new Color(0xCC79A7),
+        new Color(0xE69F00),
+        new Color(0x56B4E9),
+        new Color(0x000000)
+    };
+
+    /** Marks differ too, for print in grey. */
+    private static final Shape[] SHAPES = {
+        new Ellipse2D.Double(-4, -4, 8, 8),
+        new Rectangle2D.Double(-4, -4, 8, 8),
+        ShapeUtils.createUpTriangle(4.5f),
+        ShapeUtils.createDiamond(5),
+        ShapeUtils.createDownTriangle(4.5f),
+        ShapeUtils.createDiagonalCross(3.5f, 0.8f),
+        ShapeUtils.createRegularCross(4.5f, 0.8f)
+    };
+
+    /** Twice as wide as the other marks, through which these are seen. */
+    static final Shape RING = new Ellipse2D.Double(-8, -8, 16, 16);
+
+    static final Shape FRAME = new Rectangle2D.Double(-8, -8, 16, 16);
+    static final BasicStroke RING_STROKE = new BasicStroke(2.5f);
+    static final BasicStroke LINE = new BasicStroke(2, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND);
+
+    private static final NumberFormat NUMBERS =
+            new DecimalFormat("0.######", DecimalFormatSymbols.getInstance(Locale.ROOT));
+
+    // Steps of the decimal logarithm.
+    private static final TickUnits DECADES = units(1, 2, 3, 5);
+    private static final TickUnits DOUBLINGS = units(Math.log10(2), 1);
+    // Up to this ratio of its ends an axis has too few powers of ten.
+    private static final double FEW_DECADES = 100;
+
+    /** Labels of values. */
+    private static final NumberFormat POWERS = labels(PlotStyle::powerOfTen);
+
+    /** Labels of values, by their decimal logarithms. */
+    static final NumberFormat POWERS_BY_EXPONENT = labels(exponent -> powerOfTen(Math.pow(10, exponent)));
+
+    static final Color INK = new Color(0x222222);
+    /** Vermillion, seen on dark and on light. */
+    static final Color MARK = new Color(0xD55E00);
+
+    static final Font TITLE_FONT = new Font(Font.SANS_SERIF, Font.BOLD, 18);
+    static final Font LABEL_FONT = new Font(Font.SANS_SERIF, Font.PLAIN, 16);
+    static final Font TICK_FONT = new Font(Font.SANS_SERIF, Font.PLAIN, 14);
+
+    private static final Color GRID = new Color(0xDDDDDD);
+    private static final double MARGIN = 16;
+
+    private PlotStyle() {}
+
+    /** The colour of the series with this index. */
+    static Color colour(int index) {
+        return COLOURS[index % COLOURS.length];
+    }
+
+    /** The mark of the series with this index. */
+    static Shape shape(int index) {
+        return SHAPES[index % SHAPES.length];
+    }
+
+    /** A horizontal axis for values from low to high. */
+    static ValueAxis horizontal(Plot.Axis described, double low, double high) {
+        return axis(described, low, high, new RectangleInsets(2, 10, 2, 10));
+    }
+
+    /** An upright axis for values from low to high. */
+    static ValueAxis upright(Plot.Axis described, double low, double high) {
+        return axis(described, low, high, new RectangleInsets(10, 4, 10, 4));
+    }
+
+    /** @param besides labels, so that they do not stand too closely */
+    private static ValueAxis axis(Plot.Axis described, double low, double high, RectangleInsets besides) {
+        NumberFormat labels = described.scale() == Plot.Scale.LINEAR ? NUMBERS : POWERS;
+        ValueAxis axis;
+        if (described.scale() == Plot.Scale.LINEAR) {
+            NumberAxis linear = new NumberAxis(described.label());
+            linear.setAutoRangeIncludesZero(false);
+            linear.setAutoRangeStickyZero(false);
+            linear.setNumberFormatOverride(labels);
+            axis = linear;
+        } else {
+            LogAxis logarithmic = new LogAxis(described.label());
+            logarithmic.setNumberFormatOverride(labels);
+            logarithmic.setStandardTickUnits(high < FEW_DECADES * low ? DOUBLINGS : DECADES);
+            axis = logarithmic;
+        }
+        axis.setLabelFont(LABEL_FONT);
+        axis.setLabelPaint(INK);
+        axis.setLabelInsets(new RectangleInsets(6, 6, 6, 6));
+        axis.setTickLabelFont(TICK_FONT);
+        axis.setTickLabelPaint(INK);
+        axis.setTickLabelInsets(besides);
+        axis.setTickMarkPaint(INK);
+        axis.setTickMarkOutsideLength(4);
+        axis.setAxisLineVisible(false);
+        return axis;
+    }
+
+    static XYPlot plot(ValueAxis x, ValueAxis y) {
+        XYPlot plot = new XYPlot(null, x, y, null);
+        plot.setBackgroundPaint(Color.WHITE);
+        plot.setOutlinePaint(INK);
+        plot.setOutlineStroke(new BasicStroke(1));
+        plot.setDomainGridlinePaint(GRID);
+        plot.setRangeGridlinePaint(GRID);
+        plot.setDomainGridlineStroke(new BasicStroke(1));
+        plot.setRangeGridlineStroke(new BasicStroke(1));
+        plot.setAxisOffset(RectangleInsets.ZERO_INSETS);
+        return plot;
+    }
+
+    /** Without a legend. */
+    static JFreeChart chart(String title, XYPlot plot) {
+        JFreeChart chart = new JFreeChart(title, TITLE_FONT, plot, false);
+        chart.setBackgroundPaint(Color.WHITE);
+        chart.getTitle().setPaint(INK);
+        chart.getTitle().setMargin(0, 0, 8, 0);
+        chart.setPadding(new RectangleInsets(MARGIN, MARGIN, MARGIN, MARGIN));
+        return chart;
+    }
+
+    static LegendTitle legend(XYPlot plot, RectangleEdge edge) {
+        LegendTitle legend = new LegendTitle(plot);
+        legend.setPosition(edge);
+        legend.setItemFont(TICK_FONT);
+        legend.setItemPaint(INK);
+        legend.setFrame(BlockBorder.NONE);
+        legend.setItemLabelPadding(new RectangleInsets(4, 4, 4, 4));
+        return legend;
+    }
+
+    /** Whole powers of ten as 1e-3, others as 0.02 or 2e-5. */
+    static String powerOfTen(double value) {
+        double exponent = Math.log10(value);
+        long whole = Math.round(exponent);
+        boolean isPower = Math.abs(exponent - whole) < 1e-9;
+        boolean isLong = whole < 0 || whole > 3;
+        if (isPower && isLong) {
+            return "1e" + whole;
+        }
+        return new BigDecimal(value)
+                .round(new MathContext(2))
+                .stripTrailingZeros()
+                .toPlainString();
+    }
+
+    private static TickUnits units(double... steps) {
+        TickUnits units = new TickUnits();
+        for (double step : steps) {
+            units.add(new NumberTickUnit(step));
+        }
+        return units;
+    }
+
+    private static NumberFormat labels(DoubleFunction<String> label) {
+        return new NumberFormat() {
+            @Override
+            public StringBuffer format(double number, StringBuffer to, FieldPosition position) {
+                return to.append(label.apply(number));
+            }
+
+            @Override
+            public StringBuffer format(long number, StringBuffer to, FieldPosition position) {
+                return format((double) number, to, position);
+            }
+
+            @Override
+            public Number parse(String source, ParsePosition position) {
+                throw new UnsupportedOperationException("labels are written only");
+            }
+        };
+    }
+}

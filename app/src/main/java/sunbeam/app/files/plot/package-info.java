@@ -1,0 +1,2 @@
+/** Plots as PNG, by JFreeChart. */
+package sunbeam.app.files.plot;

@@ -1,0 +1,113 @@
+package sunbeam.app.gpu.directions;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.function.LongConsumer;
+import jrtr.Binding;
+import jrtr.FloatFormat;
+import jrtr.FloatTarget;
+import jrtr.FloatTargetSpec;
+import jrtr.FloatTexture;
+import jrtr.FloatTextureSpec;
+import jrtr.RenderContext;
+import jrtr.ShaderProgram;
+import jrtr.Tile;
+import sunbeam.app.gpu.UploadedTables;
+import sunbeam.precompute.optics.Direction;
+import sunbeam.precompute.optics.DirectionPair;
+
+/** Evaluates directions on the GPU, one fragment each (shaders/directions.frag). */
+public final class DirectionsRenderer implements AutoCloseable {
+    // Directions per draw: short enough for a slow driver, long enough to fill it.
+    private static final int BATCH = 256;
+    // Texels of a direction.
+    private static final int ROWS = 4;
+
+    private final RenderContext context;
+    private final UploadedTables method;
+    private final boolean spectral;
+    private final ShaderProgram program;
+
+    /**
+     * Compiles the shader.
+     *
+     * @param spectral whether directions come with a wavelength; else colours are computed
+     */
+    public DirectionsRenderer(RenderContext context, UploadedTables method, boolean spectral) {
+        this.context = context;
+        this.method = method;
+        this.spectral = spectral;
+        this.program = method.program("directions.frag", spectral ? Map.of("SPECTRAL", "1") : Map.of());
+        program.set("windowSigma", (float) method.windowSigma());
+    }
+
+    /** One direction to evaluate; the wavelength in metres is ignored where colours are computed. */
+    public record Query(DirectionPair pair, double wavelength) {}
+
+    /**
+     * Evaluates all queries.
+     *
+     * @param progress told after every batch how many directions it had
+     * @return four values per query: coherent power, ensemble power, rho, brdf; or X, Y, Z of power and gain
+     */
+    public List<float[]> evaluate(List<Query> queries, LongConsumer progress) {
+        List<float[]> results = new ArrayList<>(queries.size());
+        try (FloatTexture texture = context.createFloatTexture(
+                        "directions", FloatTextureSpec.flat(BATCH, ROWS, FloatFormat.RGBA32F));
+                FloatTarget target = context.createFloatTarget("directions", FloatTargetSpec.color(BATCH, 1))) {
+            List<Binding> bindings = new ArrayList<>(method.bindings());
+            bindings.add(new Binding("directions", texture));
+            for (int start = 0; start < queries.size(); start += BATCH) {
+                List<Query> batch = queries.subList(start, Math.min(queries.size(), start + BATCH));
+                texture.upload(texels(batch));
+                context.drawFullScreen(program, bindings, target, new Tile(0, 0, batch.size(), 1));
+                float[] rgba = target.read(0, new Tile(0, 0, batch.size(), 1));
+                for (int i = 0; i < batch.size(); i++) {
+                    results.add(new float[] {rgba[4 * i], rgba[4 * i + 1], rgba[4 * i + 2], rgba[4 * i + 3]});
+                }
+                progress.accept(batch.size());
+            }
+        }
+        return results;
+    }
+
+    private float[] texels(List<Query> batch) {
+        float[] texels = new float[4 * ROWS * BATCH];
+        for (int i = 0; i < batch.size(); i++) {
+            DirectionPair pair = batch.get(i).pair();
+            put(texels, i, 0, pair.wi(), 0);
+            put(texels, i, 1, pair.wr(), 0);
+            Direction uvw = new Direction(pair.u(), pair.v(), pair.w());
+            double wavelength = batch.get(i).wavelength();
+            put(texels, i, 2, uvw, wavelength);
+            if (spectral && method.binsPerFrequency().isPresent()) {
+                double[] bins = method.binsPerFrequency().get();
+                putBin(texels, i, uvw.x() / wavelength * bins[0], 0);
+                putBin(texels, i, uvw.y() / wavelength * bins[1], 1);
+            }
+        }
+        return texels;
+    }
+
+    /** The nearest bin, and how far beyond it the position lies. */
+    private static void putBin(float[] texels, int column, double position, int axis) {
+        double nearest = Math.rint(position);
+        int at = 4 * (3 * BATCH + column) + axis;
+        texels[at] = (float) nearest;
+        texels[at + 2] = (float) (position - nearest);
+    }
+
+    private static void put(float[] texels, int column, int row, Direction direction, double fourth) {
+        int at = 4 * (row * BATCH + column);
+        texels[at] = (float) direction.x();
+        texels[at + 1] = (float) direction.y();
+        texels[at + 2] = (float) direction.z();
+        texels[at + 3] = (float) fourth;
+    }
+
+    @Override
+    public void close() {
+        program.close();
+    }
+}

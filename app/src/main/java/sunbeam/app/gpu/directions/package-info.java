@@ -1,0 +1,2 @@
+/** Lists of directions, evaluated by the shaders. */
+package sunbeam.app.gpu.directions;

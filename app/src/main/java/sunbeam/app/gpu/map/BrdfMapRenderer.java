@@ -1,0 +1,87 @@
+package sunbeam.app.gpu.map;
+
+import java.util.List;
+import java.util.function.LongConsumer;
+import java.util.stream.IntStream;
+import jrtr.FloatTarget;
+import jrtr.FloatTargetSpec;
+import jrtr.RenderContext;
+import jrtr.ShaderProgram;
+import jrtr.Tile;
+import org.joml.Vector2f;
+import org.joml.Vector3f;
+import sunbeam.app.gpu.UploadedTables;
+import sunbeam.app.gpu.picture.LinearPicture;
+import sunbeam.precompute.optics.Direction;
+
+/** Draws the BRDF map of one light direction, tile by tile, so that no single draw keeps a slow driver for seconds. */
+public final class BrdfMapRenderer implements AutoCloseable {
+    // llvmpipe shares out blocks of 64 x 64 pixels among processors, so a tile holds several. Of a method that takes
+    // 0.12 ms
+    // a pixel on two of them, a tile takes two seconds.
+    private static final int TILE_SIDE = 128;
+
+    private final RenderContext context;
+    private final UploadedTables method;
+    private final ShaderProgram program;
+    private final FloatTarget target;
+    private final int size;
+
+    /** A renderer of maps with {@code size x size} pixels. */
+    public BrdfMapRenderer(RenderContext context, UploadedTables method, int size) {
+        this.context = context;
+        this.method = method;
+        this.size = size;
+        this.program = method.program("brdf_map.frag");
+        this.target = context.createFloatTarget("BRDF map", FloatTargetSpec.color(size, size));
+        program.set("mapSize", new Vector2f(size, size));
+    }
+
+    /**
+     * Draws the map.
+     *
+     * @param light towards the light
+     * @param progress told after every tile how many of its pixels are done
+     * @return linear XYZ of rho, NaN outside the disc
+     */
+    public LinearPicture render(Direction light, LongConsumer progress) {
+        draw(light, progress);
+        return picture();
+    }
+
+    /** Draws the map and leaves it on the device. */
+    public void draw(Direction light, LongConsumer progress) {
+        for (Tile tile : tiles()) {
+            draw(light, tile);
+            progress.accept(tile.pixels());
+        }
+    }
+
+    /** Draws a part of the map, waits for it and leaves it on the device. */
+    public void draw(Direction light, Tile tile) {
+        program.set("lightDirection", new Vector3f((float) light.x(), (float) light.y(), (float) light.z()));
+        context.drawFullScreen(program, method.bindings(), target, tile);
+        context.finish();
+    }
+
+    /** What has been drawn: linear XYZ of rho, NaN outside the disc. */
+    public LinearPicture picture() {
+        return LinearPicture.ofRgba(size, size, target.read(0));
+    }
+
+    /** Pixels inside the disc. */
+    public int coveredPixels() {
+        LinearPicture picture = picture();
+        return (int) IntStream.range(0, size * size).filter(picture::covered).count();
+    }
+
+    private List<Tile> tiles() {
+        return Tile.cover(size, size, TILE_SIDE);
+    }
+
+    @Override
+    public void close() {
+        target.close();
+        program.close();
+    }
+}

@@ -1,0 +1,37 @@
+package sunbeam.app.gpu.map;
+
+import sunbeam.app.gpu.picture.AutoExposure;
+import sunbeam.precompute.optics.Direction;
+import sunbeam.precompute.optics.DirectionPair;
+
+/**
+ * The directions that the pixels of a BRDF map show, at their centres, as shaders/brdf_map.frag has them.
+ *
+ * @param size width and height of the map in pixels
+ * @param light towards the light
+ */
+public record DiscDirections(int size, Direction light) {
+
+    /**
+     * The direction of one pixel.
+     *
+     * @param pixel counted row by row from the top left; must lie inside the disc
+     */
+    public DirectionPair at(int pixel) {
+        return new DirectionPair(light, Direction.ofDisc(x(pixel), y(pixel)));
+    }
+
+    /** The pixels that show a direction within a radius of the specular one, measured on the disc. */
+    public AutoExposure.Specular specular(double radius) {
+        return pixel -> Math.hypot(x(pixel) + light.x(), y(pixel) + light.y()) < radius;
+    }
+
+    private double x(int pixel) {
+        return (2.0 * (pixel % size) + 1) / size - 1;
+    }
+
+    private double y(int pixel) {
+        int row = pixel / size;
+        return 1 - (2.0 * row + 1) / size;
+    }
+}

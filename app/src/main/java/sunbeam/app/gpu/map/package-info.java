@@ -1,0 +1,2 @@
+/** BRDF maps: one light, every direction to the viewer. */
+package sunbeam.app.gpu.map;

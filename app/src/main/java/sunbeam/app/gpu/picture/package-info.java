@@ -1,0 +1,2 @@
+/** Linear pictures and how they become visible: exposure, gamut, sRGB. */
+package sunbeam.app.gpu.picture;

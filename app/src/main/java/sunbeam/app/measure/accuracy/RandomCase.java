@@ -1,0 +1,170 @@
+package sunbeam.app.measure.accuracy;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.SplittableRandom;
+import java.util.stream.IntStream;
+import jrtr.RenderContext;
+import sunbeam.app.gpu.UploadedTables;
+import sunbeam.app.gpu.directions.DirectionsRenderer;
+import sunbeam.app.gpu.directions.DirectionsRenderer.Query;
+import sunbeam.app.measure.errors.ErrorStatistics;
+import sunbeam.app.measure.errors.RelativeError;
+import sunbeam.precompute.method.Surface;
+import sunbeam.precompute.optics.CoherenceWindow;
+import sunbeam.precompute.optics.DirectionPair;
+import sunbeam.precompute.optics.WindowOrigin;
+import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.patch.Patch;
+import sunbeam.precompute.plan.Accuracy;
+import sunbeam.precompute.plan.Average;
+import sunbeam.precompute.plan.GaussianArea;
+import sunbeam.precompute.plan.Plan;
+import sunbeam.precompute.plan.Planner;
+import sunbeam.precompute.plan.TableChoices;
+import sunbeam.precompute.plan.VisibleRange;
+import sunbeam.precompute.reference.ReferenceColor;
+import sunbeam.precompute.reference.ReferenceEvaluator;
+import sunbeam.precompute.shader.MethodUse;
+import sunbeam.precompute.table.FourierTable;
+import sunbeam.precompute.table.TableBuilder;
+
+/**
+ * A surface, window, average, tolerance and directions, all drawn from one seed: method {@code full} must keep its
+ * tolerance on any.
+ *
+ * @param seed from which all follows
+ * @param kind of surface
+ * @param map the surface
+ * @param area window, place and average
+ * @param tolerance relative error asked for
+ * @param aim of the directions
+ * @param colors whether X, Y, Z are compared, else powers
+ * @param queries directions, with wavelengths where powers are compared
+ */
+record RandomCase(
+        long seed,
+        RandomSurface kind,
+        HeightMap map,
+        GaussianArea area,
+        double tolerance,
+        RandomAim aim,
+        boolean colors,
+        List<Query> queries) {
+
+    private static final double[] TOLERANCES = {1e-2, 1e-3, 1e-4};
+    private static final int POWERS = 60;
+    private static final int COLORS = 12;
+    private static final int MOST_SAMPLES = 64;
+    private static final int MOST_SAMPLES_OF_COLORS = 32;
+    private static final double FINEST_PITCH = 40e-9;
+    private static final double COARSEST_PITCH = 300e-9;
+    // Samples in a coherence length: with fewer, the sampled Gaussian is none (PlanWarnings).
+    private static final double FEWEST_SAMPLES = 5;
+    private static final double LONGEST_WINDOW = 400e-6;
+
+    /** Draws a case. */
+    static RandomCase of(long seed) {
+        SplittableRandom random = new SplittableRandom(seed);
+        RandomSurface kind = RandomSurface.values()[random.nextInt(RandomSurface.values().length)];
+        RandomAim aim = RandomAim.values()[random.nextInt(RandomAim.values().length)];
+        boolean colors = random.nextInt(3) == 0;
+        double pitch = FINEST_PITCH * Math.pow(COARSEST_PITCH / FINEST_PITCH, random.nextDouble());
+        HeightMap map = kind.draw(random, colors ? MOST_SAMPLES_OF_COLORS : MOST_SAMPLES, pitch);
+        double shortest = Math.max(1e-6, FEWEST_SAMPLES * pitch);
+        double coherenceLength = shortest * Math.pow(LONGEST_WINDOW / shortest, random.nextDouble());
+        GaussianArea area = new GaussianArea(
+                CoherenceWindow.ofCoherenceLength(coherenceLength),
+                WindowOrigin.values()[random.nextInt(2)],
+                Average.values()[random.nextInt(2)]);
+        double tolerance = TOLERANCES[random.nextInt(TOLERANCES.length)];
+        List<Query> queries = new ArrayList<>();
+        for (int i = 0; i < (colors ? COLORS : POWERS); i++) {
+            double wavelength = RandomAim.wavelength(random);
+            DirectionPair pair = aim.draw(random, map, wavelength, area.window().sigmaFrequency());
+            queries.add(new Query(pair, wavelength));
+        }
+        return new RandomCase(seed, kind, map, area, tolerance, aim, colors, queries);
+    }
+
+    /** What was measured. */
+    record Outcome(ErrorStatistics errors, Plan plan, boolean said) {}
+
+    /** Compares method {@code full} with the reference on all directions that are bright enough. */
+    Outcome measure(RenderContext context) {
+        Surface surface = Surface.of(new Patch("case " + seed, map, "made up", List.of()));
+        Planner planner = surface.planner();
+        Plan plan = planner.plan(
+                TableChoices.of(new Accuracy.ByTolerance(tolerance)),
+                Optional.empty(),
+                area,
+                VisibleRange.of(queries.stream().map(Query::pair).toList()));
+        List<float[]> results = evaluate(context, surface, plan);
+        double[][] exact = exact(surface);
+        double[] errors = IntStream.range(0, exact.length)
+                .filter(i -> !(Math.max(RelativeError.largest(exact[i]), RelativeError.largest(computed(results, i)))
+                        <= RelativeError.FLOOR))
+                .mapToDouble(i -> RelativeError.difference(computed(results, i), exact[i])
+                        / Math.max(RelativeError.FLOOR, RelativeError.largest(exact[i])))
+                .toArray();
+        return new Outcome(
+                ErrorStatistics.of(errors), plan, !planner.warnings(plan).isEmpty());
+    }
+
+    private double[] computed(List<float[]> results, int row) {
+        float[] result = results.get(row);
+        if (colors) {
+            return new double[] {result[0], result[1], result[2]};
+        }
+        return new double[] {area.average() == Average.ENSEMBLE ? result[1] : result[0]};
+    }
+
+    private List<float[]> evaluate(RenderContext context, Surface surface, Plan plan) {
+        FourierTable table = new TableBuilder(surface.identity(), surface.levels(), done -> {})
+                .build(plan.expansion(), plan.bandX(), plan.bandY());
+        MethodUse use = colors ? MethodUse.COLOUR : MethodUse.SPECTRAL;
+        try (UploadedTables method =
+                        UploadedTables.upload(context, plan.sampling().tables(plan, table, use, surface.cie()));
+                DirectionsRenderer renderer = new DirectionsRenderer(context, method, !colors)) {
+            return renderer.evaluate(queries, done -> {});
+        }
+    }
+
+    private double[][] exact(Surface surface) {
+        ReferenceEvaluator evaluator = new ReferenceEvaluator(map, area.window(), area.origin());
+        ReferenceColor color =
+                new ReferenceColor(evaluator, area.window(), surface.cie(), ReferenceColor.Quadrature.INTEGRATED);
+        boolean ensemble = area.average() == Average.ENSEMBLE;
+        return queries.parallelStream()
+                .map(query -> {
+                    if (colors) {
+                        return color.xyz(query.pair(), ensemble);
+                    }
+                    ReferenceEvaluator.Power power = evaluator.powers(query.pair(), query.wavelength());
+                    return new double[] {ensemble ? power.ensemble() : power.coherent()};
+                })
+                .toArray(double[][]::new);
+    }
+
+    /** The case in a line. */
+    @Override
+    public String toString() {
+        return String.format(
+                Locale.ROOT,
+                "seed %d: %s, %d x %d samples of %.0f nm, relief %.0f nm, window %.3g um on the %s, %s %s %s, tolerance %.0e",
+                seed,
+                kind.toString().toLowerCase(Locale.ROOT),
+                map.columns(),
+                map.rows(),
+                map.pitchX() * 1e9,
+                map.relief() * 1e9,
+                area.window().coherenceLength() * 1e6,
+                area.origin().toString().toLowerCase(Locale.ROOT),
+                area.average().toString().toLowerCase(Locale.ROOT),
+                colors ? "XYZ" : "power",
+                aim.toString().toLowerCase(Locale.ROOT),
+                tolerance);
+    }
+}

@@ -1,0 +1,84 @@
+package sunbeam.app.measure.accuracy;
+
+import java.io.PrintWriter;
+import java.util.Arrays;
+import java.util.Locale;
+import java.util.Map;
+import java.util.TreeMap;
+import jrtr.RenderContext;
+import sunbeam.precompute.plan.PlanReport;
+
+/** Many random cases, and how their errors are distributed by kind. */
+final class RandomCases {
+    private final RenderContext context;
+    private final PrintWriter out;
+    // The worst of median / tolerance and 95th percentile / (3 tolerance) of each case, by what it is.
+    private final Map<String, double[]> ratios = new TreeMap<>();
+
+    RandomCases(RenderContext context, PrintWriter out) {
+        this.context = context;
+        this.out = out;
+    }
+
+    /**
+     * Runs cases, prints those that miss, and the distribution.
+     *
+     * @return how many missed
+     */
+    int run(long firstSeed, int count) {
+        int missed = 0;
+        int said = 0;
+        int bright = 0;
+        for (long seed = firstSeed; seed < firstSeed + count; seed++) {
+            RandomCase drawn = RandomCase.of(seed);
+            RandomCase.Outcome outcome = drawn.measure(context);
+            if (outcome.errors().count() == 0) {
+                continue;
+            }
+            bright++;
+            double ratio = Math.max(outcome.errors().median(), outcome.errors().percentile95() / 3) / drawn.tolerance();
+            for (String key : new String[] {
+                "surface " + drawn.kind(), "aim " + drawn.aim(), drawn.colors() ? "XYZ" : "power", "all"
+            }) {
+                ratios.merge(key.toLowerCase(Locale.ROOT), new double[] {ratio}, RandomCases::joined);
+            }
+            if (ratio > 1) {
+                missed++;
+                said += outcome.said() ? 1 : 0;
+                out.printf(
+                        Locale.ROOT,
+                        "%s%s: %s rows %d; %s%n",
+                        outcome.said() ? "missed as said, " : "missed, ",
+                        drawn,
+                        outcome.errors(),
+                        outcome.errors().count(),
+                        new PlanReport(outcome.plan()).summary());
+                out.flush();
+            }
+        }
+        out.printf(
+                "%d cases from seed %d, %d with light: %d missed, %d of them as the plan had said%n",
+                count, firstSeed, bright, missed, said);
+        ratios.forEach(this::print);
+        return missed;
+    }
+
+    private static double[] joined(double[] a, double[] b) {
+        double[] all = Arrays.copyOf(a, a.length + b.length);
+        System.arraycopy(b, 0, all, a.length, b.length);
+        return all;
+    }
+
+    private void print(String key, double[] values) {
+        Arrays.sort(values);
+        out.printf(
+                Locale.ROOT,
+                "| %s | %d | %.2g | %.2g | %.2g | %d |%n",
+                key,
+                values.length,
+                values[values.length / 2],
+                values[(int) (0.95 * (values.length - 1))],
+                values[values.length - 1],
+                Arrays.stream(values).filter(ratio -> ratio > 1).count());
+    }
+}

@@ -1,0 +1,2 @@
+/** How wrong Sunbeam is: errors against the exact reference, measured, certified and plotted. */
+package sunbeam.app.measure.accuracy;

@@ -1,0 +1,68 @@
+package sunbeam.app.measure.errors;
+
+import java.util.Locale;
+
+/**
+ * How far a picture or a table is from the exact one, on random places of it.
+ *
+ * @param places how many and what were evaluated: 40 random pixels
+ * @param quantity what was compared: XYZ or power
+ * @param relative errors ({@link RelativeError}) of those of them that are bright enough to be compared
+ * @param relativeL2 root of the summed squares of all differences by that of all exact values; bright pixels rule it
+ * @param colorDifference CIEDE2000 of those compared, after the picture's exposure; of nothing for a table
+ * @param tolerance what was asked for
+ */
+public record Certificate(
+        String places,
+        String quantity,
+        ErrorStatistics relative,
+        double relativeL2,
+        ErrorStatistics colorDifference,
+        double tolerance) {
+
+    /** Whether the median exceeds the tolerance or the 95th percentile three times it. */
+    public boolean missed() {
+        return !relative.meets(tolerance);
+    }
+
+    /** One line with all figures. */
+    public String summary() {
+        if (relative.count() == 0) {
+            return "%s, all darker than %s: nothing to compare".formatted(places, floor());
+        }
+        String errors = String.format(
+                Locale.ROOT,
+                "%s, %d of them above %s: relative error of %s %s; relative L2 %.2g",
+                places,
+                relative.count(),
+                floor(),
+                quantity,
+                relative,
+                relativeL2);
+        return colorDifference.count() == 0
+                ? errors
+                : errors
+                        + String.format(
+                                Locale.ROOT,
+                                "; CIEDE2000 median %.2g, maximum %.2g",
+                                colorDifference.median(),
+                                colorDifference.maximum());
+    }
+
+    /** One line that says what was missed and what helps. */
+    public String complaint() {
+        return String.format(
+                Locale.ROOT,
+                "the tolerance %.2g is missed: median %.2g (at most %.2g), 95th percentile %.2g (at most %.2g);"
+                        + " ask for a smaller --tolerance, and leave out options that override the plan",
+                tolerance,
+                relative.median(),
+                tolerance,
+                relative.percentile95(),
+                ErrorStatistics.PERCENTILE_FACTOR * tolerance);
+    }
+
+    private static String floor() {
+        return String.format(Locale.ROOT, "%.0e", RelativeError.FLOOR);
+    }
+}

@@ -1,0 +1,108 @@
+package sunbeam.app.measure.errors;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.Random;
+import java.util.stream.IntStream;
+import sunbeam.app.gpu.picture.LinearPicture;
+import sunbeam.app.terminal.progress.Progress;
+import sunbeam.precompute.optics.DirectionPair;
+import sunbeam.precompute.optics.Gain;
+
+/** Compares random pixels of a picture with the exact reference. */
+public final class Certifier {
+    // Dark pixels are checked too, lest light be missing; but a picture of a grating is nearly all dark.
+    private static final int LARGEST_DARK_SHARE = 4;
+
+    private final ExactColor reference;
+    private final PixelDirections pairs;
+
+    /** Which pair of directions a pixel shows. */
+    @FunctionalInterface
+    public interface PixelDirections {
+        /**
+         * The directions at a pixel's centre.
+         *
+         * @param pixel counted row by row from the top left
+         */
+        DirectionPair at(int pixel);
+    }
+
+    /**
+     * A certifier for one scene.
+     *
+     * @param reference of the same patch and window as the picture
+     */
+    public Certifier(ExactColor reference, PixelDirections pairs) {
+        this.reference = reference;
+        this.pairs = pairs;
+    }
+
+    /**
+     * Evaluates random pixels in parallel, with progress.
+     *
+     * @param picture linear XYZ of rho; pixels that show no surface are not drawn from
+     * @param count how many pixels; all, when the picture has fewer. At most a quarter are such as the picture shows
+     *     dark, unless there are not enough others.
+     * @param seed the same seed draws the same pixels
+     * @param exposure factor for X, Y, Z before colours are compared
+     * @param tolerance what the picture was made for
+     */
+    public Certificate certify(LinearPicture picture, int count, long seed, double exposure, double tolerance) {
+        List<Integer> pixels = draw(picture, count, seed);
+        Comparison[] compared = new Comparison[pixels.size()];
+        try (Progress progress = Progress.start("Certificate", compared.length)) {
+            IntStream.range(0, compared.length).parallel().forEach(i -> {
+                compared[i] = compare(picture, pixels.get(i));
+                progress.step(1);
+            });
+        }
+        List<Comparison> all = List.of(compared);
+        return new Certificate(
+                compared.length + " random pixels",
+                "XYZ",
+                Comparison.relative(all),
+                Comparison.relativeL2(all),
+                ErrorStatistics.of(all.stream()
+                        .filter(Comparison::bright)
+                        .mapToDouble(pixel -> pixel.colorDifference(exposure))
+                        .toArray()),
+                tolerance);
+    }
+
+    private List<Integer> draw(LinearPicture picture, int count, long seed) {
+        List<Integer> bright = new ArrayList<>();
+        List<Integer> dark = new ArrayList<>();
+        for (int pixel = 0; pixel < picture.width() * picture.height(); pixel++) {
+            if (picture.covered(pixel)) {
+                double floor = RelativeError.FLOOR * Gain.relativeRadiance(pairs.at(pixel));
+                // A NaN or an infinity among X and Z is to be looked at.
+                (RelativeError.largest(drawn(picture, pixel)) <= floor ? dark : bright).add(pixel);
+            }
+        }
+        Random random = new Random(seed);
+        Collections.shuffle(bright, random);
+        Collections.shuffle(dark, random);
+        int fewestDark = Math.min(dark.size(), count / LARGEST_DARK_SHARE);
+        int takenBright = Math.min(bright.size(), count - fewestDark);
+        List<Integer> pixels = new ArrayList<>(bright.subList(0, takenBright));
+        pixels.addAll(dark.subList(0, Math.min(dark.size(), count - takenBright)));
+        return pixels;
+    }
+
+    private Comparison compare(LinearPicture picture, int pixel) {
+        DirectionPair pair = pairs.at(pixel);
+        double gain = Gain.relativeRadiance(pair);
+        double[] exact = reference.xyz(pair);
+        for (int c = 0; c < 3; c++) {
+            exact[c] *= gain;
+        }
+        return new Comparison(drawn(picture, pixel), exact, gain);
+    }
+
+    private static double[] drawn(LinearPicture picture, int pixel) {
+        float[] xyz = picture.xyz();
+        return new double[] {xyz[3 * pixel], xyz[3 * pixel + 1], xyz[3 * pixel + 2]};
+    }
+}

@@ -1,0 +1,60 @@
+package sunbeam.app.measure.errors;
+
+import java.util.List;
+import sunbeam.precompute.color.CieLab;
+import sunbeam.precompute.color.ColorDifference;
+
+/**
+ * What was computed at one place, and what is exact there.
+ *
+ * @param computed X, Y, Z, or a power alone
+ * @param exact the same by the reference
+ * @param gain by which both were multiplied
+ */
+record Comparison(double[] computed, double[] exact, double gain) {
+
+    /** Whether either has enough light; the gain, which is not finite at the horizon, does not count. */
+    boolean bright() {
+        // Written so that a NaN is looked at.
+        return !(Math.max(RelativeError.largest(computed), RelativeError.largest(exact)) <= floor());
+    }
+
+    private double floor() {
+        return RelativeError.FLOOR * gain;
+    }
+
+    /** Light where there should be none is measured by the floor. */
+    double relative() {
+        return RelativeError.difference(computed, exact) / Math.max(floor(), RelativeError.largest(exact));
+    }
+
+    /** CIEDE2000 of X, Y, Z after an exposure. */
+    double colorDifference(double exposure) {
+        return ColorDifference.ciede2000(lab(computed, exposure), lab(exact, exposure));
+    }
+
+    private static CieLab lab(double[] xyz, double exposure) {
+        return CieLab.ofXyz(exposure * xyz[0], exposure * xyz[1], exposure * xyz[2]);
+    }
+
+    /** Relative errors of those that are bright. */
+    static ErrorStatistics relative(List<Comparison> compared) {
+        return ErrorStatistics.of(compared.stream()
+                .filter(Comparison::bright)
+                .mapToDouble(Comparison::relative)
+                .toArray());
+    }
+
+    /** Root of the summed squares of all differences by that of all exact values; NaN where all of these are 0. */
+    static double relativeL2(List<Comparison> compared) {
+        double differences = 0;
+        double values = 0;
+        for (Comparison place : compared) {
+            for (int c = 0; c < place.exact().length; c++) {
+                differences += Math.pow(place.computed()[c] - place.exact()[c], 2);
+                values += Math.pow(place.exact()[c], 2);
+            }
+        }
+        return values == 0 ? Double.NaN : Math.sqrt(differences / values);
+    }
+}

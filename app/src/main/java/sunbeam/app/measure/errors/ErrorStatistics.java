@@ -1,0 +1,40 @@
+package sunbeam.app.measure.errors;
+
+import java.util.Arrays;
+import java.util.Locale;
+import sunbeam.precompute.numerics.Quantiles;
+
+/**
+ * What a set of errors comes to; all NaN when the set is empty.
+ *
+ * @param count number of errors
+ * @param median half of them are below it
+ * @param percentile95 95 of 100 are below it
+ * @param maximum the largest
+ */
+public record ErrorStatistics(int count, double median, double percentile95, double maximum) {
+
+    /** A tolerance holds for the median; the 95th percentile may be this many times it. */
+    public static final double PERCENTILE_FACTOR = 3;
+
+    /** Of errors in any order; a NaN counts as infinitely wrong. */
+    public static ErrorStatistics of(double... errors) {
+        double[] counted = Arrays.stream(errors)
+                .map(error -> Double.isNaN(error) ? Double.POSITIVE_INFINITY : error)
+                .toArray();
+        return new ErrorStatistics(
+                counted.length, Quantiles.of(counted, 0.5), Quantiles.of(counted, 0.95), Quantiles.of(counted, 1));
+    }
+
+    /** Whether the median is at most the tolerance and the 95th percentile at most three times it; true when empty. */
+    public boolean meets(double tolerance) {
+        return count == 0 || (median <= tolerance && percentile95 <= PERCENTILE_FACTOR * tolerance);
+    }
+
+    /** For people: {@code median 1.2e-04, 95th percentile 3.4e-04, maximum 5.6e-03}. */
+    @Override
+    public String toString() {
+        return String.format(
+                Locale.ROOT, "median %.2g, 95th percentile %.2g, maximum %.2g", median, percentile95, maximum);
+    }
+}

@@ -1,9 +1,0 @@
-package sunbeam.app.output;
-
-/** What happens to a file that stands where an output is to be written. */
-public enum Overwrite {
-    /** It stays, and writing fails. */
-    REFUSE,
-    /** It is replaced at the moment the new one is complete. */
-    REPLACE
-}

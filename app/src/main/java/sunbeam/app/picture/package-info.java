@@ -1,2 +1,0 @@
-/** Linear pictures and how they become visible: exposure, gamut, sRGB. */
-package sunbeam.app.picture;

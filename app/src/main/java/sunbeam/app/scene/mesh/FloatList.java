@@ -1,0 +1,32 @@
+package sunbeam.app.scene.mesh;
+
+import java.util.Arrays;
+import org.joml.Vector3dc;
+
+/** A growing array of floats. */
+final class FloatList {
+    private float[] values = new float[64];
+    private int size;
+
+    void add(float value) {
+        if (size == values.length) {
+            values = Arrays.copyOf(values, size + size / 2);
+        }
+        values[size++] = value;
+    }
+
+    /** Adds a vector to the three numbers from an index on. */
+    void accumulate(int index, Vector3dc vector) {
+        values[index] += (float) vector.x();
+        values[index + 1] += (float) vector.y();
+        values[index + 2] += (float) vector.z();
+    }
+
+    int size() {
+        return size;
+    }
+
+    float[] toArray() {
+        return Arrays.copyOf(values, size);
+    }
+}

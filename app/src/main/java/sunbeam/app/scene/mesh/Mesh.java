@@ -1,0 +1,31 @@
+package sunbeam.app.scene.mesh;
+
+import jrtr.VertexData;
+
+/**
+ * Triangles with all that shading needs. The arrays are shared, not copied: nobody may change them.
+ *
+ * @param positions 3 per vertex, metres, z up
+ * @param normals 3 per vertex, unit length, outwards
+ * @param tangents 4 per vertex: unit vector along the texture's u, orthogonal to the normal, then the handedness h, 1 or
+ *     -1; the bitangent is h (normal x tangent)
+ * @param textureCoordinates 2 per vertex: u, v
+ * @param indices 3 per triangle, counter-clockwise seen from outside
+ */
+public record Mesh(float[] positions, float[] normals, float[] tangents, float[] textureCoordinates, int[] indices) {
+
+    /** Number of vertices. */
+    public int vertices() {
+        return positions.length / 3;
+    }
+
+    /** Number of triangles. */
+    public int triangles() {
+        return indices.length / 3;
+    }
+
+    /** The same arrays for the engine. */
+    public VertexData toVertexData() {
+        return new VertexData(positions, normals, tangents, textureCoordinates, indices);
+    }
+}

@@ -1,0 +1,121 @@
+package sunbeam.app.scene.mesh;
+
+import de.javagl.obj.ObjReader;
+import java.io.IOException;
+import java.io.InputStreamReader;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * Reads Wavefront OBJ files: positions in metres with z up, faces of any number of corners, also with negative (relative)
+ * indices. Groups, materials, lines and curves are passed over.
+ *
+ * <p>What is missing is computed, and told in a warning:
+ *
+ * <ul>
+ *   <li>Triangles without area are dropped.
+ *   <li>Normals that are missing become the mean of the triangles about the position, weighted by area.
+ *   <li>Tangents, which OBJ does not have, follow the texture's u, made orthogonal to the normal; a mirrored texture gives
+ *       a left-handed frame. Where the texture gives no direction the tangent follows x (y where the surface faces along
+ *       x).
+ *   <li>If any face has no texture coordinates, all get new ones: the view from above, x to u and y to v, the longer side
+ *       from 0 to 1. Tangents then follow x, and frames are right-handed everywhere, below too.
+ * </ul>
+ */
+public final class MeshReader {
+    private MeshReader() {}
+
+    /**
+     * Reads a file.
+     *
+     * @throws MeshException if there is no such file, if it is too large (512 MiB, 2 million positions or triangles), or
+     *     if a line of it is wrong
+     */
+    public static ReadMesh read(Path file) {
+        return read(file, ObjLimits.STANDARD);
+    }
+
+    static ReadMesh read(Path file, ObjLimits limits) {
+        requireReadable(file);
+        requireSize(file, limits);
+        RawMesh raw = rawMesh(file, limits);
+        List<String> warnings = new ArrayList<>();
+        RawMesh mesh = DegenerateTriangles.dropped(raw);
+        int dropped = (raw.cornerCount() - mesh.cornerCount()) / 3;
+        if (mesh.cornerCount() == 0) {
+            throw new MeshException(
+                    file + " has no face with an area; name an OBJ file with faces (f lines), not points or lines");
+        }
+        if (dropped > 0) {
+            warnings.add(file + ": dropped " + count(dropped, "triangle") + " without area");
+        }
+        return complete(file, mesh, warnings);
+    }
+
+    private static ReadMesh complete(Path file, RawMesh mesh, List<String> warnings) {
+        boolean planar = false;
+        for (int corner = 0; corner < mesh.cornerCount(); corner++) {
+            planar |= mesh.textureCoordinate(corner) < 0;
+        }
+        if (planar) {
+            warnings.add(file + ": texture coordinates are missing; they are taken from above (x, y)");
+        }
+        VertexAssembly assembly = new VertexAssembly(planar ? PlanarCoordinates.added(mesh) : mesh, planar);
+        Mesh result = assembly.assemble();
+        if (assembly.computedNormals() > 0) {
+            warnings.add(file + ": computed normals for " + assembly.computedNormals() + " of "
+                    + count(result.vertices(), "vertex"));
+        }
+        if (!planar && assembly.undirected() > 0) {
+            warnings.add(file + ": the texture gives no direction at " + count(assembly.undirected(), "vertex")
+                    + "; the tangent follows x there");
+        }
+        return new ReadMesh(result, warnings);
+    }
+
+    public static String count(int number, String noun) {
+        String plural = noun.equals("vertex") ? "vertices" : noun + "s";
+        return number + " " + (number == 1 ? noun : plural);
+    }
+
+    private static void requireReadable(Path file) {
+        if (!Files.exists(file)) {
+            throw new MeshException(file + ": no such file; check the name and the folder");
+        }
+        if (!Files.isRegularFile(file)) {
+            throw new MeshException(file + " is no regular file; name an OBJ file");
+        }
+        if (!Files.isReadable(file)) {
+            throw new MeshException(file + " cannot be read; check its permissions");
+        }
+    }
+
+    private static void requireSize(Path file, ObjLimits limits) {
+        try {
+            long bytes = Files.size(file);
+            if (bytes > limits.bytes()) {
+                throw new MeshException(file + " has " + bytes + " bytes; at most " + limits.bytes()
+                        + " can be used, so simplify the mesh");
+            }
+        } catch (IOException failure) {
+            throw unreadable(file, failure);
+        }
+    }
+
+    private static RawMesh rawMesh(Path file, ObjLimits limits) {
+        // Any byte is a character in Latin 1; geometry is ASCII.
+        try (ObjLines lines = new ObjLines(
+                file, new InputStreamReader(Files.newInputStream(file), StandardCharsets.ISO_8859_1), limits)) {
+            return ObjReader.read(lines, new ObjSink(lines, limits)).toRawMesh();
+        } catch (IOException failure) {
+            throw unreadable(file, failure);
+        }
+    }
+
+    private static MeshException unreadable(Path file, IOException failure) {
+        return new MeshException(file + " cannot be read: " + failure.getMessage(), failure);
+    }
+}

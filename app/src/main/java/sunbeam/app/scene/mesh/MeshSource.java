@@ -1,0 +1,31 @@
+package sunbeam.app.scene.mesh;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import sunbeam.precompute.text.Quoted;
+
+/** Finds a mesh by what a user calls it. */
+public final class MeshSource {
+    private MeshSource() {}
+
+    /**
+     * A built-in mesh by its name, or one from an OBJ file. A file of a built-in mesh's name needs its folder:
+     * {@code ./snake}.
+     *
+     * @param nameOrFile as the user wrote it
+     * @param folder where relative files lie
+     * @throws MeshException if it is neither, or the file cannot be used
+     */
+    public static ReadMesh load(String nameOrFile, Path folder) {
+        if (BuiltInMeshes.names().contains(nameOrFile)) {
+            return new ReadMesh(BuiltInMeshes.create(nameOrFile), List.of());
+        }
+        Path file = folder.resolve(nameOrFile);
+        if (!Files.exists(file) && !nameOrFile.contains(".")) {
+            throw new MeshException("there is no mesh " + Quoted.of(nameOrFile) + "; name an OBJ file, or one of "
+                    + String.join(", ", BuiltInMeshes.names()));
+        }
+        return MeshReader.read(file);
+    }
+}

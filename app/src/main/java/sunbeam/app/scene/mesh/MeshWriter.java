@@ -1,0 +1,59 @@
+package sunbeam.app.scene.mesh;
+
+import java.io.IOException;
+import java.io.OutputStreamWriter;
+import java.io.Writer;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import sunbeam.app.files.output.AtomicFile;
+import sunbeam.app.files.output.Overwrite;
+
+/**
+ * Writes meshes as Wavefront OBJ: positions, texture coordinates and normals, each as the shortest decimal that reads
+ * back as the same float, one of each per vertex. Tangents have no place in the format; {@link MeshReader} finds them
+ * again from the texture coordinates.
+ */
+public final class MeshWriter {
+    private MeshWriter() {}
+
+    /**
+     * Writes a file, whole or not at all.
+     *
+     * @throws sunbeam.app.files.output.OutputException when the file cannot be written
+     */
+    public static void write(Path target, Overwrite overwrite, Mesh mesh) {
+        AtomicFile.write(target, overwrite, stream -> {
+            Writer writer = new OutputStreamWriter(stream, StandardCharsets.US_ASCII);
+            write(mesh, writer);
+            writer.flush();
+        });
+    }
+
+    /** Writes the text; the writer stays open. */
+    public static void write(Mesh mesh, Writer writer) throws IOException {
+        writer.write(
+                "# Sunbeam mesh: metres, z up; " + mesh.vertices() + " vertices, " + mesh.triangles() + " triangles\n");
+        writeLines(writer, "v", mesh.positions(), 3);
+        writeLines(writer, "vt", mesh.textureCoordinates(), 2);
+        writeLines(writer, "vn", mesh.normals(), 3);
+        int[] indices = mesh.indices();
+        for (int i = 0; i < indices.length; i += 3) {
+            writer.write("f");
+            for (int corner = i; corner < i + 3; corner++) {
+                String number = Integer.toString(indices[corner] + 1);
+                writer.write(" " + number + "/" + number + "/" + number);
+            }
+            writer.write('\n');
+        }
+    }
+
+    private static void writeLines(Writer writer, String kind, float[] values, int perLine) throws IOException {
+        for (int i = 0; i < values.length; i += perLine) {
+            writer.write(kind);
+            for (int j = i; j < i + perLine; j++) {
+                writer.write(" " + values[j]);
+            }
+            writer.write('\n');
+        }
+    }
+}

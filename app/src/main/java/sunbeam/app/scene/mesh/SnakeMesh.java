@@ -1,0 +1,141 @@
+package sunbeam.app.scene.mesh;
+
+import org.joml.Vector3d;
+
+/**
+ * The default snake, made in code and always the same: a coiled body 1.3 m long with head, neck and tapering tail, lying
+ * on z = 0. Like the thesis's scan it has about 11,700 vertices and 23,000 triangles. Texture coordinate u runs from the
+ * snout (0) to the tip of the tail (1), proportional to length; v runs once around the body, from the middle of the belly
+ * (0) over the back (0.5) to the belly again (1), proportional to the angle about the centre line. Tangents follow the
+ * body towards the tail: the direction field of the nanostructure.
+ */
+public final class SnakeMesh {
+    // A multiple of the scales' pitch, so that they close around the body.
+    private static final int COLUMNS = 36;
+    private static final int RINGS = 314;
+
+    private final MeshBuilder builder = new MeshBuilder();
+    private final SnakeSurface surface = new SnakeSurface();
+    private final double[] places = ringPlaces();
+
+    private SnakeMesh() {}
+
+    /** Generates it. */
+    public static Mesh create() {
+        SnakeMesh snake = new SnakeMesh();
+        int[][] rings = new int[RINGS][];
+        for (int ring = 0; ring < RINGS; ring++) {
+            rings[ring] = snake.ring(ring);
+        }
+        for (int ring = 0; ring + 1 < RINGS; ring++) {
+            snake.join(ring, rings[ring], rings[ring + 1]);
+        }
+        snake.closeSnout(rings[0]);
+        snake.closeTail(rings[RINGS - 1]);
+        return snake.builder.build();
+    }
+
+    /** Places of the rings: closer where the body is thin, so that scales keep their shape; closest at the snout. */
+    private double[] ringPlaces() {
+        int samples = 20_000;
+        double[] weight = new double[samples + 1];
+        for (int i = 1; i <= samples; i++) {
+            double place = (i - 0.5) / samples;
+            double relative = surface.halfWidth(place) / SnakeProfile.RADIUS;
+            double spacing = 0.3 + 0.7 * relative;
+            weight[i] = weight[i - 1] + 1 / spacing + (place < SnakeProfile.NECK ? 1.6 : 0);
+        }
+        double[] result = new double[RINGS];
+        int at = 0;
+        for (int ring = 0; ring < RINGS; ring++) {
+            // The ends themselves are single points.
+            double wanted = weight[samples] * (ring + 0.35) / (RINGS - 0.3);
+            while (weight[at + 1] < wanted) {
+                at++;
+            }
+            result[ring] = (at + (wanted - weight[at]) / (weight[at + 1] - weight[at])) / samples;
+        }
+        return result;
+    }
+
+    /** Angle of a column from the middle of the belly: columns are closer on the back, which is what one sees. */
+    private static double angle(double column) {
+        double turn = 2 * Math.PI * column / COLUMNS;
+        return turn + 0.3 * Math.sin(turn);
+    }
+
+    /** One more vertex than columns: the seam under the belly has both v = 0 and v = 1. */
+    private int[] ring(int ring) {
+        int[] vertices = new int[COLUMNS + 1];
+        double place = places[ring];
+        for (int column = 0; column <= COLUMNS; column++) {
+            // The seam's two sides are the same point to the last bit.
+            double angle = angle(column % COLUMNS);
+            SnakeSurface.Frame frame = surface.frame(place, angle);
+            Vector3d normal = SnakeScales.normal(frame, ring, column - COLUMNS / 2.0, strength(place, angle));
+            Vector3d tangent = orthogonal(frame.tangent(), normal);
+            vertices[column] = builder.vertex(frame.position(), normal, tangent, place, angle(column) / (2 * Math.PI));
+        }
+        return vertices;
+    }
+
+    /** The relief fades towards the belly, whose shields are smooth, on the head, and at the tip of the tail. */
+    private static double strength(double place, double angle) {
+        double back = smoothStep(Math.toRadians(35), Math.toRadians(75), Math.PI - Math.abs(angle - Math.PI));
+        double head = 0.25 + 0.75 * smoothStep(0.025, 0.065, place);
+        double tail = 1 - smoothStep(0.93, 0.99, place);
+        return back * head * tail;
+    }
+
+    private static double smoothStep(double from, double to, double value) {
+        double t = Math.min(1, Math.max(0, (value - from) / (to - from)));
+        return t * t * (3 - 2 * t);
+    }
+
+    private static Vector3d orthogonal(Vector3d vector, Vector3d normal) {
+        return new Vector3d(vector).fma(-vector.dot(normal), normal).normalize();
+    }
+
+    /** Two triangles per cell, divided along the scales' edges. */
+    private void join(int ring, int[] first, int[] second) {
+        for (int column = 0; column < COLUMNS; column++) {
+            int a = first[column];
+            int b = first[column + 1];
+            int c = second[column + 1];
+            int d = second[column];
+            if ((ring + column) % 2 == 0) {
+                builder.triangle(a, d, c);
+                builder.triangle(a, c, b);
+            } else {
+                builder.triangle(a, d, b);
+                builder.triangle(d, c, b);
+            }
+        }
+    }
+
+    /**
+     * Closes the snout, which is round: its tip faces forwards. Each triangle has its own vertex at the tip, with the
+     * direction that the body has on its side.
+     */
+    private void closeSnout(int[] ring) {
+        Vector3d forwards = surface.direction(0).negate();
+        Vector3d tip = surface.point(0, 0);
+        for (int column = 0; column < COLUMNS; column++) {
+            double angle = angle(column + 0.5);
+            Vector3d outward = surface.point(places[0], angle).sub(tip);
+            int vertex = builder.vertex(tip, forwards, orthogonal(outward, forwards), 0, angle / (2 * Math.PI));
+            builder.triangle(ring[column], ring[column + 1], vertex);
+        }
+    }
+
+    /** Closes the tail, which is a cone: its tip faces to the sides, each triangle's vertex to its own. */
+    private void closeTail(int[] ring) {
+        Vector3d tip = surface.point(1, 0);
+        for (int column = 0; column < COLUMNS; column++) {
+            double angle = angle(column + 0.5);
+            SnakeSurface.Frame side = surface.frame(places[RINGS - 1], angle);
+            int vertex = builder.vertex(tip, side.normal(), side.tangent(), 1, angle / (2 * Math.PI));
+            builder.triangle(ring[column], vertex, ring[column + 1]);
+        }
+    }
+}

@@ -1,0 +1,63 @@
+package sunbeam.app.scene.mesh;
+
+import org.joml.Vector3d;
+
+/** The snake's smooth skin without scales: points and frames at (place along the body, angle around it). */
+final class SnakeSurface {
+    // Steps of the numerical derivatives, large against rounding (1e-13) and small against the skin's features.
+    private static final double PLACE_STEP = 2e-4;
+    private static final double ANGLE_STEP = 1e-3;
+
+    private final SnakeProfile profile = new SnakeProfile();
+    private final SnakePath path = new SnakePath(profile);
+
+    /** Position, outward normal, and unit tangent towards the tail, orthogonal to it. */
+    record Frame(Vector3d position, Vector3d normal, Vector3d tangent) {}
+
+    double length() {
+        return path.length();
+    }
+
+    double halfWidth(double place) {
+        return profile.halfWidth(place);
+    }
+
+    /** @param angle radians from the middle of the belly, growing over the side that is right when looking towards the tail */
+    Vector3d point(double place, double angle) {
+        Vector3d forward = direction(place);
+        // Never vertical, so the horizontal always gives the sides.
+        Vector3d right = new Vector3d(forward).cross(0, 0, 1).normalize();
+        Vector3d up = right.cross(forward, new Vector3d());
+        double below = -Math.cos(angle);
+        double height = below > 0 ? profile.halfHeight(place) : profile.bellyDepth(place);
+        double swell = 1 + eye(place, angle);
+        return path.at(place)
+                .add(right.mul(swell * profile.halfWidth(place) * Math.sin(angle)))
+                .add(up.mul(swell * height * below));
+    }
+
+    /** Towards the tail. */
+    Vector3d direction(double place) {
+        double before = Math.max(0, place - PLACE_STEP);
+        double after = Math.min(1, place + PLACE_STEP);
+        return path.at(after).sub(path.at(before)).normalize();
+    }
+
+    /** How far the eyes stand out, relative to the head's half width. */
+    private static double eye(double place, double angle) {
+        double side = Math.abs(Math.abs(angle - Math.PI) - Math.toRadians(52));
+        double along = (place - 0.0115) / 0.0025;
+        double across = side / Math.toRadians(14);
+        return 0.22 * Math.exp(-along * along - across * across);
+    }
+
+    Frame frame(double place, double angle) {
+        Vector3d along =
+                point(Math.min(1, place + PLACE_STEP), angle).sub(point(Math.max(0, place - PLACE_STEP), angle));
+        Vector3d around = point(place, angle + ANGLE_STEP).sub(point(place, angle - ANGLE_STEP));
+        Vector3d normal = along.cross(around, new Vector3d()).normalize();
+        Vector3d tangent =
+                new Vector3d(normal).mul(-normal.dot(along)).add(along).normalize();
+        return new Frame(point(place, angle), normal, tangent);
+    }
+}

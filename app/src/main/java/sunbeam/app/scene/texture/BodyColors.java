@@ -1,0 +1,13 @@
+package sunbeam.app.scene.texture;
+
+/** The colour of a snake's body, place by place. */
+interface BodyColors {
+
+    /**
+     * Linear light, each channel 0 to 1.
+     *
+     * @param along 0 at the snout, 1 at the tip of the tail
+     * @param around -1 and 1 in the middle of the belly, 0 on the back
+     */
+    LinearRgb at(double along, double around);
+}

@@ -1,0 +1,38 @@
+package sunbeam.app.scene.texture;
+
+import java.nio.file.Path;
+import java.util.List;
+
+/** Finds a texture by what a user calls it. */
+public final class BodyTextures {
+    private static final int LENGTH = 4096;
+    private static final int GIRTH = 512;
+
+    private BodyTextures() {}
+
+    /** The built-in textures, in the order in which help shows them. */
+    public static List<String> names() {
+        return List.of("elaphe", "xenopeltis", "none");
+    }
+
+    /**
+     * A built-in texture by its name, or a picture from a file.
+     *
+     * <ul>
+     *   <li>{@code elaphe}: a corn snake, red saddles with dark edges on orange-brown, a chequered belly
+     *   <li>{@code xenopeltis}: a sunbeam snake, dark brown with a pale belly
+     *   <li>{@code none}: plain white
+     * </ul>
+     *
+     * @param nameOrFile a name, or an image file (PNG, JPEG, BMP, GIF) in sRGB
+     * @throws sunbeam.app.files.input.InputException if it is neither, or the file cannot be used
+     */
+    public static BodyTexture load(String nameOrFile) {
+        return switch (nameOrFile) {
+            case "elaphe" -> new BodyPainter(LENGTH, GIRTH).paint(new ElapheColors());
+            case "xenopeltis" -> new BodyPainter(LENGTH, GIRTH).paint(new XenopeltisColors());
+            case "none" -> new BodyTexture(1, 1, new byte[] {-1, -1, -1, -1});
+            default -> ImageTextureReader.read(Path.of(nameOrFile));
+        };
+    }
+}

@@ -1,0 +1,70 @@
+package sunbeam.app.scene.texture;
+
+/**
+ * A corn snake (Pantherophis guttatus, the thesis's Elaphe guttata): orange-brown, with red saddles on the back that are
+ * edged in black, smaller blotches on the flanks between them, and a belly chequered in black and cream.
+ */
+final class ElapheColors implements BodyColors {
+    private static final LinearRgb GROUND = LinearRgb.ofSrgb(0xc98243);
+    private static final LinearRgb FLANK = LinearRgb.ofSrgb(0xbf9a6c);
+    private static final LinearRgb SADDLE = LinearRgb.ofSrgb(0x9c3216);
+    private static final LinearRgb EDGE = LinearRgb.ofSrgb(0x1d1210);
+    private static final LinearRgb CREAM = LinearRgb.ofSrgb(0xe6d8bd);
+
+    // Corn snakes have 27 to 40 saddles on the body and a dozen smaller ones on the tail.
+    private static final double SADDLES = 38;
+    private static final double BELLY = 0.76;
+    private static final int CHECKS = 150;
+
+    private final SkinNoise outline = new SkinNoise(1, 400, 24);
+    private final SkinNoise sizes = new SkinNoise(2, 60, 2);
+    private final SkinNoise grain = new SkinNoise(3, 1600, 120);
+    private final SkinNoise mottle = new SkinNoise(4, 260, 16);
+
+    @Override
+    public LinearRgb at(double along, double around) {
+        double side = Math.abs(around);
+        LinearRgb ground = GROUND.mix(FLANK, Steps.smooth(0.25, 0.7, side + 0.1 * mottle.at(along, around)));
+        double wobble = 0.11 * outline.at(along, around);
+        LinearRgb marked = mark(ground, saddle(along, side) + wobble);
+        marked = mark(marked, blotch(along, side) + wobble);
+        LinearRgb skin = marked.times(1 + 0.13 * grain.at(along, around) + 0.1 * mottle.at(along, around));
+        return skin.mix(belly(along, around), Steps.smooth(BELLY - 0.02, BELLY + 0.04, side));
+    }
+
+    /** A marking: red where the depth below its outline is large, black along it. */
+    private static LinearRgb mark(LinearRgb ground, double depth) {
+        LinearRgb edged = ground.mix(EDGE, Steps.smooth(-0.04, 0.06, depth));
+        return edged.mix(SADDLE, Steps.smooth(0.24, 0.36, depth));
+    }
+
+    /** Depth inside the nearest saddle: 1 in its middle, 0 on its outline, negative outside. */
+    private double saddle(double along, double side) {
+        double place = along * SADDLES;
+        double middle = Math.floor(place) + 0.5;
+        double size = 1 + 0.16 * sizes.at(middle / SADDLES, 0);
+        // On the head the first saddle is drawn out into the spear that gives the species away.
+        double length = middle < 1 ? 0.62 : 0.36 * size;
+        double width = middle < 1 ? 0.34 : 0.42 * size;
+        return 1 - superellipse((place - middle) / length, side / width);
+    }
+
+    private double blotch(double along, double side) {
+        double place = along * SADDLES + 0.5;
+        double middle = Math.floor(place) + 0.5;
+        double size = 1 + 0.3 * sizes.at(middle / SADDLES, 0.9);
+        return 1 - superellipse((place - middle) / (0.24 * size), (side - 0.56) / (0.13 * size));
+    }
+
+    /** Distance from the middle, 1 on a rounded rectangle. */
+    private static double superellipse(double x, double y) {
+        return Math.pow(Math.pow(Math.abs(x), 2.6) + Math.pow(Math.abs(y), 2.6), 1 / 2.6);
+    }
+
+    private LinearRgb belly(double along, double around) {
+        int shield = (int) Math.floor(along * CHECKS);
+        int third = (int) Math.floor((1 - Math.abs(around)) / 0.08) + (around < 0 ? 1 : 0);
+        boolean dark = Math.floorMod(shield / 2 + third, 2) == 0;
+        return dark ? EDGE.mix(CREAM, 0.05) : CREAM.times(1 + 0.05 * grain.at(along, around));
+    }
+}

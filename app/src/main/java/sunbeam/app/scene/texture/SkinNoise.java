@@ -1,0 +1,42 @@
+package sunbeam.app.scene.texture;
+
+/** Smooth values between -1 and 1 over the body, always the same; without a seam where the belly closes. */
+final class SkinNoise {
+    private final int seed;
+    private final int cellsAlong;
+    private final int cellsAround;
+
+    /**
+     * @param cellsAlong number of independent values along the body
+     * @param cellsAround number of independent values around it
+     */
+    SkinNoise(int seed, int cellsAlong, int cellsAround) {
+        this.seed = seed;
+        this.cellsAlong = cellsAlong;
+        this.cellsAround = cellsAround;
+    }
+
+    double at(double along, double around) {
+        double x = along * cellsAlong;
+        double y = 0.5 * (around + 1) * cellsAround;
+        int left = (int) Math.floor(x);
+        int below = (int) Math.floor(y);
+        double fx = smooth(x - left);
+        double fy = smooth(y - below);
+        double low = value(left, below) * (1 - fx) + value(left + 1, below) * fx;
+        double high = value(left, below + 1) * (1 - fx) + value(left + 1, below + 1) * fx;
+        return low * (1 - fy) + high * fy;
+    }
+
+    private static double smooth(double t) {
+        return t * t * (3 - 2 * t);
+    }
+
+    /** The finaliser of MurmurHash3 (A. Appleby), which spreads neighbouring numbers over all 32 bits. */
+    private double value(int column, int row) {
+        int h = seed + 0x9e3779b9 * column + 0x85ebca6b * Math.floorMod(row, cellsAround);
+        h = (h ^ h >>> 16) * 0x85ebca6b;
+        h = (h ^ h >>> 13) * 0xc2b2ae35;
+        return (h ^ h >>> 16) / 2147483648.0;
+    }
+}

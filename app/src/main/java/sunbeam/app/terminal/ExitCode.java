@@ -1,0 +1,39 @@
+package sunbeam.app.terminal;
+
+import java.util.LinkedHashMap;
+import java.util.Map;
+
+/** What the process's exit status means. Scripts rely on these numbers: they never change. */
+public enum ExitCode {
+    OK(0, "done"),
+    INTERNAL_ERROR(1, "internal error: a bug in Sunbeam, or out of memory"),
+    USAGE(2, "wrong command line"),
+    TOLERANCE_MISSED(3, "done, but the tolerance asked for was missed"),
+    UNUSABLE_INPUT(4, "input file missing or unusable"),
+    NO_GRAPHICS(5, "no usable graphics (display, OpenGL)"),
+    CANNOT_WRITE(6, "output cannot be written"),
+    SETUP_FAILED(7, "set-up or build failed (before the program starts)"),
+    INTERRUPTED(130, "interrupted (Ctrl-C)");
+
+    private final int code;
+    private final String meaning;
+
+    ExitCode(int code, String meaning) {
+        this.code = code;
+        this.meaning = meaning;
+    }
+
+    /** The process's exit status, 0..255. */
+    public int code() {
+        return code;
+    }
+
+    /** Code to meaning, in ascending order, as the help prints it. */
+    public static Map<String, String> table() {
+        Map<String, String> table = new LinkedHashMap<>();
+        for (ExitCode exitCode : values()) {
+            table.put(Integer.toString(exitCode.code), exitCode.meaning);
+        }
+        return table;
+    }
+}

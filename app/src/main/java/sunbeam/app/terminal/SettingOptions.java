@@ -1,0 +1,82 @@
+package sunbeam.app.terminal;
+
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Model.ISetter;
+import picocli.CommandLine.Model.OptionSpec;
+import picocli.CommandLine.Spec;
+import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.setting.Setting;
+
+/**
+ * An option for each of some settings, with the setting's help; to be used as a picocli mixin. Values are understood and
+ * checked by {@link #choices()}, not before.
+ */
+public class SettingOptions {
+    private final List<Setting<?>> settings;
+    private final boolean overriding;
+    private final Map<Setting<?>, String> texts = new HashMap<>();
+
+    /** Options whose help tells standard values. */
+    public SettingOptions(List<Setting<?>> settings) {
+        this(settings, false);
+    }
+
+    private SettingOptions(List<Setting<?>> settings, boolean overriding) {
+        this.settings = List.copyOf(settings);
+        this.overriding = overriding;
+    }
+
+    /** Options that stand above what is said elsewhere, a scene for example: there are no standard values to tell of. */
+    public static SettingOptions overriding(List<Setting<?>> settings) {
+        return new SettingOptions(settings, true);
+    }
+
+    @Spec
+    final void declare(CommandSpec own) {
+        settings.forEach(setting -> own.addOption(option(setting)));
+    }
+
+    private OptionSpec option(Setting<?> setting) {
+        ISetter setter = new ISetter() {
+            @Override
+            public <T> T set(T value) {
+                texts.put(setting, (String) value);
+                return value;
+            }
+        };
+        return OptionSpec.builder(OptionOrigin.INSTANCE.name(setting))
+                .paramLabel(setting.kind().placeholder())
+                .type(String.class)
+                // picocli formats descriptions.
+                .description(description(setting).replace("%", "%%"))
+                .setter(setter)
+                .build();
+    }
+
+    private String description(Setting<?> setting) {
+        String help = setting.help().in(OptionOrigin.INSTANCE);
+        return overriding
+                ? help
+                : help
+                        + setting.writtenStandard()
+                                .map(" Default: %s."::formatted)
+                                .orElse("");
+    }
+
+    /**
+     * What was chosen.
+     *
+     * @throws sunbeam.precompute.setting.SettingException for a value that is none
+     */
+    public Choices choices() {
+        Choices choices = Choices.at(OptionOrigin.INSTANCE);
+        for (Setting<?> setting : settings) {
+            String text = texts.get(setting);
+            choices = text == null ? choices : choices.parsed(setting, text, OptionOrigin.INSTANCE);
+        }
+        return choices;
+    }
+}

@@ -1,0 +1,31 @@
+package sunbeam.app.terminal;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.util.Properties;
+import picocli.CommandLine.IVersionProvider;
+
+/** The program's version, as the build wrote it. */
+public final class Version implements IVersionProvider {
+    private static final String RESOURCE = "version.properties";
+
+    /** For example {@code 0.1.0}. */
+    public static String number() {
+        try (InputStream stream = Version.class.getResourceAsStream(RESOURCE)) {
+            if (stream == null) {
+                throw new IllegalStateException("the build left out the resource " + RESOURCE);
+            }
+            Properties properties = new Properties();
+            properties.load(stream);
+            return properties.getProperty("version");
+        } catch (IOException failure) {
+            throw new UncheckedIOException(failure);
+        }
+    }
+
+    @Override
+    public String[] getVersion() {
+        return new String[] {"sunbeam " + number()};
+    }
+}

@@ -1,0 +1,57 @@
+package sunbeam.app.terminal.options;
+
+import java.io.PrintWriter;
+import java.util.List;
+import picocli.CommandLine.Option;
+import sunbeam.app.terminal.Messages;
+import sunbeam.app.terminal.OptionOrigin;
+import sunbeam.app.terminal.SettingOptions;
+import sunbeam.precompute.method.MethodPlan;
+import sunbeam.precompute.method.MethodType;
+import sunbeam.precompute.method.Methods;
+import sunbeam.precompute.plan.Plan;
+import sunbeam.precompute.plan.PlanReport;
+import sunbeam.precompute.setting.Setting;
+
+/** Which method, and what a user fixes of it; to be used as a picocli mixin. */
+public final class MethodOptions extends SettingOptions {
+    @Option(names = "--explain", description = "Say why each part of the plan is as it is.")
+    private boolean explain;
+
+    /** Options for all methods. */
+    public MethodOptions() {
+        this(Methods.SETTINGS);
+    }
+
+    private MethodOptions(List<Setting<?>> settings) {
+        super(settings);
+    }
+
+    /** Options for one method. */
+    public static MethodOptions of(MethodType type) {
+        return new MethodOptions(type.settings());
+    }
+
+    /** Prints a plan with its reasons where they are asked for. */
+    public void explain(Plan plan, PrintWriter out) {
+        if (explain) {
+            PlanReport report = new PlanReport(plan);
+            print(report.summary(), report.reasons(), out);
+        }
+    }
+
+    /** Prints a method's plan, with reasons where they are asked for, and what breaks its tolerance. */
+    public void print(MethodPlan method, PrintWriter out) {
+        print(method.summary(), method.reasons(), out);
+        method.warnings().forEach(line -> out.println(Messages.warning(line.in(OptionOrigin.INSTANCE))));
+        out.flush();
+    }
+
+    private void print(String summary, List<String> reasons, PrintWriter out) {
+        out.println("plan: " + summary);
+        if (explain) {
+            reasons.forEach(line -> out.println("  " + line));
+        }
+        out.flush();
+    }
+}

@@ -1,0 +1,70 @@
+package sunbeam.app.terminal.progress;
+
+import java.time.Duration;
+import java.util.function.LongSupplier;
+import me.tongfei.progressbar.ProgressBar;
+import me.tongfei.progressbar.ProgressBarBuilder;
+import sunbeam.app.terminal.ShutdownHook;
+
+/**
+ * How far a long task is, with the time left, on standard error; only on a terminal, only once the task has taken 2 s,
+ * and gone when the task ends. Thread-safe.
+ */
+public final class Progress implements AutoCloseable {
+    static final Duration DELAY = Duration.ofSeconds(2);
+    private static final int REDRAW_MILLISECONDS = 200;
+
+    private final ProgressLine line;
+    private final ProgressBar bar;
+    private final ShutdownHook hook;
+
+    private Progress(ProgressLine line, ProgressBar bar, ShutdownHook hook) {
+        this.line = line;
+        this.bar = bar;
+        this.hook = hook;
+    }
+
+    /**
+     * Starts a task.
+     *
+     * @param label what is being done, for example {@code rendering}
+     * @param total number of steps, at least 0
+     */
+    public static Progress start(String label, long total) {
+        return start(label, total, Terminal.ofStandardError(System.getenv()), System::nanoTime);
+    }
+
+    static Progress start(String label, long total, Terminal terminal, LongSupplier nanoseconds) {
+        if (!terminal.interactive()) {
+            return new Progress(null, null, null);
+        }
+        ProgressLine line = new ProgressLine(terminal, nanoseconds);
+        // On Ctrl-C the half-drawn line goes, and none is drawn after it.
+        ShutdownHook hook = new ShutdownHook(line::close);
+        ProgressBar bar = new ProgressBarBuilder()
+                .setTaskName(label)
+                .setInitialMax(total)
+                .setUpdateIntervalMillis(REDRAW_MILLISECONDS)
+                .setRenderer(new TimeLeftRenderer())
+                .setConsumer(line)
+                .build();
+        return new Progress(line, bar, hook);
+    }
+
+    /** More steps are done. */
+    public void step(long count) {
+        if (bar != null) {
+            bar.stepBy(count);
+        }
+    }
+
+    /** The task has ended, well or not. */
+    @Override
+    public void close() {
+        if (bar != null) {
+            bar.close();
+            line.close();
+            hook.close();
+        }
+    }
+}

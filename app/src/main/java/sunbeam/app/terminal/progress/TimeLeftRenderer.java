@@ -1,0 +1,43 @@
+package sunbeam.app.terminal.progress;
+
+import java.time.Duration;
+import java.util.Locale;
+import me.tongfei.progressbar.ProgressBarRenderer;
+import me.tongfei.progressbar.ProgressState;
+
+/** {@code rendering [=====>     ]  45 %, 12 s left}, in ASCII, which every terminal shows. */
+final class TimeLeftRenderer implements ProgressBarRenderer {
+    private static final int FEWEST_BAR = 5;
+
+    @Override
+    public String render(ProgressState state, int maxLength) {
+        double done = state.getMax() == 0 ? 1 : Math.min(1, state.getCurrent() / (double) state.getMax());
+        return render(state.getTaskName(), done, state.getElapsedAfterStart(), maxLength);
+    }
+
+    static String render(String label, double done, Duration elapsed, int maxLength) {
+        String figures = String.format(Locale.ROOT, " %3.0f %%, %s", Math.floor(100 * done), timeLeft(done, elapsed));
+        int room = maxLength - label.length() - figures.length() - " []".length();
+        if (room < FEWEST_BAR) {
+            return label + figures;
+        }
+        int filled = (int) (room * done);
+        String arrow = filled < room ? "=".repeat(filled) + ">" + " ".repeat(room - filled - 1) : "=".repeat(room);
+        return label + " [" + arrow + "]" + figures;
+    }
+
+    /** Assumes that the rest goes as fast as what is done. */
+    private static String timeLeft(double done, Duration elapsed) {
+        if (done <= 0) {
+            return "time left unknown";
+        }
+        long seconds = Math.round(elapsed.toMillis() / 1000.0 * (1 - done) / done);
+        if (seconds < 60) {
+            return seconds + " s left";
+        }
+        if (seconds < 3600) {
+            return String.format(Locale.ROOT, "%d:%02d min left", seconds / 60, seconds % 60);
+        }
+        return String.format(Locale.ROOT, "%d:%02d h left", seconds / 3600, seconds / 60 % 60);
+    }
+}

@@ -1,0 +1,2 @@
+/** Progress and time left, on terminals only. */
+package sunbeam.app.terminal.progress;

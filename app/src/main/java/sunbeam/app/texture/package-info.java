@@ -1,2 +1,0 @@
-/** Colours of bodies: pictures made in code or read from files, for meshes to wear. */
-package sunbeam.app.texture;

@@ -1,0 +1,230 @@
+package sunbeam.app.commands.evaluate;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import java.awt.image.BufferedImage;
+import java.io.File;
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.SplittableRandom;
+import java.util.stream.Stream;
+import javax.imageio.ImageIO;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import sunbeam.app.Sunbeam;
+import sunbeam.app.files.input.PngText;
+import sunbeam.app.terminal.Environment;
+
+/** Method {@code bins}, without graphics, where a test does not name another. */
+final class EvaluateCommandTest {
+    @TempDir
+    private Path folder;
+
+    private final StringWriter out = new StringWriter();
+    private final StringWriter err = new StringWriter();
+
+    private int run(String... arguments) {
+        List<String> all = new ArrayList<>(List.of("evaluate"));
+        all.addAll(List.of(arguments));
+        if (!all.contains("--method")) {
+            all.addAll(List.of("--method", "bins"));
+        }
+        if (!all.contains("--wavelengths")) {
+            all.addAll(List.of("--wavelengths", "380:780:20"));
+        }
+        all.addAll(List.of("--output", folder.resolve("result").toString()));
+        Environment environment = new Environment(Map.of(), folder);
+        return new Sunbeam(environment, new PrintWriter(out), new PrintWriter(err)).run(all.toArray(String[]::new));
+    }
+
+    private JsonNode report() throws IOException {
+        return new ObjectMapper().readTree(folder.resolve("result.json").toFile());
+    }
+
+    private List<String> files() throws IOException {
+        try (Stream<Path> files = Files.list(folder)) {
+            return files.map(file -> file.getFileName().toString()).sorted().toList();
+        }
+    }
+
+    @Test
+    void aBlazedGratingHasItsPeriod() throws IOException {
+        assertThat(run("--patch", "blaze")).as(err.toString()).isZero();
+        JsonNode report = report();
+        // Of the relative radiance, whose slope draws the peaks aside by 1.4e-4 (docs/evaluation.md).
+        assertThat(report.at("/peaks_interpolated/mean_nm").doubleValue()).isCloseTo(2500.3, within(0.3));
+        assertThat(report.at("/peaks_interpolated/variance_nm2").doubleValue()).isLessThan(0.05);
+        assertThat(report.at("/peaks_on_samples/variance_nm2").doubleValue()).isBetween(0.05, 0.5);
+        assertThat(report.at("/peaks_interpolated/wavelengths").intValue()).isEqualTo(21);
+        assertThat(report.at("/azimuth_degrees").doubleValue()).isZero();
+        assertThat(report.at("/heights/period_nm").doubleValue()).isCloseTo(2500, within(1e-6));
+        assertThat(out.toString()).contains("blaze, light at 75 degrees, azimuth 0 degrees", "2500.3");
+        assertThat(files()).containsExactly("result.csv", "result.json", "result.npy", "result.png");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"full", "nmm", "pq"})
+    void thePlanStandsInTheFigures(String method) throws IOException {
+        String[] few = {"--wavelengths", "400:700:100", "--angles", "-56:-42:0.15"};
+        assertThat(run(Stream.concat(Stream.of("--patch", "blaze", "--method", method), Stream.of(few))
+                        .toArray(String[]::new)))
+                .as(err.toString())
+                .isZero();
+        String plan = report().at("/plan").textValue();
+        assertThat(err.toString().lines()).contains("plan: " + plan);
+        assertThat(PngText.read(folder.resolve("result.png"))).containsEntry("Plan", plan);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"bins", "reference"})
+    void whereNothingIsPlannedThereIsNoPlan(String method) throws IOException {
+        String[] few = {"--wavelengths", "400:700:100", "--angles", "-56:-42:0.15"};
+        assertThat(run(Stream.concat(Stream.of("--patch", "blaze", "--method", method), Stream.of(few))
+                        .toArray(String[]::new)))
+                .as(err.toString())
+                .isZero();
+        assertThat(report().has("plan")).isFalse();
+        assertThat(PngText.read(folder.resolve("result.png")))
+                .containsEntry("Method", method)
+                .doesNotContainKey("Plan");
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "gem|gem has colours but no power at a wavelength, so there is no response to evaluate",
+                "magic|is no method; give"
+            })
+    void aMethodWithoutResponseIsRefused(String method, String reason) throws IOException {
+        assertThat(run("--patch", "blaze", "--method", method)).isEqualTo(2);
+        assertThat(err.toString())
+                .contains("--method", reason, "give one of reference, full, nmm, pq, bins")
+                .hasLineCount(1);
+        assertThat(files()).isEmpty();
+    }
+
+    @Test
+    void powerAloneDrawsThePeaksLessAside() throws IOException {
+        assertThat(run("--patch", "blaze", "--quantity", "power")).isZero();
+        assertThat(report().at("/peaks_interpolated/mean_nm").doubleValue()).isCloseTo(2500, within(0.1));
+    }
+
+    @Test
+    void theMatrixIsWrittenWithItsAxes() throws IOException {
+        assertThat(run("--patch", "sinusoid", "--angles", "-56:-38:0.15"))
+                .as(err.toString())
+                .isZero();
+        List<String> lines = Files.readAllLines(folder.resolve("result.csv"));
+        assertThat(lines).hasSize(1 + 21);
+        assertThat(lines.get(0))
+                .startsWith("wavelength_nm,-56.000000,-55.850000,")
+                .endsWith(",-38.000000");
+        assertThat(lines.get(1))
+                .startsWith("3.800000000000e+02,")
+                .satisfies(line -> assertThat(line.split(",")).hasSize(122));
+        // 128 bytes of header, then float32.
+        assertThat(Files.size(folder.resolve("result.npy"))).isEqualTo(128 + 4 * 21 * 121);
+        assertThat(report().at("/angles_degrees/count").intValue()).isEqualTo(121);
+        assertThat(ImageIO.read(folder.resolve("result.png").toFile()).getWidth())
+                .isGreaterThan(800);
+    }
+
+    @Test
+    void positionsAreDrawnBySeedAndTold() throws IOException {
+        // Strips of one grating: every position sees the same period.
+        assertThat(run("--patch", "sinusoid", "--positions", "5", "--seed", "3"))
+                .as(err.toString())
+                .isZero();
+        JsonNode positions = report().at("/positions");
+        assertThat(positions.at("/with_a_ridge").intValue()).isEqualTo(5);
+        assertThat(positions.at("/maximum_nm").doubleValue())
+                .isCloseTo(positions.at("/minimum_nm").doubleValue(), within(0.01));
+        assertThat(positions.at("/ensemble_nm").doubleValue())
+                .isCloseTo(positions.at("/median_nm").doubleValue(), within(0.01));
+        List<String> first = Files.readAllLines(folder.resolve("result-positions.csv"));
+        assertThat(run("--patch", "sinusoid", "--positions", "5", "--seed", "3", "--force"))
+                .isZero();
+        assertThat(Files.readAllLines(folder.resolve("result-positions.csv")))
+                .isEqualTo(first)
+                .hasSize(6);
+        assertThat(files()).contains("result-positions.png");
+    }
+
+    @Test
+    void aGivenPeriodIsLookedForInstead() throws IOException {
+        // The second order of the blazed grating, as if it were the first of half the period.
+        assertThat(run("--patch", "blaze", "--azimuth", "0", "--period", "1250nm"))
+                .as(err.toString())
+                .isZero();
+        assertThat(report().at("/peaks_interpolated/mean_nm").doubleValue()).isCloseTo(1250, within(0.5));
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "--angles, -95:0:0.1, hemisphere",
+        "--angles, 30:10:0.1, minimum",
+        "--angles, -50:-40:0, step",
+        "--angles, -50:-40:5, too coarse",
+        "--angles, -50:-50:1, 3 or more",
+        "--wavelengths, 300:700:5, visible band",
+        "--wavelengths, 400:900:5, visible band",
+        "--wavelengths, 400:400:5, 3 or more",
+        "--theta-i, 90, 89.9",
+        "--azimuth, north, not an angle",
+        "--period, 5nm, out of range",
+        "--positions, -1, out of range",
+    })
+    void whatCannotBeEvaluatedIsOneLine(String option, String value, String reason) throws IOException {
+        assertThat(run("--patch", "blaze", option, value)).isEqualTo(2);
+        assertThat(err.toString()).contains(option, reason).hasLineCount(1);
+        assertThat(files()).isEmpty();
+    }
+
+    @Test
+    void aPatchWithoutPeriodGivesItsFigureInsteadOfANumber() throws IOException {
+        SplittableRandom random = new SplittableRandom(5);
+        BufferedImage image = new BufferedImage(300, 300, BufferedImage.TYPE_BYTE_GRAY);
+        for (int i = 0; i < 90_000; i++) {
+            image.getRaster().setSample(i % 300, i / 300, 0, random.nextInt(256));
+        }
+        File noise = folder.resolve("noise.png").toFile();
+        ImageIO.write(image, "png", noise);
+        String[] patch = {"--patch", noise.toString(), "--width", "25um", "--max-height", "60nm"};
+        assertThat(run(patch)).isEqualTo(4);
+        assertThat(err.toString()).contains("noise has no periodicity", "are needed", "--period");
+        assertThat(files()).containsExactly("noise.png");
+    }
+
+    @Test
+    void alongTheRidgesThereIsNoPeriod() throws IOException {
+        assertThat(run("--patch", "blaze", "--azimuth", "90")).isEqualTo(4);
+        assertThat(err.toString()).contains("blaze has no periodicity along azimuth 90 degrees");
+        assertThat(files()).isEmpty();
+    }
+
+    @Test
+    void anOrderThatNoAngleSeesIsSaid() {
+        assertThat(run("--patch", "sinusoid", "--period", "150nm")).isEqualTo(2);
+        assertThat(err.toString()).contains("no angle sees the first order", "150 nm");
+    }
+
+    @Test
+    void filesThatExistStay() {
+        assertThat(run("--patch", "blaze")).isZero();
+        assertThat(run("--patch", "blaze")).isEqualTo(6);
+        assertThat(err.toString()).contains("--force");
+    }
+}

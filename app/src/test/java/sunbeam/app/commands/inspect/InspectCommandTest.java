@@ -1,0 +1,129 @@
+package sunbeam.app.commands.inspect;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.awt.image.BufferedImage;
+import java.io.File;
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Map;
+import java.util.SplittableRandom;
+import javax.imageio.ImageIO;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import sunbeam.app.Sunbeam;
+import sunbeam.app.files.input.PngText;
+import sunbeam.app.terminal.Environment;
+
+final class InspectCommandTest {
+    @TempDir
+    private Path folder;
+
+    private final StringWriter out = new StringWriter();
+    private final StringWriter err = new StringWriter();
+
+    private int run(String... arguments) {
+        Environment environment = new Environment(Map.of(), folder);
+        return new Sunbeam(environment, new PrintWriter(out), new PrintWriter(err)).run(arguments);
+    }
+
+    private String picture() {
+        return folder.resolve("sheet.png").toString();
+    }
+
+    private Path image(String name, int width, int height, int levels, long seed) throws IOException {
+        SplittableRandom random = new SplittableRandom(seed);
+        BufferedImage image = new BufferedImage(width, height, BufferedImage.TYPE_BYTE_GRAY);
+        for (int y = 0; y < height; y++) {
+            for (int x = 0; x < width; x++) {
+                image.getRaster().setSample(x, y, 0, random.nextInt(levels));
+            }
+        }
+        File file = folder.resolve(name).toFile();
+        ImageIO.write(image, "png", file);
+        return file.toPath();
+    }
+
+    @Test
+    void aPatchIsTold() throws IOException {
+        assertThat(run("inspect", "disc", "--output", picture()))
+                .as(err.toString())
+                .isZero();
+        assertThat(out.toString())
+                .contains("51.2 um x 51.2 um, 1024 x 1024 samples")
+                .contains("relief 110 nm")
+                .contains("fine enough for light of 380 nm")
+                .contains("steeper than 30 degrees")
+                .contains("1600.0 nm in direction   0.0 degrees")
+                .contains("plan ")
+                .containsPattern("cost +textures of at most [0-9.e+]+ MB; up to [0-9]+ texture reads a pixel")
+                .endsWith(picture() + System.lineSeparator());
+        BufferedImage sheet = ImageIO.read(new File(picture()));
+        assertThat(sheet.getWidth()).isGreaterThan(1000);
+        assertThat(sheet.getHeight()).isGreaterThan(1000);
+    }
+
+    @Test
+    void thePictureCarriesThePlanThatIsPrinted() {
+        assertThat(run("inspect", "sinusoid", "--output", picture())).isZero();
+        Map<String, String> text = PngText.read(Path.of(picture()));
+        assertThat(text.get("Plan")).contains("terms");
+        assertThat(out.toString().lines()).contains("plan      " + text.get("Plan"));
+    }
+
+    @Test
+    void theOptionStandsForTheArgument() {
+        assertThat(run("inspect", "--patch", "sinusoid", "--output", picture())).isZero();
+        assertThat(out.toString()).contains("2500.0 nm in direction   0.0 degrees");
+    }
+
+    @Test
+    void twoPatchesAreOneTooMany() {
+        assertThat(run("inspect", "disc", "--patch", "blaze")).isEqualTo(2);
+        assertThat(err.toString()).contains("'disc'", "--patch", "one of them").hasLineCount(1);
+    }
+
+    @Test
+    void noiseHasNoPeriodAndTheFigureSaysWhy() throws IOException {
+        Path noise = image("noise.png", 300, 200, 256, 7);
+        assertThat(run("inspect", noise.toString(), "--width", "60um", "--max-height", "100nm", "--output", picture()))
+                .as(err.toString())
+                .isZero();
+        assertThat(out.toString()).contains("no periodicity: the clearest peak").contains("are needed");
+        // 200 nm apart: said on standard error by the loader and in the table.
+        assertThat(err.toString()).contains("sampling too coarse");
+        assertThat(out.toString()).contains("200 nm x 200 nm: sampling too coarse");
+    }
+
+    @Test
+    void flatAndThinPatchesHaveSheetsToo() throws IOException {
+        int[][] sizes = {{300, 1}, {1, 300}, {40, 30}};
+        for (int[] size : sizes) {
+            Path flat = image("flat.png", size[0], size[1], 1, 1);
+            int code = run(
+                    "inspect",
+                    flat.toString(),
+                    "--width",
+                    size[0] * 50 + "nm",
+                    "--max-height",
+                    "100nm",
+                    "--output",
+                    picture(),
+                    "--force");
+            assertThat(code).as("%s x %s: %s", size[0], size[1], err).isZero();
+            assertThat(out.toString()).contains("relief 0 m", "no periodicity");
+        }
+    }
+
+    @Test
+    void aMissingPatchLeavesNothingBehind() throws IOException {
+        assertThat(run("inspect", "nowhere.png", "--output", picture())).isEqualTo(4);
+        assertThat(err.toString()).hasLineCount(1);
+        try (var files = Files.list(folder)) {
+            assertThat(files).isEmpty();
+        }
+    }
+}

@@ -1,0 +1,72 @@
+package sunbeam.app.files.cache;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.attribute.FileTime;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import sunbeam.app.terminal.Environment;
+
+final class CacheFolderTest {
+    @TempDir
+    private Path home;
+
+    private final List<String> warnings = new ArrayList<>();
+
+    private CacheFolder cache(Map<String, String> variables) {
+        return CacheFolder.of(new Environment(variables, home));
+    }
+
+    @Test
+    void followsTheStandardVariableElseTheHomeFolder() {
+        Path standard = home.resolve(".cache").resolve("sunbeam");
+        assertThat(cache(Map.of()).path()).isEqualTo(standard);
+        assertThat(cache(Map.of("XDG_CACHE_HOME", "")).path()).isEqualTo(standard);
+        assertThat(cache(Map.of("XDG_CACHE_HOME", "relative")).path()).isEqualTo(standard);
+        Path other = home.resolve("other");
+        assertThat(cache(Map.of("XDG_CACHE_HOME", other.toString())).path()).isEqualTo(other.resolve("sunbeam"));
+    }
+
+    @Test
+    void isMadeWhenOpenedAndMeasured() throws IOException {
+        CacheFolder cache = cache(Map.of());
+        assertThat(cache.sizeInBytes()).isZero();
+        Path path = cache.open(warnings::add).orElseThrow();
+        assertThat(path).isEmptyDirectory();
+        Files.write(path.resolve("a"), new byte[100]);
+        Files.write(Files.createDirectory(path.resolve("b")).resolve("c"), new byte[23]);
+        assertThat(cache.sizeInBytes()).isEqualTo(123);
+        assertThat(warnings).isEmpty();
+    }
+
+    @Test
+    void whatWasWrittenLongestAgoGoesFirst() throws IOException {
+        CacheFolder cache = cache(Map.of());
+        Path path = cache.open(warnings::add).orElseThrow();
+        for (int i = 0; i < 4; i++) {
+            Path file = Files.write(path.resolve("written" + i), new byte[100]);
+            Files.setLastModifiedTime(file, FileTime.fromMillis(1_000_000L + 1000L * i));
+        }
+
+        cache.shrink(250, path.resolve("written3"));
+        assertThat(path.toFile().list()).containsExactlyInAnyOrder("written2", "written3");
+
+        cache.shrink(50, path.resolve("written3"));
+        assertThat(path.toFile().list()).as("the newest stays").containsExactly("written3");
+    }
+
+    @Test
+    void aFolderThatCannotBeMadeIsAWarningOnly() throws IOException {
+        Path file = Files.createFile(home.resolve("file"));
+        assertThat(cache(Map.of("XDG_CACHE_HOME", file.toString())).open(warnings::add))
+                .isEmpty();
+        assertThat(warnings).hasSize(1);
+        assertThat(warnings.get(0)).contains("no cache", file.toString(), "XDG_CACHE_HOME");
+    }
+}

@@ -1,0 +1,163 @@
+package sunbeam.app.files.cache;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.FloatBuffer;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import sunbeam.app.terminal.Environment;
+import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.method.FourierTables;
+import sunbeam.precompute.method.FullMethod;
+import sunbeam.precompute.method.MethodPlan;
+import sunbeam.precompute.method.Surface;
+import sunbeam.precompute.optics.Direction;
+import sunbeam.precompute.patch.HeightDigest;
+import sunbeam.precompute.patch.HeightLevels;
+import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.patch.builtin.BuiltInPatches;
+import sunbeam.precompute.plan.MemoryNeed;
+import sunbeam.precompute.plan.Plan;
+import sunbeam.precompute.plan.VisibleRange;
+import sunbeam.precompute.shader.ArrayLayout;
+import sunbeam.precompute.shader.MethodUse;
+import sunbeam.precompute.shader.ShaderTables;
+import sunbeam.precompute.shader.TableArray;
+import sunbeam.precompute.table.FourierTable;
+import sunbeam.precompute.table.PatchIdentity;
+
+/** Tables are made once, and come back as they were made. */
+class TableStoreTest {
+    @TempDir
+    private Path home;
+
+    private final List<String> warnings = new ArrayList<>();
+
+    /** Tables of one array, and how often they were made. */
+    private static final class Counted implements MethodPlan {
+        private final String key;
+        private int made;
+
+        Counted(String key) {
+            this.key = key;
+        }
+
+        @Override
+        public String summary() {
+            return "counted";
+        }
+
+        @Override
+        public List<String> reasons() {
+            return List.of();
+        }
+
+        @Override
+        public MemoryNeed memory() {
+            return MemoryNeed.of(0, List.of());
+        }
+
+        @Override
+        public String key(MethodUse use) {
+            return key + use;
+        }
+
+        @Override
+        public ShaderTables tables(MethodUse use, FourierTables fourier) {
+            made++;
+            return new ShaderTables.Builder("counted")
+                    .array(TableArray.of(ArrayLayout.flat("numbers", 3, 1, 1), new float[] {1, 2, 3}))
+                    .build(1, 1);
+        }
+    }
+
+    private static Surface surface(String name) {
+        HeightMap map = BuiltInPatches.generate("blaze");
+        PatchIdentity identity = new PatchIdentity(
+                name, map.columns(), map.rows(), map.pitchX(), map.pitchY(), HeightDigest.sha256(map));
+        return new Surface(map, HeightLevels.of(map), identity, CieTable.load());
+    }
+
+    private TableStore store(String name) {
+        return new TableStore(surface(name), new Environment(Map.of(), home), warnings::add);
+    }
+
+    private List<Path> kept() throws Exception {
+        try (Stream<Path> files = Files.list(home.resolve(".cache/sunbeam"))) {
+            return files.toList();
+        }
+    }
+
+    private static float[] numbers(ShaderTables tables) {
+        FloatBuffer layer = tables.arrays().get(0).layer(0);
+        float[] values = new float[layer.remaining()];
+        layer.get(values);
+        return values;
+    }
+
+    @Test
+    void whatIsThereIsNotMadeAgain() {
+        Counted plan = new Counted("plan");
+
+        ShaderTables first = store("a").tables(plan, MethodUse.COLOUR);
+        ShaderTables second = store("a").tables(plan, MethodUse.COLOUR);
+
+        assertThat(plan.made).isOne();
+        assertThat(numbers(first)).containsExactly(1, 2, 3);
+        assertThat(numbers(second)).containsExactly(1, 2, 3);
+        store("a").tables(plan, MethodUse.SPECTRAL);
+        assertThat(plan.made).as("another use").isEqualTo(2);
+        assertThat(warnings).isEmpty();
+    }
+
+    @Test
+    void whatBelongsToAnotherPlanIsMadeAgainAndTold() throws Exception {
+        store("a").tables(new Counted("plan"), MethodUse.COLOUR);
+        Path file = kept().get(0);
+        byte[] foreign = Files.readAllBytes(file);
+        Files.delete(file);
+        Counted other = new Counted("other");
+        store("a").tables(other, MethodUse.COLOUR);
+        Path others = kept().get(0);
+        Files.write(others, foreign);
+
+        ShaderTables again = store("a").tables(other, MethodUse.COLOUR);
+
+        assertThat(other.made).isEqualTo(2);
+        assertThat(numbers(again)).containsExactly(1, 2, 3);
+        assertThat(warnings)
+                .containsExactly("cached table is made again: " + others + ": tables of another surface or plan");
+    }
+
+    @Test
+    void withoutACacheFolderTablesAreMadeEachTime() throws Exception {
+        Files.createFile(home.resolve(".cache"));
+        Counted plan = new Counted("plan");
+
+        assertThat(numbers(store("a").tables(plan, MethodUse.COLOUR))).containsExactly(1, 2, 3);
+        assertThat(numbers(store("a").tables(plan, MethodUse.COLOUR))).containsExactly(1, 2, 3);
+
+        assertThat(plan.made).isEqualTo(2);
+        assertThat(warnings).hasSize(2).allMatch(line -> line.startsWith("no cache"));
+    }
+
+    @Test
+    void aFourierTableComesBackUnderTheNameThatTheSurfaceHasNow() {
+        Surface surface = surface("old name");
+        Plan plan = FullMethod.thesis().tablePlan(surface, VisibleRange.of(new Direction(0, 0, 1)));
+        FourierTable made = store("old name").table(plan);
+
+        FourierTable read = store("new name").table(plan);
+
+        assertThat(read.patch().name()).isEqualTo("new name");
+        assertThat(read.real()).isDeepEqualTo(made.real());
+        assertThat(read.imaginary()).isDeepEqualTo(made.imaginary());
+        assertThat(warnings).isEmpty();
+    }
+}

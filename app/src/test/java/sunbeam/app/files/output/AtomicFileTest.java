@@ -1,0 +1,185 @@
+package sunbeam.app.files.output;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.attribute.PosixFilePermission;
+import java.util.List;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+
+final class AtomicFileTest {
+    private static final byte[] NEW = "new".getBytes(StandardCharsets.UTF_8);
+
+    @TempDir
+    private Path folder;
+
+    private List<String> names() throws IOException {
+        try (Stream<Path> files = Files.list(folder)) {
+            return files.map(file -> file.getFileName().toString()).sorted().toList();
+        }
+    }
+
+    private static void write(Path target, Overwrite overwrite) {
+        AtomicFile.write(target, overwrite, stream -> stream.write(NEW));
+    }
+
+    @Test
+    void theFileAppearsOnlyWhenComplete() throws IOException {
+        Path target = folder.resolve("out.txt");
+        AtomicFile.write(target, Overwrite.REFUSE, stream -> {
+            stream.write(NEW);
+            stream.flush();
+            assertThat(target).doesNotExist();
+        });
+        assertThat(target).hasBinaryContent(NEW);
+        assertThat(names()).containsExactly("out.txt");
+    }
+
+    @Test
+    void othersMayReadItAsAnyNewFile() throws IOException {
+        Path plain = Files.createFile(folder.resolve("plain"));
+        Path target = folder.resolve("out.txt");
+        write(target, Overwrite.REFUSE);
+        assertThat(Files.getPosixFilePermissions(target)).isEqualTo(Files.getPosixFilePermissions(plain));
+    }
+
+    @Test
+    void aFailureOfTheContentLeavesNothing() throws IOException {
+        Path target = folder.resolve("out.txt");
+        assertThatThrownBy(() -> AtomicFile.write(target, Overwrite.REFUSE, stream -> {
+                    stream.write(NEW);
+                    throw new IllegalStateException("bug");
+                }))
+                .isInstanceOf(IllegalStateException.class);
+        assertThat(names()).isEmpty();
+    }
+
+    @Test
+    void aFailureLeavesTheFileThatWasThere() throws IOException {
+        Path target = Files.writeString(folder.resolve("out.txt"), "old");
+        assertThatThrownBy(() -> AtomicFile.write(target, Overwrite.REPLACE, stream -> {
+                    stream.write(NEW);
+                    throw new IOException("No space left on device");
+                }))
+                .isInstanceOf(OutputException.class)
+                .hasMessageContaining(target.toString())
+                .hasMessageContaining("No space left on device; free some space");
+        assertThat(target).hasContent("old");
+        assertThat(names()).containsExactly("out.txt");
+    }
+
+    @Test
+    void anExistingFileStaysUnlessForced() {
+        Path target = folder.resolve("out.txt");
+        write(target, Overwrite.REFUSE);
+        assertThatThrownBy(() -> AtomicFile.checkWritable(target, Overwrite.REFUSE))
+                .isInstanceOf(OutputException.class)
+                .hasMessageContaining("it exists; add --force");
+        AtomicFile.checkWritable(target, Overwrite.REPLACE);
+        assertThat(target).hasBinaryContent(NEW);
+        write(target, Overwrite.REPLACE);
+        assertThat(target).hasBinaryContent(NEW);
+    }
+
+    @Test
+    void aFileThatAppearsMeanwhileStays() throws IOException {
+        Path target = folder.resolve("out.txt");
+        assertThatThrownBy(() ->
+                        AtomicFile.write(target, Overwrite.REFUSE, stream -> Files.writeString(target, "other's")))
+                .isInstanceOf(OutputException.class)
+                .hasMessageContaining("--force");
+        assertThat(target).hasContent("other's");
+        assertThat(names()).containsExactly("out.txt");
+    }
+
+    @Test
+    void twoAtOnceDoNotMeet() throws IOException {
+        Path first = folder.resolve("first");
+        AtomicFile.write(first, Overwrite.REFUSE, stream -> {
+            stream.write(NEW);
+            write(folder.resolve("second"), Overwrite.REFUSE);
+        });
+        assertThat(names()).containsExactly("first", "second");
+    }
+
+    @ParameterizedTest
+    @EnumSource
+    void aFolderIsNoTarget(Overwrite overwrite) {
+        assertThatThrownBy(() -> AtomicFile.checkWritable(folder, overwrite))
+                .isInstanceOf(OutputException.class)
+                .hasMessageContaining("is a folder; name a file in it");
+    }
+
+    @Test
+    void aMissingFolderIsNamed() {
+        Path missing = folder.resolve("missing");
+        assertThatThrownBy(() -> AtomicFile.checkWritable(missing.resolve("out.txt"), Overwrite.REFUSE))
+                .isInstanceOf(OutputException.class)
+                .hasMessageContaining("the folder " + missing + " does not exist");
+    }
+
+    @Test
+    void aFileIsNoFolder() throws IOException {
+        Path file = Files.createFile(folder.resolve("file"));
+        assertThatThrownBy(() -> AtomicFile.checkWritable(file.resolve("out.txt"), Overwrite.REFUSE))
+                .isInstanceOf(OutputException.class)
+                .hasMessageContaining(file + " is not a folder");
+    }
+
+    @Test
+    void aFolderThatTakesNoFilesIsFoundOutEarly() throws IOException {
+        Files.setPosixFilePermissions(
+                folder, java.util.Set.of(PosixFilePermission.OWNER_READ, PosixFilePermission.OWNER_EXECUTE));
+        // Permissions do not bind root; in /proc nobody can make a file.
+        Path readOnly = Files.isWritable(folder) ? Path.of("/proc") : folder;
+        assumeTrue(Files.isDirectory(readOnly), "needs a folder that takes no files");
+        Path target = readOnly.resolve("sunbeam-out.txt");
+        assertThatThrownBy(() -> AtomicFile.checkWritable(target, Overwrite.REFUSE))
+                .isInstanceOf(OutputException.class)
+                .hasMessageStartingWith("cannot write " + target + ": ")
+                .hasMessageContaining("choose a");
+        Files.setPosixFilePermissions(folder, java.util.EnumSet.allOf(PosixFilePermission.class));
+    }
+
+    @Test
+    void aFullDeviceSaysSo() {
+        Path full = Path.of("/dev/full");
+        assumeTrue(Files.exists(full), "needs /dev/full");
+        assertThatThrownBy(() -> write(full, Overwrite.REFUSE))
+                .isInstanceOf(OutputException.class)
+                .hasMessageContaining("No space left on device; free some space");
+    }
+
+    @Test
+    void devicesAreWrittenDirectly() {
+        Path device = Path.of("/dev/null");
+        assumeTrue(Files.exists(device), "needs /dev/null");
+        AtomicFile.checkWritable(device, Overwrite.REFUSE);
+        write(device, Overwrite.REFUSE);
+        assertThat(device).exists();
+    }
+
+    @Test
+    void aLinkKeepsPointingToTheFileThatIsReplaced() throws IOException {
+        Path target = Files.writeString(folder.resolve("target.txt"), "old");
+        Path link = Files.createSymbolicLink(folder.resolve("link.txt"), target);
+        write(link, Overwrite.REPLACE);
+        assertThat(link).isSymbolicLink();
+        assertThat(target).hasBinaryContent(NEW);
+    }
+
+    @Test
+    void checkingLeavesNothing() throws IOException {
+        AtomicFile.checkWritable(folder.resolve("out.txt"), Overwrite.REFUSE);
+        assertThat(names()).isEmpty();
+    }
+}

@@ -1,0 +1,61 @@
+package sunbeam.app.files.output;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.withinPercentage;
+
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import sunbeam.app.files.input.CsvTable;
+
+final class CsvWriterTest {
+    @TempDir
+    private Path folder;
+
+    @Test
+    void numbersAreWrittenAlikeInAllLocales() throws IOException {
+        Locale before = Locale.getDefault();
+        try {
+            Locale.setDefault(Locale.GERMANY);
+            ByteArrayOutputStream stream = new ByteArrayOutputStream();
+            try (CsvWriter writer = new CsvWriter(stream, List.of("theta_i", "power"))) {
+                writer.row(75, 1.0 / 3);
+                writer.row(-0.5, Double.NaN);
+            }
+            assertThat(stream.toString(StandardCharsets.UTF_8))
+                    .isEqualTo("theta_i,power\n7.500000000000e+01,3.333333333333e-01\n-5.000000000000e-01,NaN\n");
+        } finally {
+            Locale.setDefault(before);
+        }
+    }
+
+    @Test
+    void thirteenDigitsComeBack() {
+        Path file = folder.resolve("out.csv");
+        double[] values = {Math.PI, -1.2345678901234567e-200, Double.MAX_VALUE / 3, 0};
+        AtomicFile.write(file, Overwrite.REFUSE, stream -> {
+            try (CsvWriter writer = new CsvWriter(stream, List.of("x"))) {
+                for (double value : values) {
+                    writer.row(value);
+                }
+            }
+        });
+        double[] read = CsvTable.read(file, List.of("x"), List.of()).column("x");
+        for (int row = 0; row < values.length; row++) {
+            assertThat(read[row]).isCloseTo(values[row], withinPercentage(5e-11)); // half of the 13th digit
+        }
+    }
+
+    @Test
+    void aRowOfAnotherLengthIsABug() throws IOException {
+        try (CsvWriter writer = new CsvWriter(new ByteArrayOutputStream(), List.of("a", "b"))) {
+            assertThatThrownBy(() -> writer.row(1)).isInstanceOf(IllegalArgumentException.class);
+        }
+    }
+}

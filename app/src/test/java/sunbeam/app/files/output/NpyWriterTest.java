@@ -1,0 +1,69 @@
+package sunbeam.app.files.output;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
+import org.junit.jupiter.api.Test;
+
+final class NpyWriterTest {
+    @Test
+    void theBytesAreThoseOfTheFormat() throws IOException {
+        ByteArrayOutputStream stream = new ByteArrayOutputStream();
+        try (NpyWriter writer = new NpyWriter(stream, 1, 2)) {
+            writer.append(new float[] {1.5f, Float.NaN}, 0, 2);
+        }
+        byte[] bytes = stream.toByteArray();
+        assertThat(bytes).startsWith((byte) 0x93, 'N', 'U', 'M', 'P', 'Y', 1, 0, 118, 0);
+        String header = new String(bytes, 10, 118, StandardCharsets.US_ASCII);
+        assertThat(header).matches("\\{'descr': '<f4', 'fortran_order': False, 'shape': \\(1, 2\\), \\} *\n");
+        ByteBuffer values = ByteBuffer.wrap(bytes, 128, 8).order(ByteOrder.LITTLE_ENDIAN);
+        assertThat(values.getFloat()).isEqualTo(1.5f);
+        assertThat(values.getFloat()).isNaN();
+        assertThat(bytes).hasSize(136);
+    }
+
+    @Test
+    void whatIsWrittenInPiecesIsOneArray() throws IOException {
+        float[] values = new float[3 * 7001 * 2];
+        ByteBuffer expected = ByteBuffer.allocate(Float.BYTES * values.length).order(ByteOrder.LITTLE_ENDIAN);
+        for (int index = 0; index < values.length; index++) {
+            values[index] = index;
+            expected.putFloat(index);
+        }
+        ByteArrayOutputStream stream = new ByteArrayOutputStream();
+        try (NpyWriter writer = new NpyWriter(stream, 3, 7001, 2)) {
+            writer.append(values, 0, 5);
+            writer.append(values, 5, 40_000);
+            writer.append(values, 40_005, values.length - 40_005);
+        }
+        assertThat(Arrays.copyOfRange(stream.toByteArray(), 128, stream.size())).isEqualTo(expected.array());
+    }
+
+    @Test
+    void anyRankIsPossible() throws IOException {
+        assertThat(headerOf()).contains("'shape': ()");
+        assertThat(headerOf(1)).contains("'shape': (1,)");
+        assertThat(headerOf(1, 1, 1, 1)).contains("'shape': (1, 1, 1, 1)");
+    }
+
+    @Test
+    void valuesTooManyOrTooFewAreABug() throws IOException {
+        NpyWriter writer = new NpyWriter(new ByteArrayOutputStream(), 2);
+        assertThatThrownBy(() -> writer.append(new float[3], 0, 3)).isInstanceOf(IllegalArgumentException.class);
+        assertThatThrownBy(writer::close).isInstanceOf(IllegalStateException.class);
+    }
+
+    private static String headerOf(int... shape) throws IOException {
+        ByteArrayOutputStream stream = new ByteArrayOutputStream();
+        try (NpyWriter writer = new NpyWriter(stream, shape)) {
+            writer.append(new float[1], 0, 1);
+        }
+        return stream.toString(StandardCharsets.ISO_8859_1);
+    }
+}

@@ -1,0 +1,118 @@
+package sunbeam.app.measure.errors;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.Arrays;
+import java.util.stream.IntStream;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import sunbeam.app.gpu.picture.LinearPicture;
+import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.optics.CoherenceWindow;
+import sunbeam.precompute.optics.Direction;
+import sunbeam.precompute.optics.DirectionPair;
+import sunbeam.precompute.optics.Gain;
+import sunbeam.precompute.optics.WindowOrigin;
+import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.reference.ReferenceColor;
+import sunbeam.precompute.reference.ReferenceColor.Quadrature;
+import sunbeam.precompute.reference.ReferenceEvaluator;
+
+/** On a picture of one row: the plane of incidence of a sawtooth, where its orders lie. */
+final class CertifierTest {
+    private static final int WIDTH = 60;
+    private static final CoherenceWindow WINDOW = CoherenceWindow.ofCoherenceLength(65e-6);
+
+    private static ExactColor reference;
+    private static float[] exact;
+
+    @BeforeAll
+    static void drawTheExactPicture() {
+        double[] heights =
+                IntStream.range(0, 40).mapToDouble(i -> 250e-9 * i / 40).toArray();
+        HeightMap map = new HeightMap(40, 1, 62.5e-9, 2.5e-6, heights);
+        ReferenceEvaluator evaluator = new ReferenceEvaluator(map, WINDOW, WindowOrigin.CENTRE);
+        ReferenceColor color = new ReferenceColor(evaluator, WINDOW, CieTable.load(), Quadrature.INTEGRATED);
+        reference = pair -> color.xyz(pair, false);
+        exact = new float[3 * WIDTH];
+        Arrays.fill(exact, Float.NaN);
+        // The last ten pixels show no surface.
+        for (int pixel = 0; pixel < WIDTH - 10; pixel++) {
+            DirectionPair pair = pair(pixel);
+            double[] xyz = reference.xyz(pair);
+            for (int c = 0; c < 3; c++) {
+                exact[3 * pixel + c] = (float) (xyz[c] * Gain.relativeRadiance(pair));
+            }
+        }
+    }
+
+    private static DirectionPair pair(int pixel) {
+        double x = (2.0 * pixel + 1) / WIDTH - 1;
+        return new DirectionPair(Direction.ofDegrees(0, 0), Direction.ofDisc(x, 0));
+    }
+
+    private static Certificate certify(float[] xyz, int count) {
+        return new Certifier(reference, CertifierTest::pair)
+                .certify(new LinearPicture(WIDTH, 1, xyz), count, 5, 1, 1e-3);
+    }
+
+    @Test
+    void theExactPicturePasses() {
+        Certificate certificate = certify(exact.clone(), 40);
+        assertThat(certificate.places()).isEqualTo("40 random pixels");
+        assertThat(certificate.relative().count()).isPositive();
+        // Nothing but the rounding to float32, 6e-8.
+        assertThat(certificate.relative().maximum()).isLessThan(1e-7);
+        assertThat(certificate.relativeL2()).isLessThan(1e-7);
+        assertThat(certificate.colorDifference().maximum()).isLessThan(1e-4);
+        assertThat(certificate.missed()).isFalse();
+    }
+
+    @Test
+    void aPictureThatIsTwoPercentTooBrightMissesAThousandth() {
+        float[] bright = exact.clone();
+        for (int i = 0; i < bright.length; i++) {
+            bright[i] *= 1.02f;
+        }
+        Certificate certificate = certify(bright, 40);
+        assertThat(certificate.missed()).isTrue();
+        assertThat(certificate.relative().median()).isBetween(0.0199, 0.0201);
+        assertThat(certificate.colorDifference().maximum()).isPositive();
+        assertThat(certificate.complaint()).contains("0.02").contains("0.001");
+    }
+
+    @Test
+    void missingLightIsFoundAndSoIsLightWhereThereIsNone() {
+        float[] dark = exact.clone();
+        Arrays.fill(dark, 0, 3 * (WIDTH - 10), 0);
+        assertThat(certify(dark, 50).missed()).isTrue();
+        float[] grey = exact.clone();
+        Arrays.fill(grey, 0, 3 * (WIDTH - 10), 0.5f);
+        assertThat(certify(grey, 50).missed()).isTrue();
+    }
+
+    @Test
+    void aPictureMirroredLeftToRightIsWrong() {
+        float[] mirrored = exact.clone();
+        for (int pixel = 10; pixel < WIDTH - 10; pixel++) {
+            System.arraycopy(exact, 3 * (WIDTH - 1 - pixel), mirrored, 3 * pixel, 3);
+        }
+        assertThat(certify(mirrored, 50).missed()).isTrue();
+    }
+
+    @Test
+    void noMorePixelsAreEvaluatedThanThereAreAndTheSameSeedTakesTheSame() {
+        Certificate certificate = certify(exact.clone(), 1000);
+        assertThat(certificate.places()).isEqualTo((WIDTH - 10) + " random pixels");
+        assertThat(certify(exact.clone(), 20)).isEqualTo(certify(exact.clone(), 20));
+    }
+
+    @Test
+    void aBlackPictureOfNothingHasNothingToCompare() {
+        float[] none = new float[3 * WIDTH];
+        Arrays.fill(none, Float.NaN);
+        Certificate certificate = certify(none, 10);
+        assertThat(certificate.missed()).isFalse();
+        assertThat(certificate.summary()).contains("nothing to compare");
+    }
+}

@@ -1,0 +1,48 @@
+package sunbeam.app.measure.errors;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.stream.IntStream;
+import org.junit.jupiter.api.Test;
+
+final class ErrorStatisticsTest {
+    @Test
+    void quantilesLieBetweenTheirNeighboursInAnyOrder() {
+        double[] shuffled =
+                IntStream.range(0, 101).mapToDouble(i -> (i * 37) % 101).toArray();
+        ErrorStatistics statistics = ErrorStatistics.of(shuffled);
+        assertThat(statistics.count()).isEqualTo(101);
+        assertThat(statistics.median()).isEqualTo(50);
+        assertThat(statistics.percentile95()).isCloseTo(95, within(1e-12));
+        assertThat(statistics.maximum()).isEqualTo(100);
+        assertThat(ErrorStatistics.of(1, 2).median()).isEqualTo(1.5);
+    }
+
+    @Test
+    void aPictureFullOfNanMissesEveryTolerance() {
+        ErrorStatistics statistics = ErrorStatistics.of(Double.NaN, 0, Double.NaN);
+        assertThat(statistics.maximum()).isInfinite();
+        assertThat(statistics.meets(1)).isFalse();
+    }
+
+    @Test
+    void nothingComparedMissesNothing() {
+        ErrorStatistics statistics = ErrorStatistics.of();
+        assertThat(statistics.median()).isNaN();
+        assertThat(statistics.meets(1e-3)).isTrue();
+    }
+
+    @Test
+    void theMedianMayReachTheToleranceAndThePercentileThreeTimesIt() {
+        assertThat(new ErrorStatistics(9, 1e-3, 3e-3, 1).meets(1e-3)).isTrue();
+        assertThat(new ErrorStatistics(9, 1.01e-3, 2e-3, 1).meets(1e-3)).isFalse();
+        assertThat(new ErrorStatistics(9, 0.5e-3, 3.1e-3, 1).meets(1e-3)).isFalse();
+    }
+
+    @Test
+    void aColoursErrorIsRelativeToItsStrongestChannel() {
+        double error = RelativeError.ofColor(new double[] {0.5, 0.2, 0.02}, new double[] {0.5, 0.21, 0.01});
+        assertThat(error).isCloseTo(0.02, within(1e-12));
+    }
+}

@@ -1,0 +1,312 @@
+package sunbeam.app.scene.mesh;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.assertj.core.api.AbstractThrowableAssert;
+import org.joml.Vector3d;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import sunbeam.app.files.output.Overwrite;
+
+class MeshReaderTest {
+    private static final String SQUARE = """
+            v 0 0 0
+            v 1 0 0
+            v 1 1 0
+            v 0 1 0
+            """;
+    private static final String TEXTURE = """
+            vt 0 0
+            vt 1 0
+            vt 1 1
+            vt 0 1
+            """;
+
+    @TempDir
+    private Path folder;
+
+    private Path file(String text) throws IOException {
+        return Files.writeString(folder.resolve("mesh.obj"), text, StandardCharsets.ISO_8859_1);
+    }
+
+    private ReadMesh read(String text) throws IOException {
+        return MeshReader.read(file(text));
+    }
+
+    private AbstractThrowableAssert<?, ? extends Throwable> assertRefused(String text) throws IOException {
+        Path file = file(text);
+        return assertThatThrownBy(() -> MeshReader.read(file))
+                .isInstanceOf(MeshException.class)
+                .hasMessageContaining("mesh.obj")
+                .satisfies(failure -> assertThat(failure.getMessage()).doesNotContain("\n"));
+    }
+
+    @Test
+    void whatIsWrittenIsReadBack() {
+        for (String name : BuiltInMeshes.names()) {
+            Mesh mesh = BuiltInMeshes.create(name);
+            Path file = folder.resolve(name + ".obj");
+
+            MeshWriter.write(file, Overwrite.REFUSE, mesh);
+            ReadMesh read = MeshReader.read(file);
+
+            assertThat(read.warnings()).isEmpty();
+            assertThat(read.mesh().triangles()).isEqualTo(mesh.triangles());
+            double worst = 1;
+            for (int i = 0; i < mesh.indices().length; i++) {
+                int vertex = mesh.indices()[i];
+                int copy = read.mesh().indices()[i];
+                assertThat(MeshChecks.position(read.mesh(), copy)).isEqualTo(MeshChecks.position(mesh, vertex));
+                // Normalised again.
+                assertThat(MeshChecks.normal(read.mesh(), copy).distance(MeshChecks.normal(mesh, vertex)))
+                        .isLessThan(MeshChecks.ROUNDING);
+                worst = Math.min(worst, MeshChecks.tangent(read.mesh(), copy).dot(MeshChecks.tangent(mesh, vertex)));
+            }
+            // Facets' tangents for the surface's: worst where a facet bends most, at the snake's snout and eyes.
+            assertThat(worst).as(name).isGreaterThan(name.equals("snake") ? 0.7 : 0.99);
+        }
+    }
+
+    @Test
+    void missingNormalsAreWeightedByArea() throws IOException {
+        // Two triangles share an edge along y: one lies flat with area 1/2, one stands upright with area 1.
+        ReadMesh read = read("""
+                v 0 0 0
+                v 0 1 0
+                v -1 0 0
+                v 0 0 2
+                f 1 2 3
+                f 1 4 2
+                """);
+
+        // Flat: (0, 0, 1) x 1/2. Upright: edge z x edge y = -x, area 1.
+        Vector3d expected = new Vector3d(-1, 0, 0.5).normalize();
+        assertThat(MeshChecks.normal(read.mesh(), read.mesh().indices()[0]).distance(expected))
+                .isLessThan(MeshChecks.ROUNDING);
+        assertThat(MeshChecks.normal(read.mesh(), read.mesh().indices()[2])).isEqualTo(new Vector3d(0, 0, 1));
+        assertThat(read.warnings()).anyMatch(line -> line.contains("computed normals for 4 of 4 vertices"));
+        MeshChecks.assertOrthonormalFrames(read.mesh());
+    }
+
+    @Test
+    void givenNormalsAreNormalisedAndThoseOfNoLengthComputed() throws IOException {
+        ReadMesh read = read(SQUARE + TEXTURE + "vn 0 3 4\nvn 0 0 0\nf 1/1/1 2/2/1 3/3/2 4/4/2\n");
+
+        assertThat(MeshChecks.normal(read.mesh(), 0).distance(new Vector3d(0, 0.6, 0.8)))
+                .isLessThan(MeshChecks.ROUNDING);
+        assertThat(read.warnings()).hasSize(1).first().asString().contains("computed normals for 2 of 4 vertices");
+    }
+
+    @Test
+    void tangentsFollowUAndMirroredTexturesAreLeftHanded() throws IOException {
+        Mesh turned = read(SQUARE + "vt 0 0\nvt 0 1\nvt -1 1\nvt -1 0\nf 1/1 2/2 3/3 4/4\n")
+                .mesh();
+        Mesh mirrored = read(SQUARE + "vt 0 0\nvt -1 0\nvt -1 1\nvt 0 1\nf 1/1 2/2 3/3 4/4\n")
+                .mesh();
+
+        // u grows against y in the first, against x in the second; v along x, and along y.
+        assertThat(turned.tangents()).startsWith(0, -1, 0, 1);
+        assertThat(mirrored.tangents()).startsWith(-1, 0, 0, -1);
+        MeshChecks.assertTangentsFollowTheTexture(turned, 1 - 1e-6);
+        MeshChecks.assertTangentsFollowTheTexture(mirrored, 1 - 1e-6);
+    }
+
+    @Test
+    void verticesBetweenATextureAndItsMirrorImageAreDivided() throws IOException {
+        // The middle edge, positions 2 and 3, has one texture coordinate for both sides.
+        Mesh mesh = read(SQUARE + """
+                v 2 0 0
+                v 2 1 0
+                vn 0 0 1
+                vt 0 0
+                vt 1 0
+                vt 1 1
+                vt 0 1
+                f 1/1/1 2/2/1 3/3/1 4/4/1
+                f 2/2/1 5/1/1 6/4/1 3/3/1
+                """).mesh();
+
+        assertThat(mesh.vertices()).isEqualTo(8);
+        MeshChecks.assertTangentsFollowTheTexture(mesh, 1 - 1e-6);
+    }
+
+    @Test
+    void missingTextureCoordinatesAreTheViewFromAbove() throws IOException {
+        ReadMesh read = read("v 1 1 0\nv 3 1 0\nv 3 2 1\nv 1 2 1\nf 1 2 3 4\nf 4 3 2 1\n");
+        Mesh mesh = read.mesh();
+
+        assertThat(read.warnings()).anyMatch(line -> line.contains("texture coordinates are missing"));
+        for (int vertex = 0; vertex < mesh.vertices(); vertex++) {
+            Vector3d position = MeshChecks.position(mesh, vertex);
+            assertThat(mesh.textureCoordinates()[2 * vertex]).isCloseTo((float) (position.x - 1) / 2, within(1e-6f));
+            assertThat(mesh.textureCoordinates()[2 * vertex + 1])
+                    .isCloseTo((float) (position.y - 1) / 2, within(1e-6f));
+            assertThat(MeshChecks.tangent(mesh, vertex).distance(new Vector3d(1, 0, 0)))
+                    .isLessThan(MeshChecks.ROUNDING);
+            assertThat(mesh.tangents()[4 * vertex + 3]).isEqualTo(1);
+        }
+        // Back to back: the two faces keep their own normals.
+        MeshChecks.assertNormalsFaceOutwards(mesh, 1 - 1e-6);
+    }
+
+    @Test
+    void aTextureWithoutAreaGivesTangentsAlongX() throws IOException {
+        ReadMesh flat = read(SQUARE + "vt 0.5 0.5\nf 1/1 2/1 3/1 4/1\n");
+        ReadMesh acrossX = read("v 0 0 0\nv 0 1 0\nv 0 0 1\nvt 0 0\nf 1/1 2/1 3/1\n");
+
+        assertThat(flat.mesh().tangents()).startsWith(1, 0, 0, 1);
+        assertThat(acrossX.mesh().tangents()).startsWith(0, 1, 0, 1);
+        assertThat(flat.warnings()).anyMatch(line -> line.contains("no direction at 4 vertices"));
+    }
+
+    @Test
+    void degenerateTrianglesAreDroppedAndCounted() throws IOException {
+        ReadMesh read = read(SQUARE + "v 0.5 0.5 0\nf 1 2 3\nf 1 1 2\nf 1 5 3\nf 2 2 2\n");
+
+        assertThat(read.mesh().triangles()).isEqualTo(1);
+        assertThat(read.mesh().vertices()).isEqualTo(3);
+        assertThat(read.warnings()).anyMatch(line -> line.endsWith("dropped 3 triangles without area"));
+    }
+
+    @Test
+    void polygonsAreDividedAlsoConcaveOnes() throws IOException {
+        // An arrow head: the fan from the first corner would leave the outline.
+        Mesh arrow = read("v 2 0 0\nv 0 1 0\nv 0.5 0 0\nv 0 -1 0\nf 1 2 3 4\n").mesh();
+        Mesh star = read(star()).mesh();
+
+        assertThat(arrow.triangles()).isEqualTo(2);
+        assertThat(area(arrow)).isCloseTo(1.5, within(1e-6));
+        MeshChecks.assertNormalsFaceOutwards(arrow, 1 - 1e-6);
+        assertThat(star.triangles()).isEqualTo(18);
+        // 20 triangles between radii 1 and 0.3 at angles of 18 degrees.
+        assertThat(area(star)).isCloseTo(20 * 0.5 * 0.3 * Math.sin(Math.PI / 10), within(1e-5));
+        MeshChecks.assertNormalsFaceOutwards(star, 1 - 1e-5);
+    }
+
+    /** A star with ten points in a tilted plane. */
+    private static String star() {
+        StringBuilder text = new StringBuilder();
+        for (int i = 0; i < 20; i++) {
+            double radius = i % 2 == 0 ? 1 : 0.3;
+            Vector3d point = new Vector3d(radius, 0, 0)
+                    .rotateZ(i * Math.PI / 10)
+                    .rotateX(1)
+                    .rotateY(0.5);
+            text.append("v ")
+                    .append(point.x)
+                    .append(' ')
+                    .append(point.y)
+                    .append(' ')
+                    .append(point.z)
+                    .append('\n');
+        }
+        text.append("f");
+        for (int i = 1; i <= 20; i++) {
+            text.append(' ').append(i);
+        }
+        return text.append('\n').toString();
+    }
+
+    private static double area(Mesh mesh) {
+        double area = 0;
+        for (int triangle = 0; triangle < mesh.triangles(); triangle++) {
+            area += MeshChecks.areaNormal(mesh, triangle).length() / 2;
+        }
+        return area;
+    }
+
+    @Test
+    void negativeIndicesCountBackwards() throws IOException {
+        Mesh positive = read(SQUARE + TEXTURE + "f 2/2 3/3 4/4\n").mesh();
+        Mesh negative =
+                read(SQUARE + TEXTURE + "f -3/-3 -2/-2 -1/-1\nv 9 9 9\n").mesh();
+
+        assertThat(negative.positions()).isEqualTo(positive.positions());
+        assertThat(negative.textureCoordinates()).isEqualTo(positive.textureCoordinates());
+        assertRefused(SQUARE + "f -5 -2 -1\n").hasMessageContaining("line 5").hasMessageContaining("4 are given");
+    }
+
+    @Test
+    void theFormatsCornersAreRead() throws IOException {
+        Mesh plain = read(SQUARE + TEXTURE + "vn 0 0 1\nf 1/1/1 2/2/1 3/3/1\n").mesh();
+        Mesh odd = read("\u00EF\u00BB\u00BF# comment\r\no thing\r\n" + SQUARE + "vt 0\n"
+                        + TEXTURE.replace("vt 0 0\n", "")
+                        + "mtllib none.mtl\ng a b\nusemtl red # and more\ns off\nvn 0 0 1\nl 1 2\n"
+                        + "f\t1/1/1 2/2/1\\\n 3/3/1 # last")
+                .mesh();
+        Mesh normalsOnly = read(SQUARE + "vn 0 0 1\nf 1//1 2//1 3//1\n").mesh();
+
+        assertThat(odd.positions()).isEqualTo(plain.positions());
+        assertThat(odd.textureCoordinates()).isEqualTo(plain.textureCoordinates());
+        assertThat(normalsOnly.normals()).isEqualTo(plain.normals());
+    }
+
+    @Test
+    void wrongLinesAreNamed() throws IOException {
+        assertRefused("v 0 0 0\nv 1 NaN 0\n").hasMessageContaining("line 2").hasMessageContaining("\"NaN\"");
+        assertRefused("v 0 0 0\nvt 1e99 0\n").hasMessageContaining("line 2").hasMessageContaining("1e99");
+        assertRefused("vn 0 -Infinity 0\n").hasMessageContaining("line 1");
+        assertRefused("v 0 zero 0\n").hasMessageContaining("\"zero\" is no number");
+        assertRefused("v 0 0\n").hasMessageContaining("position needs 3 numbers, not 2");
+        assertRefused(SQUARE + "f 1 2\n").hasMessageContaining("line 5").hasMessageContaining("2 corners");
+        assertRefused(SQUARE + "f 1 2 5\n").hasMessageContaining("position 5").hasMessageContaining("line 5");
+        assertRefused(SQUARE + "f 1 2 0\n").hasMessageContaining("\"0\"");
+        assertRefused(SQUARE + "f 1 2 99999999999\n").hasMessageContaining("99999999999");
+        assertRefused(SQUARE + "f 1/1 2/1 3/1\n").hasMessageContaining("texture coordinate 1 but 0");
+        assertRefused(SQUARE + "f 1//1 2//1 3//1\n").hasMessageContaining("normal 1 but 0");
+        assertRefused(SQUARE + TEXTURE + "f 1/1 2 3/3\n").hasMessageContaining("differ in kind");
+    }
+
+    @Test
+    void filesWithoutFacesAreRefused() throws IOException {
+        assertRefused("").hasMessageContaining("no face");
+        assertRefused(SQUARE).hasMessageContaining("no face");
+        assertRefused(SQUARE + "f 1 1 2\n").hasMessageContaining("no face");
+        assertRefused("\u0089PNG\r\n\u001A\n\u0000\u0000").hasMessageContaining("no face");
+        assertRefused("x".repeat(100_000)).hasMessageContaining("65536 characters");
+        assertThatThrownBy(() -> MeshReader.read(folder.resolve("none.obj"))).hasMessageContaining("no such file");
+        assertThatThrownBy(() -> MeshReader.read(folder)).hasMessageContaining("no regular file");
+    }
+
+    @Test
+    void tenMillionFacesAreRefusedBeforeMemoryIsTaken() throws IOException {
+        Path file = folder.resolve("large.obj");
+        byte[] faces = "f 1 2 3\n".repeat(100_000).getBytes(StandardCharsets.US_ASCII);
+        try (var stream = Files.newOutputStream(file)) {
+            stream.write("v 0 0 0\nv 1 0 0\nv 0 1 0\n".getBytes(StandardCharsets.US_ASCII));
+            for (int i = 0; i < 100; i++) {
+                stream.write(faces);
+            }
+        }
+
+        assertThatThrownBy(() -> MeshReader.read(file))
+                .isInstanceOf(MeshException.class)
+                .hasMessageEndingWith("large.obj, line 2000004: more than 2000000 triangles; simplify the mesh");
+    }
+
+    @Test
+    void everyLimitIsKept() throws IOException {
+        Path file = file(SQUARE + TEXTURE + "f 1/1 2/2 3/3 4/4\n");
+
+        assertThat(MeshReader.read(file, new ObjLimits(1000, 4, 2, 4, 20))
+                        .mesh()
+                        .triangles())
+                .isEqualTo(2);
+        assertThatThrownBy(() -> MeshReader.read(file, new ObjLimits(50, 4, 2, 4, 20)))
+                .hasMessageContaining("at most 50");
+        assertThatThrownBy(() -> MeshReader.read(file, new ObjLimits(1000, 3, 2, 4, 20)))
+                .hasMessageContaining("line 4: more than 3 positions");
+        assertThatThrownBy(() -> MeshReader.read(file, new ObjLimits(1000, 4, 1, 4, 20)))
+                .hasMessageContaining("line 9: more than 1 triangles");
+        assertThatThrownBy(() -> MeshReader.read(file, new ObjLimits(1000, 4, 2, 3, 20)))
+                .hasMessageContaining("4 corners; 3 to 3");
+        assertThatThrownBy(() -> MeshReader.read(file, new ObjLimits(1000, 4, 2, 4, 10)))
+                .hasMessageContaining("longer than 10");
+    }
+}

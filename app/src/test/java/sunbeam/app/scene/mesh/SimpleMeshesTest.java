@@ -1,0 +1,66 @@
+package sunbeam.app.scene.mesh;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+
+import org.joml.Vector3d;
+import org.junit.jupiter.api.Test;
+
+class SimpleMeshesTest {
+
+    @Test
+    void aPlaneIsFlatAndItsFrameIsThatOfTheWorld() {
+        Mesh plane = SimpleMeshes.plane(2, 3);
+
+        MeshChecks.assertOrthonormalFrames(plane);
+        MeshChecks.assertTangentsFollowTheTexture(plane, 1 - 1e-6);
+        MeshChecks.assertNormalsFaceOutwards(plane, 1 - 1e-6);
+        double area = 0;
+        for (int triangle = 0; triangle < plane.triangles(); triangle++) {
+            area += MeshChecks.areaNormal(plane, triangle).z / 2;
+        }
+        assertThat(area).isCloseTo(4, within(1e-6));
+        assertThat(plane.tangents()).startsWith(1, 0, 0, 1);
+    }
+
+    @Test
+    void aSphereIsClosedAndRound() {
+        Mesh sphere = SimpleMeshes.sphere(0.1, 48, 24);
+
+        MeshChecks.assertClosed(sphere);
+        MeshChecks.assertNoDegenerateTriangle(sphere);
+        MeshChecks.assertOrthonormalFrames(sphere);
+        // A facet spans 7.5 degrees, at the poles in longitude too.
+        MeshChecks.assertNormalsFaceOutwards(sphere, Math.cos(Math.toRadians(7.5)));
+        // And half of it up and down.
+        MeshChecks.assertTangentsFollowTheTexture(sphere, Math.cos(Math.toRadians(9)));
+        for (int vertex = 0; vertex < sphere.vertices(); vertex++) {
+            Vector3d position = MeshChecks.position(sphere, vertex);
+            assertThat(position.length()).isCloseTo(0.1, within(1e-8));
+            assertThat(position.normalize().distance(MeshChecks.normal(sphere, vertex)))
+                    .isLessThan(1e-6);
+        }
+    }
+
+    @Test
+    void aCylindersMantleStandsOnTheGround() {
+        Mesh cylinder = SimpleMeshes.cylinder(0.1, 0.2, 48, 4);
+
+        MeshChecks.assertNoDegenerateTriangle(cylinder);
+        MeshChecks.assertOrthonormalFrames(cylinder);
+        MeshChecks.assertTangentsFollowTheTexture(cylinder, Math.cos(Math.toRadians(4)));
+        MeshChecks.assertNormalsFaceOutwards(cylinder, Math.cos(Math.toRadians(4)));
+        assertThat(cylinder.toVertexData().bounds().center().z()).isCloseTo(0.1f, within(1e-6f));
+    }
+
+    @Test
+    void builtInMeshesHaveNames() {
+        for (String name : BuiltInMeshes.names()) {
+            assertThat(BuiltInMeshes.create(name).toVertexData().triangles()).isPositive();
+        }
+        assertThatThrownBy(() -> BuiltInMeshes.create("torus"))
+                .isInstanceOf(MeshException.class)
+                .hasMessage("there is no built-in mesh \"torus\"; choose one of snake, plane, sphere, cylinder");
+    }
+}

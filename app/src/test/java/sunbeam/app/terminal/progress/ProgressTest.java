@@ -1,0 +1,89 @@
+package sunbeam.app.terminal.progress;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.ByteArrayOutputStream;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
+import java.time.Duration;
+import java.util.concurrent.atomic.AtomicLong;
+import org.junit.jupiter.api.Test;
+
+final class ProgressTest {
+    private final ByteArrayOutputStream drawn = new ByteArrayOutputStream();
+    private final AtomicLong nanoseconds = new AtomicLong();
+
+    private Terminal terminal(boolean interactive) {
+        return new Terminal(new PrintStream(drawn, true, StandardCharsets.US_ASCII), interactive, 60);
+    }
+
+    private String text() {
+        return drawn.toString(StandardCharsets.US_ASCII);
+    }
+
+    @Test
+    void nothingIsDrawnWhereNobodyLooks() {
+        try (Progress progress = Progress.start("rendering", 10, terminal(false), nanoseconds::get)) {
+            nanoseconds.set(Duration.ofHours(1).toNanos());
+            progress.step(5);
+        }
+        assertThat(text()).isEmpty();
+    }
+
+    @Test
+    void aShortTaskDrawsNothing() {
+        try (Progress progress = Progress.start("rendering", 10, terminal(true), nanoseconds::get)) {
+            progress.step(10);
+        }
+        assertThat(text()).isEmpty();
+    }
+
+    @Test
+    void aLongTaskIsDrawnAndLeavesAnEmptyLine() {
+        try (Progress progress = Progress.start("rendering", 10, terminal(true), nanoseconds::get)) {
+            nanoseconds.set(Progress.DELAY.toNanos());
+            progress.step(5);
+        }
+        assertThat(text()).startsWith("\rrendering [").contains("50 %");
+        assertThat(text()).endsWith("\r" + " ".repeat(59) + "\r").doesNotContain("\n");
+    }
+
+    @Test
+    void aShorterLineCoversALongerOne() {
+        try (ProgressLine line = new ProgressLine(terminal(true), nanoseconds::get)) {
+            nanoseconds.set(Progress.DELAY.toNanos());
+            line.accept("long line");
+            line.accept("short");
+        }
+        assertThat(text()).isEqualTo("\rlong line\rshort    \r     \r");
+    }
+
+    @Test
+    void nothingIsDrawnAfterTheEnd() {
+        ProgressLine line = new ProgressLine(terminal(true), nanoseconds::get);
+        nanoseconds.set(Progress.DELAY.toNanos());
+        line.close();
+        line.accept("late");
+        assertThat(text()).isEmpty();
+    }
+
+    @Test
+    void theTimeLeftFollowsFromTheTimeTaken() {
+        assertThat(TimeLeftRenderer.render("x", 0.25, Duration.ofSeconds(10), 40))
+                .isEqualTo("x [====>              ]  25 %, 30 s left")
+                .hasSizeLessThanOrEqualTo(40);
+        assertThat(TimeLeftRenderer.render("x", 0.5, Duration.ofSeconds(90), 40))
+                .endsWith(" 1:30 min left");
+        assertThat(TimeLeftRenderer.render("x", 0.1, Duration.ofHours(1), 40)).endsWith(" 9:00 h left");
+        assertThat(TimeLeftRenderer.render("x", 0, Duration.ofSeconds(3), 40)).endsWith("time left unknown");
+        assertThat(TimeLeftRenderer.render("x", 1, Duration.ofSeconds(3), 40)).contains("=] 100 %");
+    }
+
+    @Test
+    void widthsBeyondReasonAreBounded() {
+        assertThat(Terminal.columns("")).isEqualTo(80);
+        assertThat(Terminal.columns("100")).isEqualTo(100);
+        assertThat(Terminal.columns("-5")).isEqualTo(40);
+        assertThat(Terminal.columns("99999")).isEqualTo(120);
+    }
+}
