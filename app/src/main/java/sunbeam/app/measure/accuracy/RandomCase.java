@@ -68,8 +68,8 @@ record RandomCase(
     /** Draws a case. */
     static RandomCase of(long seed) {
         SplittableRandom random = new SplittableRandom(seed);
-        RandomSurface kind = RandomSurface.values()[random.nextInt(RandomSurface.values().length)];
-        RandomAim aim = RandomAim.values()[random.nextInt(RandomAim.values().length)];
+        RandomSurface kind = oneOf(random, RandomSurface.values());
+        RandomAim aim = oneOf(random, RandomAim.values());
         boolean colors = random.nextInt(3) == 0;
         double pitch = FINEST_PITCH * Math.pow(COARSEST_PITCH / FINEST_PITCH, random.nextDouble());
         HeightMap map = kind.draw(random, colors ? MOST_SAMPLES_OF_COLORS : MOST_SAMPLES, pitch);
@@ -77,8 +77,8 @@ record RandomCase(
         double coherenceLength = shortest * Math.pow(LONGEST_WINDOW / shortest, random.nextDouble());
         GaussianArea area = new GaussianArea(
                 CoherenceWindow.ofCoherenceLength(coherenceLength),
-                WindowOrigin.values()[random.nextInt(2)],
-                Average.values()[random.nextInt(2)]);
+                oneOf(random, WindowOrigin.values()),
+                oneOf(random, Average.values()));
         double tolerance = TOLERANCES[random.nextInt(TOLERANCES.length)];
         List<Query> queries = new ArrayList<>();
         for (int i = 0; i < (colors ? COLORS : POWERS); i++) {
@@ -87,6 +87,10 @@ record RandomCase(
             queries.add(new Query(pair, wavelength));
         }
         return new RandomCase(seed, kind, map, area, tolerance, aim, colors, queries);
+    }
+
+    private static <T> T oneOf(SplittableRandom random, T[] values) {
+        return values[random.nextInt(values.length)];
     }
 
     /** What was measured. */
