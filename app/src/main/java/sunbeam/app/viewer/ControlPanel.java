@@ -50,7 +50,7 @@ final class ControlPanel extends JPanel {
     private final NameBox mesh = new NameBox(BuiltInMeshes.names());
     private final NameBox patch = new NameBox(BuiltInPatches.names());
     private final transient Map<String, PatchRequest> loadedPatches = new HashMap<>();
-    private final JComboBox<MethodChoice> method = new JComboBox<>(MethodChoice.values());
+    private final JComboBox<MethodChoice> method = new JComboBox<>(MethodChoice.ALL.toArray(MethodChoice[]::new));
     private final JTextField spacing = new JTextField("1um", 8);
     private JLabel spacingCaption;
     private final JComboBox<String> tolerance = new JComboBox<>(new String[] {"0.05", "0.01", "0.001", "1e-4"});

@@ -10,49 +10,51 @@ import static sunbeam.precompute.plan.MethodSettings.SPACING;
 import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneMethod;
-import sunbeam.precompute.method.FullMethod;
-import sunbeam.precompute.method.GemMethod;
 import sunbeam.precompute.method.MethodType;
-import sunbeam.precompute.method.NmmMethod;
-import sunbeam.precompute.method.PqMethod;
+import sunbeam.precompute.method.Methods;
+import sunbeam.precompute.method.ReferenceMethod;
 import sunbeam.precompute.plan.Preset;
 import sunbeam.precompute.resample.PeriodInterpolation;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
 
-/** The methods that the viewer offers. */
-enum MethodChoice {
-    FULL("full", of(FullMethod.TYPE)),
-    FULL_THESIS("full, thesis", of(FullMethod.TYPE).with(PRESET, Preset.THESIS)),
-    NMM("nmm", of(NmmMethod.TYPE)),
-    NMM_THESIS("nmm, thesis", of(NmmMethod.TYPE).with(PRESET, Preset.THESIS)),
-    PQ_SINC("pq, sinc", of(PqMethod.TYPE)),
-    PQ_LINEAR("pq, linear", of(PqMethod.TYPE).with(INTERPOLATION, PeriodInterpolation.LINEAR)),
-    GEM("gem (comparison)", of(GemMethod.TYPE));
+/** A method that the viewer offers: each that can draw a mesh, and its forms that look different. */
+final class MethodChoice {
+    /** All of them. */
+    static final List<MethodChoice> ALL = Methods.ALL.stream()
+            .filter(type -> type != ReferenceMethod.TYPE) // evaluates single directions
+            .flatMap(type -> forms(type).stream())
+            .toList();
 
     private final String label;
-
-    @SuppressWarnings("ImmutableEnumChecker") // choices are immutable
     private final Choices own;
 
-    MethodChoice(String label, Choices own) {
+    private MethodChoice(String label, Choices own) {
         this.label = label;
         this.own = own;
     }
 
-    private static Choices of(MethodType type) {
-        return Choices.at(ControlOrigin.INSTANCE).with(METHOD, type);
+    private static List<MethodChoice> forms(MethodType type) {
+        Choices plain = Choices.at(ControlOrigin.INSTANCE).with(METHOD, type);
+        if (type.has(INTERPOLATION)) {
+            return List.of(
+                    new MethodChoice(type.label() + ", sinc", plain),
+                    new MethodChoice(type.label() + ", linear", plain.with(INTERPOLATION, PeriodInterpolation.LINEAR)));
+        }
+        MethodChoice first = new MethodChoice(type.label(), plain);
+        return type.has(PRESET)
+                ? List.of(first, new MethodChoice(type.label() + ", thesis", plain.with(PRESET, Preset.THESIS)))
+                : List.of(first);
     }
 
     /** What a scene has: the one that agrees with it in most. */
     static MethodChoice of(Scene scene) {
         Choices choices = scene.method().choices();
-        return Arrays.stream(values())
+        return ALL.stream()
                 .filter(choice -> choices.only(choice.own.chosen()).equals(choice.own))
                 .max(Comparator.comparingInt(choice -> choice.own.chosen().size()))
                 .orElseThrow();

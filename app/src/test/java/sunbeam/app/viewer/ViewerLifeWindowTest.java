@@ -83,7 +83,7 @@ final class ViewerLifeWindowTest extends ViewerInAWindow {
     @Test
     void methodsAreChosenInThePanelAndOneThatCannotBeUsedIsRefused() throws Exception {
         BufferedImage full = picture();
-        for (MethodChoice choice : new MethodChoice[] {MethodChoice.NMM, MethodChoice.PQ_LINEAR, MethodChoice.GEM}) {
+        for (MethodChoice choice : new MethodChoice[] {choice("nmm"), choice("pq, linear"), choice("gem")}) {
             onEvents(() -> {
                 control("method", JComboBox.class).setSelectedItem(choice);
                 return null;
@@ -95,14 +95,14 @@ final class ViewerLifeWindowTest extends ViewerInAWindow {
         assertThat(different(full, picture(), false)).as("gem is another model").isPositive();
         assertThat(onEvents(() -> viewer.model().scene().blend().diffraction())).isEqualTo(0.5);
         onEvents(() -> {
-            control("method", JComboBox.class).setSelectedItem(MethodChoice.FULL);
+            control("method", JComboBox.class).setSelectedItem(choice("full"));
             return null;
         });
         assertThat(onEvents(() -> viewer.model().scene().blend()))
                 .as("as it was before gem")
                 .isEqualTo(scene().blend());
         onEvents(() -> {
-            control("method", JComboBox.class).setSelectedItem(MethodChoice.GEM);
+            control("method", JComboBox.class).setSelectedItem(choice("gem"));
             return null;
         });
         onEvents(() -> {
@@ -138,5 +138,12 @@ final class ViewerLifeWindowTest extends ViewerInAWindow {
             return null;
         });
         awaitPatch(patch);
+    }
+
+    private static MethodChoice choice(String label) {
+        return MethodChoice.ALL.stream()
+                .filter(each -> each.toString().equals(label))
+                .findFirst()
+                .orElseThrow();
     }
 }
