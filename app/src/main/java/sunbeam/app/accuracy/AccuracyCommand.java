@@ -70,9 +70,10 @@ public final class AccuracyCommand implements Callable<Integer> {
     @Option(
             names = "--cases",
             paramLabel = "FOLDER",
-            description = "A folder of cases with exact values: index.csv names case, patch and options, CASE/in.csv has"
-                    + " directions and exact_power, exact_power_ensemble or exact_X,exact_Y,exact_Z"
-                    + " (docs/accuracy). Nothing is written.")
+            description =
+                    "A folder of cases with exact values: index.csv names case, patch and options, CASE/in.csv has"
+                            + " directions and exact_power, exact_power_ensemble or exact_X,exact_Y,exact_Z"
+                            + " (docs/accuracy). Nothing is written.")
     private Path cases;
 
     @Option(
@@ -85,8 +86,9 @@ public final class AccuracyCommand implements Callable<Integer> {
     @Option(
             names = "--random",
             paramLabel = "N",
-            description = "Draw N surfaces with window, average, tolerance and directions, and compare with the reference"
-                    + " instead: prints those that miss, and the distribution by kind.")
+            description =
+                    "Draw N surfaces with window, average, tolerance and directions, and compare with the reference"
+                            + " instead: prints those that miss, and the distribution by kind.")
     private Integer random;
 
     @Option(

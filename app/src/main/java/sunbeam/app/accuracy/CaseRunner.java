@@ -41,7 +41,8 @@ final class CaseRunner {
      * @param errors of the rows whose exact value, or computed one, is above 1e-9
      * @param plan the plan in a line, or why there is none
      */
-    record Outcome(String name, String quantity, double tolerance, ErrorStatistics errors, Verdict verdict, String plan) {
+    record Outcome(
+            String name, String quantity, double tolerance, ErrorStatistics errors, Verdict verdict, String plan) {
 
         /** One line. */
         String line() {

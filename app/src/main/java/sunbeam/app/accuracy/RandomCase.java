@@ -125,8 +125,8 @@ record RandomCase(
         FourierTable table = new TableBuilder(surface.identity(), surface.levels(), done -> {})
                 .build(plan.expansion(), plan.bandX(), plan.bandY());
         MethodUse use = colors ? MethodUse.COLOUR : MethodUse.SPECTRAL;
-        try (UploadedTables method = UploadedTables.upload(
-                        context, plan.sampling().tables(plan, table, use, surface.cie()));
+        try (UploadedTables method =
+                        UploadedTables.upload(context, plan.sampling().tables(plan, table, use, surface.cie()));
                 DirectionsRenderer renderer = new DirectionsRenderer(context, method, !colors)) {
             return renderer.evaluate(queries, done -> {});
         }
@@ -134,8 +134,8 @@ record RandomCase(
 
     private double[][] exact(Surface surface) {
         ReferenceEvaluator evaluator = new ReferenceEvaluator(map, area.window(), area.origin());
-        ReferenceColor color = new ReferenceColor(
-                evaluator, area.window(), surface.cie(), ReferenceColor.Quadrature.INTEGRATED);
+        ReferenceColor color =
+                new ReferenceColor(evaluator, area.window(), surface.cie(), ReferenceColor.Quadrature.INTEGRATED);
         boolean ensemble = area.average() == Average.ENSEMBLE;
         return queries.parallelStream()
                 .map(query -> {

@@ -36,9 +36,7 @@ final class RandomCases {
                 continue;
             }
             bright++;
-            double ratio = Math.max(
-                            outcome.errors().median(), outcome.errors().percentile95() / 3)
-                    / drawn.tolerance();
+            double ratio = Math.max(outcome.errors().median(), outcome.errors().percentile95() / 3) / drawn.tolerance();
             for (String key : new String[] {
                 "surface " + drawn.kind(), "aim " + drawn.aim(), drawn.colors() ? "XYZ" : "power", "all"
             }) {

@@ -92,8 +92,7 @@ enum RandomSurface {
                 int row = i / columns;
                 double sum = 0;
                 for (int d = 0; d < 9; d++) {
-                    sum += result.at(
-                            Math.floorMod(column + d % 3 - 1, columns), Math.floorMod(row + d / 3 - 1, rows));
+                    sum += result.at(Math.floorMod(column + d % 3 - 1, columns), Math.floorMod(row + d / 3 - 1, rows));
                 }
                 heights[i] = sum / 9;
             }

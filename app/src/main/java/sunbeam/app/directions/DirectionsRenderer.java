@@ -53,8 +53,8 @@ public final class DirectionsRenderer implements AutoCloseable {
      */
     public List<float[]> evaluate(List<Query> queries, LongConsumer progress) {
         List<float[]> results = new ArrayList<>(queries.size());
-        try (FloatTexture texture =
-                        context.createFloatTexture("directions", FloatTextureSpec.flat(BATCH, ROWS, FloatFormat.RGBA32F));
+        try (FloatTexture texture = context.createFloatTexture(
+                        "directions", FloatTextureSpec.flat(BATCH, ROWS, FloatFormat.RGBA32F));
                 FloatTarget target = context.createFloatTarget("directions", FloatTargetSpec.color(BATCH, 1))) {
             List<Binding> bindings = new ArrayList<>(method.bindings());
             bindings.add(new Binding("directions", texture));

@@ -41,8 +41,8 @@ public final class TextTable {
         }
     }
 
-    private static List<Map<String, String>> rows(
-            Path file, CsvLines lines, List<String> header, List<String> required) throws IOException {
+    private static List<Map<String, String>> rows(Path file, CsvLines lines, List<String> header, List<String> required)
+            throws IOException {
         List<Map<String, String>> rows = new ArrayList<>();
         while (lines.next()) {
             List<String> fields = lines.fields();
@@ -53,7 +53,8 @@ public final class TextTable {
                                 : fields.size() + " fields, but the header has " + header.size()));
             }
             Map<String, String> row = new LinkedHashMap<>();
-            required.forEach(name -> row.put(name, fields.get(header.indexOf(name)).strip()));
+            required.forEach(
+                    name -> row.put(name, fields.get(header.indexOf(name)).strip()));
             rows.add(row);
         }
         if (rows.isEmpty()) {

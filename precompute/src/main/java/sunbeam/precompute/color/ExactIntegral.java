@@ -26,7 +26,8 @@ public final class ExactIntegral {
     public static double[] xyz(CieTable cie, DoubleUnaryOperator power, double firstStep) {
         double[] coarse = IntegratedNodes.of(cie, firstStep).sum(power);
         for (int halving = 1; halving <= MOST_HALVINGS; halving++) {
-            double[] fine = IntegratedNodes.of(cie, Math.scalb(firstStep, -halving)).sum(power);
+            double[] fine =
+                    IntegratedNodes.of(cie, Math.scalb(firstStep, -halving)).sum(power);
             double change = 0;
             double largest = 0;
             for (int c = 0; c < 3; c++) {

@@ -13,7 +13,8 @@ import java.util.stream.IntStream;
  */
 public record CoefficientTable(double minimumPhase, double maximumPhase, float[][] values) {
 
-    // Linear interpolation between samples a step apart errs by step^2 / 8 of the coefficient: 2e-8 at this step, less than
+    // Linear interpolation between samples a step apart errs by step^2 / 8 of the coefficient: 2e-8 at this step, less
+    // than
     // float32 rounds. Weak orders are small differences of large terms, and see the error of these.
     private static final double STEP = 4e-4;
     private static final double COARSE_STEP = 2.8e-3;

@@ -10,7 +10,8 @@ import sunbeam.precompute.patch.HeightLevels;
  * right singular vectors of its matrix, discretised at Gauss-Legendre nodes.
  */
 final class PhaseBasis {
-    // Each bin of the histogram stands for the lowest, the mean and the highest of its heights, as they are: levels that
+    // Each bin of the histogram stands for the lowest, the mean and the highest of its heights, as they are: levels
+    // that
     // lie apart are met exactly, and of a cluster narrower than a bin value, slope and bend are.
     private static final int HISTOGRAM_BINS = 512;
 

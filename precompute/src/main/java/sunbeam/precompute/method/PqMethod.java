@@ -242,7 +242,8 @@ public record PqMethod(TableChoices table, PeriodInterpolation interpolation, Re
             CoherenceWindow equalArea = replicas.equalAreaWindow(map.width(), map.height());
             return tables.define("TAPS", interpolation.taps())
                     .define("PERIOD_LAYERS", terms.layers())
-                    .array(SpectrumArrays.kernel(interpolation.taps(), interpolation::kernel, SpectrumArrays.FEW_KERNEL_SAMPLES))
+                    .array(SpectrumArrays.kernel(
+                            interpolation.taps(), interpolation::kernel, SpectrumArrays.FEW_KERNEL_SAMPLES))
                     .array(SpectrumArrays.coefficients(COEFFICIENTS, coefficients, 4))
                     .array(ColorArrays.wavelengths(wavelengths))
                     .array(TableArray.computed(terms, layer -> layer(spectrum, layer)))

@@ -23,7 +23,8 @@ public record ErrorBudget(double tolerance, Roughness roughness) {
 
     // On a rough patch: neighbouring orders are alike to a factor, so that none is seen on another's skirt.
     private static final double ROUGH_SKIRT = 1;
-    // A colour sums dozens of wavelengths, whose errors of interpolation are independent there: a fifth is left, measured
+    // A colour sums dozens of wavelengths, whose errors of interpolation are independent there: a fifth is left,
+    // measured
     // on both scans, and so of the trapezoid rule's over dozens of orders.
     private static final double ROUGH_AVERAGING = 8;
 

@@ -140,7 +140,9 @@ public final class Planner {
     private ErrorBudget budget(
             TableChoices table, Optional<Neighbourhood> neighbourhood, GaussianArea area, VisibleRange range) {
         ErrorBudget budget = budget(table);
-        boolean free = !table.accuracy().isThesis() && neighbourhood.isEmpty() && table.wavelengthStep().isEmpty();
+        boolean free = !table.accuracy().isThesis()
+                && neighbourhood.isEmpty()
+                && table.wavelengthStep().isEmpty();
         return free && SamplingPlanner.interpolates(map, area.window())
                 ? new ErrorBudget(budget.tolerance(), Roughness.measure(map, area.window(), area.origin(), range))
                 : budget;

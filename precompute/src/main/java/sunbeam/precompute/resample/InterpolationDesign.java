@@ -60,8 +60,7 @@ public record InterpolationDesign(double deviation, int taps, double beta, doubl
         throw new IllegalArgumentException("no interpolation keeps " + tolerance);
     }
 
-    private static InterpolationDesign coarsest(
-            int taps, double tolerance, double skirt, InterpolationDesign finest) {
+    private static InterpolationDesign coarsest(int taps, double tolerance, double skirt, InterpolationDesign finest) {
         for (int i = 0; i < DEVIATIONS.length - 1; i++) {
             InterpolationDesign design = best(DEVIATIONS[i], taps, skirt);
             if (design.error <= tolerance) {
