@@ -78,7 +78,7 @@ class PlannerTest {
         assertThatThrownBy(() -> planner(64, 400e-9).plan(request, MAP))
                 .isInstanceOf(PlanException.class)
                 .hasMessageContaining("anchor floor")
-                .hasMessageContaining("--radius 4");
+                .hasMessageContaining("--radius 3");
     }
 
     @Test
@@ -182,6 +182,16 @@ class PlannerTest {
                 .asString()
                 .contains("tolerance 1e-5 in the median", "4.2e-5 at the 95th percentile", "--method reference");
         assertThat(warnings(withTolerance(ordinary, 2e-5))).isEmpty();
+    }
+
+    @Test
+    void coloursOfWindowsThatFloat32CannotFollowAreToldOf() {
+        PlanRequest wide = request(Optional.empty(), 0, OptionalInt.empty(), 1e-3, 0);
+        assertThat(warnings(withTolerance(wide, 1e-4)))
+                .singleElement()
+                .asString()
+                .contains("colours far from", "1 mm");
+        assertThat(warnings(withTolerance(wide, 1e-3))).isEmpty();
     }
 
     private static PlanRequest withTolerance(PlanRequest request, double tolerance) {
