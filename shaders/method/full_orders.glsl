@@ -60,7 +60,9 @@ vec3 oneOrder(vec3 uvw, vec2 bin) {
     bool cutHigh = high < middle + halfWidth;
     // Where the band cuts an order, the trapezoid rule loses the accuracy that it owes to vanishing ends.
     float inDeviations = cutLow || cutHigh ? orderCutSpacing : orderNodeSpacing;
-    float spacing = min(inDeviations * deviation, orderLargestStep * middle * middle);
+    // A flank falls off the faster the farther out it is met.
+    float flank = max(0.0, max(low - middle, middle - high)) / deviation;
+    float spacing = min(inDeviations * deviation / (1.0 + flank), orderLargestStep * middle * middle);
     int intervals = max(int(ceil((high - low) / spacing)), FEWEST_CUT_INTERVALS);
     Steps steps = Steps(low, (high - low) / float(intervals), 0, intervals, cutLow, cutHigh);
     return partXyz(Ray(uvw, false, ivec2(bin), middle, distance), steps);

@@ -19,6 +19,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import sunbeam.app.gpu.NeedsDisplay;
 import sunbeam.app.terminal.Environment;
 
 /** What is kept of a picture's geometry is never out of date. */

@@ -13,6 +13,7 @@ import org.joml.Vector3f;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import sunbeam.app.gpu.NeedsDisplay;
 
 /** Meshes and distances far from the snake's. */
 @NeedsDisplay

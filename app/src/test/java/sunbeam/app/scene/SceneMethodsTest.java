@@ -17,6 +17,7 @@ import jrtr.RenderContext;
 import jrtr.gl.RenderContexts;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import sunbeam.app.gpu.NeedsDisplay;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.method.GemMethod;

@@ -10,6 +10,7 @@ import jrtr.Tile;
 import jrtr.gl.RenderContexts;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import sunbeam.app.gpu.NeedsDisplay;
 
 @NeedsDisplay
 class ScenePreviewTest {

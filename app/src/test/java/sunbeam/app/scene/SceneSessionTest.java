@@ -22,6 +22,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import sunbeam.app.gpu.NeedsDisplay;
 import sunbeam.app.terminal.Environment;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.optics.DirectionPair;

@@ -18,7 +18,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
-import sunbeam.app.scene.NeedsDisplay;
+import sunbeam.app.gpu.NeedsDisplay;
 import sunbeam.app.scene.SceneLoader;
 import sunbeam.app.scene.ScenePreview;
 import sunbeam.app.terminal.Environment;

@@ -3,6 +3,7 @@ package sunbeam.precompute.plan;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.resample.AmplitudeFields;
@@ -26,10 +27,16 @@ import sunbeam.precompute.table.FourierTable;
  * @param largestStride a ray that crosses many columns stops at every second one, or third, up to this
  * @param fewestNodes directions whose ray crosses fewer columns than this within the visible band, those near the specular
  *     one, take this many equal steps of 1 / lambda and interpolate both axes
+ * @param singles bins that are summed at single wavelengths, where they are not too many
  * @param budget what each source may err
  */
 public record GridSampling(
-        InterpolationDesign interpolation, double nodeStep, int largestStride, int fewestNodes, ErrorBudget budget)
+        InterpolationDesign interpolation,
+        double nodeStep,
+        int largestStride,
+        int fewestNodes,
+        Optional<Neighbourhood> singles,
+        ErrorBudget budget)
         implements Sampling {
 
     /** Largest of |u|, |v| up to which both axes are interpolated. */
@@ -95,21 +102,23 @@ public record GridSampling(
      * What serves single wavelengths: all bins that count, exactly, where they are not too many, as time is no matter
      * there; else a grid that is fine enough for both averages.
      */
-    private Sampling single(Plan plan, double width, double height) {
-        int radius = budget.neighbourhoodRadius(plan.window().sigmaFrequency() * Math.max(width, height));
-        return radius > Neighbourhood.LARGEST_SUM
-                ? new GridSampling(
+    private Sampling single() {
+        return singles.<Sampling>map(bins -> new RaySampling(bins, nodeStep, fewestNodes))
+                .orElseGet(() -> new GridSampling(
                         new ErrorBudget(budget.tolerance()).interpolation(Average.ENSEMBLE),
                         nodeStep,
                         largestStride,
                         fewestNodes,
-                        budget)
-                : new RaySampling(
-                        new Neighbourhood(Math.max(1, radius), Neighbourhood.Anchor.NEAREST), nodeStep, fewestNodes);
+                        singles,
+                        budget));
     }
 
     @Override
     public List<ArrayLayout> layouts(Plan plan, MethodUse use) {
+        Sampling single = single();
+        if (use == MethodUse.SPECTRAL && !equals(single)) {
+            return single.layouts(plan, use);
+        }
         List<ArrayLayout> layouts = new ArrayList<>();
         for (Average average : averages(plan, use)) {
             layouts.addAll(new GridArrays(this, plan, average).layouts(use));
@@ -135,7 +144,7 @@ public record GridSampling(
 
     @Override
     public ShaderTables tables(Plan plan, FourierTable table, MethodUse use, CieTable cie) {
-        Sampling single = single(plan, table.patch().width(), table.patch().height());
+        Sampling single = single();
         if (use == MethodUse.SPECTRAL && !equals(single)) {
             return single.tables(plan, table, use, cie);
         }

@@ -15,15 +15,16 @@ import sunbeam.precompute.units.Lengths;
 
 /** Refuses what cannot be right, with the numbers that say why. */
 final class PlanChecks {
-    // A Gaussian of deviation s sampled at a pitch p has replicas of its spectrum of exp(-2 pi^2 s^2 / p^2) times its
-    // height half way between: 1e-4 at s = 0.7 p, which is a coherence length of 2.8 p.
+    // A Gaussian of deviation s sampled at a pitch p has replicas of its spectrum one period 1 / p away. The first adds
+    // exp(-2 pi^2 s^2 / p^2), 6e-5 at s = 0.7 p or a coherence length of 2.8 p, where the spectrum itself is 1; half a
+    // period away both are exp(-pi^2 s^2 / (2 p^2)), 9 %, and their sum is twice that. See PlanWarnings.
     private static final double FEWEST_SAMPLES = 2.8;
 
     private PlanChecks() {}
 
     /** A window that the patch has too few samples for. */
     static void check(CoherenceWindow window, HeightMap map) {
-        double pitch = Math.max(map.columns() > 1 ? map.pitchX() : 0, map.rows() > 1 ? map.pitchY() : 0);
+        double pitch = coarsestPitch(map);
         double coherenceLength = window.coherenceLength();
         if (coherenceLength < FEWEST_SAMPLES * pitch) {
             throw SettingException.of(
@@ -32,6 +33,11 @@ final class PlanChecks {
                     "is less than %.1f samples of the patch, which are %s apart; give %s or more"
                             .formatted(FEWEST_SAMPLES, Lengths.format(pitch), Lengths.format(FEWEST_SAMPLES * pitch)));
         }
+    }
+
+    /** The larger distance of samples, of axes that have more than one; metres. */
+    static double coarsestPitch(HeightMap map) {
+        return Math.max(map.columns() > 1 ? map.pitchX() : 0, map.rows() > 1 ? map.pitchY() : 0);
     }
 
     /** A radius that was planned must not be cut short; one that was given is small enough already. */

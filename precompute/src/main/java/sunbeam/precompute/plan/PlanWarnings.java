@@ -5,13 +5,22 @@ import static sunbeam.precompute.plan.MethodSettings.TERMS;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.expansion.Expansion;
 import sunbeam.precompute.expansion.LowRankExpansion;
 import sunbeam.precompute.patch.HeightMap;
 import sunbeam.precompute.setting.Sentence;
+import sunbeam.precompute.units.Lengths;
 
 /** What breaks the tolerance that is promised: parts that a user fixed, or a tolerance at the edge of float32. */
 final class PlanWarnings {
+    // With five, the window's spectrum has fallen to exp(-(5 pi / 4)^2 / 2) = 4e-4 of an amplitude where its replica
+    // begins.
+    private static final double FEWEST_SAMPLES = 5;
+
+    // Units in the last place: a fifth of the bound, as measured for colours of orders at 65 um (docs/accuracy).
+    private static final double TYPICAL_ROUNDING = 0.1;
+
     private final Plan plan;
     private final HeightMap map;
 
@@ -26,6 +35,8 @@ final class PlanWarnings {
         plan.accuracy().tolerance().ifPresent(tolerance -> {
             checkFloat32(tolerance, lines);
             checkTerms(tolerance, lines);
+            checkFrequencies(tolerance, lines);
+            checkSamples(lines);
             lines.addAll(plan.sampling().warnings(plan, tolerance, map));
         });
         return lines;
@@ -52,6 +63,37 @@ final class PlanWarnings {
                             expansion.terms(), expansion.kind().label(), error, tolerance),
                     TERMS,
                     ", or leave it out"));
+        }
+    }
+
+    /** Orders of a wide window are narrow; where one is, float32 tells to half a unit in the last place of its frequency. */
+    private void checkFrequencies(double tolerance, List<Sentence> lines) {
+        double farthest = plan.range().longestUv() / CieTable.MINIMUM_WAVELENGTH;
+        double sigma = plan.window().sigmaFrequency();
+        // One deviation from an order's middle its power changes by twice the relative shift; roundings are rarely that
+        // large.
+        double reachable = 2 * TYPICAL_ROUNDING * Math.ulp(1f) * farthest / sigma;
+        if (reachable > tolerance) {
+            lines.add(Sentence.of(format(
+                    "colours far from the specular direction reach only %.0e, not the tolerance %s: the spectrum of a coherence"
+                            + " length of %s is narrower than float32 tells frequencies apart; give a shorter one, or"
+                            + " a wavelength each ('reflectance'), whose frequencies are found in double precision",
+                    reachable, shown(tolerance), Lengths.format(plan.window().coherenceLength()))));
+        }
+    }
+
+    /** Half a period of the sampling away, a sampled Gaussian's sum is no longer what its integral is. */
+    private void checkSamples(List<Sentence> lines) {
+        double pitch = PlanChecks.coarsestPitch(map);
+        if (plan.average() == Average.ENSEMBLE && plan.window().coherenceLength() < FEWEST_SAMPLES * pitch) {
+            lines.add(Sentence.of(format(
+                    "a coherence length of %s is less than %.0f samples of the patch, which are %s apart: the ensemble's power"
+                            + " is not the mean over all positions of so coarse a window, by several per cent;"
+                            + " give %s or more, or a finer scan",
+                    Lengths.format(plan.window().coherenceLength()),
+                    FEWEST_SAMPLES,
+                    Lengths.format(pitch),
+                    Lengths.format(FEWEST_SAMPLES * pitch))));
         }
     }
 

@@ -2,6 +2,7 @@ package sunbeam.precompute.plan;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.patch.HeightLevels;
@@ -95,9 +96,18 @@ final class SamplingPlanner {
         // of deviation sigma / sqrt(2), for which the trapezoid rule errs by 2 exp(-2 (pi deviation / step)^2).
         double perStep = Math.sqrt(2 / (Math.PI * Math.PI) * Math.log(2 / budget.wavelengths()));
         double step = window.sigmaFrequency() / perStep;
-        double centre = new GridSampling(design, step, 1, fewestNodes(), budget).centreReach();
+        double centre = new GridSampling(design, step, 1, fewestNodes(), singles(), budget).centreReach();
         int stride = (int) Math.ceil(centre / LARGEST_CENTRE);
-        return new GridSampling(design, step / stride, stride, fewestNodes(), budget);
+        return new GridSampling(design, step / stride, stride, fewestNodes(), singles(), budget);
+    }
+
+    /** Bins that single wavelengths are summed from, where they are not too many. */
+    private Optional<Neighbourhood> singles() {
+        double period = Math.max(map.width(), map.height());
+        int radius = Math.max(1, budget.neighbourhoodRadius(window.sigmaFrequency() * period));
+        return radius > Neighbourhood.LARGEST_SUM
+                ? Optional.empty()
+                : Optional.of(new Neighbourhood(radius, Neighbourhood.Anchor.NEAREST));
     }
 
     /** How much finer than at the standard tolerance wavelengths are resolved. */

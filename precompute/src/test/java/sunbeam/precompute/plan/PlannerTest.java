@@ -129,7 +129,7 @@ class PlannerTest {
                     .as("coherence length %s", coherenceLength)
                     .isEmpty();
         }
-        assertThat(warnings(request(Optional.of(ExpansionKind.CHEBYSHEV), 0, OptionalInt.of(3), 3.2e-6, 0)))
+        assertThat(warnings(request(Optional.of(ExpansionKind.CHEBYSHEV), 0, OptionalInt.of(4), 3.2e-6, 0)))
                 .isEmpty();
         assertThat(warnings(THESIS)).isEmpty();
     }
@@ -140,11 +140,12 @@ class PlannerTest {
                 .singleElement()
                 .asString()
                 .contains("2 lowrank terms leave an error of", "more than the tolerance 0.001");
-        // 0.64 bins: exp(-x^2 / (2 0.64^2)) = 1e-4 at x = 2.7 bins, less half a bin, rounded up.
+        // 0.64 bins: exp(-x^2 / (2 0.64^2)) = 0.15 tolerance sqrt(1e-9) = 5e-9 at x = 3.9 bins, less half a bin,
+        // rounded up.
         assertThat(warnings(request(Optional.empty(), 0, OptionalInt.of(0), 3.2e-6, 0)))
                 .singleElement()
                 .asString()
-                .contains("radius 0 cuts", "0.64 DFT bins wide", "radius 3");
+                .contains("radius 0 cuts", "0.64 DFT bins wide", "radius 4");
         assertThat(warnings(request(Optional.empty(), 0, OptionalInt.empty(), 65e-6, 5e-9)))
                 .singleElement()
                 .asString()
@@ -160,6 +161,16 @@ class PlannerTest {
                 .asString()
                 .contains("tolerance 1e-5 in the median", "4.2e-5 at the 95th percentile", "method reference");
         assertThat(warnings(withTolerance(ordinary, 2e-5))).isEmpty();
+    }
+
+    @Test
+    void coloursOfWindowsThatFloat32CannotFollowAreToldOf() {
+        Request wide = request(Optional.empty(), 0, OptionalInt.empty(), 1e-3, 0);
+        assertThat(warnings(withTolerance(wide, 1e-4)))
+                .singleElement()
+                .asString()
+                .contains("colours far from", "1 mm");
+        assertThat(warnings(withTolerance(wide, 1e-3))).isEmpty();
     }
 
     private static Request withTolerance(Request request, double tolerance) {
