@@ -68,8 +68,8 @@ record RandomCase(
     /** Draws a case. */
     static RandomCase of(long seed) {
         SplittableRandom random = new SplittableRandom(seed);
-        RandomSurface kind = RandomSurface.values()[random.nextInt(RandomSurface.values().length)];
-        RandomAim aim = RandomAim.values()[random.nextInt(RandomAim.values().length)];
+        RandomSurface kind = one(random, RandomSurface.values());
+        RandomAim aim = one(random, RandomAim.values());
         boolean colors = random.nextInt(3) == 0;
         double pitch = FINEST_PITCH * Math.pow(COARSEST_PITCH / FINEST_PITCH, random.nextDouble());
         HeightMap map = kind.draw(random, colors ? MOST_SAMPLES_OF_COLORS : MOST_SAMPLES, pitch);
@@ -77,8 +77,8 @@ record RandomCase(
         double coherenceLength = shortest * Math.pow(LONGEST_WINDOW / shortest, random.nextDouble());
         GaussianArea area = new GaussianArea(
                 CoherenceWindow.ofCoherenceLength(coherenceLength),
-                WindowOrigin.values()[random.nextInt(2)],
-                Average.values()[random.nextInt(2)]);
+                one(random, WindowOrigin.values()),
+                one(random, Average.values()));
         double tolerance = TOLERANCES[random.nextInt(TOLERANCES.length)];
         List<Query> queries = new ArrayList<>();
         for (int i = 0; i < (colors ? COLORS : POWERS); i++) {
@@ -87,6 +87,10 @@ record RandomCase(
             queries.add(new Query(geometry, wavelength));
         }
         return new RandomCase(seed, kind, map, area, tolerance, aim, colors, queries);
+    }
+
+    private static <T> T one(SplittableRandom random, T[] choices) {
+        return choices[random.nextInt(choices.length)];
     }
 
     /** What was measured. */
