@@ -63,7 +63,9 @@ enum RandomSurface {
     private static HeightMap of(int columns, int rows, double pitch, DoubleBinaryOperator height) {
         double[] heights = new double[columns * rows];
         for (int i = 0; i < heights.length; i++) {
-            heights[i] = height.applyAsDouble((double) (i % columns) / columns, (double) (i / columns) / rows);
+            int column = i % columns;
+            int row = i / columns;
+            heights[i] = height.applyAsDouble((double) column / columns, (double) row / rows);
         }
         return new HeightMap(columns, rows, pitch, pitch, heights);
     }
