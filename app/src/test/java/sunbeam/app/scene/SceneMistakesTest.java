@@ -59,7 +59,7 @@ class SceneMistakesTest {
                     {"file": "scan.png", "width": "50 nm", "maxHeight": "1 nm"} | "full" | line 3 | patch.width | 100 nm
                     {"file": "blaze", "width": "65 um"}      | "full" | line 3 | patch.width | leave it out
                     {"file": "blaze", "channel": "red"}      | "full" | line 3 | patch.channel | no image
-                    "elaphe-like"                            | "gem"  | line 7 | plan.spacing | is missing
+                    "elaphe-like"                            | "gem"  | line 7 | plan.spacing | is needed
                     "blaze"                                  | "full", "anchor": "floor" | line 8 | plan.anchor | radius
                     """)
     void mistakesNameFileLineAndKeyAndNoOption(String patch, String method, String line, String key, String words) {
