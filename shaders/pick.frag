@@ -7,10 +7,10 @@ layout(location = 0) out vec4 position;
 layout(location = 1) out vec4 tangent;
 layout(location = 2) out vec4 bitangent;
 layout(location = 3) out vec4 normal;
-// Towards the first light, tangent frame; w is texture coordinate u.
-layout(location = 4) out vec4 lightAndU;
-// Towards the viewer, tangent frame; w is texture coordinate v.
-layout(location = 5) out vec4 viewAndV;
+// Towards the first light, tangent frame.
+layout(location = 4) out vec4 light;
+// Towards the viewer, tangent frame.
+layout(location = 5) out vec4 view;
 
 void main() {
     mat3 frame = tangentFrame();
@@ -18,6 +18,6 @@ void main() {
     tangent = vec4(frame[0], 1.0);
     bitangent = vec4(frame[1], 1.0);
     normal = vec4(frame[2], 1.0);
-    lightAndU = vec4(lightDirection(frame, 0), surfaceCoordinate.x);
-    viewAndV = vec4(viewDirection(frame), surfaceCoordinate.y);
+    light = vec4(lightDirection(frame, 0), 1.0);
+    view = vec4(viewDirection(frame), 1.0);
 }

@@ -6,9 +6,6 @@ package jrtr;
  */
 public interface ImageTexture extends Texture, Resource {
 
-    /** The shape asked for. */
-    ImageTextureSpec spec();
-
     /**
      * Uploads the picture and makes its mipmaps.
      *

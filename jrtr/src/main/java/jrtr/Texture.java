@@ -6,15 +6,6 @@ public interface Texture {
     /** The name given at creation, for messages. */
     String label();
 
-    /** Texels per row. */
-    int width();
-
-    /** Rows. */
-    int height();
-
-    /** Layers; 1 unless this is an array. */
-    int layers();
-
     /** Whether the shader's sampler is a {@code sampler2DArray} (also with one layer) rather than a {@code sampler2D}. */
     boolean isArray();
 }

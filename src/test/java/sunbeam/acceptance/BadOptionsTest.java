@@ -19,7 +19,7 @@ class BadOptionsTest {
             value = {
                 "brdf-map --size 0|--size 0 is out of range; give 1 to",
                 "brdf-map --size 100000|--size 100000 is out of range; give 1 to",
-                "brdf-map --theta-i 90|--theta-i 90.0 is out of range; give 0 to 89.9",
+                "brdf-map --theta-i 90|--theta-i 90 deg is out of range; give 0 deg to 89.9 deg",
                 "brdf-map --exposure -2|--exposure '-2' is neither auto nor a positive number",
                 "brdf-map --terms 0|--terms 0 is out of range; give 1 to",
                 "brdf-map --radius 99|--radius 99 is out of range; give 0 to",

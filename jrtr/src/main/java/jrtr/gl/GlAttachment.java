@@ -21,21 +21,6 @@ record GlAttachment(GlFloatTarget owner, int index, int glName) implements GlTex
     }
 
     @Override
-    public int width() {
-        return owner.spec().width();
-    }
-
-    @Override
-    public int height() {
-        return owner.spec().height();
-    }
-
-    @Override
-    public int layers() {
-        return 1;
-    }
-
-    @Override
     public boolean isArray() {
         return false;
     }

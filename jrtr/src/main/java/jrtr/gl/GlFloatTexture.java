@@ -118,21 +118,6 @@ final class GlFloatTexture extends GlResource implements FloatTexture, GlTexture
     }
 
     @Override
-    public int width() {
-        return spec.width();
-    }
-
-    @Override
-    public int height() {
-        return spec.height();
-    }
-
-    @Override
-    public int layers() {
-        return spec.layers();
-    }
-
-    @Override
     public boolean isArray() {
         return spec.array();
     }

@@ -85,26 +85,6 @@ final class GlImageTexture extends GlResource implements ImageTexture, GlTexture
     }
 
     @Override
-    public ImageTextureSpec spec() {
-        return spec;
-    }
-
-    @Override
-    public int width() {
-        return spec.width();
-    }
-
-    @Override
-    public int height() {
-        return spec.height();
-    }
-
-    @Override
-    public int layers() {
-        return 1;
-    }
-
-    @Override
     public boolean isArray() {
         return false;
     }

@@ -14,18 +14,9 @@ import sunbeam.precompute.optics.Direction;
  * @param normal unit vector, world space
  * @param wi towards the light, tangent frame; z is negative where the light is behind the skin
  * @param wr towards the viewer, tangent frame; z may be negative where the relief of the normals turns away
- * @param textureU texture coordinate
- * @param textureV texture coordinate
  */
 public record Pick(
-        Vector3fc position,
-        Vector3fc tangent,
-        Vector3fc bitangent,
-        Vector3fc normal,
-        Direction wi,
-        Direction wr,
-        double textureU,
-        double textureV) {
+        Vector3fc position, Vector3fc tangent, Vector3fc bitangent, Vector3fc normal, Direction wi, Direction wr) {
 
     /** Copies the vectors. */
     public Pick {

@@ -45,9 +45,7 @@ final class Picking implements AutoCloseable {
                 vector(values[2]),
                 vector(values[3]),
                 direction(values[4]),
-                direction(values[5]),
-                values[4][3],
-                values[5][3]));
+                direction(values[5])));
     }
 
     private static Vector3f vector(float[] rgba) {

@@ -6,8 +6,13 @@ import static sunbeam.precompute.plan.MethodSettings.PRESET;
 import static sunbeam.precompute.plan.MethodSettings.WINDOW_ORIGIN;
 
 import java.util.List;
+import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.WindowOrigin;
+import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.reference.ExactLight;
+import sunbeam.precompute.reference.ReferenceEvaluator;
+import sunbeam.precompute.reference.WindowLight;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
 
@@ -44,6 +49,11 @@ public record GaussianArea(CoherenceWindow window, WindowOrigin origin, Average 
     /** The window of the coherence length that was chosen. */
     public static CoherenceWindow windowOf(Choices choices) {
         return CoherenceWindow.ofCoherenceLength(choices.get(COHERENCE_LENGTH));
+    }
+
+    @Override
+    public ExactLight over(HeightMap map, CieTable cie) {
+        return new WindowLight(new ReferenceEvaluator(map, window, origin), window, cie, average == Average.ENSEMBLE);
     }
 
     /** The same with another window. */

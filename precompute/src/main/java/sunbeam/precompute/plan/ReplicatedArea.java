@@ -1,6 +1,11 @@
 package sunbeam.precompute.plan;
 
+import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.optics.Replicas;
+import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.reference.ExactLight;
+import sunbeam.precompute.reference.ReplicaEvaluator;
+import sunbeam.precompute.reference.ReplicaLight;
 
 /**
  * A coherence area with sharp edges: a patch, side by side so many times, evenly lit.
@@ -8,9 +13,9 @@ import sunbeam.precompute.optics.Replicas;
  * @param replicas along both axes
  */
 public record ReplicatedArea(Replicas replicas) implements CoherenceArea {
-    /** The replicas lie at one place. */
     @Override
-    public Average average() {
-        return Average.COHERENT;
+    public ExactLight over(HeightMap map, CieTable cie) {
+        return new ReplicaLight(
+                new ReplicaEvaluator(map, replicas), replicas.equalAreaWindow(map.width(), map.height()), cie);
     }
 }

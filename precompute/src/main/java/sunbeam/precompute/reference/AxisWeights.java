@@ -19,14 +19,7 @@ record AxisWeights(double[] real, double[] imaginary) {
     /**
      * g(x) exp(+2 pi i f x) / sum g, summed over all replicas of the patch that lie under the window. The phase is that
      * of the sample times that of the replica, so that sines are taken of the samples and replicas, not of the pairs.
-     *
-     * @param reach how many standard deviations the window extends
      */
-    static AxisWeights ofWindow(double frequency, Axis axis, double sigma, double reach) {
-        return ofWindow(frequency, axis, WindowSamples.of(axis, sigma, reach));
-    }
-
-    /** As {@link #ofWindow(double, Axis, double, double)}, with the window sampled beforehand. */
     static AxisWeights ofWindow(double frequency, Axis axis, WindowSamples window) {
         AxisWeights weights = new AxisWeights(new double[axis.count()], new double[axis.count()]);
         long extent = window.extent();

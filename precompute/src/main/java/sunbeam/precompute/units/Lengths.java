@@ -31,23 +31,23 @@ public final class Lengths {
      * The length in metres, correctly rounded: {@code parse("65um") == 65e-6}. The sign is kept; whether a negative
      * length makes sense is the caller's question.
      *
-     * @throws LengthFormatException when the text has no number, no unit or an unknown unit
+     * @throws IllegalArgumentException when the text has no number, no unit or an unknown unit
      */
     public static double parse(String text) {
         String trimmed = text.strip();
         Matcher matcher = LENGTH.matcher(trimmed);
         if (trimmed.length() > 100 || !matcher.matches()) {
-            throw new LengthFormatException(
+            throw new IllegalArgumentException(
                     Quoted.of(text) + " is no length; write a number with its unit, such as 65um or 375 nm");
         }
         String unit = matcher.group(2).replace('\u00b5', 'u').replace('\u03bc', 'u');
         if (unit.isEmpty()) {
-            throw new LengthFormatException(
+            throw new IllegalArgumentException(
                     Quoted.of(text) + " has no unit; write the length with pm, nm, um, mm, cm or m, such as 65um");
         }
         Integer power = POWER_OF_TEN.get(unit);
         if (power == null) {
-            throw new LengthFormatException(Quoted.of(text) + " has the unknown unit " + Quoted.of(matcher.group(2))
+            throw new IllegalArgumentException(Quoted.of(text) + " has the unknown unit " + Quoted.of(matcher.group(2))
                     + "; use pm, nm, um, mm, cm or m");
         }
         return new BigDecimal(matcher.group(1)).scaleByPowerOfTen(power).doubleValue();

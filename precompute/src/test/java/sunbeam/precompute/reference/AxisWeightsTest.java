@@ -21,7 +21,8 @@ class AxisWeightsTest {
     })
     void foldedReplicasAreTheSumOverEverySampleUnderTheWindow(
             int count, double step, int origin, double sigma, double frequency) {
-        AxisWeights folded = AxisWeights.ofWindow(frequency, new Axis(count, step, origin), sigma, REACH);
+        Axis axis = new Axis(count, step, origin);
+        AxisWeights folded = AxisWeights.ofWindow(frequency, axis, WindowSamples.of(axis, sigma, REACH));
 
         double[][] expected = sampleBySample(count, step, origin, sigma, frequency);
 

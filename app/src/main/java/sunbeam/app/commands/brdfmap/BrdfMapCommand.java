@@ -34,7 +34,6 @@ import sunbeam.app.gpu.picture.LinearPicture;
 import sunbeam.app.measure.errors.Certificate;
 import sunbeam.app.measure.errors.Certifier;
 import sunbeam.app.measure.errors.CertifyOption;
-import sunbeam.app.measure.errors.ExactColor;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.UsageException;
@@ -154,7 +153,7 @@ public final class BrdfMapCommand implements Callable<Integer> {
             double factor = fixedExposure > 0
                     ? fixedExposure
                     : AutoExposure.of(map, directions.specular(method.specularReach()));
-            certificate = certify.certificate(count -> new Certifier(ExactColor.of(setup, chosen), directions::at)
+            certificate = certify.certificate(count -> new Certifier(setup.exact(chosen), directions::at)
                     .certify(map, count, CertifyOption.SEED, factor, choices.get(TOLERANCE)));
             Map<String, String> text = describe(setup, choices, plan.summary(), factor, context);
             certificate.ifPresent(stated -> text.put("Certificate", stated.summary()));

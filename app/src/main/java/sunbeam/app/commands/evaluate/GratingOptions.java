@@ -1,36 +1,36 @@
 package sunbeam.app.commands.evaluate;
 
+import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import picocli.CommandLine.Option;
-import sunbeam.app.terminal.AngleConverter;
-import sunbeam.app.terminal.LengthConverter;
 import sunbeam.app.terminal.Range;
 import sunbeam.app.terminal.RangeConverter;
+import sunbeam.app.terminal.SettingOptions;
 import sunbeam.app.terminal.UsageException;
+import sunbeam.app.terminal.options.LightOptions;
+import sunbeam.precompute.plan.MethodSettings;
+import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.setting.Setting;
+import sunbeam.precompute.units.Angles;
 
 /** Light, plane and grid of an evaluation; to be used as a picocli mixin. */
-public final class GratingOptions {
+public final class GratingOptions extends SettingOptions {
     private static final String AUTO = "auto";
 
-    @Option(
-            names = "--theta-i",
-            paramLabel = "ANGLE",
-            defaultValue = "75",
-            converter = AngleConverter.class,
-            description = "Angle of the light to the normal in degrees, 0 to 89.9. Default: ${DEFAULT-VALUE}, the"
-                    + " thesis's.")
-    private double thetaRadians;
-
-    @Option(
-            names = "--phi-i",
-            paramLabel = "ANGLE",
-            defaultValue = "0",
-            converter = AngleConverter.class,
-            description = "Azimuth of the light against the grating's direction in degrees. Default:"
-                    + " ${DEFAULT-VALUE}, light in the plane; at other angles the orders lie on a cone, and theta_r"
-                    + " is the angle whose sine is the viewer's component along the grating.")
-    private double phiRadians;
+    private static final Setting<Double> THETA_I = LightOptions.THETA_I.withStandard(Math.toRadians(75));
+    private static final Setting<Double> PHI_I = new Setting<>(
+                    "phiI",
+                    LightOptions.PHI_I.kind(),
+                    "Azimuth of the light against the grating's direction in degrees; 0 is in the plane; at other angles"
+                            + " the orders lie on a cone, and theta_r is the angle whose sine is the viewer's component"
+                            + " along the grating.")
+            .withStandard(0.0);
+    private static final Setting<Double> PERIOD = new Setting<>(
+            "period",
+            MethodSettings.SPACING.kind(),
+            "Look for the first order of this period, a fifth more or less, instead of the one that the heights' power"
+                    + " spectrum shows.");
 
     @Option(
             names = "--azimuth",
@@ -56,13 +56,9 @@ public final class GratingOptions {
             description = "Wavelengths in nm, within 380..780. Default: ${DEFAULT-VALUE}.")
     private Range wavelengths;
 
-    @Option(
-            names = "--period",
-            paramLabel = "LENGTH",
-            converter = LengthConverter.class,
-            description = "Look for the first order of this period, a fifth more or less, instead of the one that the"
-                    + " heights' power spectrum shows.")
-    private Double period;
+    public GratingOptions() {
+        super(List.of(THETA_I, PHI_I, PERIOD));
+    }
 
     /**
      * What is asked for, checked as far as it can be without the patch.
@@ -70,13 +66,14 @@ public final class GratingOptions {
      * @throws UsageException for a value that cannot be used
      */
     GratingRequest request() {
+        Choices light = choices();
         return new GratingRequest(
-                thetaRadians,
-                phiRadians,
+                light.get(THETA_I),
+                light.get(PHI_I),
                 givenAzimuth(),
                 Optional.ofNullable(angles),
                 wavelengths,
-                period == null ? OptionalDouble.empty() : OptionalDouble.of(period));
+                light.find(PERIOD).map(OptionalDouble::of).orElseGet(OptionalDouble::empty));
     }
 
     /** The azimuth in radians; empty for auto. */
@@ -85,8 +82,8 @@ public final class GratingOptions {
             return OptionalDouble.empty();
         }
         try {
-            return OptionalDouble.of(new AngleConverter().convert(azimuth));
-        } catch (picocli.CommandLine.TypeConversionException failure) {
+            return OptionalDouble.of(Angles.parse(azimuth));
+        } catch (IllegalArgumentException failure) {
             throw new UsageException("--azimuth: " + failure.getMessage() + ", or auto");
         }
     }

@@ -31,22 +31,17 @@ public record GratingRequest(
         OptionalDouble period) {
     // Angles that are taken where none are given, as many as the thesis takes.
     private static final int ANGLES = 1500;
-    private static final double LARGEST_THETA_DEGREES = 89.9;
     // 160 MB of doubles.
     private static final long MOST_DIRECTIONS = 20_000_000;
     // A ridge is 1.7 deviations wide at half its height; three samples must lie on its top.
     private static final double COARSEST_STEP = 0.6;
 
     /**
-     * Checks all that can be checked without the patch.
+     * Checks of the ranges what can be checked without the patch.
      *
      * @throws UsageException for a value that cannot be used
      */
     public GratingRequest {
-        double degrees = Math.toDegrees(thetaI);
-        if (!(degrees >= 0 && degrees <= LARGEST_THETA_DEGREES)) {
-            throw new UsageException("--theta-i " + degrees + " is out of range; give 0 to " + LARGEST_THETA_DEGREES);
-        }
         double shortest = CieTable.MINIMUM_WAVELENGTH * 1e9;
         double longest = CieTable.MAXIMUM_WAVELENGTH * 1e9;
         if (wavelengths.minimum() < shortest - 1e-6 || wavelengths.maximum() > longest + 1e-6) {
@@ -56,10 +51,6 @@ public record GratingRequest(
         if (wavelengths.count() < 3) {
             throw new UsageException("--wavelengths %s has %d of them; a period's variance needs 3 or more"
                     .formatted(text(wavelengths), wavelengths.count()));
-        }
-        if (period.isPresent() && !(period.getAsDouble() >= 100e-9 && period.getAsDouble() <= 1e-3)) {
-            throw new UsageException(
-                    "--period " + Lengths.format(period.getAsDouble()) + " is out of range; give 100 nm to 1 mm");
         }
         checkAngles(angles, wavelengths, new GratingPlane(thetaI, phiI, 0));
     }

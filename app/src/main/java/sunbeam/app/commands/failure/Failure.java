@@ -17,7 +17,6 @@ import sunbeam.precompute.patch.PatchException;
 import sunbeam.precompute.setting.Origin;
 import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.table.TableException;
-import sunbeam.precompute.units.LengthFormatException;
 
 /**
  * What something thrown means to the user, on the command line and in the viewer alike.
@@ -31,7 +30,6 @@ public record Failure(ExitCode code, String message, Throwable cause) {
     private static final Map<Class<? extends Throwable>, ExitCode> CODES = Map.ofEntries(
             Map.entry(ParameterException.class, ExitCode.USAGE),
             Map.entry(UsageException.class, ExitCode.USAGE),
-            Map.entry(LengthFormatException.class, ExitCode.USAGE),
             Map.entry(SettingException.class, ExitCode.USAGE),
             Map.entry(JsonException.class, ExitCode.UNUSABLE_INPUT),
             Map.entry(PatchException.class, ExitCode.UNUSABLE_INPUT),

@@ -29,8 +29,6 @@ import sunbeam.precompute.method.Method;
 import sunbeam.precompute.method.MethodPlan;
 import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.method.ReferenceMethod;
-import sunbeam.precompute.plan.GaussianArea;
-import sunbeam.precompute.plan.ReplicatedArea;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.Choices;
 
@@ -90,8 +88,8 @@ public final class ReflectanceCommand implements Callable<Integer> {
                 patchOptions, environment, specification.commandLine().getErr());
         PrintWriter out = specification.commandLine().getOut();
         List<double[]> results = evaluate(setup, method, list);
-        Optional<Certificate> certificate = certify.certificate(
-                count -> new ExactRows(setup, method, list).certifier(results).certify(list.size(), count, tolerance));
+        Optional<Certificate> certificate = certify.certificate(count ->
+                new ExactRows(setup.exact(method), list).certifier(results).certify(list.size(), count, tolerance));
         write(list, results);
         out.println(output);
         return certificate
@@ -102,14 +100,12 @@ public final class ReflectanceCommand implements Callable<Integer> {
     }
 
     private List<double[]> evaluate(DiffractionSetup setup, Method method, DirectionList list) {
-        if (!(method instanceof ReferenceMethod reference)) {
+        if (!(method instanceof ReferenceMethod)) {
             MethodPlan plan = method.plan(setup.surface(), VisibleRange.of(list.pairs()));
             methodOptions.print(plan, specification.commandLine().getErr());
             return new GpuDirections(setup, plan).evaluate(list);
         }
-        return reference.area() instanceof GaussianArea area
-                ? new ReferenceDirections(setup, area).evaluate(list)
-                : new ReplicaDirections(setup, ((ReplicatedArea) reference.area()).replicas()).evaluate(list);
+        return new ReferenceDirections(setup.exact(method)).evaluate(list);
     }
 
     private void write(DirectionList list, List<double[]> results) {

@@ -2,7 +2,7 @@ package sunbeam.app.commands.render;
 
 import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.TypeConversionException;
-import sunbeam.app.terminal.AngleConverter;
+import sunbeam.precompute.units.Angles;
 
 /**
  * Angles at even distances.
@@ -38,8 +38,11 @@ public record AngleSweep(double from, double to) {
                 throw new TypeConversionException(
                         "'" + text + "' is not a sweep; give FROM:TO in degrees as in -60:60");
             }
-            AngleConverter angle = new AngleConverter();
-            return new AngleSweep(angle.convert(parts[0]), angle.convert(parts[1]));
+            try {
+                return new AngleSweep(Angles.parse(parts[0]), Angles.parse(parts[1]));
+            } catch (IllegalArgumentException failure) {
+                throw new TypeConversionException(failure.getMessage());
+            }
         }
     }
 }

@@ -6,11 +6,13 @@ import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.options.PatchOptions;
 import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.method.Method;
 import sunbeam.precompute.method.MethodPlan;
 import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.method.Surface;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.plan.Plan;
+import sunbeam.precompute.reference.ExactLight;
 import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.shader.MethodUse;
 import sunbeam.precompute.shader.ShaderTables;
@@ -59,6 +61,11 @@ public final class DiffractionSetup {
 
     public CieTable cie() {
         return surface.cie();
+    }
+
+    /** What a method's power and colours are held against, on this patch. */
+    public ExactLight exact(Method method) {
+        return method.exact(patch.heights()).area().over(patch.heights(), cie());
     }
 
     /** The Fourier table that a plan needs, made now. */

@@ -9,13 +9,15 @@ import sunbeam.app.gpu.picture.LinearPicture;
 import sunbeam.app.terminal.progress.Progress;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.Gain;
+import sunbeam.precompute.reference.ExactLight;
+import sunbeam.precompute.reference.ReferenceColor.Quadrature;
 
 /** Compares random pixels of a picture with the exact reference. */
 public final class Certifier {
     // Dark pixels are checked too, lest light be missing; but a picture of a grating is nearly all dark.
     private static final int LARGEST_DARK_SHARE = 4;
 
-    private final ExactColor reference;
+    private final ExactLight reference;
     private final PixelDirections pairs;
 
     /** Which pair of directions a pixel shows. */
@@ -34,7 +36,7 @@ public final class Certifier {
      *
      * @param reference of the same patch and window as the picture
      */
-    public Certifier(ExactColor reference, PixelDirections pairs) {
+    public Certifier(ExactLight reference, PixelDirections pairs) {
         this.reference = reference;
         this.pairs = pairs;
     }
@@ -94,7 +96,7 @@ public final class Certifier {
     private Comparison compare(LinearPicture picture, int pixel) {
         DirectionPair pair = pairs.at(pixel);
         double gain = Gain.relativeRadiance(pair);
-        double[] exact = reference.xyz(pair);
+        double[] exact = reference.xyz(pair, Quadrature.INTEGRATED);
         for (int c = 0; c < 3; c++) {
             exact[c] *= gain;
         }

@@ -1,42 +1,44 @@
 package sunbeam.app.terminal.options;
 
-import picocli.CommandLine.Option;
-import sunbeam.app.terminal.AngleConverter;
-import sunbeam.app.terminal.UsageException;
+import java.util.List;
+import sunbeam.app.terminal.SettingOptions;
 import sunbeam.precompute.optics.Direction;
+import sunbeam.precompute.setting.Kinds;
+import sunbeam.precompute.setting.Setting;
 
 /** Where the light comes from; to be used as a picocli mixin. */
-public final class LightOptions {
+public final class LightOptions extends SettingOptions {
     // Closer to the horizon no radiance is left to divide by.
-    private static final double LARGEST_DEGREES = 89.9;
+    private static final double LARGEST_THETA = Math.toRadians(89.9);
+    private static final double LARGEST_PHI = Math.toRadians(36_000);
 
-    @Option(
-            names = "--theta-i",
-            paramLabel = "ANGLE",
-            defaultValue = "0",
-            converter = AngleConverter.class,
-            description = "Angle of the light to the normal in degrees, 0 to 89.9. Default: ${DEFAULT-VALUE}.")
-    private double thetaRadians;
+    /** Radians. */
+    public static final Setting<Double> THETA_I = new Setting<>(
+                    "thetaI", Kinds.angle(0, LARGEST_THETA), "Angle of the light to the normal in degrees, 0 to 89.9.")
+            .withStandard(0.0);
 
-    @Option(
-            names = "--phi-i",
-            paramLabel = "ANGLE",
-            defaultValue = "0",
-            converter = AngleConverter.class,
-            description = "Azimuth of the light in degrees, counter-clockwise from +x. Default: ${DEFAULT-VALUE}.")
-    private double phiRadians;
+    /** Radians. */
+    public static final Setting<Double> PHI_I = new Setting<>(
+                    "phiI",
+                    Kinds.angle(-LARGEST_PHI, LARGEST_PHI),
+                    "Azimuth of the light in degrees, counter-clockwise from +x.")
+            .withStandard(0.0);
+
+    public LightOptions() {
+        super(List.of(THETA_I, PHI_I));
+    }
 
     /** The unit vector towards the light. */
     public Direction direction() {
-        double degrees = Math.toDegrees(thetaRadians);
-        if (!(degrees >= 0 && degrees <= LARGEST_DEGREES)) {
-            throw new UsageException("--theta-i " + degrees + " is out of range; give 0 to " + LARGEST_DEGREES);
-        }
-        return Direction.ofDegrees(degrees, Math.toDegrees(phiRadians));
+        return Direction.ofDegrees(degrees(THETA_I), degrees(PHI_I));
     }
 
     /** The angles, for metadata. */
     public String describe() {
-        return "theta %s, phi %s degrees".formatted(Math.toDegrees(thetaRadians), Math.toDegrees(phiRadians));
+        return "theta %s, phi %s degrees".formatted(degrees(THETA_I), degrees(PHI_I));
+    }
+
+    private double degrees(Setting<Double> angle) {
+        return Math.toDegrees(choices().get(angle));
     }
 }

@@ -183,7 +183,7 @@ final class EvaluateCommandTest {
         "--wavelengths, 400:900:5, visible band",
         "--wavelengths, 400:400:5, 3 or more",
         "--theta-i, 90, 89.9",
-        "--azimuth, north, is no angle",
+        "--azimuth, north, no angle",
         "--period, 5nm, out of range",
         "--positions, -1, out of range",
     })

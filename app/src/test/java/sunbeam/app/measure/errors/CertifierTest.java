@@ -8,22 +8,19 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import sunbeam.app.gpu.picture.LinearPicture;
 import sunbeam.precompute.color.CieTable;
-import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.Gain;
-import sunbeam.precompute.optics.WindowOrigin;
 import sunbeam.precompute.patch.HeightMap;
-import sunbeam.precompute.reference.ReferenceColor;
+import sunbeam.precompute.plan.GaussianArea;
+import sunbeam.precompute.reference.ExactLight;
 import sunbeam.precompute.reference.ReferenceColor.Quadrature;
-import sunbeam.precompute.reference.ReferenceEvaluator;
 
 /** On a picture of one row: the plane of incidence of a sawtooth, where its orders lie. */
 final class CertifierTest {
     private static final int WIDTH = 60;
-    private static final CoherenceWindow WINDOW = CoherenceWindow.ofCoherenceLength(65e-6);
 
-    private static ExactColor reference;
+    private static ExactLight reference;
     private static float[] exact;
 
     @BeforeAll
@@ -31,15 +28,13 @@ final class CertifierTest {
         double[] heights =
                 IntStream.range(0, 40).mapToDouble(i -> 250e-9 * i / 40).toArray();
         HeightMap map = new HeightMap(40, 1, 62.5e-9, 2.5e-6, heights);
-        ReferenceEvaluator evaluator = new ReferenceEvaluator(map, WINDOW, WindowOrigin.CENTRE);
-        ReferenceColor color = new ReferenceColor(evaluator, WINDOW, CieTable.load(), Quadrature.INTEGRATED);
-        reference = pair -> color.xyz(pair, false);
+        reference = GaussianArea.STANDARD.over(map, CieTable.load());
         exact = new float[3 * WIDTH];
         Arrays.fill(exact, Float.NaN);
         // The last ten pixels show no surface.
         for (int pixel = 0; pixel < WIDTH - 10; pixel++) {
             DirectionPair pair = pair(pixel);
-            double[] xyz = reference.xyz(pair);
+            double[] xyz = reference.xyz(pair, Quadrature.INTEGRATED);
             for (int c = 0; c < 3; c++) {
                 exact[3 * pixel + c] = (float) (xyz[c] * Gain.relativeRadiance(pair));
             }

@@ -1,0 +1,31 @@
+package sunbeam.precompute.reference;
+
+import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.optics.CoherenceWindow;
+import sunbeam.precompute.optics.DirectionPair;
+import sunbeam.precompute.reference.ReferenceColor.Quadrature;
+import sunbeam.precompute.reference.ReferenceEvaluator.Power;
+
+/**
+ * Light under a Gaussian window.
+ *
+ * @param window the evaluator's
+ * @param ensemble whether the mean over all positions of the window is seen
+ */
+public record WindowLight(ReferenceEvaluator evaluator, CoherenceWindow window, CieTable cie, boolean ensemble)
+        implements ExactLight {
+    @Override
+    public Power powers(DirectionPair pair, double wavelength) {
+        return evaluator.powers(pair, wavelength);
+    }
+
+    @Override
+    public double power(DirectionPair pair, double wavelength) {
+        return ensemble ? powers(pair, wavelength).ensemble() : evaluator.coherent(pair, wavelength);
+    }
+
+    @Override
+    public double[] xyz(DirectionPair pair, Quadrature quadrature) {
+        return new ReferenceColor(evaluator, window, cie, quadrature).xyz(pair, ensemble);
+    }
+}
