@@ -46,6 +46,7 @@ import sunbeam.precompute.units.Lengths;
 public final class AccuracyCommand implements Callable<Integer> {
     private static final List<String> DEFAULT_PATCHES = List.of("blaze", "elaphe-like", "xenopeltis-like");
     private static final List<Double> CASE_TOLERANCES = List.of(1e-2, 1e-3, 1e-4);
+    private static final long FIRST_SEED = 1;
     private static final SampleCounts USUAL = new SampleCounts(300, 32, 3);
     private static final SampleCounts QUICK = new SampleCounts(120, 10, 3);
     private static final int USUAL_MAP = 128;
@@ -94,9 +95,8 @@ public final class AccuracyCommand implements Callable<Integer> {
     @Option(
             names = "--seed",
             paramLabel = "SEED",
-            defaultValue = "1",
-            description = "With --random: the first case's; the next ones count up. Default: ${DEFAULT-VALUE}.")
-    private long seed;
+            description = "With --random: the first case's; the next ones count up. Default: " + FIRST_SEED + ".")
+    private Long seed;
 
     @Option(names = "--quick", description = "Fewer directions: a first impression in a fifth of the time.")
     private boolean quick;
@@ -113,14 +113,12 @@ public final class AccuracyCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
+        requireOneTask();
         if (cases != null) {
             return holdToCases().code();
         }
         if (random != null) {
             return drawCases().code();
-        }
-        if (!tolerances.isEmpty()) {
-            throw new UsageException("--tolerance belongs to --cases; leave it out");
         }
         SampleCounts counts = quick ? QUICK : USUAL;
         Map<String, String> descriptions = new LinkedHashMap<>();
@@ -150,20 +148,35 @@ public final class AccuracyCommand implements Callable<Integer> {
         return ExitCode.OK.code();
     }
 
-    private ExitCode drawCases() {
-        if (random < 1) {
+    /** Refuses, before hours are spent on something else, what the task asked for would not heed. */
+    private void requireOneTask() {
+        if (cases != null && random != null) {
+            throw new UsageException("--random and --cases are two tasks; leave one of them out");
+        }
+        if ((cases != null || random != null) && (!patches.isEmpty() || quick)) {
+            throw new UsageException("--patch and --quick are not for " + (cases != null ? "--cases" : "--random")
+                    + ", which has surfaces of its own; leave them out");
+        }
+        if (cases == null && !tolerances.isEmpty()) {
+            throw new UsageException("--tolerance belongs to --cases; leave it out");
+        }
+        if (random == null && seed != null) {
+            throw new UsageException("--seed " + seed + " belongs to --random; leave it out, or add --random");
+        }
+        if (random != null && random < 1) {
             throw new UsageException("--random " + random + " is out of range; give 1 or more");
         }
+    }
+
+    private ExitCode drawCases() {
         try (RenderContext context = RenderContexts.offscreen()) {
-            int missed = new RandomCases(context, specification.commandLine().getOut()).run(seed, random);
+            int missed = new RandomCases(context, specification.commandLine().getOut())
+                    .run(seed == null ? FIRST_SEED : seed, random);
             return missed == 0 ? ExitCode.OK : ExitCode.TOLERANCE_MISSED;
         }
     }
 
     private ExitCode holdToCases() {
-        if (!patches.isEmpty() || quick) {
-            throw new UsageException("--patch and --quick are not for --cases, which name their own; leave them out");
-        }
         List<AccuracyCase> all = AccuracyCase.readAll(cases);
         PrintWriter out = specification.commandLine().getOut();
         PrintWriter err = specification.commandLine().getErr();
