@@ -166,7 +166,7 @@ class RenderCommandTest {
         assertThat(render(output, "--method", "full", "--spacing", "1um")).isEqualTo(ExitCode.USAGE.code());
         assertThat(render(output, "--replicas", "2")).isEqualTo(ExitCode.USAGE.code());
         assertThat(render(output, "--method", "gem", "--patch", "elaphe-like")).isEqualTo(ExitCode.USAGE.code());
-        assertThat(err.toString()).contains("--spacing 1um");
+        assertThat(err.toString()).contains("for example 1um");
         assertThat(run("render", scene.toString(), "--size", "0x5")).isEqualTo(ExitCode.USAGE.code());
         assertThat(run("render", "elafe")).isEqualTo(ExitCode.UNUSABLE_INPUT.code());
         assertThat(output).doesNotExist();
