@@ -1,27 +1,12 @@
 package sunbeam.precompute.patch;
 
 import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.setting.OptionWords;
 import sunbeam.precompute.setting.Origin;
-import sunbeam.precompute.setting.Setting;
 
 /** Patches asked for as a command line does. */
 final class PatchRequests {
-    private static final Origin OPTION = new Origin() {
-        @Override
-        public Place place() {
-            return Place.OPTION;
-        }
-
-        @Override
-        public String name(Setting<?> setting) {
-            return "--" + setting.words("-");
-        }
-
-        @Override
-        public String complaint(Setting<?> setting, String value, String problem) {
-            return (name(setting) + " " + value).strip() + " " + problem;
-        }
-    };
+    private static final Origin OPTION = OptionWords.INSTANCE;
 
     private PatchRequests() {}
 

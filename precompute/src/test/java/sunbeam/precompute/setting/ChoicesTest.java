@@ -11,23 +11,7 @@ class ChoicesTest {
             new Setting<>("coherenceLength", Kinds.length(100e-9, 10e-3), "The window's size.");
     private static final Setting<Integer> TERMS = new Setting<>("terms", Kinds.integer("N", 1, 500), "How many.");
 
-    /** Names as a command line has them. */
-    private static final Origin OPTION = new Origin() {
-        @Override
-        public Place place() {
-            return Place.OPTION;
-        }
-
-        @Override
-        public String name(Setting<?> setting) {
-            return "--" + setting.words("-");
-        }
-
-        @Override
-        public String complaint(Setting<?> setting, String value, String problem) {
-            return (name(setting) + " " + value).strip() + " " + problem;
-        }
-    };
+    private static final Origin OPTION = OptionWords.INSTANCE;
 
     @Test
     void keepsWhatWasChosenAndNothingElse() {
