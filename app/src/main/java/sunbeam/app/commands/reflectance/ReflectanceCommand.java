@@ -17,7 +17,9 @@ import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.files.input.DirectionList;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.CsvWriter;
+import sunbeam.app.files.output.Ending;
 import sunbeam.app.files.output.ForceOption;
+import sunbeam.app.files.output.StandardOutput;
 import sunbeam.app.measure.errors.Certificate;
 import sunbeam.app.measure.errors.CertifyOption;
 import sunbeam.app.terminal.Environment;
@@ -82,11 +84,15 @@ public final class ReflectanceCommand implements Callable<Integer> {
         if (certify.count().isPresent() && method instanceof ReferenceMethod) {
             throw new UsageException("--certify compares with --method reference; leave out one of them");
         }
+        Ending.CSV.require("--output", output);
         DirectionList list = DirectionList.read(directions);
         AtomicFile.checkWritable(output, force.overwrite());
         DiffractionSetup setup = new DiffractionSetup(
                 patchOptions, environment, specification.commandLine().getErr());
-        PrintWriter out = specification.commandLine().getOut();
+        PrintWriter out = StandardOutput.reports(
+                specification.commandLine().getOut(),
+                specification.commandLine().getErr(),
+                output);
         List<double[]> results = evaluate(setup, method, list);
         Optional<Certificate> certificate = certify.certificate(count ->
                 new ExactRows(setup.exact(method), list).certifier(results).certify(list.size(), count, tolerance));
