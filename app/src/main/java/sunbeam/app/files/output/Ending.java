@@ -20,13 +20,14 @@ public enum Ending {
             "hdf5", "he5", "mat", "mp4", "zip", "html", "md");
 
     private final String what;
-    private final Set<String> endings;
     private final String usual;
+    /** All that fit, between blanks. */
+    private final String endings;
 
     Ending(String what, String... endings) {
         this.what = what;
-        this.endings = Set.of(endings);
         this.usual = endings[0];
+        this.endings = " " + String.join(" ", endings) + " ";
     }
 
     /**
@@ -43,7 +44,7 @@ public enum Ending {
         String name = named.getFileName().toString();
         int dot = name.lastIndexOf('.');
         String ending = dot < 0 ? "" : name.substring(dot + 1).toLowerCase(Locale.ROOT);
-        if (PROMISES.contains(ending) && !endings.contains(ending)) {
+        if (PROMISES.contains(ending) && !endings.contains(" " + ending + " ")) {
             throw new UsageException(
                     option + " " + named + " would be " + what + " in spite of its name; end it with ." + usual);
         }
