@@ -34,6 +34,7 @@ import sunbeam.app.gpu.picture.LinearPicture;
 import sunbeam.app.measure.errors.Certificate;
 import sunbeam.app.measure.errors.Certifier;
 import sunbeam.app.measure.errors.CertifyOption;
+import sunbeam.app.measure.errors.Explainer;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.UsageException;
@@ -124,9 +125,9 @@ public final class BrdfMapCommand implements Callable<Integer> {
         if (size < 1 || size > LARGEST) {
             throw new UsageException("--size " + size + " is out of range; give 1 to " + LARGEST);
         }
-        certify.count();
         double fixedExposure = parseExposure();
         Method chosen = Methods.of(choices);
+        certify.check(chosen);
         Direction wi = light.direction();
         PrintWriter err = specification.commandLine().getErr();
         DiffractionSetup setup = new DiffractionSetup(patchOptions, environment, err);
@@ -165,7 +166,8 @@ public final class BrdfMapCommand implements Callable<Integer> {
             out.println(linear);
         }
         return certificate
-                .map(stated -> CertifyOption.judge(stated, out, err))
+                .map(stated -> CertifyOption.judge(
+                        stated, plan, new Explainer(setup, choices, VisibleRange.of(wi), MethodUse.COLOUR), out, err))
                 .orElse(ExitCode.OK)
                 .code();
     }
