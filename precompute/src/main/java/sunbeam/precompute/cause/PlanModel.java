@@ -1,7 +1,6 @@
 package sunbeam.precompute.cause;
 
 import java.util.EnumMap;
-import java.util.List;
 import java.util.Map;
 import java.util.function.Supplier;
 import org.apache.commons.math3.complex.Complex;
@@ -79,38 +78,36 @@ public final class PlanModel {
 
     /** Powers of the plan's average at one wavelength in metres, after each approximation but float32. */
     public Map<ErrorSource, Double> powers(DirectionPair pair, double wavelength) {
-        double[] powers = powers(pair, wavelength, ANYWHERE, spectralForm);
-        Map<ErrorSource, Double> result = new EnumMap<>(ErrorSource.class);
-        for (ErrorSource source : ErrorSource.values()) {
-            if (source != ErrorSource.FLOAT32) {
-                result.put(source, powers[source.ordinal()]);
-            }
-        }
-        return result;
+        return powers(pair, wavelength, ANYWHERE, spectralForm);
     }
 
     /** X, Y, Z of the power of the plan's average, after each approximation but float32. */
     public Map<ErrorSource, double[]> xyz(DirectionPair pair) {
         Map<ErrorSource, double[]> result = new EnumMap<>(ErrorSource.class);
-        for (ErrorSource source : ErrorSource.values()) {
-            if (source != ErrorSource.FLOAT32) {
-                result.put(source, new double[3]);
-            }
-        }
-        List<PlanNode> all = nodes.of(plan.sampling(), this, pair);
-        for (PlanNode node : all) {
-            double[] powers = powers(pair, node.wavelength(), node.place(), colourForm);
-            result.forEach((source, xyz) -> {
+        // A direction may have no wavelength at all.
+        stages(0, 0, 0, 0).keySet().forEach(source -> result.put(source, new double[3]));
+        for (PlanNode node : nodes.of(plan.sampling(), this, pair)) {
+            powers(pair, node.wavelength(), node.place(), colourForm).forEach((source, power) -> {
+                double[] xyz = result.get(source);
                 for (int c = 0; c < 3; c++) {
-                    xyz[c] += node.weights()[c] * powers[source.ordinal()];
+                    xyz[c] += node.weights()[c] * power;
                 }
             });
         }
         return result;
     }
 
-    /** After each of the approximations, by their ordinals. */
-    private double[] powers(DirectionPair pair, double wavelength, PlanNode.Place place, Form form) {
+    /** With exact sums at the plan's wavelengths, and after each further approximation. */
+    private static Map<ErrorSource, Double> stages(double exact, double expanded, double windowed, double cropped) {
+        Map<ErrorSource, Double> stages = new EnumMap<>(ErrorSource.class);
+        stages.put(ErrorSource.WAVELENGTHS, exact);
+        stages.put(ErrorSource.EXPANSION, expanded);
+        stages.put(ErrorSource.WINDOW, windowed);
+        stages.put(ErrorSource.CROP, cropped);
+        return stages;
+    }
+
+    private Map<ErrorSource, Double> powers(DirectionPair pair, double wavelength, PlanNode.Place place, Form form) {
         double fx = pair.u() / wavelength;
         double fy = pair.v() / wavelength;
         boolean ensemble = plan.average() == Average.ENSEMBLE;
@@ -132,30 +129,28 @@ public final class PlanModel {
         if (ensemble && form instanceof Interpolated) {
             PowerFields fields = basis.fields();
             double interpolated = sum.ofBasis(fields, zeta, plan);
-            return new double[] {
-                evaluator.powers(pair, wavelength).ensemble(),
-                sum.withExactWindow().ofBasis(fields, zeta, plan),
-                interpolated,
-                interpolated
-            };
+            return stages(
+                    evaluator.powers(pair, wavelength).ensemble(),
+                    sum.withExactWindow().ofBasis(fields, zeta, plan),
+                    interpolated,
+                    interpolated);
         }
         double[] bins = sum.powers(approximate, ensemble, plan);
         return ensemble
-                ? new double[] {
-                    evaluator.powers(pair, wavelength).ensemble(),
-                    evaluator.powers(approximate[0], approximate[1], fx, fy).ensemble(),
-                    bins[0],
-                    bins[1]
-                }
-                : new double[] {
-                    evaluator.coherent(pair, wavelength),
-                    squared(evaluator.windowed(approximate[0], approximate[1], fx, fy)),
-                    bins[0],
-                    bins[1]
-                };
+                ? stages(
+                        evaluator.powers(pair, wavelength).ensemble(),
+                        evaluator.powers(approximate[0], approximate[1], fx, fy).ensemble(),
+                        bins[0],
+                        bins[1])
+                : stages(
+                        evaluator.coherent(pair, wavelength),
+                        squared(evaluator.windowed(approximate[0], approximate[1], fx, fy)),
+                        bins[0],
+                        bins[1]);
     }
 
-    private double[] oneOrder(PlanNode.OneOrder order, double[][] exact, double[][] approximate, double fx, double fy) {
+    private Map<ErrorSource, Double> oneOrder(
+            PlanNode.OneOrder order, double[][] exact, double[][] approximate, double fx, double fy) {
         int[] x = {order.binX()};
         int[] y = {order.binY()};
         double sigma = sigmaFrequency();
@@ -164,7 +159,7 @@ public final class PlanModel {
                         / (sigma * sigma));
         double of = gauss * squared(evaluator.bins(approximate[0], approximate[1], x, y)[0][0]);
         boolean stored = contains(plan.bandX(), order.binX()) && contains(plan.bandY(), order.binY());
-        return new double[] {gauss * squared(evaluator.bins(exact[0], exact[1], x, y)[0][0]), of, of, stored ? of : 0};
+        return stages(gauss * squared(evaluator.bins(exact[0], exact[1], x, y)[0][0]), of, of, stored ? of : 0);
     }
 
     static boolean contains(Band band, int bin) {
