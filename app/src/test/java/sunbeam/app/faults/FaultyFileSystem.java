@@ -33,12 +33,11 @@ final class FaultyFileSystem extends FileSystem {
                 FaultyFileSystem.class.getClassLoader(),
                 new Class<?>[] {Path.class, Wrapped.class},
                 (proxy, method, arguments) -> {
-                    switch (method.getName()) {
-                        case "innerPath":
-                            return path;
-                        case "getFileSystem":
-                            return this;
-                        default:
+                    if (method.getName().equals("innerPath")) {
+                        return path;
+                    }
+                    if (method.getName().equals("getFileSystem")) {
+                        return this;
                     }
                     Object[] plain = arguments == null ? null : arguments.clone();
                     for (int i = 0; plain != null && i < plain.length; i++) {

@@ -34,6 +34,7 @@ import sunbeam.app.gpu.picture.LinearPicture;
 import sunbeam.app.measure.errors.Certificate;
 import sunbeam.app.measure.errors.Certifier;
 import sunbeam.app.measure.errors.CertifyOption;
+import sunbeam.app.measure.errors.Explainer;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.UsageException;
@@ -126,9 +127,9 @@ public final class BrdfMapCommand implements Callable<Integer> {
         }
         Ending.PNG.require("--output", output);
         Ending.NPY.require("--linear", linear);
-        certify.count();
         double fixedExposure = parseExposure();
         Method chosen = Methods.of(choices);
+        certify.check(chosen);
         Direction wi = light.direction();
         PrintWriter err = specification.commandLine().getErr();
         DiffractionSetup setup = new DiffractionSetup(patchOptions, environment, err);
@@ -150,9 +151,7 @@ public final class BrdfMapCommand implements Callable<Integer> {
                 DisplayPass display = new DisplayPass(context)) {
             LinearPicture map = render(renderer, wi);
             DiscDirections directions = new DiscDirections(size, wi);
-            double factor = fixedExposure > 0
-                    ? fixedExposure
-                    : AutoExposure.of(map, directions.specular(method.specularReach()));
+            double factor = fixedExposure > 0 ? fixedExposure : AutoExposure.of(map);
             certificate = certify.certificate(count -> new Certifier(setup.exact(chosen), directions::at)
                     .certify(map, count, CertifyOption.SEED, factor, choices.get(TOLERANCE)));
             Map<String, String> text = describe(setup, choices, plan.summary(), factor, context);
@@ -165,7 +164,8 @@ public final class BrdfMapCommand implements Callable<Integer> {
             out.println(linear);
         }
         return certificate
-                .map(stated -> CertifyOption.judge(stated, out, err))
+                .map(stated -> CertifyOption.judge(
+                        stated, plan, new Explainer(setup, choices, VisibleRange.of(wi), MethodUse.COLOUR), out, err))
                 .orElse(ExitCode.OK)
                 .code();
     }
