@@ -23,12 +23,12 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.files.output.AtomicFile;
-import sunbeam.app.files.output.DefaultName;
+import sunbeam.app.files.output.Ending;
 import sunbeam.app.files.output.ForceOption;
 import sunbeam.app.files.output.NpyWriter;
-import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.files.output.PngWriter;
 import sunbeam.app.files.output.SrgbImage;
+import sunbeam.app.files.output.StandardOutput;
 import sunbeam.app.files.plot.MapAnnotation;
 import sunbeam.app.files.plot.PictureSheet;
 import sunbeam.app.gpu.UploadedTables;
@@ -41,6 +41,7 @@ import sunbeam.app.gpu.picture.LinearPicture;
 import sunbeam.app.measure.errors.Certificate;
 import sunbeam.app.measure.errors.Certifier;
 import sunbeam.app.measure.errors.CertifyOption;
+import sunbeam.app.measure.errors.Explainer;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.UsageException;
@@ -138,21 +139,21 @@ public final class BrdfMapCommand implements Callable<Integer> {
         check();
         ExposureOption.Exposure exposed = exposure.parse();
         Method chosen = Methods.of(choices);
+        certify.check(chosen);
         PrintWriter err = specification.commandLine().getErr();
         List<DiffractionSetup> setups = compared.load(patchOptions).stream()
                 .map(patch -> new DiffractionSetup(patch, environment, err))
                 .toList();
-        Overwrite overwrite = force.overwrite();
-        Path picture =
-                output != null ? output : DefaultName.choose(Path.of(""), "brdf-" + names(setups), "png", overwrite);
-        AtomicFile.checkWritable(picture, overwrite);
+        Path picture = output != null ? output : Path.of("brdf-" + names(setups) + ".png");
+        AtomicFile.checkWritable(picture, force.overwrite(output));
         if (linear != null) {
             checkDifferent(picture);
-            AtomicFile.checkWritable(linear, overwrite);
+            AtomicFile.checkWritable(linear, force.overwrite());
         }
-        PrintWriter out = specification.commandLine().getOut();
+        PrintWriter out = StandardOutput.reports(specification.commandLine().getOut(), err, picture, linear);
         List<MethodPlan> plans = plans(setups, chosen);
         Optional<Certificate> certificate;
+        Path written;
         try (RenderContext context = RenderContexts.offscreen();
                 DisplayPass display = new DisplayPass(context)) {
             List<DrawnMap> maps = new ArrayList<>();
@@ -170,14 +171,19 @@ public final class BrdfMapCommand implements Callable<Integer> {
                     .map(map -> image(map, display, factor, chosen))
                     .toList();
             BufferedImage sheet = PictureSheet.of(images);
-            write(picture, stream -> PngWriter.write(stream, sheet, text), first);
+            written = write(picture, stream -> PngWriter.write(stream, sheet, text), first);
         }
-        out.println(picture);
+        out.println(written);
         if (linear != null) {
             out.println(linear);
         }
         return certificate
-                .map(stated -> CertifyOption.judge(stated, out, err))
+                .map(stated -> CertifyOption.judge(
+                        stated,
+                        plans.get(0),
+                        new Explainer(setups.get(0), choices, VisibleRange.of(light.direction()), MethodUse.COLOUR),
+                        out,
+                        err))
                 .orElse(ExitCode.OK)
                 .code();
     }
@@ -186,7 +192,8 @@ public final class BrdfMapCommand implements Callable<Integer> {
         if (size < 1 || size > LARGEST) {
             throw new UsageException("--size " + size + " is out of range; give 1 to " + LARGEST);
         }
-        certify.count();
+        Ending.PNG.require("--output", output);
+        Ending.NPY.require("--linear", linear);
         if (compared.areSeveral() && (linear != null || certify.count().isPresent())) {
             throw new UsageException(
                     (linear != null ? "--linear" : "--certify")
@@ -239,16 +246,15 @@ public final class BrdfMapCommand implements Callable<Integer> {
     }
 
     /** Both files or none: neither appears before both are written. */
-    private void write(Path picture, AtomicFile.StreamContent png, LinearPicture map) {
-        Overwrite overwrite = force.overwrite();
-        try (AtomicFile image = AtomicFile.create(picture, overwrite);
-                AtomicFile numbers = linear == null ? null : AtomicFile.create(linear, overwrite)) {
+    private Path write(Path picture, AtomicFile.StreamContent png, LinearPicture map) {
+        try (AtomicFile image = AtomicFile.create(picture, force.overwrite(output));
+                AtomicFile numbers = linear == null ? null : AtomicFile.create(linear, force.overwrite())) {
             image.fill(png);
             if (numbers != null) {
                 numbers.fill(stream -> NpyWriter.write(stream, map.xyz(), size, size, 3));
                 numbers.commit();
             }
-            image.commit();
+            return image.commit();
         }
     }
 
