@@ -19,6 +19,11 @@ public final class Messages {
         return "sunbeam: warning: " + oneLine(message);
     }
 
+    /** {@code sunbeam: note: message}, with line breaks in the message turned into blanks. */
+    public static String note(String message) {
+        return "sunbeam: note: " + oneLine(message);
+    }
+
     private static String oneLine(String message) {
         String line = message.lines()
                 .map(String::strip)
