@@ -17,7 +17,9 @@ import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.files.input.DirectionList;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.CsvWriter;
+import sunbeam.app.files.output.Ending;
 import sunbeam.app.files.output.ForceOption;
+import sunbeam.app.files.output.StandardOutput;
 import sunbeam.app.measure.errors.Certificate;
 import sunbeam.app.measure.errors.CertifyOption;
 import sunbeam.app.measure.errors.Explainer;
@@ -82,10 +84,11 @@ public final class ReflectanceCommand implements Callable<Integer> {
     private int tabulate(Choices choices) {
         Method method = Methods.of(choices);
         certify.check(method);
+        Ending.CSV.require("--output", output);
         DirectionList list = DirectionList.read(directions);
         AtomicFile.checkWritable(output, force.overwrite());
-        PrintWriter out = specification.commandLine().getOut();
         PrintWriter err = specification.commandLine().getErr();
+        PrintWriter out = StandardOutput.reports(specification.commandLine().getOut(), err, output);
         DiffractionSetup setup = new DiffractionSetup(patchOptions, environment, err);
         if (method instanceof ReferenceMethod) {
             write(list, new ReferenceDirections(setup.exact(method)).evaluate(list));
