@@ -22,6 +22,11 @@ import sunbeam.precompute.table.FourierTable;
 public record RaySampling(Neighbourhood neighbourhood, double nodeStep, int fewestNodes) implements Sampling {
 
     @Override
+    public String wavelengths(VisibleRange range) {
+        return "%d to %d wavelengths a pixel".formatted(fewestNodes, mostNodes(range));
+    }
+
+    @Override
     public String summary(VisibleRange range) {
         return "%s at %d to %d wavelengths".formatted(neighbourhood.summary(), fewestNodes, mostNodes(range));
     }
