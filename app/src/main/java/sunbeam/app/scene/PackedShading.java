@@ -1,6 +1,7 @@
 package sunbeam.app.scene;
 
 import java.util.Arrays;
+import sunbeam.app.gpu.CutLoops;
 import jrtr.FloatFormat;
 import jrtr.FloatTarget;
 import jrtr.FloatTargetSpec;
@@ -48,7 +49,7 @@ final class PackedShading implements AutoCloseable {
             upload(packing, covered, first, buffer, part);
             Tile used = new Tile(0, Packing.ROWS - packing.rows(), packing.columns(), packing.rows());
             skin.shade(context, scene, buffer, sources, target, used);
-            unpack(packing, target.read(0, used), covered, first, lit);
+            unpack(packing, CutLoops.checked(target.read(0, used)), covered, first, lit);
         }
         return lit;
     }

@@ -11,25 +11,23 @@ import sunbeam.precompute.shader.ShaderTables;
 import sunbeam.precompute.table.FourierTable;
 
 /**
- * Sums a neighbourhood of bins, at wavelengths in equal steps along the ray f = (u, v) / lambda: for orders that the
+ * Sums a neighbourhood of bins, at wavelengths of Gauss's rule along the ray f = (u, v) / lambda: for orders that the
  * window neither resolves nor blurs, and for windows so large that a grid would not fit into memory
  * (shaders/method/full_rays.glsl).
  *
  * @param neighbourhood the bins
- * @param nodeStep distance of the wavelengths along the ray, cycles per metre
- * @param fewestNodes wavelengths of directions whose ray is shorter than so many steps
+ * @param panel of Gauss's rule along the ray, cycles per metre
+ * @param largestPanel in 1 / lambda, 1 / metres
  */
-public record RaySampling(Neighbourhood neighbourhood, double nodeStep, int fewestNodes) implements Sampling {
+public record RaySampling(Neighbourhood neighbourhood, double panel, double largestPanel) implements Sampling {
 
     @Override
     public String summary(VisibleRange range) {
-        return "%s at %d to %d wavelengths".formatted(neighbourhood.summary(), fewestNodes, mostNodes(range));
+        return "%s at %d to %d wavelengths".formatted(neighbourhood.summary(), GaussPanels.fewestNodes(largestPanel), mostNodes(range));
     }
 
     private int mostNodes(VisibleRange range) {
-        double longest = Math.sqrt(2) * range.maximumComponent();
-        double waveNumbers = 1 / CieTable.MINIMUM_WAVELENGTH - 1 / CieTable.MAXIMUM_WAVELENGTH;
-        return Math.max(fewestNodes, (int) Math.ceil(longest * waveNumbers / nodeStep) + 1);
+        return GaussPanels.nodes(largestPanel, panel, range.longestUv());
     }
 
     @Override
@@ -39,19 +37,31 @@ public record RaySampling(Neighbourhood neighbourhood, double nodeStep, int fewe
                         + " memory; " + neighbourhood.summary() + " are summed",
                 String.format(
                         Locale.ROOT,
-                        "wavelengths: in steps of %.4g cycles per metre along the ray (u, v) / lambda, %d or more",
-                        nodeStep,
-                        fewestNodes));
+                        "wavelengths: by Gauss's rule of 4 on panels of %.4g cycles per metre along the ray (u, v) / lambda,"
+                                + " %d or more",
+                        panel,
+                        GaussPanels.fewestNodes(largestPanel)));
     }
 
     @Override
-    public int margin(CoherenceWindow window, double period) {
-        return neighbourhood.margin();
+    public int marginX(CoherenceWindow window, double width) {
+        return neighbourhood.marginX();
+    }
+
+    @Override
+    public int marginY(CoherenceWindow window, double height) {
+        return neighbourhood.marginY();
     }
 
     @Override
     public long reads(Plan plan) {
         return mostNodes(plan.range()) * neighbourhood.reads(plan.expansion().terms());
+    }
+
+    @Override
+    public long loopSteps(Plan plan) {
+        return mostNodes(plan.range())
+                * Math.max(plan.expansion().terms(), neighbourhood.bins() + 2L * neighbourhood.radiusY() + 1);
     }
 
     @Override
@@ -65,8 +75,8 @@ public record RaySampling(Neighbourhood neighbourhood, double nodeStep, int fewe
     public ShaderTables tables(Plan plan, FourierTable table, MethodUse use, CieTable cie) {
         return BinArrays.tables("full_rays", plan, table, neighbourhood)
                 .array(ColorArrays.cieWeights(cie))
-                .reals("rayNodeStep", nodeStep)
-                .integers("rayFewestNodes", fewestNodes)
+                .reals("rayPanel", panel)
+                .reals("rayLargestPanel", largestPanel)
                 .reals("cieWhite", ColorArrays.cieWhite(cie))
                 .build(plan.window().sigmaMetres(), plan.specularReach());
     }

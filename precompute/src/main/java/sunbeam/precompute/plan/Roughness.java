@@ -21,7 +21,7 @@ import sunbeam.precompute.reference.ReferenceEvaluator;
  */
 public record Roughness(double bright, double mean, double dark, double deviations) {
     // A patch of lines, a mirror, a grain of dust leave nearly all directions dark.
-    private static final double FEWEST_BRIGHT = 0.6;
+    private static final double FEWEST_BRIGHT = 0.85;
     // With fewer, all light may be the skirt of one bright spot.
     private static final double FEWEST_DEVIATIONS = 60;
     private static final int MOST_TRIES = 1000;
