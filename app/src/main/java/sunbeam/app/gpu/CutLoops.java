@@ -17,9 +17,10 @@ public final class CutLoops {
     public static float[] checked(float[] results) {
         for (float result : results) {
             if (result < CUT) {
-                throw new GraphicsException("the graphics driver ended a shader's loops before they were done, as Mesa's"
-                        + " software renderer does after 65,535 steps, and what they summed is wrong; give a coarser tolerance,"
-                        + " a longer coherence length or a smaller neighbourhood");
+                throw new GraphicsException(
+                        "the graphics driver ended a shader's loops before they were done, as Mesa's"
+                                + " software renderer does after 65,535 steps, and what they summed is wrong; give a coarser tolerance,"
+                                + " a longer coherence length or a smaller neighbourhood");
             }
         }
         return results;

@@ -1,7 +1,6 @@
 package sunbeam.app.scene;
 
 import java.util.Arrays;
-import sunbeam.app.gpu.CutLoops;
 import jrtr.FloatFormat;
 import jrtr.FloatTarget;
 import jrtr.FloatTargetSpec;
@@ -9,6 +8,7 @@ import jrtr.FloatTexture;
 import jrtr.FloatTextureSpec;
 import jrtr.RenderContext;
 import jrtr.Tile;
+import sunbeam.app.gpu.CutLoops;
 
 /** Runs the costly shader for the pixels that show skin and for no other, packed (see {@link Packing}). */
 final class PackedShading implements AutoCloseable {

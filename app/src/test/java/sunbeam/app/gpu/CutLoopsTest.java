@@ -36,8 +36,8 @@ import sunbeam.precompute.table.TableBuilder;
 class CutLoopsTest {
     private static final GaussianArea AREA =
             new GaussianArea(CoherenceWindow.ofCoherenceLength(30e-6), WindowOrigin.CENTRE, Average.ENSEMBLE);
-    private static final List<Query> ASKED = List.of(
-            new Query(new DirectionPair(Direction.ofDisc(0.5, 0.2), Direction.ofDisc(0.1, 0.3)), 500e-9));
+    private static final List<Query> ASKED =
+            List.of(new Query(new DirectionPair(Direction.ofDisc(0.5, 0.2), Direction.ofDisc(0.1, 0.3)), 500e-9));
 
     @Test
     void whatAnEndedLoopLeavesIsRefused() {
@@ -60,16 +60,15 @@ class CutLoopsTest {
     private static List<float[]> evaluate(RenderContext context, int radius) {
         double[] heights = new double[64];
         heights[27] = 200e-9;
-        Surface surface = Surface.of(
-                new Patch("grain", new HeightMap(8, 8, 200e-9, 200e-9, heights), "made up", List.of()));
+        Surface surface =
+                Surface.of(new Patch("grain", new HeightMap(8, 8, 200e-9, 200e-9, heights), "made up", List.of()));
         Plan planned = surface.planner()
                 .plan(
                         TableChoices.of(new Accuracy.ByTolerance(1e-3)),
                         Optional.empty(),
                         AREA,
                         VisibleRange.of(List.of(ASKED.get(0).pair())));
-        RaySampling sampling =
-                new RaySampling(new Neighbourhood(radius, Neighbourhood.Anchor.NEAREST), 5e3, 50e3);
+        RaySampling sampling = new RaySampling(new Neighbourhood(radius, Neighbourhood.Anchor.NEAREST), 5e3, 50e3);
         Plan plan = new Plan(
                 planned.accuracy(),
                 planned.range(),

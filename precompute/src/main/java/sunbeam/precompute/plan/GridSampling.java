@@ -122,7 +122,7 @@ public record GridSampling(
      * What serves single wavelengths: all bins that count, exactly, where they are not too many, as time is no matter
      * there; else a grid that is fine enough for both averages.
      */
-    private Sampling single() {
+    public Sampling single() {
         return singles.<Sampling>map(bins -> new RaySampling(bins, panel, largestPanel()))
                 .orElseGet(() -> new GridSampling(
                         new ErrorBudget(budget.tolerance()).interpolation(Average.ENSEMBLE),
@@ -134,7 +134,8 @@ public record GridSampling(
                         budget));
     }
 
-    private double largestPanel() {
+    /** The largest of these panels in 1 / lambda, 1 / metres. */
+    public double largestPanel() {
         return GaussPanels.largest(fewestNodes);
     }
 

@@ -23,7 +23,8 @@ public record RaySampling(Neighbourhood neighbourhood, double panel, double larg
 
     @Override
     public String summary(VisibleRange range) {
-        return "%s at %d to %d wavelengths".formatted(neighbourhood.summary(), GaussPanels.fewestNodes(largestPanel), mostNodes(range));
+        return "%s at %d to %d wavelengths"
+                .formatted(neighbourhood.summary(), GaussPanels.fewestNodes(largestPanel), mostNodes(range));
     }
 
     private int mostNodes(VisibleRange range) {

@@ -113,7 +113,7 @@ final class SamplingPlanner {
 
     /** How much finer than at the standard tolerance wavelengths are resolved. */
     private double relativeFineness() {
-        return Math.sqrt(Tolerances.STANDARD / budget.tolerance());
+        return Math.sqrt(ErrorBudget.STANDARD / budget.tolerance());
     }
 
     private int fewestNodes() {

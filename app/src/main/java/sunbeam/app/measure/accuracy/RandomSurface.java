@@ -54,13 +54,20 @@ enum RandomSurface {
         return switch (this) {
             case FLAT -> of(columns, rows, pitch, pitchY, (x, y) -> 0);
             case STEP -> of(columns, rows, pitch, pitchY, (x, y) -> x < duty ? relief : 0);
-            case DUST -> of(columns, rows, pitch, pitchY, (x, y) -> Math.hypot(x - middleX, y - middleY) < grain ? relief : 0);
-            case SINUSOID -> of(columns, rows, pitch, pitchY, (x, y) -> 0.5 * relief * Math.sin(2 * Math.PI * periods * x));
+            case DUST ->
+                of(columns, rows, pitch, pitchY, (x, y) -> Math.hypot(x - middleX, y - middleY) < grain ? relief : 0);
+            case SINUSOID ->
+                of(columns, rows, pitch, pitchY, (x, y) -> 0.5 * relief * Math.sin(2 * Math.PI * periods * x));
             case LAMELLAR -> of(columns, rows, pitch, pitchY, (x, y) -> periods * x % 1 < duty ? relief : 0);
             case BLAZE -> of(columns, rows, pitch, pitchY, (x, y) -> relief * (periods * x % 1));
             case FACET -> of(columns, rows, pitch, pitchY, (x, y) -> relief * (duty * x + grain * y));
             case CHIRP ->
-                of(columns, rows, pitch, pitchY, (x, y) -> 0.5 * relief * Math.sin(2 * Math.PI * periods * x * (1 + x)));
+                of(
+                        columns,
+                        rows,
+                        pitch,
+                        pitchY,
+                        (x, y) -> 0.5 * relief * Math.sin(2 * Math.PI * periods * x * (1 + x)));
             case WAVES -> waves(random, columns, rows, pitch, pitchY, relief);
             case NOISE -> of(columns, rows, pitch, pitchY, (x, y) -> random.nextDouble() * relief);
             case ROUGH -> smoothed(of(columns, rows, pitch, pitchY, (x, y) -> random.nextDouble() * relief), 3);
@@ -84,7 +91,8 @@ enum RandomSurface {
         return new HeightMap(columns, rows, pitch, pitchY, heights);
     }
 
-    private static HeightMap waves(SplittableRandom random, int columns, int rows, double pitch, double pitchY, double relief) {
+    private static HeightMap waves(
+            SplittableRandom random, int columns, int rows, double pitch, double pitchY, double relief) {
         double[] phases = random.doubles(3, 0, 2 * Math.PI).toArray();
         int[] orders = random.ints(6, -3, 4).toArray();
         return of(columns, rows, pitch, pitchY, (x, y) -> {

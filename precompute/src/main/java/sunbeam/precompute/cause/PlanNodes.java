@@ -1,0 +1,145 @@
+package sunbeam.precompute.cause;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.LongStream;
+import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.color.SmoothCieWeights;
+import sunbeam.precompute.optics.DirectionPair;
+import sunbeam.precompute.plan.BinSampling;
+import sunbeam.precompute.plan.GridSampling;
+import sunbeam.precompute.plan.OrderSampling;
+import sunbeam.precompute.plan.RaySampling;
+import sunbeam.precompute.plan.Sampling;
+import sunbeam.precompute.shader.ColorArrays;
+
+/** The wavelengths of a plan's shaders, with their weights, in double precision (shaders/include/integral.glsl). */
+final class PlanNodes {
+    private static final double LOWEST = 1 / CieTable.MAXIMUM_WAVELENGTH;
+    private static final double HIGHEST = 1 / CieTable.MINIMUM_WAVELENGTH;
+    private static final double[] GAUSS_PLACES = {
+        0.0694318442029737, 0.3300094782075719, 0.6699905217924281, 0.9305681557970263
+    };
+    private static final double[] GAUSS_WEIGHTS = {
+        0.1739274225687269, 0.3260725774312731, 0.3260725774312731, 0.1739274225687269
+    };
+    private static final double PER_METRE = 8e9;
+
+    private final double[][] weights = new double[3][];
+    private final double[] white;
+    private final double norm;
+
+    PlanNodes(CieTable cie) {
+        for (int c = 0; c < 3; c++) {
+            weights[c] = SmoothCieWeights.of(cie, c);
+        }
+        white = ColorArrays.cieWhite(cie);
+        norm = 1 / cie.integralOfY();
+    }
+
+    /** A place of 1 / lambda, and the length that it stands for. */
+    record WaveNumber(double value, double length) {}
+
+    /** Step i, from first to last, lies at 1 / lambda = origin + i size. */
+    static List<WaveNumber> steps(double origin, double size, long first, long last) {
+        return LongStream.rangeClosed(first, last)
+                .mapToObj(i -> new WaveNumber(origin + size * i, size))
+                .toList();
+    }
+
+    /** Gauss's rule on panels that are graded at both ends. */
+    static List<WaveNumber> panels(double low, double high, double largest) {
+        int equal = (int) Math.max(Math.ceil((high - low) / largest), 2);
+        double size = (high - low) / equal;
+        List<Double> edges = new ArrayList<>(List.of(0.0, 0.25, 0.5));
+        for (int i = 1; i < equal; i++) {
+            edges.add((double) i);
+        }
+        edges.addAll(List.of(equal - 0.5, equal - 0.25, (double) equal));
+        List<WaveNumber> places = new ArrayList<>();
+        for (int panel = 0; panel + 1 < edges.size(); panel++) {
+            double width = edges.get(panel + 1) - edges.get(panel);
+            for (int i = 0; i < GAUSS_PLACES.length; i++) {
+                places.add(new WaveNumber(
+                        low + size * (edges.get(panel) + width * GAUSS_PLACES[i]), size * width * GAUSS_WEIGHTS[i]));
+            }
+        }
+        return places;
+    }
+
+    /** The same over the whole band; along the ray panels are as long as the largest, in cycles per metre. */
+    static List<WaveNumber> bandPanels(double largest, double along, DirectionPair pair) {
+        return panels(LOWEST, HIGHEST, Math.min(largest, along / Math.hypot(pair.u(), pair.v())));
+    }
+
+    /** All that a direction takes. */
+    List<PlanNode> of(Sampling sampling, PlanModel model, DirectionPair pair) {
+        if (sampling instanceof BinSampling bins) {
+            List<PlanNode> nodes = new ArrayList<>();
+            for (int i = 0; i < bins.wavelengths().count(); i++) {
+                nodes.add(new PlanNode(
+                        bins.wavelengths().wavelengths()[i], bins.wavelengths().weights()[i], new PlanNode.Anywhere()));
+            }
+            return nodes;
+        }
+        if (sampling instanceof RaySampling rays) {
+            return band(bandPanels(rays.largestPanel(), rays.panel(), pair), new PlanNode.Anywhere());
+        }
+        return sampling instanceof OrderSampling orders
+                ? new OrderNodes(this, orders, model, pair).all()
+                : onGrid((GridSampling) sampling, pair);
+    }
+
+    private List<PlanNode> onGrid(GridSampling grid, DirectionPair pair) {
+        boolean alongX = Math.abs(pair.u()) >= Math.abs(pair.v());
+        double major = Math.abs(alongX ? pair.u() : pair.v());
+        if (major < grid.centreReach()) {
+            return band(bandPanels(grid.largestPanel(), grid.panel(), pair), new PlanNode.Anywhere());
+        }
+        double crossed = major / grid.nodeStep() * (HIGHEST - LOWEST);
+        int stride = (int) Math.max(1, Math.min(grid.largestStride(), Math.floor(crossed) / grid.fewestNodes()));
+        double size = grid.nodeStep() * stride / major;
+        return band(
+                steps(0, size, (long) Math.ceil(LOWEST / size), (long) Math.floor(HIGHEST / size)),
+                new PlanNode.OnLine(alongX));
+    }
+
+    /** Over the whole band: constant power comes out exactly. */
+    List<PlanNode> band(List<WaveNumber> places, PlanNode.Place place) {
+        List<PlanNode> nodes = part(places, place);
+        double[] one = new double[3];
+        nodes.forEach(node -> {
+            for (int c = 0; c < 3; c++) {
+                one[c] += node.weights()[c];
+            }
+        });
+        nodes.forEach(node -> {
+            for (int c = 0; c < 3; c++) {
+                node.weights()[c] *= white[c] / one[c];
+            }
+        });
+        return nodes;
+    }
+
+    /** Over what the places cover. */
+    List<PlanNode> part(List<WaveNumber> places, PlanNode.Place place) {
+        List<PlanNode> nodes = new ArrayList<>();
+        for (WaveNumber at : places) {
+            double wavelength = 1 / at.value();
+            double[] xyz = new double[3];
+            for (int c = 0; c < 3; c++) {
+                xyz[c] = at.length() * weight(wavelength, c) * wavelength * wavelength;
+            }
+            nodes.add(new PlanNode(wavelength, xyz, place));
+        }
+        return nodes;
+    }
+
+    private double weight(double wavelength, int channel) {
+        double position = Math.max(
+                0, Math.min(SmoothCieWeights.SAMPLES - 1.0, (wavelength - CieTable.MINIMUM_WAVELENGTH) * PER_METRE));
+        int left = (int) Math.min(SmoothCieWeights.SAMPLES - 2.0, position);
+        double fraction = position - left;
+        return norm * (weights[channel][left] * (1 - fraction) + weights[channel][left + 1] * fraction);
+    }
+}
