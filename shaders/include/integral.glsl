@@ -8,19 +8,25 @@
 // constants stay constants in the loop: compilers put all calls in line.)
 float powerAtStep(Ray ray, int step, float wavelength);
 
-// The trapezoid rule, for power that vanishes at the ends or fills the band. Step i, from first to last, both included, lies
-// at 1 / lambda = origin + i size.
+// Step i, from first to last, both included, lies at 1 / lambda = origin + i size. At an end that is cut the integrand does
+// not vanish, and the trapezoid rule gets Gregory's correction: three nodes each, which must not overlap.
 struct Steps {
     float origin;
     float size;
     int first;
     int last;
+    bool cut;
 };
 
 // Equal steps from one end of the band to the other.
 Steps wholeBand(int count) {
     float origin = 1.0 / LONGEST_WAVELENGTH;
-    return Steps(origin, (1.0 / SHORTEST_WAVELENGTH - origin) / float(count - 1), 0, count - 1);
+    return Steps(origin, (1.0 / SHORTEST_WAVELENGTH - origin) / float(count - 1), 0, count - 1, false);
+}
+
+// Factor of the i-th step from a cut end.
+float endWeight(int i) {
+    return i == 0 ? 3.0 / 8.0 : i == 1 ? 7.0 / 6.0 : i == 2 ? 23.0 / 24.0 : 1.0;
 }
 
 // Gauss's rule of four nodes on panels, for power that the ends cut: the flank of a lone order may be all there is to see. All
@@ -39,11 +45,6 @@ const int GRADED_PANELS = 4;
 Panels panelsBetween(float low, float high, float largestSize) {
     int equal = max(int(ceil((high - low) / largestSize)), 2);
     return Panels(low, (high - low) / float(equal), equal + GRADED_PANELS);
-}
-
-// The same over the whole band.
-Panels bandPanels(float largestSize) {
-    return panelsBetween(1.0 / LONGEST_WAVELENGTH, 1.0 / SHORTEST_WAVELENGTH, largestSize);
 }
 
 // Where a panel near the lower end begins, in sizes.
@@ -68,6 +69,7 @@ Integral overSteps(Ray ray, Steps steps) {
     for (int i = steps.first; i <= steps.last; ++i) {
         float wavelength = 1.0 / (steps.origin + steps.size * float(i));
         vec3 weight = cieWeight(wavelength) * (wavelength * wavelength);
+        weight *= steps.cut ? endWeight(i - steps.first) * endWeight(steps.last - i) : 1.0;
         sum.power += weight * powerAtStep(ray, i, wavelength);
         sum.one += weight;
     }
@@ -103,7 +105,20 @@ vec3 bandXyz(Ray ray, Steps steps) {
     return sum.power * cieWhite / sum.one;
 }
 
-vec3 bandXyz(Ray ray, Panels panels) {
-    Integral sum = overPanels(ray, panels);
+// A band that may cut power anywhere (sunbeam.precompute.plan.BandRule): equal steps up to a |(u, v)|, panels beyond, with a
+// size along the ray in cycles per metre and a largest one in 1 / lambda.
+uniform int bandFewestNodes;
+uniform float bandReach;
+uniform float bandPanel;
+uniform float bandLargestPanel;
+
+vec3 cutBandXyz(Ray ray, float uv) {
+    if (uv <= bandReach) {
+        Steps steps = wholeBand(bandFewestNodes);
+        steps.cut = true;
+        return bandXyz(ray, steps);
+    }
+    float largest = min(bandLargestPanel, bandPanel / uv);
+    Integral sum = overPanels(ray, panelsBetween(1.0 / LONGEST_WAVELENGTH, 1.0 / SHORTEST_WAVELENGTH, largest));
     return sum.power * cieWhite / sum.one;
 }

@@ -13,9 +13,6 @@ uniform vec4 gridRaysFirst;
 // Largest of |u|, |v| whose ray crosses fewer columns than this.
 uniform float gridCentreReach;
 uniform int gridFewestNodes;
-// What it takes instead: panels of Gauss's rule along the ray, cycles per metre, and in 1 / lambda, where the ray is short.
-uniform float gridPanel;
-uniform float gridLargestPanel;
 // A ray that crosses enough columns stops at every second one, or third, up to this.
 uniform int gridLargestStride;
 
@@ -100,7 +97,7 @@ vec3 diffractedXyz(vec3 uvw) {
     if (abs(major) < gridCentreReach) {
         // Near the specular direction: both axes interpolated.
         Ray ray = Ray(uvw, false, alongX, 0.0, 0.0, vec2(0.0), 0.0);
-        return bandXyz(ray, bandPanels(min(gridLargestPanel, gridPanel / length(uvw.xy))));
+        return cutBandXyz(ray, length(uvw.xy));
     }
     float minorPerColumn = (alongX ? uvw.y : uvw.x) / abs(major) * gridNodeStep * gridRayScale;
     // 1 / lambda = column step / |major|, and the phase grows in proportion.
@@ -117,7 +114,7 @@ vec3 diffractedXyz(vec3 uvw) {
             expansionPhase(uvw.z, 1.0) * waveNumberStep);
     int first = int(ceil(1.0 / (LONGEST_WAVELENGTH * waveNumberStep)));
     int last = int(floor(1.0 / (SHORTEST_WAVELENGTH * waveNumberStep)));
-    return bandXyz(ray, Steps(0.0, waveNumberStep, first, last));
+    return bandXyz(ray, Steps(0.0, waveNumberStep, first, last, false));
 }
 
 #endif

@@ -12,8 +12,6 @@ uniform float orderNodeSpacing;
 uniform float orderPanel;
 // Their largest distance in metres.
 uniform float orderLargestStep;
-// Largest panel within the specular order, which has no middle, in 1 / lambda.
-uniform float specularLargestPanel;
 // Standard deviation of the window's spectrum, cycles per metre.
 uniform float windowSigmaFrequency;
 
@@ -66,7 +64,7 @@ vec3 oneOrder(vec3 uvw, vec2 bin) {
     }
     float spacing = min(orderNodeSpacing * deviation, orderLargestStep * middle * middle);
     int intervals = max(int(ceil((high - low) / spacing)), 2);
-    return partXyz(ray, Steps(low, (high - low) / float(intervals), 0, intervals));
+    return partXyz(ray, Steps(low, (high - low) / float(intervals), 0, intervals, false));
 }
 
 vec3 diffractedXyz(vec3 uvw) {
@@ -74,7 +72,7 @@ vec3 diffractedXyz(vec3 uvw) {
     // is e^-25.
     const float SPECULAR_REACH = 5.0;
     if (length(uvw.xy) < SPECULAR_REACH * windowSigmaFrequency * LONGEST_WAVELENGTH) {
-        return bandXyz(Ray(uvw, true, ivec2(0), 0.0, 0.0), bandPanels(min(specularLargestPanel, orderPanel * windowSigmaFrequency * inversesqrt(2.0 * dot(uvw.xy, uvw.xy)))));
+        return cutBandXyz(Ray(uvw, true, ivec2(0), 0.0, 0.0), length(uvw.xy));
     }
     // Orders along the axis on which the ray crosses more of them; on the other, the one nearest to the ray.
     vec2 binsPerWaveNumber = uvw.xy * tablePeriod;

@@ -130,12 +130,28 @@ vec2 manyBins(vec3 uvw, float wavelength) {
     return vec2(squaredMagnitude(sum), squares);
 }
 
+#ifdef SPECTRAL
+// A shader that asks for both averages of one wavelength sums once: so many steps are not had twice (loops.glsl).
+bool binsAreSummed = false;
+vec2 summedBins;
+
+vec2 bothPowers(vec3 uvw, float wavelength) {
+    if (!binsAreSummed) {
+        summedBins = manyBins(uvw, wavelength);
+        binsAreSummed = true;
+    }
+    return summedBins;
+}
+#else
+#define bothPowers manyBins
+#endif
+
 float coherentPower(vec3 uvw, float wavelength) {
-    return manyBins(uvw, wavelength).x;
+    return bothPowers(uvw, wavelength).x;
 }
 
 float ensemblePower(vec3 uvw, float wavelength) {
-    return manyBins(uvw, wavelength).y;
+    return bothPowers(uvw, wavelength).y;
 }
 
 #else

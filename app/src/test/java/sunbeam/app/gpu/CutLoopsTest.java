@@ -21,6 +21,7 @@ import sunbeam.precompute.patch.HeightMap;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.plan.Accuracy;
 import sunbeam.precompute.plan.Average;
+import sunbeam.precompute.plan.BandRule;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.Neighbourhood;
 import sunbeam.precompute.plan.Plan;
@@ -68,7 +69,8 @@ class CutLoopsTest {
                         Optional.empty(),
                         AREA,
                         VisibleRange.of(List.of(ASKED.get(0).pair())));
-        RaySampling sampling = new RaySampling(new Neighbourhood(radius, Neighbourhood.Anchor.NEAREST), 5e3, 50e3);
+        RaySampling sampling = new RaySampling(
+                new Neighbourhood(radius, Neighbourhood.Anchor.NEAREST), new BandRule(100, 0.1, 5e3, 50e3));
         Plan plan = new Plan(
                 planned.accuracy(),
                 planned.range(),

@@ -16,6 +16,7 @@ final class OrderNodes {
 
     private final PlanNodes weights;
     private final OrderSampling orders;
+    private final DirectionPair pair;
     private final double u;
     private final double v;
     private final double sigma;
@@ -25,6 +26,7 @@ final class OrderNodes {
     OrderNodes(PlanNodes weights, OrderSampling orders, PlanModel model, DirectionPair pair) {
         this.weights = weights;
         this.orders = orders;
+        this.pair = pair;
         this.u = pair.u();
         this.v = pair.v();
         this.sigma = model.sigmaFrequency();
@@ -34,14 +36,7 @@ final class OrderNodes {
 
     List<PlanNode> all() {
         if (Math.hypot(u, v) < SPECULAR_REACH * sigma * LONGEST) {
-            return weights.band(
-                    PlanNodes.panels(
-                            1 / LONGEST,
-                            1 / SHORTEST,
-                            Math.min(
-                                    orders.specularPanel(),
-                                    orders.panel() * sigma / (Math.sqrt(2) * Math.hypot(u, v)))),
-                    new PlanNode.Anywhere());
+            return weights.band(PlanNodes.cutBand(orders.band(), pair), new PlanNode.Anywhere());
         }
         boolean alongX = Math.abs(u * periodX) >= Math.abs(v * periodY);
         double major = alongX ? u * periodX : v * periodY;

@@ -6,6 +6,7 @@ import java.util.stream.LongStream;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.SmoothCieWeights;
 import sunbeam.precompute.optics.DirectionPair;
+import sunbeam.precompute.plan.BandRule;
 import sunbeam.precompute.plan.BinSampling;
 import sunbeam.precompute.plan.GridSampling;
 import sunbeam.precompute.plan.OrderSampling;
@@ -17,6 +18,7 @@ import sunbeam.precompute.shader.ColorArrays;
 final class PlanNodes {
     private static final double LOWEST = 1 / CieTable.MAXIMUM_WAVELENGTH;
     private static final double HIGHEST = 1 / CieTable.MINIMUM_WAVELENGTH;
+    private static final double[] CUT_END = {3.0 / 8, 7.0 / 6, 23.0 / 24};
     private static final double[] GAUSS_PLACES = {
         0.0694318442029737, 0.3300094782075719, 0.6699905217924281, 0.9305681557970263
     };
@@ -67,9 +69,20 @@ final class PlanNodes {
         return places;
     }
 
-    /** The same over the whole band; along the ray panels are as long as the largest, in cycles per metre. */
-    static List<WaveNumber> bandPanels(double largest, double along, DirectionPair pair) {
-        return panels(LOWEST, HIGHEST, Math.min(largest, along / Math.hypot(pair.u(), pair.v())));
+    /** The whole band, which may cut power anywhere. */
+    static List<WaveNumber> cutBand(BandRule rule, DirectionPair pair) {
+        double uv = Math.hypot(pair.u(), pair.v());
+        if (uv > rule.reach()) {
+            return panels(LOWEST, HIGHEST, Math.min(rule.largestPanel(), rule.panel() / uv));
+        }
+        int last = rule.fewestNodes() - 1;
+        List<WaveNumber> places = new ArrayList<>(steps(LOWEST, (HIGHEST - LOWEST) / last, 0, last));
+        for (int i = 0; i < CUT_END.length; i++) {
+            for (int at : new int[] {i, last - i}) {
+                places.set(at, new WaveNumber(places.get(at).value(), CUT_END[i] * places.get(at).length()));
+            }
+        }
+        return places;
     }
 
     /** All that a direction takes. */
@@ -83,7 +96,7 @@ final class PlanNodes {
             return nodes;
         }
         if (sampling instanceof RaySampling rays) {
-            return band(bandPanels(rays.largestPanel(), rays.panel(), pair), new PlanNode.Anywhere());
+            return band(cutBand(rays.band(), pair), new PlanNode.Anywhere());
         }
         return sampling instanceof OrderSampling orders
                 ? new OrderNodes(this, orders, model, pair).all()
@@ -94,7 +107,7 @@ final class PlanNodes {
         boolean alongX = Math.abs(pair.u()) >= Math.abs(pair.v());
         double major = Math.abs(alongX ? pair.u() : pair.v());
         if (major < grid.centreReach()) {
-            return band(bandPanels(grid.largestPanel(), grid.panel(), pair), new PlanNode.Anywhere());
+            return band(cutBand(grid.band(), pair), new PlanNode.Anywhere());
         }
         double crossed = major / grid.nodeStep() * (HIGHEST - LOWEST);
         int stride = (int) Math.max(1, Math.min(grid.largestStride(), Math.floor(crossed) / grid.fewestNodes()));

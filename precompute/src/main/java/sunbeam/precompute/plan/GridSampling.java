@@ -27,7 +27,7 @@ import sunbeam.precompute.table.FourierTable;
  * @param largestStride a ray that crosses many columns stops at every second one, or third, up to this
  * @param fewestNodes directions whose ray crosses fewer columns than this within the visible band, those near the specular
  *     one, take this many wavelengths or more and interpolate both axes
- * @param panel of Gauss's rule that these directions take, along the ray, cycles per metre
+ * @param band the wavelengths of these directions
  * @param singles bins that are summed at single wavelengths, where they are not too many
  * @param budget what each source may err
  */
@@ -36,7 +36,7 @@ public record GridSampling(
         double nodeStep,
         int largestStride,
         int fewestNodes,
-        double panel,
+        BandRule band,
         Optional<Neighbourhood> singles,
         ErrorBudget budget)
         implements Sampling {
@@ -72,12 +72,12 @@ public record GridSampling(
                 String.format(
                         Locale.ROOT,
                         "wavelengths: where the ray (u, v) / lambda crosses columns %.4g cycles per metre apart, with"
-                                + " strides of up to %d, at most %d; where |u|, |v| < %.3f, %d or more by Gauss's rule",
+                                + " strides of up to %d, at most %d; where |u|, |v| < %.3f, %s",
                         nodeStep,
                         largestStride,
                         mostNodes(range),
                         centreReach(),
-                        fewestNodes));
+                        band.inWords()));
     }
 
     @Override
@@ -105,7 +105,7 @@ public record GridSampling(
         // Loops over the taps of a texel are written out, those over texels may not be.
         long layers = (2L * plan.expansion().terms() + 3) / 4;
         double centre = Math.sqrt(2) * Math.min(centreReach(), plan.range().maximumComponent());
-        long nodes = Math.max(mostNodes(plan.range()), GaussPanels.nodes(largestPanel(), panel, centre));
+        long nodes = Math.max(mostNodes(plan.range()), band.mostNodes(centre));
         return nodes * layers;
     }
 
@@ -123,20 +123,15 @@ public record GridSampling(
      * there; else a grid that is fine enough for both averages.
      */
     public Sampling single() {
-        return singles.<Sampling>map(bins -> new RaySampling(bins, panel, largestPanel()))
+        return singles.<Sampling>map(bins -> new RaySampling(bins, band))
                 .orElseGet(() -> new GridSampling(
                         new ErrorBudget(budget.tolerance()).interpolation(Average.ENSEMBLE),
                         nodeStep,
                         largestStride,
                         fewestNodes,
-                        panel,
+                        band,
                         singles,
                         budget));
-    }
-
-    /** The largest of these panels in 1 / lambda, 1 / metres. */
-    public double largestPanel() {
-        return GaussPanels.largest(fewestNodes);
     }
 
     @Override
@@ -187,12 +182,11 @@ public record GridSampling(
         tables.array(SpectrumArrays.kernel(interpolation.taps(), interpolation::kernel, kernelSamples()))
                 .array(ColorArrays.cieWeights(cie));
         if (use == MethodUse.COLOUR) {
+            band.addTo(tables);
             tables.reals("gridNodeStep", nodeStep)
                     .integers("gridLargestStride", largestStride)
                     .reals("gridCentreReach", centreReach())
                     .integers("gridFewestNodes", fewestNodes)
-                    .reals("gridPanel", panel)
-                    .reals("gridLargestPanel", largestPanel())
                     .reals("cieWhite", ColorArrays.cieWhite(cie));
         }
         return tables.build(plan.window().sigmaMetres(), plan.specularReach());

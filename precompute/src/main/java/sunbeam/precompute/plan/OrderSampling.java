@@ -20,9 +20,9 @@ import sunbeam.precompute.units.Lengths;
  * @param panel of Gauss's rule on orders that the visible band cuts, likewise
  * @param largestStep their largest distance in metres: orders near the specular one are broader than the structure of the
  *     colour matching functions and D65
- * @param specularPanel largest panel within the specular order, which has no middle, in 1 / lambda, 1 / metres
+ * @param band wavelengths within the specular order, which has no middle
  */
-public record OrderSampling(double reach, double nodeSpacing, double panel, double largestStep, double specularPanel)
+public record OrderSampling(double reach, double nodeSpacing, double panel, double largestStep, BandRule band)
         implements Sampling {
     private static final Neighbourhood NEAREST_BIN = new Neighbourhood(0, Neighbourhood.Anchor.NEAREST);
 
@@ -46,7 +46,7 @@ public record OrderSampling(double reach, double nodeSpacing, double panel, doub
                         nodes(),
                         nodeSpacing,
                         Lengths.format(largestStep),
-                        GaussPanels.fewestNodes(specularPanel)));
+                        band.fewestNodes()));
     }
 
     @Override
@@ -81,14 +81,14 @@ public record OrderSampling(double reach, double nodeSpacing, double panel, doub
 
     @Override
     public ShaderTables tables(Plan plan, FourierTable table, MethodUse use, CieTable cie) {
-        return BinArrays.tables("full_orders", plan, table, NEAREST_BIN)
-                .array(ColorArrays.cieWeights(cie))
+        ShaderTables.Builder tables = BinArrays.tables("full_orders", plan, table, NEAREST_BIN);
+        band.addTo(tables);
+        return tables.array(ColorArrays.cieWeights(cie))
                 .reals("orderReach", reach)
                 .reals("orderNodeSpacing", nodeSpacing)
                 .reals("orderPanel", panel)
                 .reals("orderLargestStep", largestStep)
-                .reals("specularLargestPanel", specularPanel)
-                .reals("windowSigmaFrequency", plan.window().sigmaFrequency())
+                                .reals("windowSigmaFrequency", plan.window().sigmaFrequency())
                 .reals("cieWhite", ColorArrays.cieWhite(cie))
                 .build(plan.window().sigmaMetres(), plan.specularReach());
     }

@@ -1,7 +1,6 @@
 package sunbeam.precompute.plan;
 
 import java.util.List;
-import java.util.Locale;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.shader.ArrayLayout;
@@ -11,24 +10,23 @@ import sunbeam.precompute.shader.ShaderTables;
 import sunbeam.precompute.table.FourierTable;
 
 /**
- * Sums a neighbourhood of bins, at wavelengths of Gauss's rule along the ray f = (u, v) / lambda: for orders that the
+ * Sums a neighbourhood of bins, at wavelengths along the ray f = (u, v) / lambda: for orders that the
  * window neither resolves nor blurs, and for windows so large that a grid would not fit into memory
  * (shaders/method/full_rays.glsl).
  *
  * @param neighbourhood the bins
- * @param panel of Gauss's rule along the ray, cycles per metre
- * @param largestPanel in 1 / lambda, 1 / metres
+ * @param band the wavelengths
  */
-public record RaySampling(Neighbourhood neighbourhood, double panel, double largestPanel) implements Sampling {
+public record RaySampling(Neighbourhood neighbourhood, BandRule band) implements Sampling {
 
     @Override
     public String summary(VisibleRange range) {
         return "%s at %d to %d wavelengths"
-                .formatted(neighbourhood.summary(), GaussPanels.fewestNodes(largestPanel), mostNodes(range));
+                .formatted(neighbourhood.summary(), band.fewestNodes(), mostNodes(range));
     }
 
     private int mostNodes(VisibleRange range) {
-        return GaussPanels.nodes(largestPanel, panel, range.longestUv());
+        return band.mostNodes(range.longestUv());
     }
 
     @Override
@@ -36,12 +34,7 @@ public record RaySampling(Neighbourhood neighbourhood, double panel, double larg
         return List.of(
                 "spectrum: the window's is so narrow that its flanks lie bare between orders, or a grid would not fit into"
                         + " memory; " + neighbourhood.summary() + " are summed",
-                String.format(
-                        Locale.ROOT,
-                        "wavelengths: by Gauss's rule of 4 on panels of %.4g cycles per metre along the ray (u, v) / lambda,"
-                                + " %d or more",
-                        panel,
-                        GaussPanels.fewestNodes(largestPanel)));
+                "wavelengths: " + band.inWords());
     }
 
     @Override
@@ -74,10 +67,9 @@ public record RaySampling(Neighbourhood neighbourhood, double panel, double larg
 
     @Override
     public ShaderTables tables(Plan plan, FourierTable table, MethodUse use, CieTable cie) {
-        return BinArrays.tables("full_rays", plan, table, neighbourhood)
-                .array(ColorArrays.cieWeights(cie))
-                .reals("rayPanel", panel)
-                .reals("rayLargestPanel", largestPanel)
+        ShaderTables.Builder tables = BinArrays.tables("full_rays", plan, table, neighbourhood);
+        band.addTo(tables);
+        return tables.array(ColorArrays.cieWeights(cie))
                 .reals("cieWhite", ColorArrays.cieWhite(cie))
                 .build(plan.window().sigmaMetres(), plan.specularReach());
     }

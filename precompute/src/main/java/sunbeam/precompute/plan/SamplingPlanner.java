@@ -60,7 +60,7 @@ final class SamplingPlanner {
             choices.add(grid(budget.interpolation(average)));
             choices.add(grid(budget.compactInterpolation(average)));
         }
-        choices.add(new RaySampling(bins(), panel(), GaussPanels.largest(fewestNodes())));
+        choices.add(new RaySampling(bins(), band(fewestNodes())));
         return choices;
     }
 
@@ -73,9 +73,10 @@ final class SamplingPlanner {
         return Math.max(1, budget.neighbourhoodRadius(window.sigmaFrequency() * period));
     }
 
-    /** Of Gauss's rule, cycles per metre; an order's power is narrower than its amplitude by sqrt(2). */
-    private double panel() {
-        return budget.panelDeviations() * window.sigmaFrequency() / Math.sqrt(2);
+    /** An order's power is narrower than its amplitude by sqrt(2). */
+    private BandRule band(int fewestNodes) {
+        double deviation = window.sigmaFrequency() / Math.sqrt(2);
+        return BandRule.of(fewestNodes, deviation, budget.cutSpacing(), budget.panelDeviations());
     }
 
     /** Whether the window's spectrum is so wide that a grid is worth while. */
@@ -93,7 +94,7 @@ final class SamplingPlanner {
                 spacing,
                 budget.panelDeviations(),
                 WAVELENGTH_STEP_AT_STANDARD / relativeFineness(),
-                GaussPanels.largest(2 * fewestNodes()));
+                band(4 * fewestNodes()));
     }
 
     private Sampling grid(InterpolationDesign design) {
@@ -101,9 +102,9 @@ final class SamplingPlanner {
         // of deviation sigma / sqrt(2), for which the trapezoid rule errs by 2 exp(-2 (pi deviation / step)^2).
         double perStep = Math.sqrt(2 / (Math.PI * Math.PI) * Math.log(2 / budget.wavelengths()));
         double step = window.sigmaFrequency() / perStep;
-        double centre = new GridSampling(design, step, 1, fewestNodes(), panel(), singles(), budget).centreReach();
+        double centre = new GridSampling(design, step, 1, fewestNodes(), band(fewestNodes()), singles(), budget).centreReach();
         int stride = (int) Math.ceil(centre / LARGEST_CENTRE);
-        return new GridSampling(design, step / stride, stride, fewestNodes(), panel(), singles(), budget);
+        return new GridSampling(design, step / stride, stride, fewestNodes(), band(fewestNodes()), singles(), budget);
     }
 
     /** Bins that single wavelengths are summed from, where they are not too many. */
@@ -113,7 +114,7 @@ final class SamplingPlanner {
 
     /** How much finer than at the standard tolerance wavelengths are resolved. */
     private double relativeFineness() {
-        return Math.sqrt(ErrorBudget.STANDARD / budget.tolerance());
+        return Math.cbrt(ErrorBudget.STANDARD / budget.tolerance());
     }
 
     private int fewestNodes() {
