@@ -57,6 +57,9 @@ record Inspection(
         HeightMap map = patch.heights();
         List<String> lines = new ArrayList<>();
         lines.add(line("patch", patch.source()));
+        for (String channel : patch.channels()) {
+            lines.add(line(lines.size() == 1 ? "channels" : "", channel));
+        }
         lines.add(line(
                 "size",
                 "%s x %s, %d x %d samples"
