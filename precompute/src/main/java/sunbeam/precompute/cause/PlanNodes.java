@@ -79,7 +79,11 @@ final class PlanNodes {
         List<WaveNumber> places = new ArrayList<>(steps(LOWEST, (HIGHEST - LOWEST) / last, 0, last));
         for (int i = 0; i < CUT_END.length; i++) {
             for (int at : new int[] {i, last - i}) {
-                places.set(at, new WaveNumber(places.get(at).value(), CUT_END[i] * places.get(at).length()));
+                places.set(
+                        at,
+                        new WaveNumber(
+                                places.get(at).value(),
+                                CUT_END[i] * places.get(at).length()));
             }
         }
         return places;

@@ -17,7 +17,8 @@ public record BandRule(int fewestNodes, double reach, double panel, double large
     private static final int NODES_PER_PANEL = 4;
     // Panels at both ends are divided.
     private static final int GRADED_PANELS = 4;
-    // Kinks of D65's table, 5 nm apart, lie anywhere in a panel: with two nodes where equal steps have one, both err alike.
+    // Kinks of D65's table, 5 nm apart, lie anywhere in a panel: with two nodes where equal steps have one, both err
+    // alike.
     private static final double NODES_BESIDE_EQUAL = 2;
     private static final double BAND = 1 / CieTable.MINIMUM_WAVELENGTH - 1 / CieTable.MAXIMUM_WAVELENGTH;
 

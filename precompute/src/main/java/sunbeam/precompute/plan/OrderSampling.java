@@ -88,7 +88,7 @@ public record OrderSampling(double reach, double nodeSpacing, double panel, doub
                 .reals("orderNodeSpacing", nodeSpacing)
                 .reals("orderPanel", panel)
                 .reals("orderLargestStep", largestStep)
-                                .reals("windowSigmaFrequency", plan.window().sigmaFrequency())
+                .reals("windowSigmaFrequency", plan.window().sigmaFrequency())
                 .reals("cieWhite", ColorArrays.cieWhite(cie))
                 .build(plan.window().sigmaMetres(), plan.specularReach());
     }

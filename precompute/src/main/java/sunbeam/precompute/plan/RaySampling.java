@@ -21,8 +21,7 @@ public record RaySampling(Neighbourhood neighbourhood, BandRule band) implements
 
     @Override
     public String summary(VisibleRange range) {
-        return "%s at %d to %d wavelengths"
-                .formatted(neighbourhood.summary(), band.fewestNodes(), mostNodes(range));
+        return "%s at %d to %d wavelengths".formatted(neighbourhood.summary(), band.fewestNodes(), mostNodes(range));
     }
 
     private int mostNodes(VisibleRange range) {

@@ -102,7 +102,8 @@ final class SamplingPlanner {
         // of deviation sigma / sqrt(2), for which the trapezoid rule errs by 2 exp(-2 (pi deviation / step)^2).
         double perStep = Math.sqrt(2 / (Math.PI * Math.PI) * Math.log(2 / budget.wavelengths()));
         double step = window.sigmaFrequency() / perStep;
-        double centre = new GridSampling(design, step, 1, fewestNodes(), band(fewestNodes()), singles(), budget).centreReach();
+        double centre =
+                new GridSampling(design, step, 1, fewestNodes(), band(fewestNodes()), singles(), budget).centreReach();
         int stride = (int) Math.ceil(centre / LARGEST_CENTRE);
         return new GridSampling(design, step / stride, stride, fewestNodes(), band(fewestNodes()), singles(), budget);
     }
