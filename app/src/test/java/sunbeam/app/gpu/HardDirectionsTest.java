@@ -65,13 +65,13 @@ class HardDirectionsTest extends InAContext {
         for (int i = 0; i < queries.size(); i++) {
             DirectionPair pair = queries.get(i).pair();
             float power = computed.get(i)[0];
-            // Where 1 - 1e-8 is a component, float32 leaves (6e-8 / 3.5e-4)^2 of the sum, and 1e-6 by rounding.
+            // Components near 1 are rounded by 6e-8, of a sum of 3.9e-4 at 89.99 degrees: 1.5e-4, and its square.
             assertThat(computed.get(i)[2] / power / Gain.relativeRadiance(pair))
                     .as("rho at %s", pair)
-                    .isCloseTo(1, within(1e-5));
+                    .isCloseTo(1, within(3e-4));
             assertThat(computed.get(i)[3] / power / Gain.brdf(pair, window, 500e-9))
                     .as("brdf at %s", pair)
-                    .isCloseTo(1, within(1e-5));
+                    .isCloseTo(1, within(3e-4));
         }
     }
 
