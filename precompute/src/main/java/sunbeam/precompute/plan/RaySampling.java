@@ -21,7 +21,7 @@ public record RaySampling(Neighbourhood neighbourhood, BandRule band) implements
 
     @Override
     public String wavelengths(VisibleRange range) {
-        return "%d to %d wavelengths a pixel".formatted(fewestNodes, mostNodes(range));
+        return "%d to %d wavelengths a pixel".formatted(band.fewestNodes(), mostNodes(range));
     }
 
     @Override
