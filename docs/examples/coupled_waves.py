@@ -237,7 +237,7 @@ def sunbeam(program):
                 png.write(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", samples, 8, 16, 0, 0, 0, 0))
                           + chunk(b"IDAT", zlib.compress(rows)) + chunk(b"IEND", b""))
             with open(f"{folder}/g.json", "w") as descriptor:
-                json.dump({"file": "g.png", "width": f"{period} um", "maxHeight": f"{depth} nm"}, descriptor)
+                json.dump({"heights": "g.png", "width": f"{period} um", "maxHeight": f"{depth} nm"}, descriptor)
             m = np.arange(-3, 4)
             s = math.sin(math.radians(theta)) + m * wavelength / (period * 1e3)
             seen = abs(s) < 0.999
