@@ -26,6 +26,7 @@ import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.files.output.PngWriter;
 import sunbeam.app.files.output.SrgbImage;
 import sunbeam.app.gpu.UploadedTables;
+import sunbeam.app.gpu.colours.GpuColours;
 import sunbeam.app.gpu.map.BrdfMapRenderer;
 import sunbeam.app.gpu.map.DiscDirections;
 import sunbeam.app.gpu.picture.AutoExposure;
@@ -142,7 +143,7 @@ public final class BrdfMapCommand implements Callable<Integer> {
         MethodPlan plan = chosen.plan(setup.surface(), VisibleRange.of(wi));
         PrintWriter out = specification.commandLine().getOut();
         methodOptions.print(plan, err);
-        ShaderTables tables = setup.tables(plan, MethodUse.COLOUR);
+        ShaderTables tables = setup.tables(plan, MethodUse.COLOUR, GpuColours::of);
         Optional<Certificate> certificate;
         try (RenderContext context = RenderContexts.offscreen();
                 UploadedTables method = UploadedTables.upload(context, tables);
