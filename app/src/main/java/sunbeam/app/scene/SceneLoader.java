@@ -65,6 +65,7 @@ public final class SceneLoader {
 
     private Patch patch(Scene scene) {
         Patch patch = PatchOptions.load(scene.patch());
+        patch.notes().forEach(line -> warning.accept(patch.name() + ": " + line));
         patch.warnings().forEach(line -> warning.accept(patch.name() + ": " + line));
         return patch;
     }

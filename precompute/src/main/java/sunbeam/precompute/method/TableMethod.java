@@ -18,11 +18,11 @@ import sunbeam.precompute.files.Sha256;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.patch.HeightMap;
 import sunbeam.precompute.plan.Accuracy;
+import sunbeam.precompute.plan.ErrorBudget;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.MemoryNeed;
 import sunbeam.precompute.plan.Reach;
 import sunbeam.precompute.plan.TableChoices;
-import sunbeam.precompute.plan.Tolerances;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Sentence;
@@ -86,7 +86,7 @@ public record TableMethod(double tolerance, GaussianArea area) implements Method
         TableBaking baking = new TableBaking(pages);
         requireRoom(surface, design, baking.memory());
         FullMethod full = new FullMethod(
-                TableChoices.of(new Accuracy.ByTolerance(Math.max(Tolerances.FINEST, SOURCE_SHARE * tolerance))),
+                TableChoices.of(new Accuracy.ByTolerance(Math.max(ErrorBudget.FINEST, SOURCE_SHARE * tolerance))),
                 Optional.empty(),
                 area);
         return new Planned(surface, pages, baking, full.plan(surface, pages.range()));
@@ -162,6 +162,11 @@ public record TableMethod(double tolerance, GaussianArea area) implements Method
         @Override
         public List<Sentence> warnings() {
             return source.warnings();
+        }
+
+        @Override
+        public List<Sentence> shortfalls() {
+            return source.shortfalls();
         }
 
         @Override

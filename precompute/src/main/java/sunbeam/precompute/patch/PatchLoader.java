@@ -17,11 +17,10 @@ import java.util.function.Function;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.setting.SettingException;
-import sunbeam.precompute.units.Lengths;
 
 /**
  * Makes patches of what users name: first a built-in patch of that name, then a descriptor (the name ends in .json),
- * then an image, which needs a scale. A file called like a built-in patch is reached as {@code ./blaze}.
+ * then a scan or an image, which needs a scale. A file called like a built-in patch is reached as {@code ./blaze}.
  */
 public final class PatchLoader {
     private final List<String> builtIn;
@@ -47,6 +46,11 @@ public final class PatchLoader {
         return request.located(() -> loadHere(request));
     }
 
+    /** Whether a file is a scan in a format that knows its own scale, or most of it; not so images and descriptors. */
+    public static boolean isScan(Path file) {
+        return HeightFiles.isScan(file);
+    }
+
     private Patch loadHere(PatchRequest request) {
         String name = request.patch().strip();
         if (name.isEmpty()) {
@@ -58,7 +62,7 @@ public final class PatchLoader {
         Path file = existing(name);
         return name.toLowerCase(Locale.ROOT).endsWith(".json")
                 ? fromDescriptor(PatchDescriptorReader.read(file), request)
-                : fromScaledImage(file, file, request.choices());
+                : fromFile(file, file, request.choices());
     }
 
     private Path existing(String name) {
@@ -77,7 +81,7 @@ public final class PatchLoader {
         String names = builtIn.isEmpty() ? "" : "a built-in patch (" + String.join(", ", builtIn) + "), ";
         return new SettingException(
                 PATCH,
-                problem + "give " + names + "a descriptor (.json) or an image with ",
+                problem + "give " + names + "a scan, a descriptor (.json) or an image with ",
                 WIDTH,
                 " and ",
                 MAX_HEIGHT);
@@ -87,10 +91,11 @@ public final class PatchLoader {
         String what = "the built-in patch " + name;
         requireNoScale(request, what);
         if (request.find(CHANNEL).isPresent()) {
-            throw new SettingException(CHANNEL, "contradicts " + what + ", which is no image; leave it out");
+            throw new SettingException(CHANNEL, "contradicts " + what + ", which is no scan or image; leave it out");
         }
-        String source = "built-in " + name + ", " + size(map);
-        return finish(name, name, map, request.find(LEVEL), source, List.of());
+        String source = "built-in " + name + ", " + map.describe();
+        MeasuredHeights made = new MeasuredHeights(map, source, List.of(), List.of(), List.of());
+        return finish(name, name, made, request.find(LEVEL));
     }
 
     private static Patch fromDescriptor(PatchDescriptor descriptor, PatchRequest request) {
@@ -100,7 +105,7 @@ public final class PatchLoader {
         requireAgreed(CHANNEL, request, described, what);
         requireAgreed(LEVEL, request, described, what);
         Choices all = described.over(request.choices());
-        return all.located(() -> fromScaledImage(descriptor.file(), descriptor.heights(), all));
+        return all.located(() -> fromFile(descriptor.file(), descriptor.heights(), all));
     }
 
     private static void requireNoScale(PatchRequest request, String what) {
@@ -123,33 +128,15 @@ public final class PatchLoader {
     }
 
     /** @param file that the patch is called by */
-    private static Patch fromScaledImage(Path file, Path imageFile, Choices choices) {
-        InputFiles.requireReadable(imageFile);
-        PatchScale scale = PatchScale.of(choices, imageFile.toString());
-        HeightImage image = HeightImageReader.read(imageFile, choices.find(CHANNEL));
-        HeightMap map = scale.apply(image);
-        // Pictures are published with it: the file's name, not the folders of its owner.
-        String source = "%s (%s), %s, full scale %s"
-                .formatted(imageFile.getFileName(), image.description(), size(map), Lengths.format(scale.maxHeight()));
-        List<String> warnings = scale.warnings(map, image.format(), choices.origin(MAX_HEIGHT));
-        return finish(InputFiles.stem(file), imageFile.toString(), map, choices.find(LEVEL), source, warnings);
+    private static Patch fromFile(Path file, Path heightsFile, Choices choices) {
+        MeasuredHeights measured = HeightFiles.read(heightsFile, choices);
+        return finish(InputFiles.stem(file), heightsFile.toString(), measured, choices.find(LEVEL));
     }
 
-    private static String size(HeightMap map) {
-        return "%d x %d samples, %s x %s"
-                .formatted(map.columns(), map.rows(), Lengths.format(map.width()), Lengths.format(map.height()));
-    }
-
-    private static Patch finish(
-            String name,
-            String file,
-            HeightMap measured,
-            Optional<Levelling> levelling,
-            String source,
-            List<String> scaleWarnings) {
-        List<String> warnings = new ArrayList<>(scaleWarnings);
+    private static Patch finish(String name, String file, MeasuredHeights measured, Optional<Levelling> levelling) {
+        List<String> warnings = new ArrayList<>(measured.warnings());
         Levelling chosen = levelling.orElse(Levelling.MEAN);
-        MissingSamples.Filled filled = fill(file, chosen.apply(measured));
+        MissingSamples.Filled filled = fill(file, chosen.apply(measured.map()));
         HeightMap heights = filled.heights();
         if (filled.count() > 0) {
             warnings.add(missingWarning(filled));
@@ -161,7 +148,8 @@ public final class PatchLoader {
         }
         SamplingCheck.pitch(heights).ifPresent(warnings::add);
         SlopeCheck.slopes(heights).ifPresent(warnings::add);
-        return new Patch(name, heights, source + ", levelling " + chosen.label(), warnings);
+        String source = measured.source() + ", levelling " + chosen.label();
+        return new Patch(name, heights, source, measured.channels(), measured.notes(), warnings);
     }
 
     private static MissingSamples.Filled fill(String file, HeightMap map) {

@@ -15,8 +15,8 @@ import sunbeam.precompute.method.Surface;
 import sunbeam.precompute.patch.HeightMap;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.patch.SamplingCheck;
+import sunbeam.precompute.plan.ErrorBudget;
 import sunbeam.precompute.plan.PlanReport;
-import sunbeam.precompute.plan.Tolerances;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.units.Lengths;
 
@@ -42,7 +42,7 @@ record Inspection(
     }
 
     private static PlanReport plan(Patch patch) {
-        FullMethod standard = FullMethod.within(Tolerances.STANDARD);
+        FullMethod standard = FullMethod.within(ErrorBudget.STANDARD);
         return new PlanReport(standard.tablePlan(Surface.of(patch), VisibleRange.all()));
     }
 
@@ -57,6 +57,9 @@ record Inspection(
         HeightMap map = patch.heights();
         List<String> lines = new ArrayList<>();
         lines.add(line("patch", patch.source()));
+        for (String channel : patch.channels()) {
+            lines.add(line(lines.size() == 1 ? "channels" : "", channel));
+        }
         lines.add(line(
                 "size",
                 "%s x %s, %d x %d samples"
