@@ -3,6 +3,7 @@ package sunbeam.app.scene;
 import java.nio.file.Path;
 import java.util.function.Consumer;
 import sunbeam.app.files.cache.DiffractionSetup;
+import sunbeam.app.gpu.colours.GpuColours;
 import sunbeam.app.scene.mesh.Mesh;
 import sunbeam.app.scene.mesh.MeshSource;
 import sunbeam.app.scene.mesh.ReadMesh;
@@ -75,6 +76,6 @@ public final class SceneLoader {
         MethodPlan method = scene.method()
                 .choices()
                 .located(() -> scene.method().method().plan(setup.surface(), VisibleRange.all()));
-        return new SceneData(scene, mesh, patch, method, setup.tables(method, MethodUse.COLOUR), body);
+        return new SceneData(scene, mesh, patch, method, setup.tables(method, MethodUse.COLOUR, GpuColours::of), body);
     }
 }
