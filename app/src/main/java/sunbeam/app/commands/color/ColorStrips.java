@@ -6,6 +6,7 @@ import java.util.OptionalDouble;
 import jrtr.RenderContext;
 import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.gpu.UploadedTables;
+import sunbeam.app.gpu.colours.GpuColours;
 import sunbeam.app.gpu.directions.DirectionsRenderer;
 import sunbeam.app.gpu.directions.DirectionsRenderer.Query;
 import sunbeam.app.terminal.progress.Progress;
@@ -154,7 +155,8 @@ final class ColorStrips {
     }
 
     private List<float[]> evaluate(RenderContext context, int part, MethodUse use, List<Query> queries) {
-        try (UploadedTables tables = UploadedTables.upload(context, setup.tables(plans.get(part), use));
+        try (UploadedTables tables =
+                        UploadedTables.upload(context, setup.tables(plans.get(part), use, GpuColours::of));
                 DirectionsRenderer renderer = new DirectionsRenderer(context, tables, use == MethodUse.SPECTRAL);
                 Progress progress = Progress.start(setup.patch().name(), queries.size())) {
             window = new CoherenceWindow(tables.windowSigma());
