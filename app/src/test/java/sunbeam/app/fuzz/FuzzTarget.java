@@ -32,10 +32,10 @@ public final class FuzzTarget {
 
     /** What Jazzer calls: the reader is the one of the system property. */
     public static void fuzzerTestOneInput(byte[] input) throws IOException {
-        Process.TARGET.check(input);
+        Chosen.TARGET.check(input);
     }
 
-    private static final class Process {
+    private static final class Chosen {
         private static final FuzzTarget TARGET = target();
 
         private static FuzzTarget target() {

@@ -57,8 +57,16 @@ final class Seeds {
 
     /** Gwyddion Simple Field: text, zeros up to a multiple of four, then float32, little-endian. */
     static byte[] gsf() {
-        String header = "Gwyddion Simple Field 1.0\nXRes = 4\nYRes = 3\nXReal = 1e-6\nYReal = 7.5e-7\n"
-                + "ZUnits = m\nXYUnits = m\nTitle = seed\n";
+        String header = """
+                Gwyddion Simple Field 1.0
+                XRes = 4
+                YRes = 3
+                XReal = 1e-6
+                YReal = 7.5e-7
+                ZUnits = m
+                XYUnits = m
+                Title = seed
+                """;
         int length = header.length() / 4 * 4 + 4;
         ByteBuffer bytes = ByteBuffer.allocate(length + 4 * 4 * 3).order(ByteOrder.LITTLE_ENDIAN);
         bytes.put(header.getBytes(StandardCharsets.US_ASCII)).position(length);
