@@ -4,6 +4,7 @@ import java.io.PrintWriter;
 import java.util.Arrays;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import java.util.TreeMap;
 import jrtr.RenderContext;
 import sunbeam.precompute.plan.PlanReport;
@@ -12,16 +13,23 @@ import sunbeam.precompute.plan.PlanReport;
 final class RandomCases {
     private final RenderContext context;
     private final PrintWriter out;
+    private final Optional<KeptCases> kept;
     // The worst of median / tolerance and 95th percentile / (3 tolerance) of each case, by what it is.
     private final Map<String, double[]> ratios = new TreeMap<>();
 
-    RandomCases(RenderContext context, PrintWriter out) {
+    /**
+     * Cases on one graphics context.
+     *
+     * @param kept where cases that have light are written to, if anywhere
+     */
+    RandomCases(RenderContext context, PrintWriter out, Optional<KeptCases> kept) {
+        this.kept = kept;
         this.context = context;
         this.out = out;
     }
 
     /**
-     * Runs cases, prints those that miss, and the distribution.
+     * Runs cases, prints a line each, and the distribution.
      *
      * @return how many missed
      */
@@ -36,6 +44,7 @@ final class RandomCases {
                 continue;
             }
             bright++;
+            kept.ifPresent(folder -> folder.add(drawn));
             double ratio = Math.max(outcome.errors().median(), outcome.errors().percentile95() / 3) / drawn.tolerance();
             for (String key : new String[] {
                 "surface " + drawn.kind(), "aim " + drawn.aim(), drawn.colors() ? "XYZ" : "power", "all"
@@ -45,22 +54,27 @@ final class RandomCases {
             if (ratio > 1) {
                 missed++;
                 said += outcome.said() ? 1 : 0;
-                out.printf(
-                        Locale.ROOT,
-                        "%s%s: %s rows %d; %s%n",
-                        outcome.said() ? "missed as said, " : "missed, ",
-                        drawn,
-                        outcome.errors(),
-                        outcome.errors().count(),
-                        new PlanReport(outcome.plan()).summary());
-                out.flush();
             }
+            print(drawn, outcome, ratio);
         }
+        kept.ifPresent(KeptCases::close);
         out.printf(
                 "%d cases from seed %d, %d with light: %d missed, %d of them as the plan had said%n",
                 count, firstSeed, bright, missed, said);
         ratios.forEach(this::print);
         return missed;
+    }
+
+    private void print(RandomCase drawn, RandomCase.Outcome outcome, double ratio) {
+        String verdict = ratio <= 1 ? "kept" : outcome.said() ? "missed as said" : "missed";
+        out.printf(Locale.ROOT, "%s, %.2g of what is promised: %s", verdict, ratio, drawn);
+        if (ratio > 1) {
+            out.printf(
+                    "; %s, %d directions; %s",
+                    outcome.errors(), outcome.errors().count(), new PlanReport(outcome.plan()).summary());
+        }
+        out.println();
+        out.flush();
     }
 
     private static double[] joined(double[] a, double[] b) {

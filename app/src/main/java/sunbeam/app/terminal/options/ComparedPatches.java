@@ -1,0 +1,34 @@
+package sunbeam.app.terminal.options;
+
+import java.util.ArrayList;
+import java.util.List;
+import picocli.CommandLine.Option;
+import sunbeam.app.terminal.UsageException;
+import sunbeam.precompute.patch.Patch;
+
+/** Surfaces beside the first; to be used as a picocli mixin. */
+public final class ComparedPatches {
+    private static final int MOST = 24;
+
+    @Option(
+            names = "--with",
+            paramLabel = "PATCH",
+            description =
+                    "Another surface to show beside it at the same exposure, with the same options; may be repeated.")
+    private List<String> others = new ArrayList<>();
+
+    /** Whether there is more than one surface. */
+    public boolean areSeveral() {
+        return !others.isEmpty();
+    }
+
+    /** The first surface and the others. */
+    public List<Patch> load(PatchOptions first) {
+        if (others.size() > MOST) {
+            throw new UsageException("--with is given " + others.size() + " times; give it " + MOST + " times at most");
+        }
+        List<Patch> patches = new ArrayList<>(List.of(first.load()));
+        others.forEach(name -> patches.add(first.load(name)));
+        return patches;
+    }
+}
