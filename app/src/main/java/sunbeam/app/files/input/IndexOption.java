@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.NavigableMap;
 import java.util.TreeMap;
 import picocli.CommandLine.Option;
 import sunbeam.app.terminal.UsageException;
@@ -50,8 +51,8 @@ public final class IndexOption {
      * @throws InputException when it is missing, no such table, or does not cover 380 to 780 nm
      */
     static RefractiveIndex read(Path file) {
-        TreeMap<Double, Double> real = new TreeMap<>();
-        TreeMap<Double, Double> imaginary = new TreeMap<>();
+        NavigableMap<Double, Double> real = new TreeMap<>();
+        NavigableMap<Double, Double> imaginary = new TreeMap<>();
         List<String> header = List.of();
         int number = 0;
         for (String line : lines(file)) {
@@ -81,7 +82,7 @@ public final class IndexOption {
     }
 
     private static RefractiveIndex tabulated(
-            Path file, TreeMap<Double, Double> real, TreeMap<Double, Double> imaginary) {
+            Path file, NavigableMap<Double, Double> real, NavigableMap<Double, Double> imaginary) {
         requireVisible(file, "n", real);
         if (!imaginary.isEmpty()) {
             requireVisible(file, "k", imaginary);
@@ -101,7 +102,7 @@ public final class IndexOption {
         }
     }
 
-    private static double at(TreeMap<Double, Double> values, double wavelength) {
+    private static double at(NavigableMap<Double, Double> values, double wavelength) {
         var below = values.floorEntry(wavelength);
         var above = values.ceilingEntry(wavelength);
         if (below == null || above == null) {
@@ -112,7 +113,7 @@ public final class IndexOption {
         return below.getValue() + share * (above.getValue() - below.getValue());
     }
 
-    private static void requireVisible(Path file, String column, TreeMap<Double, Double> values) {
+    private static void requireVisible(Path file, String column, NavigableMap<Double, Double> values) {
         if (values.isEmpty()) {
             throw new InputException("cannot use " + file + ": it has no column " + column
                     + "; export it from refractiveindex.info as CSV, with the header wl,n");
