@@ -50,15 +50,15 @@ public final class TextReader implements ScanReader {
     }
 
     private static ScanChannel matrix(TextFacts facts, TextNumbers numbers) {
+        if (facts.columns().isEmpty()) {
+            numbers.requireRectangular();
+        }
         long columns = facts.columns().map(Integer::longValue).orElse(numbers.columns());
         boolean asSaid = facts.columns().isPresent() && facts.rows().isPresent();
         long rows = asSaid ? facts.rows().get() : numbers.count() / columns;
         if (columns * rows != numbers.count()) {
             throw new ScanException("has %d numbers where its header announces %d x %d; export it again"
                     .formatted(numbers.count(), columns, rows));
-        }
-        if (facts.columns().isEmpty()) {
-            numbers.requireRectangular();
         }
         Extent extent = new Extent(facts.width(), facts.height(), 1);
         return new ScanChannel(facts.channel(), toInt(columns), toInt(rows), extent, facts.unit(), numbers::read);
