@@ -54,6 +54,9 @@ public final class TextReader implements ScanReader {
             numbers.requireRectangular();
         }
         long columns = facts.columns().map(Integer::longValue).orElse(numbers.columns());
+        if (columns < 1) {
+            throw new ScanException("has no numbers in its first row; export it again");
+        }
         boolean asSaid = facts.columns().isPresent() && facts.rows().isPresent();
         long rows = asSaid ? facts.rows().get() : numbers.count() / columns;
         if (columns * rows != numbers.count()) {
