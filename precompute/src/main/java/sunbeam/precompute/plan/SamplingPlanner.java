@@ -101,7 +101,10 @@ final class SamplingPlanner {
         // Columns are crossed at up to sqrt(2) of their distance. The power of a lone order along the ray is a Gaussian
         // of deviation sigma / sqrt(2), for which the trapezoid rule errs by 2 exp(-2 (pi deviation / step)^2).
         double perStep = Math.sqrt(2 / (Math.PI * Math.PI) * Math.log(2 / budget.wavelengths()));
-        double step = window.sigmaFrequency() / perStep;
+        double deviation = window.sigmaFrequency() / Math.sqrt(2);
+        double uncut = window.sigmaFrequency() / perStep;
+        double step =
+                budget.roughness().isRough() ? uncut : Math.min(uncut, budget.cutSpacing() * deviation / Math.sqrt(2));
         double centre =
                 new GridSampling(design, step, 1, fewestNodes(), band(fewestNodes()), singles(), budget).centreReach();
         int stride = (int) Math.ceil(centre / LARGEST_CENTRE);
