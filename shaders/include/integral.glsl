@@ -52,7 +52,8 @@ const int GRADED_PANELS = 4;
 
 // Panels of this size or smaller between two 1 / lambda.
 Panels panelsBetween(float low, float high, float largestSize) {
-    int equal = max(int(ceil((high - low) / largestSize)), 2);
+    // A whole number of the largest size is so many, however float32 rounds.
+    int equal = max(int(ceil((high - low) / largestSize - 1e-3)), 2);
     return Panels(low, (high - low) / float(equal), equal + GRADED_PANELS);
 }
 

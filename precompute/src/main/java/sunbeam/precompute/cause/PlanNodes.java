@@ -50,7 +50,7 @@ final class PlanNodes {
 
     /** Gauss's rule on panels that are graded at both ends. */
     static List<WaveNumber> panels(double low, double high, double largest) {
-        int equal = (int) Math.max(Math.ceil((high - low) / largest), 2);
+        int equal = (int) Math.max(Math.ceil((high - low) / largest - 1e-3), 2);
         double size = (high - low) / equal;
         List<Double> edges = new ArrayList<>(List.of(0.0, 0.25, 0.5));
         for (int i = 1; i < equal; i++) {

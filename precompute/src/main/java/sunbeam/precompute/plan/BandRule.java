@@ -44,7 +44,7 @@ public record BandRule(int fewestNodes, double reach, double panel, double large
         if (uv <= reach) {
             return fewestNodes;
         }
-        double equal = Math.max(2, Math.ceil(BAND / Math.min(largestPanel, panel / uv)));
+        double equal = Math.max(2, Math.ceil(BAND / Math.min(largestPanel, panel / uv) - 1e-3));
         return NODES_PER_PANEL * ((int) equal + GRADED_PANELS);
     }
 
