@@ -55,12 +55,11 @@ final class SamplingPlanner {
         if (neighbour < 1e-3 * budget.tolerance()) {
             return List.of(orders());
         }
-        List<Sampling> choices = new ArrayList<>();
-        if (interpolates(map, window)) {
-            choices.add(grid(budget.interpolation(average)));
-            choices.add(grid(budget.compactInterpolation(average)));
-        }
-        choices.add(new RaySampling(bins(), band(fewestNodes())));
+        List<Sampling> grids = List.of(grid(budget.interpolation(average)), grid(budget.compactInterpolation(average)));
+        Sampling rays = new RaySampling(bins(), band(fewestNodes()));
+        List<Sampling> choices = new ArrayList<>(grids);
+        // Where orders are resolved along an axis, a grid fine enough for them is larger than the bins.
+        choices.add(interpolates(map, window) ? grids.size() : 0, rays);
         return choices;
     }
 
