@@ -70,7 +70,26 @@ class FrustumTest {
     }
 
     @Test
+    void aNarrowPictureShowsAsMuchFromLeftToRightAsTheLeastAspect() {
+        Frustum framed = new Frustum(FIELD, 4f / 3, 0.5f, 20);
+        Vector3f right = new Vector3f((float) Math.tan(FIELD / 2) * 4 / 3, 0, -1);
+        Vector3f diagonal = new Vector3f(1, 1, -9);
+
+        assertThat(framed.cameraToClip(PictureArea.whole(800, 300)))
+                .as("wider")
+                .isEqualTo(FRUSTUM.cameraToClip(PictureArea.whole(800, 300)));
+        for (int width : new int[] {399, 300, 3}) {
+            Matrix4f narrow = framed.cameraToClip(PictureArea.whole(width, 300));
+            assertThat(narrow.transformProject(new Vector3f(right)).x).isCloseTo(1, within(1e-6f));
+            Vector3f there = narrow.transformProject(new Vector3f(diagonal));
+            assertThat(there.x * width).as("pixels are square").isCloseTo(there.y * 300, within(1e-4f));
+        }
+    }
+
+    @Test
     void whatIsNoFrustumIsRefused() {
+        assertThatThrownBy(() -> new Frustum(1, -1, 1, 2)).isInstanceOf(IllegalArgumentException.class);
+        assertThatThrownBy(() -> new Frustum(1, Float.NaN, 1, 2)).isInstanceOf(IllegalArgumentException.class);
         assertThatThrownBy(() -> new Frustum(0, 1, 2)).isInstanceOf(IllegalArgumentException.class);
         assertThatThrownBy(() -> new Frustum(3.2f, 1, 2)).isInstanceOf(IllegalArgumentException.class);
         assertThatThrownBy(() -> new Frustum(1, 0, 2)).isInstanceOf(IllegalArgumentException.class);

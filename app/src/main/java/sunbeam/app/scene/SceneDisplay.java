@@ -21,7 +21,7 @@ public final class SceneDisplay implements AutoCloseable {
 
     /** The scene's exposure, or where it has none, the one at which the whole picture is well lit. */
     public static double exposure(Scene scene, ScenePicture whole) {
-        return scene.exposure().orElseGet(() -> AutoExposure.of(whole.linear(), pixel -> false));
+        return scene.exposure().orElseGet(() -> AutoExposure.of(whole.linear()));
     }
 
     /** The picture before its background, which is not exposed; opaque sRGB. */

@@ -60,7 +60,7 @@ final class SceneGraphs {
     }
 
     /** The planes enclose the mesh, however it is turned. */
-    private static Frustum frustum(Viewpoint view, BoundingSphere bounds) {
+    static Frustum frustum(Viewpoint view, BoundingSphere bounds) {
         Camera camera = view.camera();
         Vector3f sight = camera.lookAtPoint().sub(camera.centerOfProjection(), new Vector3f());
         float distance =
@@ -68,6 +68,10 @@ final class SceneGraphs {
         float reach = Math.max(MARGIN * bounds.radius(), THINNEST * Math.abs(distance));
         // Behind the eye nothing is seen whatever the planes.
         float far = Math.max(distance, 0) + reach;
-        return new Frustum((float) view.verticalFieldOfView(), Math.max(distance - reach, NEAREST * far), far);
+        return new Frustum(
+                (float) view.verticalFieldOfView(),
+                (float) Viewpoint.LEAST_ASPECT,
+                Math.max(distance - reach, NEAREST * far),
+                far);
     }
 }

@@ -69,7 +69,8 @@ public final class SceneSettings {
     static final Setting<Double> FIELD_OF_VIEW = new Setting<>(
                     "fieldOfView",
                     Kinds.angle(Viewpoint.NARROWEST, Viewpoint.WIDEST),
-                    "Angle between the picture's bottom and top.")
+                    "Angle between the bottom and top of a picture of 4:3 or wider; a narrower one shows as much from left"
+                            + " to right.")
             .withStandard(Math.toRadians(30));
 
     /** Factor for all that the light makes visible. */

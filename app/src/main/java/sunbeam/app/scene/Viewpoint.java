@@ -9,9 +9,13 @@ import jrtr.scene.Camera;
  * From where a scene is seen, and how much of it.
  *
  * @param camera metres, world space
- * @param verticalFieldOfView angle between the picture's bottom and top, radians, {@link #NARROWEST} to {@link #WIDEST}
+ * @param verticalFieldOfView angle between the bottom and top of a picture of 4:3 or wider, radians, {@link #NARROWEST} to
+ *     {@link #WIDEST}; a narrower picture shows as much from left to right as one of 4:3
  */
 public record Viewpoint(Camera camera, double verticalFieldOfView) {
+    /** Width over height below which a picture shows more above and below instead of less at its sides. */
+    public static final double LEAST_ASPECT = 4.0 / 3;
+
     /** In narrower pictures single precision ends. */
     public static final double NARROWEST = Math.toRadians(0.001);
 
@@ -22,5 +26,10 @@ public record Viewpoint(Camera camera, double verticalFieldOfView) {
     public Viewpoint {
         Objects.requireNonNull(camera, "camera");
         FIELD_OF_VIEW.kind().check(verticalFieldOfView);
+    }
+
+    /** Half the height of what a picture shows, at the distance 1 from the eye. */
+    public double halfHeight(int width, int height) {
+        return Math.tan(verticalFieldOfView / 2) * Math.max(1, LEAST_ASPECT * height / width);
     }
 }

@@ -30,14 +30,16 @@ public final class CameraMoves {
      *
      * @param right drag to the right, in picture heights
      * @param up drag upwards, in picture heights
+     * @param width of the picture, in any unit
+     * @param height of the picture, in the same
      */
-    public static Viewpoint panned(Viewpoint view, double right, double up) {
+    public static Viewpoint panned(Viewpoint view, double right, double up, int width, int height) {
         Camera camera = view.camera();
         Vector3f sight = camera.lookAtPoint().sub(camera.centerOfProjection(), new Vector3f());
-        double height = 2 * sight.length() * Math.tan(view.verticalFieldOfView() / 2);
+        double seen = 2 * sight.length() * view.halfHeight(width, height);
         Vector3f toRight = sight.cross(camera.up(), new Vector3f()).normalize();
         Vector3f toTop = toRight.cross(sight, new Vector3f()).normalize();
-        Vector3f shift = toRight.mul((float) (-right * height)).add(toTop.mul((float) (-up * height)));
+        Vector3f shift = toRight.mul((float) (-right * seen)).add(toTop.mul((float) (-up * seen)));
         return new Viewpoint(
                 new Camera(
                         camera.centerOfProjection().add(shift, new Vector3f()),

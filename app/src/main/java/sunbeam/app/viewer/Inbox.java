@@ -3,6 +3,7 @@ package sunbeam.app.viewer;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.Optional;
+import java.util.function.Predicate;
 
 /**
  * What the render thread has to do: the newest state to show, older ones being forgotten, and small tasks, none of which
@@ -53,6 +54,11 @@ final class Inbox<S, T> {
         Optional<S> state = Optional.ofNullable(newest);
         newest = null;
         return state;
+    }
+
+    /** The newest state, once, if it is such a one; does not wait. */
+    synchronized Optional<S> stateIf(Predicate<S> wanted) {
+        return newest != null && wanted.test(newest) ? state() : Optional.empty();
     }
 
     /** Waits until there is something to do. */

@@ -46,17 +46,9 @@ final class MapStage implements AutoCloseable {
                 }
             }
             LinearPicture picture = renderer.picture();
-            double exposure = AutoExposure.of(picture, pixel -> isSpecular(pixel, size, light, method.specularReach()));
+            double exposure = AutoExposure.of(picture);
             return SrgbImage.fromEncoded(size, size, display.srgb(picture, exposure));
         }
-    }
-
-    // As in the command brdf-map.
-    private static boolean isSpecular(int pixel, int size, Direction light, double reach) {
-        double x = (2.0 * (pixel % size) + 1) / size - 1;
-        int row = pixel / size;
-        double y = 1 - (2.0 * row + 1) / size;
-        return Math.hypot(x + light.x(), y + light.y()) < reach;
     }
 
     @Override

@@ -65,9 +65,11 @@ final class MouseControls extends MouseAdapter {
         } else if (left) {
             model.change(scene -> turn(scene, from, to));
         } else if (SwingUtilities.isMiddleMouseButton(event)) {
-            double height = view.getHeight();
-            model.change(scene -> scene.withView(
-                    CameraMoves.panned(scene.view(), (to.x - from.x) / height, (from.y - to.y) / height)));
+            int width = view.getWidth();
+            int height = view.getHeight();
+            double right = (double) (to.x - from.x) / height;
+            double up = (double) (from.y - to.y) / height;
+            model.change(scene -> scene.withView(CameraMoves.panned(scene.view(), right, up, width, height)));
         }
     }
 

@@ -1,6 +1,7 @@
 package sunbeam.app.viewer;
 
 import java.awt.image.BufferedImage;
+import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import jrtr.Tile;
@@ -27,6 +28,10 @@ final class RenderLoop implements AutoCloseable {
     private TileSide tileSide = TileSide.first();
     private MethodPlan measured;
     private final KeptExposure exposures = new KeptExposure();
+    private Optional<Finished> finished = Optional.empty();
+
+    /** A final picture: as long as nothing but the map changes, it stays. */
+    private record Finished(ViewState state, BufferedImage image, double exposure, long nanoseconds) {}
 
     /** @param opening makes the stage, on the render thread */
     RenderLoop(Supplier<GraphicsStage> opening, RenderListener listener) {
@@ -95,12 +100,23 @@ final class RenderLoop implements AutoCloseable {
 
     private void show(GraphicsStage stage, ViewState state) {
         stage.update(state);
+        Optional<Finished> kept = finished.filter(picture -> picture.state().showsThePictureOf(state));
+        if (kept.isPresent()) {
+            Finished picture = kept.get();
+            listener.complete(state, picture.image(), picture.exposure(), picture.nanoseconds());
+            check(map(stage, state, false) && map(stage, state, true));
+            return;
+        }
+        finished = Optional.empty();
         double exposure = preview(stage, state);
         if (isStill(stage)) {
-            boolean done = map(stage, state, false) && refine(stage, state, exposure) && map(stage, state, true);
-            if (!done && !inbox.isInterrupted()) {
-                throw new IllegalStateException("refinement ended early without a newer state");
-            }
+            check(map(stage, state, false) && refine(stage, state, exposure));
+        }
+    }
+
+    private void check(boolean done) {
+        if (!done && !inbox.isInterrupted()) {
+            throw new IllegalStateException("refinement ended early without a newer state");
         }
     }
 
@@ -144,8 +160,12 @@ final class RenderLoop implements AutoCloseable {
         measured = method;
     }
 
-    /** Draws the final picture; false if it was interrupted. */
-    private boolean refine(GraphicsStage stage, ViewState state, double exposure) {
+    /**
+     * Draws the final picture and its map; false if it was interrupted. A newer state that shows the same picture goes on
+     * with what is drawn already.
+     */
+    private boolean refine(GraphicsStage stage, ViewState first, double exposure) {
+        ViewState state = first;
         long start = System.nanoTime();
         Scene scene = state.fine().scene();
         ScenePicture whole = ScenePicture.empty(state.width(), state.height());
@@ -153,6 +173,11 @@ final class RenderLoop implements AutoCloseable {
         for (Tile block : SceneSession.tiles(state.width(), state.height(), 1)) {
             for (Tile tile : block.divided(tileSide.side())) {
                 doTasks(stage);
+                Optional<ViewState> picked = inbox.stateIf(first::showsThePictureOf);
+                if (picked.isPresent()) {
+                    state = picked.get();
+                    map(stage, state, false);
+                }
                 if (inbox.isInterrupted()) {
                     return false;
                 }
@@ -169,8 +194,10 @@ final class RenderLoop implements AutoCloseable {
         double finalExposure = stage.exposure(scene, whole);
         exposures.finalPicture(state.fine(), finalExposure);
         BufferedImage image = stage.image(scene, whole, finalExposure);
-        listener.complete(state, image, finalExposure, System.nanoTime() - start);
-        return true;
+        long taken = System.nanoTime() - start;
+        finished = Optional.of(new Finished(state, image, finalExposure, taken));
+        listener.complete(state, image, finalExposure, taken);
+        return map(stage, state, true);
     }
 
     /** Draws the BRDF map, if it is shown; false if it was interrupted. The picture does not wait for one that fails. */

@@ -13,4 +13,11 @@ import sunbeam.precompute.optics.Direction;
  * @param height rows
  * @param mapLight towards the light of the BRDF map, tangent frame; empty while no map is shown
  */
-record ViewState(SceneData fine, SceneData coarse, int width, int height, Optional<Direction> mapLight) {}
+record ViewState(SceneData fine, SceneData coarse, int width, int height, Optional<Direction> mapLight) {
+
+    /** Whether only the BRDF map may differ, as after a pick. */
+    @SuppressWarnings("ReferenceEquality") // the same objects as long as nothing has changed
+    boolean showsThePictureOf(ViewState other) {
+        return fine == other.fine && coarse == other.coarse && width == other.width && height == other.height;
+    }
+}

@@ -37,6 +37,8 @@ class RenderLoopTest {
     private final BlockingQueue<String> heard = new LinkedBlockingQueue<>();
     private final AtomicReference<Throwable> mapFailure = new AtomicReference<>();
     private final AtomicReference<Throwable> previewFailure = new AtomicReference<>();
+    private volatile BufferedImage completed;
+    private volatile Runnable atFirstTile = () -> {};
     private RenderLoop loop;
     private ViewState state;
 
@@ -85,11 +87,16 @@ class RenderLoopTest {
 
         @Override
         public void complete(ViewState shown, BufferedImage image, double exposure, long nanoseconds) {
+            completed = image;
             heard.add("complete");
         }
 
         @Override
-        public void tile(ViewState shown, BufferedImage image, int x, int y, double shareDone) {}
+        public void tile(ViewState shown, BufferedImage image, int x, int y, double shareDone) {
+            Runnable once = atFirstTile;
+            atFirstTile = () -> {};
+            once.run();
+        }
 
         @Override
         public void map(ViewState shown, BufferedImage image, boolean isFinal) {
@@ -132,6 +139,51 @@ class RenderLoopTest {
         assertThat(next()).isEqualTo("map");
         assertThat(next()).isEqualTo("complete");
         assertThat(next()).isEqualTo("final map");
+    }
+
+    @Test
+    void aPickKeepsThePictureAndDrawsAnotherMap() throws InterruptedException {
+        loop.show(state);
+        for (String expected : new String[] {"preview", "map", "complete", "final map"}) {
+            assertThat(next()).isEqualTo(expected);
+        }
+        BufferedImage before = completed;
+
+        loop.show(picked(50));
+
+        assertThat(next()).as("no preview").isEqualTo("complete");
+        assertThat(completed).isSameAs(before);
+        assertThat(next()).isEqualTo("map");
+        assertThat(next()).isEqualTo("final map");
+    }
+
+    @Test
+    void aPickWhileThePictureIsRefinedLetsItGoOn() throws InterruptedException {
+        atFirstTile = () -> loop.show(picked(50));
+        loop.show(state);
+        assertThat(next()).isEqualTo("preview");
+        assertThat(next()).isEqualTo("map");
+        assertThat(next()).as("of the picked point").isEqualTo("map");
+        assertThat(next()).isEqualTo("complete");
+        assertThat(next()).isEqualTo("final map");
+        assertThat(heard.poll(300, TimeUnit.MILLISECONDS))
+                .as("nothing is drawn twice")
+                .isNull();
+    }
+
+    @Test
+    void anotherPictureAfterAPickIsDrawn() throws InterruptedException {
+        loop.show(state);
+        for (String expected : new String[] {"preview", "map", "complete", "final map"}) {
+            assertThat(next()).isEqualTo(expected);
+        }
+        loop.show(new ViewState(state.fine(), state.coarse(), WIDTH / 2, HEIGHT, state.mapLight()));
+        assertThat(next()).isEqualTo("preview");
+    }
+
+    private ViewState picked(double thetaDegrees) {
+        return new ViewState(
+                state.fine(), state.coarse(), WIDTH, HEIGHT, Optional.of(Direction.ofDegrees(thetaDegrees, 0)));
     }
 
     @Test

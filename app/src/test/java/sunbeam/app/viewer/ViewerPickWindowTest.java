@@ -28,7 +28,9 @@ final class ViewerPickWindowTest extends ViewerInAWindow {
     void thePickedPointLiesUnderTheMouseAndItsFrameIsTheCylinders() throws Exception {
         Pick pick = doubleClick();
         Vector3f seen = scene().view().camera().worldToCamera().transformPosition(pick.position(), new Vector3f());
-        double focal = 0.5 * picture().getHeight() / Math.tan(scene().view().verticalFieldOfView() / 2);
+        double focal = 0.5
+                * picture().getHeight()
+                / scene().view().halfHeight(picture().getWidth(), picture().getHeight());
         // The mouse points at a pixel's corner, or anywhere in it.
         assertThat(seen.x / -seen.z * focal).as("columns from the middle").isCloseTo(0, within(1.0));
         assertThat(seen.y / -seen.z * focal).as("rows from the middle").isCloseTo(0, within(1.0));

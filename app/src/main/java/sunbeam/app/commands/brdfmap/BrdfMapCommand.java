@@ -150,9 +150,7 @@ public final class BrdfMapCommand implements Callable<Integer> {
                 DisplayPass display = new DisplayPass(context)) {
             LinearPicture map = render(renderer, wi);
             DiscDirections directions = new DiscDirections(size, wi);
-            double factor = fixedExposure > 0
-                    ? fixedExposure
-                    : AutoExposure.of(map, directions.specular(method.specularReach()));
+            double factor = fixedExposure > 0 ? fixedExposure : AutoExposure.of(map);
             certificate = certify.certificate(count -> new Certifier(setup.exact(chosen), directions::at)
                     .certify(map, count, CertifyOption.SEED, factor, choices.get(TOLERANCE)));
             Map<String, String> text = describe(setup, choices, plan.summary(), factor, context);

@@ -12,7 +12,6 @@ import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.files.output.SrgbImage;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.gpu.map.BrdfMapRenderer;
-import sunbeam.app.gpu.map.DiscDirections;
 import sunbeam.app.gpu.picture.AutoExposure;
 import sunbeam.app.gpu.picture.DisplayPass;
 import sunbeam.app.gpu.picture.LinearPicture;
@@ -93,7 +92,7 @@ final class MapDrawer implements AutoCloseable {
                 BrdfMapRenderer renderer = new BrdfMapRenderer(context, method, size);
                 Progress progress = Progress.start(panel.name(), (long) size * size)) {
             LinearPicture map = renderer.render(light, progress::step);
-            double exposure = AutoExposure.of(map, new DiscDirections(size, light).specular(method.specularReach()));
+            double exposure = AutoExposure.of(map);
             return new DrawnMap(map, exposure, plan.summary());
         }
     }

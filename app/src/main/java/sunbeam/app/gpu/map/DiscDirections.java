@@ -1,6 +1,5 @@
 package sunbeam.app.gpu.map;
 
-import sunbeam.app.gpu.picture.AutoExposure;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
 
@@ -19,11 +18,6 @@ public record DiscDirections(int size, Direction light) {
      */
     public DirectionPair at(int pixel) {
         return new DirectionPair(light, Direction.ofDisc(x(pixel), y(pixel)));
-    }
-
-    /** The pixels that show a direction within a radius of the specular one, measured on the disc. */
-    public AutoExposure.Specular specular(double radius) {
-        return pixel -> Math.hypot(x(pixel) + light.x(), y(pixel) + light.y()) < radius;
     }
 
     private double x(int pixel) {
