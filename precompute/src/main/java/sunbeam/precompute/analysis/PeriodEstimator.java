@@ -16,6 +16,9 @@ public final class PeriodEstimator {
     // A scan's resolution is 1 / its length; no frequency is claimed to better than this share of it.
     private static final double FINEST = 1e-3;
     private static final double FINEST_OF_TWO = 0.02;
+    // Strips of a grown surface count by their amplitudes, not alike, and fewer of them than there are are independent;
+    // measured on simulated ones.
+    private static final double UNEQUAL_STRIPS = 1.5;
     private static final int ROUNDS = 3;
 
     private PeriodEstimator() {}
@@ -55,15 +58,15 @@ public final class PeriodEstimator {
         PhaseFit fit = new PhaseFit(series);
         double length = (series.size() + 1) * series.step();
         double finest = FINEST / length;
-        Optional<TwoWaves> two =
-                series.isStraight() ? TwoWaves.in(series.straight()) : Optional.empty();
+        Optional<TwoWaves> two = series.isStraight() ? TwoWaves.in(series.straight()) : Optional.empty();
         if (two.isPresent()) {
             return ofTwo(frequency, series, two.get(), length);
         }
         PhaseFit.Interval slope = fit.slope(PROBABILITY);
         double middle = moved(frequency, slope.median(), series);
-        double low = Math.min(moved(frequency, slope.low(), series), middle - finest);
-        double high = Math.max(moved(frequency, slope.high(), series), middle + finest);
+        double wider = series.isStraight() ? 1 : UNEQUAL_STRIPS;
+        double low = Math.min(middle + wider * (moved(frequency, slope.low(), series) - middle), middle - finest);
+        double high = Math.max(middle + wider * (moved(frequency, slope.high(), series) - middle), middle + finest);
         Optional<PeriodEstimate.Drift> drift = drift(frequency, fit, series);
         if (drift.isPresent()) {
             // Which of its periods is meant is not known.
@@ -88,9 +91,7 @@ public final class PeriodEstimator {
         double change = curvature.median() * series.size();
         double first = moved(frequency, middle - change, series);
         double last = moved(frequency, middle + change, series);
-        return first > 0 && last > 0
-                ? Optional.of(new PeriodEstimate.Drift(1 / first, 1 / last))
-                : Optional.empty();
+        return first > 0 && last > 0 ? Optional.of(new PeriodEstimate.Drift(1 / first, 1 / last)) : Optional.empty();
     }
 
     /** Two waves' frequencies; each is known as well as the rest of the other allows (Rife and Boorstyn's bound). */
@@ -110,8 +111,8 @@ public final class PeriodEstimator {
                 1 / (first + wide),
                 1 / (first - wide),
                 length * first,
-                Optional.of(new PeriodEstimate.Second(
-                        1 / second, 1 / (second + wider), 1 / (second - wider), two.ratio())),
+                Optional.of(
+                        new PeriodEstimate.Second(1 / second, 1 / (second + wider), 1 / (second - wider), two.ratio())),
                 Optional.empty());
     }
 }

@@ -49,8 +49,7 @@ public final class PeriodFinder {
     public Periodicity along(double azimuth, double tolerance) {
         Periodicity others =
                 choose(peaks -> peaks.along(azimuth, tolerance), peaks -> peaks.along(azimuth, 3 * tolerance));
-        return line()
-                .filter(sharp -> Math.abs(across(sharp, azimuth)) <= tolerance)
+        return line().filter(sharp -> Math.abs(across(sharp, azimuth)) <= tolerance)
                 .map(sharp -> withLine(projected(sharp, azimuth), others))
                 .orElse(others);
     }

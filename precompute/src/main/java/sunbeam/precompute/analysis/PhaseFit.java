@@ -70,9 +70,10 @@ final class PhaseFit {
             phases[i] = series.phases()[i * stride];
             strengths[i] = relative(series.strengths()[i * stride], mean);
         }
-        white = matrix(count, (i, j) -> overlap(Math.abs(i - j) * stride / series.window())
-                        / (strengths[i] * strengths[j])
-                + (i == j ? 1e-6 : 0));
+        white = matrix(
+                count,
+                (i, j) -> overlap(Math.abs(i - j) * stride / series.window()) / (strengths[i] * strengths[j])
+                        + (i == j ? 1e-6 : 0));
         for (double memory : MEMORIES) {
             double[] spread = new double[count];
             for (int i = 0; i < count; i++) {
@@ -187,9 +188,10 @@ final class PhaseFit {
         double variance = Math.max(1e-20, squares / freedom);
         double error = Math.sqrt(variance * normal.getSolver().getInverse().getEntry(wanted, wanted));
         double likelihood = logPrior
-                - 0.5 * (logDeterminant(cholesky)
-                        + Math.log(Math.abs(normal.getDeterminant()))
-                        + freedom * Math.log(variance));
+                - 0.5
+                        * (logDeterminant(cholesky)
+                                + Math.log(Math.abs(normal.getDeterminant()))
+                                + freedom * Math.log(variance));
         return new Answer(likelihood, coefficients.getEntry(wanted, 0), error, freedom);
     }
 

@@ -18,12 +18,7 @@ import sunbeam.precompute.patch.HeightMap;
  * @param window length of the Hann window around each place, in places
  */
 record PhaseSeries(
-        double step,
-        double[] phases,
-        double[] strengths,
-        double[][] straight,
-        double straightness,
-        double window) {
+        double step, double[] phases, double[] strengths, double[][] straight, double straightness, double window) {
 
     // Windows along the wave, in periods: with whole numbers constant, mirror frequency and overtones cancel. Three
     // leave less of what lies beside; few periods need the shorter.

@@ -1,7 +1,6 @@
 package sunbeam.precompute.patch;
 
 import static sunbeam.precompute.patch.PatchSettings.CHANNEL;
-import static sunbeam.precompute.patch.PatchSettings.LEVEL;
 import static sunbeam.precompute.patch.PatchSettings.MAX_HEIGHT;
 import static sunbeam.precompute.patch.PatchSettings.PATCH;
 import static sunbeam.precompute.patch.PatchSettings.WIDTH;
@@ -9,10 +8,8 @@ import static sunbeam.precompute.patch.PatchSettings.WIDTH;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import java.util.Optional;
 import java.util.function.Function;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
@@ -58,7 +55,11 @@ public final class PatchLoader {
         Path file = existing(name);
         return name.toLowerCase(Locale.ROOT).endsWith(".json")
                 ? fromDescriptor(PatchDescriptorReader.read(file), request)
-                : fromScaledImage(file, file, request.choices());
+                : fromScaledImage(
+                        file,
+                        file,
+                        request.choices(),
+                        request.raw() ? ScanFinish.Kind.DESCRIBED : ScanFinish.Kind.GIVEN_DIRECTLY);
     }
 
     private Path existing(String name) {
@@ -90,7 +91,7 @@ public final class PatchLoader {
             throw new SettingException(CHANNEL, "contradicts " + what + ", which is no image; leave it out");
         }
         String source = "built-in " + name + ", " + size(map);
-        return finish(name, name, map, request.find(LEVEL), source, List.of());
+        return new ScanFinish(name, name, request.choices(), ScanFinish.Kind.BUILT_IN).patch(map, source, List.of());
     }
 
     private static Patch fromDescriptor(PatchDescriptor descriptor, PatchRequest request) {
@@ -98,9 +99,10 @@ public final class PatchLoader {
         requireNoScale(request, what);
         Choices described = descriptor.choices();
         requireAgreed(CHANNEL, request, described, what);
-        requireAgreed(LEVEL, request, described, what);
+        PatchSettings.PREPARING.forEach(setting -> requireAgreed(setting, request, described, what));
         Choices all = described.over(request.choices());
-        return all.located(() -> fromScaledImage(descriptor.file(), descriptor.heights(), all));
+        return all.located(
+                () -> fromScaledImage(descriptor.file(), descriptor.heights(), all, ScanFinish.Kind.DESCRIBED));
     }
 
     private static void requireNoScale(PatchRequest request, String what) {
@@ -123,7 +125,7 @@ public final class PatchLoader {
     }
 
     /** @param file that the patch is called by */
-    private static Patch fromScaledImage(Path file, Path imageFile, Choices choices) {
+    private static Patch fromScaledImage(Path file, Path imageFile, Choices choices, ScanFinish.Kind kind) {
         InputFiles.requireReadable(imageFile);
         PatchScale scale = PatchScale.of(choices, imageFile.toString());
         HeightImage image = HeightImageReader.read(imageFile, choices.find(CHANNEL));
@@ -132,49 +134,11 @@ public final class PatchLoader {
         String source = "%s (%s), %s, full scale %s"
                 .formatted(imageFile.getFileName(), image.description(), size(map), Lengths.format(scale.maxHeight()));
         List<String> warnings = scale.warnings(map, image.format(), choices.origin(MAX_HEIGHT));
-        return finish(InputFiles.stem(file), imageFile.toString(), map, choices.find(LEVEL), source, warnings);
+        return new ScanFinish(InputFiles.stem(file), imageFile.toString(), choices, kind).patch(map, source, warnings);
     }
 
     private static String size(HeightMap map) {
         return "%d x %d samples, %s x %s"
                 .formatted(map.columns(), map.rows(), Lengths.format(map.width()), Lengths.format(map.height()));
-    }
-
-    private static Patch finish(
-            String name,
-            String file,
-            HeightMap measured,
-            Optional<Levelling> levelling,
-            String source,
-            List<String> scaleWarnings) {
-        List<String> warnings = new ArrayList<>(scaleWarnings);
-        Levelling chosen = levelling.orElse(Levelling.MEAN);
-        MissingSamples.Filled filled = fill(file, chosen.apply(measured));
-        HeightMap heights = filled.heights();
-        if (filled.count() > 0) {
-            warnings.add(missingWarning(filled));
-            // A plane fitted to filled samples would be bent by them; the mean is that of all samples again.
-            heights = chosen == Levelling.NONE ? heights : Levelling.MEAN.apply(heights);
-        }
-        if (heights.relief() == 0) {
-            warnings.add("all heights are equal: the patch is a flat mirror");
-        }
-        SamplingCheck.pitch(heights).ifPresent(warnings::add);
-        SlopeCheck.slopes(heights).ifPresent(warnings::add);
-        return new Patch(name, heights, source + ", levelling " + chosen.label(), warnings);
-    }
-
-    private static MissingSamples.Filled fill(String file, HeightMap map) {
-        try {
-            return MissingSamples.fill(map);
-        } catch (IllegalArgumentException e) {
-            throw new PatchException(
-                    file + ": " + e.getMessage() + " (NaN, infinite or transparent); export the scan again", e);
-        }
-    }
-
-    private static String missingWarning(MissingSamples.Filled filled) {
-        long samples = (long) filled.heights().columns() * filled.heights().rows();
-        return "%d of %d samples are missing and were filled from their neighbours".formatted(filled.count(), samples);
     }
 }

@@ -1,5 +1,6 @@
 package sunbeam.precompute.analysis;
 
+import java.util.Arrays;
 import java.util.SplittableRandom;
 import sunbeam.precompute.patch.HeightMap;
 
@@ -31,7 +32,9 @@ record SimulatedGrating(HeightMap map, Kind kind, double[] truths, String words)
         ROWS
     }
 
-    private record Waves(double[] phase, double[] second) {}
+    boolean holdsTruth(PeriodEstimate estimate) {
+        return Arrays.stream(truths).anyMatch(truth -> truth >= estimate.low() && truth <= estimate.high());
+    }
 
     static SimulatedGrating draw(Kind kind, long seed) {
         SplittableRandom random = new SplittableRandom(seed * 7919 + kind.ordinal());
@@ -66,8 +69,11 @@ record SimulatedGrating(HeightMap map, Kind kind, double[] truths, String words)
                 double[] of = bandLines[Math.min(bands - 1, row * bands / rows)];
                 double height;
                 if (kind == Kind.TWO) {
-                    height = 0.5 * depth * (Math.cos(2 * Math.PI * s / period) + (0.6 + 0.4 * disorder / 0.15)
-                            * Math.cos(2 * Math.PI * (s / (period * ratio) + start)));
+                    height = 0.5
+                            * depth
+                            * (Math.cos(2 * Math.PI * s / period)
+                                    + (0.6 + 0.4 * disorder / 0.15)
+                                            * Math.cos(2 * Math.PI * (s / (period * ratio) + start)));
                 } else if (kind == Kind.CHIRPED) {
                     double change = (1 / growth - 1) / width;
                     height = depth * wave(s / period * (1 + 0.5 * change * s) + start, shape);
@@ -77,19 +83,20 @@ record SimulatedGrating(HeightMap map, Kind kind, double[] truths, String words)
                 heights[row * columns + column] = height + tilt * x + noise * gaussian(random);
             }
         }
-        String words = "%s seed %d: period %.1f nm, %.1f x %.1f um, %.1f periods, azimuth %.0f, disorder %.3f, shape %d, tilt %.3f, ratio %.3f"
-                .formatted(
-                        kind,
-                        seed,
-                        period * 1e9,
-                        columns * pitch * 1e6,
-                        rows * pitch * 1e6,
-                        width / period,
-                        Math.toDegrees(angle),
-                        disorder,
-                        shape,
-                        tilt,
-                        kind == Kind.CHIRPED ? growth : ratio);
+        String words =
+                "%s seed %d: period %.1f nm, %.1f x %.1f um, %.1f periods, azimuth %.0f, disorder %.3f, shape %d, tilt %.3f, ratio %.3f"
+                        .formatted(
+                                kind,
+                                seed,
+                                period * 1e9,
+                                columns * pitch * 1e6,
+                                rows * pitch * 1e6,
+                                width / period,
+                                Math.toDegrees(angle),
+                                disorder,
+                                shape,
+                                tilt,
+                                kind == Kind.CHIRPED ? growth : ratio);
         double[] truths = kind == Kind.TWO ? new double[] {period, period * ratio} : new double[] {period};
         return new SimulatedGrating(new HeightMap(columns, rows, pitch, pitch, heights), kind, truths, words);
     }
@@ -112,8 +119,7 @@ record SimulatedGrating(HeightMap map, Kind kind, double[] truths, String words)
                 lines[i] = i - 0.5 * count;
             }
         }
-        java.util.Arrays.sort(lines);
-        // What the walk has at the middle is no drift of the mean gap.
+        Arrays.sort(lines);
         return lines;
     }
 

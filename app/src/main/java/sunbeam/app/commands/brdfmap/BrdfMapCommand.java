@@ -120,16 +120,18 @@ public final class BrdfMapCommand implements Callable<Integer> {
         return choices.located(() -> draw(choices));
     }
 
-    private int draw(Choices choices) {
+    private int draw(Choices asked) {
         if (size < 1 || size > LARGEST) {
             throw new UsageException("--size " + size + " is out of range; give 1 to " + LARGEST);
         }
         certify.count();
         double fixedExposure = parseExposure();
-        Method chosen = Methods.of(choices);
+        Methods.of(asked);
         Direction wi = light.direction();
         PrintWriter err = specification.commandLine().getErr();
-        DiffractionSetup setup = new DiffractionSetup(patchOptions, environment, err);
+        DiffractionSetup setup = new DiffractionSetup(patchOptions, asked, environment, err);
+        Choices choices = setup.seen(asked, err);
+        Method chosen = Methods.of(choices);
         Overwrite overwrite = force.overwrite();
         Path picture = output != null
                 ? output

@@ -107,16 +107,18 @@ public final class EvaluateCommand implements Callable<Integer> {
         return choices.located(() -> evaluate(choices));
     }
 
-    private int evaluate(Choices choices) {
+    private int evaluate(Choices asked) {
         gratingOptions.request();
-        method.of(choices);
+        method.of(asked);
         if (positions < 0 || positions > MOST_POSITIONS) {
             throw new UsageException("--positions " + positions + " is out of range; give 0 to " + MOST_POSITIONS);
         }
         DiffractionSetup setup = new DiffractionSetup(
-                patchOptions, environment, specification.commandLine().getErr());
+                patchOptions, asked, environment, specification.commandLine().getErr());
         Overwrite overwrite = force.overwrite();
         OutputFiles files = OutputFiles.of(output, setup.patch().name() + "-evaluate", endings(), overwrite);
+        Choices choices =
+                setup.seen(method.in(asked), specification.commandLine().getErr());
         evaluate(setup, choices, files, overwrite, specification.commandLine().getOut());
         return ExitCode.OK.code();
     }
@@ -144,7 +146,8 @@ public final class EvaluateCommand implements Callable<Integer> {
         String title = evaluation.title();
         out.println(title);
         out.println(String.join(System.lineSeparator(), periodLines(evaluation)));
-        EvaluationReport.lines(evaluation.measurement(), Evaluation.area(choices)).forEach(out::println);
+        EvaluationReport.lines(evaluation.measurement(), Evaluation.area(choices))
+                .forEach(out::println);
         out.flush();
         List<Path> written = new ArrayList<>();
         if (positions > 0) {
@@ -190,8 +193,9 @@ public final class EvaluateCommand implements Callable<Integer> {
         return evaluation
                 .answer()
                 .map(PeriodReport::lines)
-                .orElse(List.of("period               not told: the heights show none near --period, so that its uncertainty is"
-                        + " unknown"));
+                .orElse(List.of(
+                        "period               not told: the heights show none near --period, so that its uncertainty is"
+                                + " unknown"));
     }
 
     private Map<String, Object> describe(DiffractionSetup setup, Choices choices, Evaluation evaluation) {

@@ -103,8 +103,9 @@ final class EvaluationReport {
     /** @param area whose ridge it is */
     static List<String> lines(GratingMeasurement measurement, String area) {
         List<String> lines = new ArrayList<>();
-        lines.add("The ridge of " + area
-                + ", wavelength by wavelength; the standard error says how straight it is, not how well the period is known:");
+        lines.add(
+                "The ridge of " + area
+                        + ", wavelength by wavelength; the standard error says how straight it is, not how well the period is known:");
         lines.add("                        mean d     variance  standard error  wavelengths");
         lines.add(line("peaks interpolated", measurement.interpolated()));
         lines.add(line("peaks on samples", measurement.sampled()));

@@ -27,11 +27,7 @@ import sunbeam.precompute.units.Lengths;
  * @param estimate what the heights tell of the period; empty where the user looks for one that they do not show
  */
 record GratingTarget(
-        String patch,
-        GratingPlane plane,
-        FirstOrder order,
-        Periodicity heights,
-        Optional<PeriodEstimate> estimate) {
+        String patch, GratingPlane plane, FirstOrder order, Periodicity heights, Optional<PeriodEstimate> estimate) {
     // A surface that repeats one small patch has its exact period; a grown one strays from the heights' mean period by
     // up to a quarter from one coherence area to the next.
     private static final double EXACT = 1.1;
@@ -48,7 +44,7 @@ record GratingTarget(
      * @throws NoPeriodException where neither the user nor the heights name a period
      */
     static GratingTarget of(Patch patch, GratingRequest request, double sigmaFrequency) {
-        PeriodFinder finder = new PeriodFinder(patch.heights());
+        PeriodFinder finder = new PeriodFinder(patch.scan());
         OptionalDouble given = request.azimuth();
         Periodicity heights = given.isPresent() ? finder.along(given.getAsDouble(), sigmaFrequency) : finder.all();
         if (!heights.found() && (given.isEmpty() || request.period().isEmpty())) {
@@ -75,7 +71,7 @@ record GratingTarget(
     private static Optional<PeriodEstimate> estimate(Patch patch, Periodicity heights, SpectrumPeak peak) {
         return heights.edges() == HeightSpectrum.Edges.PERIODIC
                 ? Optional.of(PeriodEstimate.exact(peak.period(), 1))
-                : PeriodEstimator.estimate(patch.heights(), peak);
+                : PeriodEstimator.estimate(patch.scan(), peak);
     }
 
     /** A figure that nobody should quote is not given. */

@@ -90,9 +90,7 @@ final class PeriodReport {
         tree.put("probability", PeriodEstimator.PROBABILITY);
         PeriodEstimate heights = answer.heights();
         tree.put("of_the_heights", interval(heights.period(), heights.low(), heights.high()));
-        tree.put(
-                "of_the_light_nm",
-                answer.light().isPresent() ? answer.light().getAsDouble() * NANOMETRES : null);
+        tree.put("of_the_light_nm", answer.light().isPresent() ? answer.light().getAsDouble() * NANOMETRES : null);
         tree.put("periods_followed", heights.periods());
         heights.second().ifPresent(second -> {
             Map<String, Object> beside = interval(second.period(), second.low(), second.high());

@@ -57,12 +57,15 @@ public final class PrecomputeCommand implements Callable<Integer> {
     @Override
     public Integer call() {
         Choices choices = methodOptions.choices();
-        return choices.located(() -> write(FullMethod.of(choices)));
+        return choices.located(() -> write(choices));
     }
 
-    private int write(FullMethod method) {
+    private int write(Choices choices) {
+        FullMethod.of(choices);
         DiffractionSetup setup = new DiffractionSetup(
-                patchOptions, environment, specification.commandLine().getErr());
+                patchOptions, choices, environment, specification.commandLine().getErr());
+        FullMethod method =
+                FullMethod.of(setup.seen(choices, specification.commandLine().getErr()));
         Path file = output != null
                 ? output
                 : DefaultName.choose(Path.of(""), setup.patch().name(), "h5", force.overwrite());

@@ -75,17 +75,20 @@ public final class ReflectanceCommand implements Callable<Integer> {
     @Override
     public Integer call() {
         Choices choices = methodOptions.choices();
-        return choices.located(() -> tabulate(Methods.of(choices), choices.get(TOLERANCE)));
+        return choices.located(() -> tabulate(choices));
     }
 
-    private int tabulate(Method method, double tolerance) {
-        if (certify.count().isPresent() && method instanceof ReferenceMethod) {
+    private int tabulate(Choices choices) {
+        if (certify.count().isPresent() && Methods.of(choices) instanceof ReferenceMethod) {
             throw new UsageException("--certify compares with --method reference; leave out one of them");
         }
         DirectionList list = DirectionList.read(directions);
         AtomicFile.checkWritable(output, force.overwrite());
         DiffractionSetup setup = new DiffractionSetup(
-                patchOptions, environment, specification.commandLine().getErr());
+                patchOptions, choices, environment, specification.commandLine().getErr());
+        Method method =
+                Methods.of(setup.seen(choices, specification.commandLine().getErr()));
+        double tolerance = choices.get(TOLERANCE);
         PrintWriter out = specification.commandLine().getOut();
         List<double[]> results = evaluate(setup, method, list);
         Optional<Certificate> certificate = certify.certificate(count ->

@@ -98,7 +98,7 @@ record RandomCase(
 
     /** Compares method {@code full} with the reference on all directions that are bright enough. */
     Outcome measure(RenderContext context) {
-        Surface surface = Surface.of(new Patch("case " + seed, map, "made up", List.of()));
+        Surface surface = Surface.of(Patch.periodic("case " + seed, map, "made up"));
         Planner planner = surface.planner();
         Plan plan = planner.plan(
                 TableChoices.of(new Accuracy.ByTolerance(tolerance)),
