@@ -37,7 +37,9 @@ final class CertificateTest {
         assertThat(result.exitCode()).as(result::toString).isEqualTo(3);
         assertThat(result.stderr().lines().filter(line -> line.contains("missed")))
                 .as(result::toString)
-                .hasSize(1);
+                .hasSize(1)
+                .allMatch(line -> line.contains("the expansion"))
+                .allMatch(line -> line.contains("leave out --expansion and --terms: the same places then keep"));
         assertThat(folder.resolve("map.png")).exists();
     }
 
@@ -47,6 +49,22 @@ final class CertificateTest {
         assertThat(result.stdout()).as(result::toString).contains("certificate: 40 random pixels");
         // 5 nm steps and the corner's window: error of several percent (docs/accuracy).
         assertThat(result.exitCode()).as(result::toString).isEqualTo(3);
+        assertThat(result.stderr()).contains("what errs most: the wavelengths").contains("leave out --preset");
+    }
+
+    @Test
+    void coloursWithoutAScaleAreNotCertified() throws Exception {
+        SunbeamResult result = map("--method", "gem");
+        assertThat(result.exitCode()).as(result::toString).isEqualTo(2);
+        assertThat(result.stderr()).contains("--certify").contains("gem").contains("leave out --certify");
+        assertThat(folder.resolve("map.png")).doesNotExist();
+    }
+
+    @Test
+    void whatThePlanCannotPromiseIsNotCertifiedEvenWhereItIsKept() throws Exception {
+        SunbeamResult result = map("--tolerance", "1e-5");
+        assertThat(result.exitCode()).as(result::toString).isEqualTo(3);
+        assertThat(result.stderr()).contains("float32").doesNotContain("smaller --tolerance");
     }
 
     @Test

@@ -99,7 +99,7 @@ class EvaluateTest {
     }
 
     /**
-     * Thesis: 2500.34 and 0.16 nm^2, 1144.28 and 0.15 nm^2, 1552.27 nm (azimuth not stated). Tolerances of the means are
+     * Thesis: 2500.34 and 0.16 nm^2, 1144.28 and 0.15 nm^2, 1552.27 nm (azimuth not stated). ErrorBudget of the means are
      * those asked for. Elaphe's centred window is to show 1030 to 1050 nm, round numbers, so with half a nanometre to
      * spare: 401 wavelengths give 1030.0 (docs/evaluation.md). Of the variances: what the step of the default angles
      * leaves open.

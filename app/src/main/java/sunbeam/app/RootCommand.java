@@ -34,6 +34,7 @@ final class RootCommand implements Callable<Integer> {
         "  complete: none is ever half there, also after Ctrl-C. A file that you name",
         "  (--output) is not overwritten without --force; a name that Sunbeam chooses",
         "  gets a number (-2, -3, ...) where it is taken.",
+        "  The name - is standard output; messages then go to standard error.",
         "  Tables are kept in $XDG_CACHE_HOME/sunbeam, else in ~/.cache/sunbeam.",
         "  Removing that folder costs time only.",
         "",

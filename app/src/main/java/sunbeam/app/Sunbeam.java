@@ -4,6 +4,8 @@ import java.io.PrintWriter;
 import picocli.CommandLine;
 import picocli.CommandLine.HelpCommand;
 import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.ParseResult;
+import picocli.CommandLine.RunLast;
 import sunbeam.app.commands.brdfmap.BrdfMapCommand;
 import sunbeam.app.commands.doctor.DoctorCommand;
 import sunbeam.app.commands.doctor.RendererProbe;
@@ -14,10 +16,13 @@ import sunbeam.app.commands.mesh.MeshCommand;
 import sunbeam.app.commands.precompute.PrecomputeCommand;
 import sunbeam.app.commands.reflectance.ReflectanceCommand;
 import sunbeam.app.commands.render.RenderCommand;
+import sunbeam.app.files.output.OutputException;
 import sunbeam.app.measure.accuracy.AccuracyCommand;
 import sunbeam.app.measure.benchmark.BenchmarkCommand;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;
+import sunbeam.app.terminal.HarmlessWriter;
+import sunbeam.app.terminal.UsageException;
 import sunbeam.app.viewer.ViewCommand;
 
 /** The program: its commands put together, run, and their failures turned into messages and exit codes. */
@@ -29,7 +34,7 @@ public final class Sunbeam {
     public Sunbeam(Environment environment, PrintWriter out, PrintWriter err) {
         this.environment = environment;
         this.out = out;
-        this.err = err;
+        this.err = HarmlessWriter.around(err);
     }
 
     /** Runs one command line and returns the exit code; never throws. */
@@ -40,13 +45,44 @@ public final class Sunbeam {
             CommandLine commandLine = commandLine(root);
             commandLine.setParameterExceptionHandler((failure, all) -> failures.report(failure));
             commandLine.setExecutionExceptionHandler((failure, command, result) -> failures.report(failure));
-            return commandLine.execute(arguments);
+            commandLine.setExecutionStrategy(parsed -> execute(commandLine, parsed));
+            requireText(arguments);
+            return told(commandLine.execute(arguments), failures);
         } catch (Throwable failure) {
             return failures.report(failure);
         } finally {
             out.flush();
             err.flush();
         }
+    }
+
+    /** Help may use the terminal's bold letters; what commands print may hold the words of any file. */
+    private int execute(CommandLine root, ParseResult parsed) {
+        Integer help = CommandLine.executeHelpRequest(parsed);
+        if (help != null) {
+            return help;
+        }
+        root.setOut(HarmlessWriter.around(out));
+        return new RunLast().execute(parsed);
+    }
+
+    /** Java has put U+FFFD in place of bytes that are no UTF-8: it would read and write files of other names. */
+    private static void requireText(String... arguments) {
+        for (String argument : arguments) {
+            if (argument.indexOf('\ufffd') >= 0) {
+                throw new UsageException(
+                        "the argument '" + argument + "' is not text in UTF-8; give the file a name that is");
+            }
+        }
+    }
+
+    /** The exit code, unless the report did not reach its reader. */
+    private int told(int code, Failures failures) {
+        if (code != ExitCode.INTERRUPTED.code() && out.checkError()) {
+            return failures.report(
+                    new OutputException("cannot write to standard output: its disk is full, or its reader has ended"));
+        }
+        return code;
     }
 
     /**

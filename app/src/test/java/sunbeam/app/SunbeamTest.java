@@ -2,8 +2,10 @@ package sunbeam.app;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.StringWriter;
+import java.io.Writer;
 import java.nio.file.Path;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
@@ -102,5 +104,46 @@ final class SunbeamTest {
     void stackTracesAppearOnlyWhenAskedFor() {
         run(Map.of("SUNBEAM_DEBUG", "1"), "doctr");
         assertThat(err.toString()).contains("\tat sunbeam.app.Sunbeam.run");
+    }
+
+    @Test
+    void aTerminalObeysNoNameOfAFile() {
+        run("inspect", "--patch", "a\u001b]0;title\u0007\u202egnp.exe\u009b2J\r\nb");
+        assertThat(err.toString()).contains("a?]0;title??gnp.exe?2J??b").hasLineCount(1);
+        assertThat(err.toString().strip()).doesNotContainPattern("[\\p{Cntrl}\\u0080-\\u009f\\u202a-\\u202e]");
+    }
+
+    @Test
+    void aLongMessageKeepsItsBeginningAndItsEnd() {
+        run("inspect", "--patch", "a".repeat(100_000));
+        assertThat(err.toString()).hasLineCount(1).startsWith("sunbeam: ").contains(" ... ");
+        assertThat(err.toString().length()).isLessThan(6100);
+    }
+
+    @Test
+    void aNameThatIsNotTextIsRefused() {
+        assertThat(run("mesh", "plane", "--output", "a\ufffdb.obj")).isEqualTo(2);
+        assertThat(err.toString()).contains("not text in UTF-8").hasLineCount(1);
+    }
+
+    @Test
+    void aReportThatReachesNobodyIsAFailure() {
+        Writer full = new Writer() {
+            @Override
+            public void write(char[] text, int offset, int length) throws IOException {
+                throw new IOException("No space left on device");
+            }
+
+            @Override
+            public void flush() {}
+
+            @Override
+            public void close() {}
+        };
+        Sunbeam sunbeam = new Sunbeam(new Environment(Map.of(), home), new PrintWriter(full), new PrintWriter(err));
+        assertThat(sunbeam.run("--version")).isEqualTo(6);
+        assertThat(err.toString())
+                .isEqualToNormalizingNewlines(
+                        "sunbeam: cannot write to standard output: its disk is full, or its reader has ended\n");
     }
 }

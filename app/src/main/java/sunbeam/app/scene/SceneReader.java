@@ -54,6 +54,7 @@ public final class SceneReader {
     }
 
     private static JsonObject json(Path file) {
+        InputException.requireRegular(file);
         try {
             return JsonFile.read(file);
         } catch (IOException failure) {

@@ -9,12 +9,13 @@ import javax.swing.JLabel;
 import javax.swing.JOptionPane;
 import javax.swing.JPanel;
 import javax.swing.JTextField;
+import sunbeam.precompute.patch.PatchLoader;
 import sunbeam.precompute.patch.PatchRequest;
 import sunbeam.precompute.patch.PatchSettings;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
 
-/** From a file to a patch request: a descriptor speaks for itself, an image's scale is asked for. */
+/** From a file to a patch request: descriptors and scans speak for themselves, an image's scale is asked for. */
 final class PatchScaleDialog {
     private PatchScaleDialog() {}
 
@@ -27,7 +28,7 @@ final class PatchScaleDialog {
     static Optional<PatchRequest> request(Component owner, Path file) {
         Choices named = Choices.at(ControlOrigin.INSTANCE)
                 .with(PatchSettings.PATCH, file.toAbsolutePath().toString());
-        if (file.toString().toLowerCase(Locale.ROOT).endsWith(".json")) {
+        if (file.toString().toLowerCase(Locale.ROOT).endsWith(".json") || PatchLoader.isScan(file)) {
             return Optional.of(new PatchRequest(named));
         }
         JPanel form = new JPanel(new GridLayout(2, 2, 8, 6));

@@ -110,6 +110,16 @@ public record FullMethod(TableChoices table, Optional<Neighbourhood> neighbourho
         }
 
         @Override
+        public List<Sentence> shortfalls() {
+            return surface.planner().shortfalls(plan);
+        }
+
+        @Override
+        public Optional<Plan> sums() {
+            return Optional.of(plan);
+        }
+
+        @Override
         public MemoryNeed memory() {
             return MemoryNeed.of(plan, surface.map().rows());
         }

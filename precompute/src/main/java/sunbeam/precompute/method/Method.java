@@ -1,5 +1,6 @@
 package sunbeam.precompute.method;
 
+import java.util.Optional;
 import sunbeam.precompute.patch.HeightMap;
 import sunbeam.precompute.plan.VisibleRange;
 
@@ -21,6 +22,16 @@ public interface Method {
 
     /** What it approximates, and is held against, on a surface. */
     ReferenceMethod exact(HeightMap map);
+
+    /** What it errs by whatever the tolerance, in a few words; nothing where the tolerance holds. */
+    default Optional<String> approximation() {
+        return Optional.empty();
+    }
+
+    /** The method that does without the approximation, where it has one and there is one. */
+    default Optional<MethodType> instead() {
+        return Optional.empty();
+    }
 
     /** What its colours relate to. */
     default Brightness brightness() {

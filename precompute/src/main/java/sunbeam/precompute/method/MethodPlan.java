@@ -1,7 +1,9 @@
 package sunbeam.precompute.method;
 
 import java.util.List;
+import java.util.Optional;
 import sunbeam.precompute.plan.MemoryNeed;
+import sunbeam.precompute.plan.Plan;
 import sunbeam.precompute.setting.Sentence;
 import sunbeam.precompute.shader.MethodUse;
 import sunbeam.precompute.shader.ShaderTables;
@@ -18,6 +20,16 @@ public interface MethodPlan {
     /** What breaks the tolerance, one line each. */
     default List<Sentence> warnings() {
         return List.of();
+    }
+
+    /** Those of them that say that the tolerance cannot be promised, whatever is chosen. */
+    default List<Sentence> shortfalls() {
+        return List.of();
+    }
+
+    /** The plan whose sums the shader takes at every wavelength, where it takes nothing else. */
+    default Optional<Plan> sums() {
+        return Optional.empty();
     }
 
     /** What the tables take, at most. */

@@ -6,13 +6,13 @@ import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.OrderWeights;
 import sunbeam.precompute.patch.HeightMap;
 import sunbeam.precompute.plan.Accuracy;
+import sunbeam.precompute.plan.ErrorBudget;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.MemoryNeed;
 import sunbeam.precompute.plan.Neighbourhood;
 import sunbeam.precompute.plan.Plan;
 import sunbeam.precompute.plan.PlanReport;
 import sunbeam.precompute.plan.TableChoices;
-import sunbeam.precompute.plan.Tolerances;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.shader.ArrayLayout;
@@ -55,7 +55,7 @@ public record NmmMethod(TableChoices table, Optional<Neighbourhood> neighbourhoo
                     choices -> new NmmMethod(
                             TableChoices.of(choices), BinSettings.neighbourhood(choices), GaussianArea.of(choices)))
             .comparedAs(surface ->
-                    List.of(new Variant("nmm", within(Tolerances.STANDARD), "meant for patches of one period")));
+                    List.of(new Variant("nmm", within(ErrorBudget.STANDARD), "meant for patches of one period")));
 
     /** Planned for a tolerance, in sunlight. */
     public static NmmMethod within(double tolerance) {
@@ -79,6 +79,16 @@ public record NmmMethod(TableChoices table, Optional<Neighbourhood> neighbourhoo
     @Override
     public ReferenceMethod exact(HeightMap map) {
         return new ReferenceMethod(area);
+    }
+
+    @Override
+    public Optional<String> approximation() {
+        return Optional.of("one wavelength stands for a whole order, and its surface for all others'");
+    }
+
+    @Override
+    public Optional<MethodType> instead() {
+        return Optional.of(FullMethod.TYPE);
     }
 
     @Override

@@ -8,6 +8,7 @@ import static sunbeam.precompute.plan.MethodSettings.REPLICAS;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.WavelengthNodes;
 import sunbeam.precompute.expansion.CoefficientTable;
@@ -19,12 +20,12 @@ import sunbeam.precompute.optics.Replicas;
 import sunbeam.precompute.patch.HeightMap;
 import sunbeam.precompute.plan.Accuracy;
 import sunbeam.precompute.plan.Average;
+import sunbeam.precompute.plan.ErrorBudget;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.MemoryNeed;
 import sunbeam.precompute.plan.MethodSettings;
 import sunbeam.precompute.plan.ReplicatedArea;
 import sunbeam.precompute.plan.TableChoices;
-import sunbeam.precompute.plan.Tolerances;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.resample.PeriodInterpolation;
 import sunbeam.precompute.resample.PeriodSpectrum;
@@ -101,7 +102,7 @@ public record PqMethod(TableChoices table, PeriodInterpolation interpolation, Re
     private static Variant variant(PeriodInterpolation interpolation) {
         return new Variant(
                 "pq, " + interpolation.label(),
-                within(Tolerances.STANDARD, interpolation),
+                within(ErrorBudget.STANDARD, interpolation),
                 "evenly lit replicas with sharp edges instead of the Gaussian window");
     }
 
@@ -134,6 +135,13 @@ public record PqMethod(TableChoices table, PeriodInterpolation interpolation, Re
     @Override
     public ReferenceMethod exact(HeightMap map) {
         return new ReferenceMethod(new ReplicatedArea(repetition.of(map)));
+    }
+
+    @Override
+    public Optional<String> approximation() {
+        return interpolation == PeriodInterpolation.LINEAR
+                ? Optional.of("light between the bins of one period's DFT is lost")
+                : Optional.empty();
     }
 
     @Override

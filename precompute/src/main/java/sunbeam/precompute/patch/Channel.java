@@ -1,6 +1,8 @@
 package sunbeam.precompute.patch;
 
+import java.util.Arrays;
 import java.util.Locale;
+import sunbeam.precompute.setting.SettingException;
 
 /** Which channel of an image holds the heights. */
 public enum Channel {
@@ -10,6 +12,19 @@ public enum Channel {
     GREEN,
     BLUE,
     ALPHA;
+
+    /**
+     * The channel of a name.
+     *
+     * @throws SettingException about {@link PatchSettings#CHANNEL} when there is none
+     */
+    static Channel of(String name) {
+        return Arrays.stream(values())
+                .filter(channel -> channel.label().equals(name.toLowerCase(Locale.ROOT)))
+                .findFirst()
+                .orElseThrow(() -> new SettingException(
+                        PatchSettings.CHANNEL, "is not one of grey, red, green, blue, alpha, which images have"));
+    }
 
     /** The name as a user writes it. */
     public String label() {

@@ -4,6 +4,7 @@ import java.util.Arrays;
 import java.util.function.DoubleUnaryOperator;
 import sunbeam.precompute.prepare.HeightField;
 import sunbeam.precompute.prepare.Levelling;
+import sunbeam.precompute.units.Lengths;
 
 /**
  * One period of a surface: heights in metres on a rectangular grid, seen from above. Column index grows with +x, row 0
@@ -119,6 +120,11 @@ public final class HeightMap {
     /** Peak to valley, metres. */
     public double relief() {
         return maximum() - minimum();
+    }
+
+    /** For people: "512 x 256 samples, 20 um x 10 um". */
+    public String describe() {
+        return "%d x %d samples, %s x %s".formatted(columns, rows, Lengths.format(width()), Lengths.format(height()));
     }
 
     /** The same grid with every height replaced by a function of it. */

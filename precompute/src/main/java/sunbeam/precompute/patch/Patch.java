@@ -9,11 +9,13 @@ import java.util.List;
  * @param heights as light sees them: prepared heights in metres; no sample is missing
  * @param scan the same before its edges were treated: what was measured
  * @param source where the heights come from and how they were read and prepared, for people
+ * @param channels a line for each channel of a scan, with its number, name and unit; empty for all else
+ * @param notes what was chosen for the user, one line each
  * @param warnings what the user should know, one line each; empty when all is well
  * @param repetition whether the surface goes on beyond the heights as they do
  */
 public record Patch(
-        String name, HeightMap heights, HeightMap scan, String source, List<String> warnings, Repetition repetition) {
+        String name, HeightMap heights, HeightMap scan, String source, List<String> channels, List<String> notes, List<String> warnings, Repetition repetition) {
 
     private static final double SAME = 1e-4;
 
@@ -28,12 +30,14 @@ public record Patch(
     }
 
     public Patch {
+        channels = List.copyOf(channels);
+        notes = List.copyOf(notes);
         warnings = List.copyOf(warnings);
     }
 
     /** A period of a surface. */
     public static Patch periodic(String name, HeightMap heights, String source) {
-        return new Patch(name, heights, heights, source, List.of(), Repetition.PERIODIC);
+        return new Patch(name, heights, heights, source, List.of(), List.of(), List.of(), Repetition.PERIODIC);
     }
 
     /** The shorter side of what was measured, of axes along which it changes at all; metres, infinite where it is flat. */

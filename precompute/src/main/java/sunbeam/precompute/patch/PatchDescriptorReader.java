@@ -25,10 +25,14 @@ final class PatchDescriptorReader {
         InputFiles.requireReadable(file);
         JsonObject keys = json(file);
         JsonValue heights = keys.required("heights", "\"scan.png\"");
-        keys.required(PatchSettings.WIDTH.fileKey(), "\"65 um\"");
-        keys.required(PatchSettings.MAX_HEIGHT.fileKey(), "\"375 nm\"");
-        Choices choices = keys.choices(PatchSettings.OF_FILES);
         Path image = imageInside(file, keys.name("heights"), keys.text("heights", heights));
+        if (!HeightFiles.isScan(image)) {
+            keys.required(PatchSettings.WIDTH.fileKey(), "\"65 um\"");
+            if (keys.find(PatchSettings.HEIGHT_UNIT.fileKey()).isEmpty()) {
+                keys.required(PatchSettings.MAX_HEIGHT.fileKey(), "\"375 nm\"");
+            }
+        }
+        Choices choices = keys.choices(PatchSettings.OF_FILES);
         String note = keys.find("note").map(value -> keys.text("note", value)).orElse("");
         keys.requireNoOthers();
         return new PatchDescriptor(file, image, choices, note);

@@ -14,11 +14,10 @@ import java.util.function.Function;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.setting.SettingException;
-import sunbeam.precompute.units.Lengths;
 
 /**
  * Makes patches of what users name: first a built-in patch of that name, then a descriptor (the name ends in .json),
- * then an image, which needs a scale. A file called like a built-in patch is reached as {@code ./blaze}.
+ * then a scan or an image, which needs a scale. A file called like a built-in patch is reached as {@code ./blaze}.
  */
 public final class PatchLoader {
     private final List<String> builtIn;
@@ -44,6 +43,11 @@ public final class PatchLoader {
         return request.located(() -> loadHere(request));
     }
 
+    /** Whether a file is a scan in a format that knows its own scale, or most of it; not so images and descriptors. */
+    public static boolean isScan(Path file) {
+        return HeightFiles.isScan(file);
+    }
+
     private Patch loadHere(PatchRequest request) {
         String name = request.patch().strip();
         if (name.isEmpty()) {
@@ -55,7 +59,7 @@ public final class PatchLoader {
         Path file = existing(name);
         return name.toLowerCase(Locale.ROOT).endsWith(".json")
                 ? fromDescriptor(PatchDescriptorReader.read(file), request)
-                : fromScaledImage(
+                : fromFile(
                         file,
                         file,
                         request.choices(),
@@ -78,7 +82,7 @@ public final class PatchLoader {
         String names = builtIn.isEmpty() ? "" : "a built-in patch (" + String.join(", ", builtIn) + "), ";
         return new SettingException(
                 PATCH,
-                problem + "give " + names + "a descriptor (.json) or an image with ",
+                problem + "give " + names + "a scan, a descriptor (.json) or an image with ",
                 WIDTH,
                 " and ",
                 MAX_HEIGHT);
@@ -88,10 +92,11 @@ public final class PatchLoader {
         String what = "the built-in patch " + name;
         requireNoScale(request, what);
         if (request.find(CHANNEL).isPresent()) {
-            throw new SettingException(CHANNEL, "contradicts " + what + ", which is no image; leave it out");
+            throw new SettingException(CHANNEL, "contradicts " + what + ", which is no scan or image; leave it out");
         }
-        String source = "built-in " + name + ", " + size(map);
-        return new ScanFinish(name, name, request.choices(), ScanFinish.Kind.BUILT_IN).patch(map, source, List.of());
+        String source = "built-in " + name + ", " + map.describe();
+        MeasuredHeights made = new MeasuredHeights(map, source, List.of(), List.of(), List.of());
+        return new ScanFinish(name, name, request.choices(), ScanFinish.Kind.BUILT_IN).patch(made);
     }
 
     private static Patch fromDescriptor(PatchDescriptor descriptor, PatchRequest request) {
@@ -101,8 +106,7 @@ public final class PatchLoader {
         requireAgreed(CHANNEL, request, described, what);
         PatchSettings.PREPARING.forEach(setting -> requireAgreed(setting, request, described, what));
         Choices all = described.over(request.choices());
-        return all.located(
-                () -> fromScaledImage(descriptor.file(), descriptor.heights(), all, ScanFinish.Kind.DESCRIBED));
+        return all.located(() -> fromFile(descriptor.file(), descriptor.heights(), all, ScanFinish.Kind.DESCRIBED));
     }
 
     private static void requireNoScale(PatchRequest request, String what) {
@@ -125,20 +129,8 @@ public final class PatchLoader {
     }
 
     /** @param file that the patch is called by */
-    private static Patch fromScaledImage(Path file, Path imageFile, Choices choices, ScanFinish.Kind kind) {
-        InputFiles.requireReadable(imageFile);
-        PatchScale scale = PatchScale.of(choices, imageFile.toString());
-        HeightImage image = HeightImageReader.read(imageFile, choices.find(CHANNEL));
-        HeightMap map = scale.apply(image);
-        // Pictures are published with it: the file's name, not the folders of its owner.
-        String source = "%s (%s), %s, full scale %s"
-                .formatted(imageFile.getFileName(), image.description(), size(map), Lengths.format(scale.maxHeight()));
-        List<String> warnings = scale.warnings(map, image.format(), choices.origin(MAX_HEIGHT));
-        return new ScanFinish(InputFiles.stem(file), imageFile.toString(), choices, kind).patch(map, source, warnings);
-    }
-
-    private static String size(HeightMap map) {
-        return "%d x %d samples, %s x %s"
-                .formatted(map.columns(), map.rows(), Lengths.format(map.width()), Lengths.format(map.height()));
+    private static Patch fromFile(Path file, Path heightsFile, Choices choices, ScanFinish.Kind kind) {
+        MeasuredHeights measured = HeightFiles.read(heightsFile, choices);
+        return new ScanFinish(InputFiles.stem(file), heightsFile.toString(), choices, kind).patch(measured);
     }
 }

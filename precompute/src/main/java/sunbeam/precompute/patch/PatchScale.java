@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Origin;
+import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.units.Lengths;
 
@@ -14,17 +15,14 @@ import sunbeam.precompute.units.Lengths;
  * @param width extent along x of all columns together
  * @param extent extent along y of all rows together; without it pixels are square
  * @param maxHeight height of full scale: of the sample 255 of 8 bits, 65535 of 16 bits, 1.0 of float
+ * @param chosen the setting that the height of full scale was chosen by
  */
-record PatchScale(double width, Optional<Double> extent, double maxHeight) {
-    /** The longer side must exceed this: no order of visible light leaves a smaller patch. */
-    static final double SHORTEST_LONG_SIDE = 100e-9;
-
-    static final double LONGEST_SIDE = 0.1;
-    static final double LARGEST_RELIEF = 1e-3;
-    /** Relief over the longer side; above, a scan is impossible and the scale is wrong. */
-    static final double STEEPEST_RELIEF = 4;
-
+record PatchScale(double width, Optional<Double> extent, double maxHeight, Setting<?> chosen) {
     private static final double ODD_ASPECT = 50;
+
+    PatchScale(double width, Optional<Double> extent, double maxHeight) {
+        this(width, extent, maxHeight, PatchSettings.MAX_HEIGHT);
+    }
 
     /**
      * The scale that was chosen for an image.
@@ -34,7 +32,12 @@ record PatchScale(double width, Optional<Double> extent, double maxHeight) {
      */
     static PatchScale of(Choices choices, String what) {
         Optional<Double> width = choices.find(PatchSettings.WIDTH);
-        Optional<Double> maxHeight = choices.find(PatchSettings.MAX_HEIGHT);
+        if (choices.has(PatchSettings.MAX_HEIGHT) && choices.has(PatchSettings.HEIGHT_UNIT)) {
+            throw new SettingException(
+                    PatchSettings.HEIGHT_UNIT, "contradicts ", PatchSettings.MAX_HEIGHT, "; give one of them");
+        }
+        Optional<Double> maxHeight = choices.find(PatchSettings.MAX_HEIGHT)
+                .or(() -> choices.find(PatchSettings.HEIGHT_UNIT).map(HeightUnit::metres));
         if (width.isEmpty() && maxHeight.isEmpty()) {
             throw new SettingException(
                     PatchSettings.WIDTH,
@@ -53,7 +56,11 @@ record PatchScale(double width, Optional<Double> extent, double maxHeight) {
                     width.isEmpty() ? " 65um" : " 375nm",
                     ", or name a descriptor (.json)");
         }
-        return new PatchScale(width.get(), choices.find(PatchSettings.HEIGHT), maxHeight.get());
+        return new PatchScale(
+                width.get(),
+                choices.find(PatchSettings.HEIGHT),
+                maxHeight.get(),
+                choices.has(PatchSettings.HEIGHT_UNIT) ? PatchSettings.HEIGHT_UNIT : PatchSettings.MAX_HEIGHT);
     }
 
     /**
@@ -67,45 +74,65 @@ record PatchScale(double width, Optional<Double> extent, double maxHeight) {
         double pitchY = extent.isPresent() ? extent.get() / image.rows() : pitchX;
         double longSide = Math.max(width, pitchY * image.rows());
         requirePossible(image.format(), longSide, pitchY * image.rows());
+        requireFloatsForUnits(image.format());
         double metresPerUnit = maxHeight / image.format().fullScale();
         double[] heights = image.samples();
         for (int i = 0; i < heights.length; i++) {
             heights[i] *= metresPerUnit;
         }
         HeightMap map = HeightMap.owning(image.columns(), image.rows(), pitchX, pitchY, heights);
-        requirePossibleRelief(map.relief(), longSide);
+        Optional<String> absurdity = ReliefCheck.absurdity(map);
+        if (absurdity.isPresent()) {
+            throw new SettingException(chosen, complaint(absurdity.get(), map, metresPerUnit));
+        }
         return map;
     }
 
     private void requirePossible(SampleFormat format, double longSide, double sideY) {
-        if (longSide < SHORTEST_LONG_SIDE) {
+        if (longSide < ReliefCheck.SHORTEST_LONG_SIDE) {
             throw new SettingException(
                     PatchSettings.WIDTH,
                     "is absurd for a patch, whose longer side is %s or more (is the unit right?)"
-                            .formatted(Lengths.format(SHORTEST_LONG_SIDE)));
+                            .formatted(Lengths.format(ReliefCheck.SHORTEST_LONG_SIDE)));
         }
-        if (sideY > LONGEST_SIDE) {
+        if (sideY > ReliefCheck.LONGEST_SIDE) {
             throw new SettingException(
                     PatchSettings.WIDTH,
                     "makes the patch %s long; the most is %s"
-                            .formatted(Lengths.format(sideY), Lengths.format(LONGEST_SIDE)));
+                            .formatted(Lengths.format(sideY), Lengths.format(ReliefCheck.LONGEST_SIDE)));
         }
         // Float images may hold plain metres (a full scale of 1 m): only their relief can be judged.
-        if (format.integer() && maxHeight > LARGEST_RELIEF) {
+        if (format.integer() && maxHeight > ReliefCheck.LARGEST_RELIEF) {
             throw new SettingException(
                     PatchSettings.MAX_HEIGHT,
                     "is absurd for the full scale of whole numbers; the most is %s (is the unit right?)"
-                            .formatted(Lengths.format(LARGEST_RELIEF)));
+                            .formatted(Lengths.format(ReliefCheck.LARGEST_RELIEF)));
         }
     }
 
-    private void requirePossibleRelief(double relief, double longSide) {
-        if (relief > LARGEST_RELIEF || relief > STEEPEST_RELIEF * longSide) {
+    private void requireFloatsForUnits(SampleFormat format) {
+        if (format.integer() && chosen.equals(PatchSettings.HEIGHT_UNIT)) {
             throw new SettingException(
-                    PatchSettings.MAX_HEIGHT,
-                    "makes a relief of %s on a patch of %s, which is absurd; check both units"
-                            .formatted(Lengths.format(relief), Lengths.format(longSide)));
+                    PatchSettings.HEIGHT_UNIT,
+                    "is for images of floats; of whole numbers give the height of full scale with ",
+                    PatchSettings.MAX_HEIGHT);
         }
+    }
+
+    /** Why the relief is absurd; floats that hold metres already are the usual cause. */
+    private static Object[] complaint(String absurdity, HeightMap map, double metresPerUnit) {
+        String complaint = "makes a relief of " + absurdity;
+        double samples = map.relief() / metresPerUnit;
+        boolean metres = map.relief() < ReliefCheck.SMALLEST_RELIEF
+                && samples > ReliefCheck.SMALLEST_RELIEF
+                && samples < ReliefCheck.LARGEST_RELIEF;
+        return metres
+                ? new Object[] {
+                    complaint + "; the samples reach over " + Lengths.format(samples) + " if they are metres: give ",
+                    PatchSettings.HEIGHT_UNIT,
+                    " m instead"
+                }
+                : new Object[] {complaint};
     }
 
     /**
@@ -118,18 +145,22 @@ record PatchScale(double width, Optional<Double> extent, double maxHeight) {
         double longSide = Math.max(map.width(), map.height());
         if (map.relief() > longSide) {
             warnings.add("the relief of %s is larger than the patch (%s); is %s right?"
-                    .formatted(
-                            Lengths.format(map.relief()),
-                            Lengths.format(longSide),
-                            origin.name(PatchSettings.MAX_HEIGHT)));
+                    .formatted(Lengths.format(map.relief()), Lengths.format(longSide), origin.name(chosen)));
         }
+        warnings.addAll(oddities(map));
+        if (format.integer()) {
+            SamplingCheck.heightStep(maxHeight / format.fullScale()).ifPresent(warnings::add);
+        }
+        return warnings;
+    }
+
+    /** What is possible but unlikely about the sides of a map. */
+    static List<String> oddities(HeightMap map) {
+        List<String> warnings = new ArrayList<>();
         double aspect = Math.max(map.pitchX() / map.pitchY(), map.pitchY() / map.pitchX());
         if (map.columns() > 1 && map.rows() > 1 && aspect > ODD_ASPECT) {
             warnings.add("samples are %s apart along x and %s along y; is the height, the extent along y, right?"
                     .formatted(Lengths.format(map.pitchX()), Lengths.format(map.pitchY())));
-        }
-        if (format.integer()) {
-            SamplingCheck.heightStep(maxHeight / format.fullScale()).ifPresent(warnings::add);
         }
         return warnings;
     }

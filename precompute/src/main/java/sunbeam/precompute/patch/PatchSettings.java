@@ -5,6 +5,7 @@ import java.util.Map;
 import sunbeam.precompute.prepare.Crop;
 import sunbeam.precompute.prepare.Edges;
 import sunbeam.precompute.prepare.Levelling;
+import sunbeam.precompute.scan.ScanLimits;
 import sunbeam.precompute.setting.Kinds;
 import sunbeam.precompute.setting.Setting;
 
@@ -14,10 +15,12 @@ import sunbeam.precompute.setting.Setting;
  */
 public final class PatchSettings {
     /** Extent of an image along x, metres. */
-    public static final Setting<Double> WIDTH = side("width", "Extent of an image along x, for example 65um.");
+    public static final Setting<Double> WIDTH =
+            side("width", "Extent along x of an image, or of a file that does not say it, for example 65um.");
 
     /** Extent of an image along y, metres. */
-    public static final Setting<Double> HEIGHT = side("height", "Extent of an image along y. Default: square pixels.");
+    public static final Setting<Double> HEIGHT =
+            side("height", "Extent along y of such a file. Default: square pixels.");
 
     /** Height of full scale, metres: of 255 of 8 bits, 65535 of 16 bits, 1.0 of float. Float images may hold metres. */
     public static final Setting<Double> MAX_HEIGHT = new Setting<>(
@@ -30,7 +33,8 @@ public final class PatchSettings {
                     "patch",
                     Kinds.text("PATCH"),
                     "The surface: a built-in patch (blaze, sinusoid, lamellar, disc, elaphe-like, xenopeltis-like), a"
-                            + " descriptor (.json), or an image (PNG, TIFF, BMP) with ",
+                            + " descriptor (.json), a scan in its instrument's format, or an image (PNG, TIFF, BMP)"
+                            + " with ",
                     WIDTH,
                     " and ",
                     MAX_HEIGHT,
@@ -38,11 +42,25 @@ public final class PatchSettings {
             .inFiles("file")
             .withStandard("elaphe-like");
 
-    /** Which channel of an image holds the heights. */
-    public static final Setting<Channel> CHANNEL = new Setting<>(
+    /** Unit of numbers in a file that has none. */
+    public static final Setting<HeightUnit> HEIGHT_UNIT = new Setting<>(
+            "heightUnit",
+            Kinds.alsoWritten(Kinds.word("UNIT", HeightUnit.class), Map.of("\u00b5m", "um", "\u03bcm", "um")),
+            "Unit of the heights in a file that does not say it: pm, nm, um, mm or m.");
+
+    /** Numbers of a row in a file that writes all in one. */
+    public static final Setting<Integer> COLUMNS = new Setting<>(
+            "columns",
+            Kinds.integer("N", 1, ScanLimits.LONGEST_SIDE),
+            "How many numbers make a row, in a file that does not say it.");
+
+    /** Which channel of a file holds the heights. */
+    public static final Setting<String> CHANNEL = new Setting<>(
             "channel",
-            Kinds.alsoWritten(Kinds.word("CHANNEL", Channel.class), Map.of("gray", "grey")),
-            "Channel of an image that holds the heights: grey, red, green, blue, alpha.");
+            Kinds.alsoWritten(Kinds.text("CHANNEL"), Map.of("gray", "grey")),
+            "Channel that holds the heights: the name or number that inspect lists, of an image grey, red, green, blue"
+                    + " or alpha. Default: of a scan, heights from a sensor before those from a voltage, trace before"
+                    + " retrace.");
 
     /** The part that counts. */
     public static final Setting<Crop> CROP = new Setting<>(
@@ -81,19 +99,19 @@ public final class PatchSettings {
             "The patch is a period of the surface (its negation: it is not, whatever it looks like). A scan that is none is"
                     + " seen with a coherence length of at most its shorter side.");
 
-    /** What turns an image's samples into metres. */
-    public static final List<Setting<?>> SCALE = List.of(WIDTH, HEIGHT, MAX_HEIGHT);
+    /** What turns a file's samples into metres. */
+    public static final List<Setting<?>> SCALE = List.of(WIDTH, HEIGHT, MAX_HEIGHT, HEIGHT_UNIT, COLUMNS);
 
     /** What is done with heights, in this order, whatever they come from. */
     public static final List<Setting<?>> PREPARING = List.of(CROP, LEVEL, DESPIKE, EDGES, PERIODIC);
 
     /** What may be said of a file's heights, in a descriptor or beside an image's name. */
     public static final List<Setting<?>> OF_FILES =
-            List.of(WIDTH, HEIGHT, MAX_HEIGHT, CHANNEL, CROP, LEVEL, DESPIKE, EDGES, PERIODIC);
+            List.of(WIDTH, HEIGHT, MAX_HEIGHT, HEIGHT_UNIT, COLUMNS, CHANNEL, LEVEL, CROP, DESPIKE, EDGES, PERIODIC);
 
     /** All, the surface first. */
     public static final List<Setting<?>> ALL =
-            List.of(PATCH, WIDTH, HEIGHT, MAX_HEIGHT, CHANNEL, LEVEL, CROP, DESPIKE, EDGES, PERIODIC);
+            List.of(PATCH, WIDTH, HEIGHT, MAX_HEIGHT, HEIGHT_UNIT, COLUMNS, CHANNEL, LEVEL, CROP, DESPIKE, EDGES, PERIODIC);
 
     private PatchSettings() {}
 

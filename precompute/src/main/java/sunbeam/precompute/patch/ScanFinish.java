@@ -50,7 +50,8 @@ record ScanFinish(String name, String file, Choices choices, Kind kind) {
      * @throws PatchException when no sample is there
      * @throws SettingException when a choice does not suit the heights
      */
-    Patch patch(HeightMap measured, String source, List<String> scaleWarnings) {
+    Patch patch(MeasuredHeights read) {
+        HeightMap measured = read.map();
         Patch.Repetition repetition = repetition(measured);
         boolean piece = repetition == Patch.Repetition.NONE && kind == Kind.GIVEN_DIRECTLY;
         Levelling levelling = choices.get(LEVEL, piece ? Levelling.PLANE : Levelling.MEAN);
@@ -59,7 +60,7 @@ record ScanFinish(String name, String file, Choices choices, Kind kind) {
         Preparation.Prepared prepared = prepared(preparation, measured);
         HeightMap scan = HeightMap.of(prepared.scan());
         HeightMap heights = edges == Edges.REPEAT ? scan : HeightMap.of(prepared.surface());
-        List<String> warnings = new ArrayList<>(scaleWarnings);
+        List<String> warnings = new ArrayList<>(read.warnings());
         if (prepared.missing() > 0) {
             warnings.add("%d of %d samples are missing and were filled from their neighbours"
                     .formatted(prepared.missing(), (long) scan.columns() * scan.rows()));
@@ -73,7 +74,14 @@ record ScanFinish(String name, String file, Choices choices, Kind kind) {
         SamplingCheck.pitch(heights).ifPresent(warnings::add);
         SlopeCheck.slopes(heights).ifPresent(warnings::add);
         return new Patch(
-                name, heights, scan, source + ", " + String.join(", ", prepared.steps()), warnings, repetition);
+                name,
+                heights,
+                scan,
+                read.source() + ", " + String.join(", ", prepared.steps()),
+                read.channels(),
+                read.notes(),
+                warnings,
+                repetition);
     }
 
     private Patch.Repetition repetition(HeightMap measured) {

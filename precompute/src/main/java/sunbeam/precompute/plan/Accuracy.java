@@ -12,11 +12,11 @@ public sealed interface Accuracy {
     /**
      * They are made for a relative error of power and XYZ.
      *
-     * @param relativeError {@link Tolerances#FINEST}..{@link Tolerances#COARSEST}
+     * @param relativeError {@link ErrorBudget#FINEST}..{@link ErrorBudget#COARSEST}
      */
     record ByTolerance(double relativeError) implements Accuracy {
         /** What holds where nothing is chosen. */
-        public static final ByTolerance STANDARD = new ByTolerance(Tolerances.STANDARD);
+        public static final ByTolerance STANDARD = new ByTolerance(ErrorBudget.STANDARD);
 
         public ByTolerance {
             TOLERANCE.kind().check(relativeError);

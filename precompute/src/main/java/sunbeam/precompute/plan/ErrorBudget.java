@@ -7,7 +7,7 @@ import sunbeam.precompute.resample.InterpolationDesign;
  * every direction whose power is at least {@link #DARKEST_POWER} of the mirror's. Derived in docs/error-budget.md. The
  * shares of one output add up to less than 1, worst case upon worst case.
  *
- * @param tolerance relative error, {@link Tolerances#FINEST}..{@link Tolerances#COARSEST}
+ * @param tolerance relative error, {@link #FINEST}..{@link #COARSEST}
  * @param roughness of the patch: where light goes everywhere, errors are beside more of it
  */
 public record ErrorBudget(double tolerance, Roughness roughness) {
@@ -16,6 +16,21 @@ public record ErrorBudget(double tolerance, Roughness roughness) {
 
     /** Its amplitude: an error of an amplitude counts twice in the power, relative to this. */
     public static final double DARKEST_AMPLITUDE = Math.sqrt(DARKEST_POWER);
+
+    /** The finest tolerance that can be asked for: what float32 tables and shaders reach; {@code reference} goes further. */
+    public static final double FINEST = 1e-5;
+
+    /**
+     * Down to here the 95th percentile of the power's error stays below three times the tolerance. Below, the median keeps
+     * the tolerance, but float32 leaves up to {@link #FLOAT32_PERCENTILE} (docs/accuracy).
+     */
+    static final double FINEST_CERTAIN = 2e-5;
+
+    /** The 95th percentile of the power's relative error that float32 leaves, as measured. */
+    static final double FLOAT32_PERCENTILE = 4.2e-5;
+
+    public static final double COARSEST = 1;
+    public static final double STANDARD = 1e-3;
 
     private static final double EXPANSION_SHARE = 0.4;
     private static final double WINDOW_SHARE = 0.3;

@@ -102,7 +102,7 @@ public record GridSampling(
      * What serves single wavelengths: all bins that count, exactly, where they are not too many, as time is no matter
      * there; else a grid that is fine enough for both averages.
      */
-    private Sampling single() {
+    public Sampling single() {
         return singles.<Sampling>map(bins -> new RaySampling(bins, nodeStep, fewestNodes))
                 .orElseGet(() -> new GridSampling(
                         new ErrorBudget(budget.tolerance()).interpolation(Average.ENSEMBLE),

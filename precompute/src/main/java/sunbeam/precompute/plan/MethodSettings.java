@@ -31,15 +31,15 @@ public final class MethodSettings {
                     "tolerance",
                     Kinds.number(
                             "ERROR",
-                            Tolerances.FINEST,
-                            Tolerances.COARSEST,
+                            ErrorBudget.FINEST,
+                            ErrorBudget.COARSEST,
                             ("finer than float32 can reach, which is %s; give that or more, or evaluate directions by"
                                             + " method reference")
-                                    .formatted(Decimals.format(Tolerances.FINEST))),
+                                    .formatted(Decimals.format(ErrorBudget.FINEST))),
                     "Relative error of power and colour that the plan is made for, 1e-5 to 1. Below 2e-5 float32 keeps it"
                             + " in the median, but not three times it at the 95th percentile; method reference goes"
                             + " further. Settings below override parts of the plan.")
-            .withStandard(Tolerances.STANDARD);
+            .withStandard(ErrorBudget.STANDARD);
 
     /** Kind of expansion. */
     public static final Setting<ExpansionKind> EXPANSION = new Setting<>(

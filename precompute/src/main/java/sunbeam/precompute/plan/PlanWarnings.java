@@ -33,21 +33,30 @@ final class PlanWarnings {
     List<Sentence> lines() {
         List<Sentence> lines = new ArrayList<>();
         plan.accuracy().tolerance().ifPresent(tolerance -> {
-            checkFloat32(tolerance, lines);
+            lines.addAll(shortfalls());
             checkTerms(tolerance, lines);
-            checkFrequencies(tolerance, lines);
             checkSamples(lines);
             lines.addAll(plan.sampling().warnings(plan, tolerance, map));
         });
         return lines;
     }
 
+    /** What cannot be promised whatever is chosen. */
+    List<Sentence> shortfalls() {
+        List<Sentence> lines = new ArrayList<>();
+        plan.accuracy().tolerance().ifPresent(tolerance -> {
+            checkFloat32(tolerance, lines);
+            checkFrequencies(tolerance, lines);
+        });
+        return lines;
+    }
+
     private static void checkFloat32(double tolerance, List<Sentence> lines) {
-        if (tolerance < Tolerances.FINEST_CERTAIN) {
+        if (tolerance < ErrorBudget.FINEST_CERTAIN) {
             lines.add(Sentence.of(format(
                     "float32 keeps the tolerance %s in the median, but leaves errors of up to %s at the 95th percentile of"
                             + " power, of which three times the tolerance is promised; method reference goes further",
-                    shown(tolerance), shown(Tolerances.FLOAT32_PERCENTILE))));
+                    shown(tolerance), shown(ErrorBudget.FLOAT32_PERCENTILE))));
         }
     }
 

@@ -107,14 +107,19 @@ public final class Planner {
         return need.excess(heapLimit);
     }
 
-    /** What the user fixed of a plan that breaks its tolerance, one line each. */
+    /** What breaks a plan's tolerance, one line each: what the user fixed, and {@link #shortfalls}. */
     public List<Sentence> warnings(Plan plan) {
         return new PlanWarnings(plan, map).lines();
     }
 
+    /** Why a plan cannot promise its tolerance whatever the user fixes, and what it reaches; one line each. */
+    public List<Sentence> shortfalls(Plan plan) {
+        return new PlanWarnings(plan, map).shortfalls();
+    }
+
     /** Where the thesis's choices stand in, it keeps no tolerance, and only what a user fixes is planned for the standard one. */
     private static ErrorBudget budget(TableChoices table) {
-        return new ErrorBudget(table.accuracy().tolerance().orElse(Tolerances.STANDARD));
+        return new ErrorBudget(table.accuracy().tolerance().orElse(ErrorBudget.STANDARD));
     }
 
     private List<Sampling> samplings(

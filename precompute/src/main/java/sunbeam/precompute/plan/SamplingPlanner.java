@@ -112,7 +112,7 @@ final class SamplingPlanner {
 
     /** How much finer than at the standard tolerance wavelengths are resolved. */
     private double relativeFineness() {
-        return Math.cbrt(Tolerances.STANDARD / budget.tolerance());
+        return Math.cbrt(ErrorBudget.STANDARD / budget.tolerance());
     }
 
     private int fewestNodes() {

@@ -76,16 +76,24 @@ public final class ReferenceEvaluator {
 
     /** Power of one coherence area and its mean over all positions of the window, for a wavelength in metres. */
     public Power powers(DirectionPair pair, double wavelength) {
-        double fx = pair.u() / wavelength;
-        double fy = pair.v() / wavelength;
+        double[][] phases = surface.phases(pair.w(), wavelength);
+        return powers(phases[0], phases[1], pair.u() / wavelength, pair.v() / wavelength);
+    }
+
+    /**
+     * As {@link #powers(DirectionPair, double)}, for any complex function a of the height in the place of p.
+     *
+     * @param real real part of a for each of {@link #heights()}'s levels
+     * @param imaginary its imaginary part
+     * @param fx cycles per metre
+     * @param fy cycles per metre
+     */
+    public Power powers(double[] real, double[] imaginary, double fx, double fy) {
         int[] binsX = binsNear(fx, axisX);
         int[] binsY = binsNear(fy, axisY);
-        AxisWeights[] alongY = new AxisWeights[binsY.length + 1];
-        for (int i = 0; i < binsY.length; i++) {
-            alongY[i] = AxisWeights.ofBin(binsY[i], axisY);
-        }
+        AxisWeights[] alongY = Arrays.copyOf(ofBins(binsY, axisY), binsY.length + 1);
         alongY[binsY.length] = AxisWeights.ofWindow(fy, axisY, windowY);
-        AxisSums sums = surface.overRows(pair.w(), wavelength, alongY);
+        AxisSums sums = surface.overRows(new double[][] {real, imaginary}, alongY);
         double ensemble = 0;
         for (int jx : binsX) {
             AxisWeights alongX = AxisWeights.ofBin(jx, axisX);
@@ -95,6 +103,36 @@ public final class ReferenceEvaluator {
             }
         }
         return new Power(sums.power(binsY.length, AxisWeights.ofWindow(fx, axisX, windowX)), ensemble);
+    }
+
+    /**
+     * DFT bins of any complex function a of the height, with phases as seen from the sample under the window's maximum.
+     *
+     * @param real real part of a for each of {@link #heights()}'s levels
+     * @param imaginary its imaginary part
+     * @param binsX indices along x; frequency = index / width
+     * @param binsY indices along y
+     * @return {@code [y][x]}
+     */
+    public Complex[][] bins(double[] real, double[] imaginary, int[] binsX, int[] binsY) {
+        AxisSums sums = surface.overRows(new double[][] {real, imaginary}, ofBins(binsY, axisY));
+        AxisWeights[] alongX = ofBins(binsX, axisX);
+        Complex[][] bins = new Complex[binsY.length][binsX.length];
+        for (int y = 0; y < binsY.length; y++) {
+            for (int x = 0; x < binsX.length; x++) {
+                bins[y][x] = sums.sum(y, alongX[x]);
+            }
+        }
+        return bins;
+    }
+
+    /** exp(i k w h) of each of {@link #heights()}'s levels, up to a constant phase: real parts, imaginary parts. */
+    public double[][] phases(double w, double wavelength) {
+        return surface.phases(w, wavelength);
+    }
+
+    private static AxisWeights[] ofBins(int[] bins, Axis axis) {
+        return Arrays.stream(bins).mapToObj(bin -> AxisWeights.ofBin(bin, axis)).toArray(AxisWeights[]::new);
     }
 
     private double powerGauss(double frequency) {

@@ -62,7 +62,7 @@ final class SurfaceSums {
     }
 
     /** exp(i k w h) of every distinct height: cosines, sines. */
-    private double[][] phases(double w, double wavelength) {
+    double[][] phases(double w, double wavelength) {
         double waveNumber = 2 * Math.PI / wavelength;
         double centre = 0.5 * (heights.minimum() + heights.maximum());
         double[] cosines = new double[heights.count()];

@@ -1,5 +1,7 @@
 package sunbeam.precompute.resample;
 
+import java.util.function.DoubleBinaryOperator;
+
 /**
  * How a Gaussian of the frequency is replaced by a few taps on a grid:
  *
@@ -86,6 +88,14 @@ public record InterpolationDesign(double deviation, int taps, double beta, doubl
     /** phi at a distance in grid steps; 0 from taps / 2 on. */
     public double kernel(double distance) {
         return new KaiserBessel(taps, beta).value(distance);
+    }
+
+    /**
+     * What stands for the Gaussian in double precision: sum_m phi(f - m) K(m - f_j) of f and f_j in grid steps. Safe for use
+     * by several threads.
+     */
+    public DoubleBinaryOperator response() {
+        return spread()::interpolated;
     }
 
     /** K, tabulated. */

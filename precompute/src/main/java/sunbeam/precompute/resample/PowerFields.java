@@ -130,6 +130,20 @@ public final class PowerFields implements Fields {
         return IntStream.concat(strongest, random).toArray();
     }
 
+    /** The basis at a phase. */
+    public double[] functions(double zeta) {
+        return nodes.interpolate(functions, functions.length, zeta);
+    }
+
+    /** Power of one bin, given the {@link #functions} of a phase. */
+    public double power(double[] atPhase, int bin) {
+        double power = 0;
+        for (int n = 0; n < fields.length; n++) {
+            power += atPhase[n] * fields[n][bin];
+        }
+        return power;
+    }
+
     @Override
     public int count() {
         return fields.length;
@@ -142,11 +156,6 @@ public final class PowerFields implements Fields {
 
     @Override
     public CoefficientTable coefficients(int samples) {
-        return CoefficientTable.sampled(
-                nodes.minimum(),
-                nodes.maximum(),
-                functions.length,
-                zeta -> nodes.interpolate(functions, functions.length, zeta),
-                samples);
+        return CoefficientTable.sampled(nodes.minimum(), nodes.maximum(), functions.length, this::functions, samples);
     }
 }

@@ -64,15 +64,20 @@ final class Spread {
                 double bin = (double) place / PLACES;
                 // Positions between the samples differ from one distance to the next.
                 double f = bin + skirt * i / distances * deviation;
-                double sum = 0;
-                double half = 0.5 * kernel.taps();
-                for (int m = (int) Math.ceil(f - half); m <= f + half; m++) {
-                    sum += kernel.value(f - m) * value(m - bin);
-                }
                 double gauss = Math.exp(-0.5 * Math.pow((f - bin) / deviation, 2));
-                largest = Math.max(largest, Math.abs(sum / gauss - 1));
+                largest = Math.max(largest, Math.abs(interpolated(f, bin) / gauss - 1));
             }
         }
         return largest;
+    }
+
+    /** sum_m phi(f - m) K(m - bin), in grid steps. */
+    double interpolated(double f, double bin) {
+        double sum = 0;
+        double half = 0.5 * kernel.taps();
+        for (long m = (long) Math.ceil(f - half); m <= f + half; m++) {
+            sum += kernel.value(f - m) * value(m - bin);
+        }
+        return sum;
     }
 }

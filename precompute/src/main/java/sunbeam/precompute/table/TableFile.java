@@ -14,6 +14,7 @@ import java.util.TreeMap;
 import sunbeam.precompute.expansion.CoefficientTable;
 import sunbeam.precompute.files.Sha256;
 import sunbeam.precompute.fourier.Band;
+import sunbeam.precompute.text.Quoted;
 
 /**
  * Fourier tables as HDF5: dataset {@code terms} of float32, shape (terms, 2, rows, columns) with real and imaginary
@@ -64,7 +65,21 @@ public final class TableFile {
         } catch (IOException | RuntimeException e) {
             // The HDF5 library reports damage by exceptions of many kinds; each means the same to the user.
             throw unusable(file, "not a readable HDF5 file: " + rootMessage(e), e);
+        } catch (OutOfMemoryError | StackOverflowError e) {
+            throw ofDamage(file, e);
         }
+    }
+
+    /**
+     * A file that claims more than it holds makes the library take memory without end. A whole one needs a few times its own
+     * length: where there was that much, it was damage.
+     */
+    private static TableException ofDamage(Path file, VirtualMachineError e) {
+        if (e instanceof OutOfMemoryError
+                && file.toFile().length() > Runtime.getRuntime().maxMemory() / 8) {
+            throw e;
+        }
+        return unusable(file, "it claims more than it holds: the file was damaged", new IOException(e));
     }
 
     /** How long the file says it is: bytes 28 to 35 of a superblock of version 2 or 3 (HDF5 specification, II.A). */
@@ -81,7 +96,12 @@ public final class TableFile {
 
     private static FourierTable read(HdfFile hdf, long fileBytes) {
         Map<String, Object> values = new TreeMap<>();
-        hdf.getAttributes().forEach((name, attribute) -> values.put(name, attribute.getData()));
+        hdf.getAttributes().forEach((name, attribute) -> {
+            if (attribute.getSizeInBytes() > fileBytes) {
+                throw new TableException("attribute '" + Quoted.oneLine(name) + "' is larger than the file");
+            }
+            values.put(name, attribute.getData());
+        });
         TableAttributes attributes = TableAttributes.of(values);
         if (!TableAttributes.FORMAT.equals(values.get("format"))) {
             throw new TableException("not a Sunbeam table");

@@ -18,11 +18,11 @@ import org.junit.jupiter.params.provider.MethodSource;
 import sunbeam.precompute.optics.Replicas;
 import sunbeam.precompute.optics.WindowOrigin;
 import sunbeam.precompute.plan.Average;
+import sunbeam.precompute.plan.ErrorBudget;
 import sunbeam.precompute.plan.Neighbourhood;
 import sunbeam.precompute.plan.Neighbourhood.Anchor;
 import sunbeam.precompute.plan.Preset;
 import sunbeam.precompute.plan.ReplicatedArea;
-import sunbeam.precompute.plan.Tolerances;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.SettingException;
 
@@ -39,7 +39,7 @@ class MethodsTest {
 
     @Test
     void nothingChosenIsFullWithinTheStandardTolerance() {
-        assertThat(Methods.of(Choices.none())).isEqualTo(FullMethod.within(Tolerances.STANDARD));
+        assertThat(Methods.of(Choices.none())).isEqualTo(FullMethod.within(ErrorBudget.STANDARD));
         assertThat(Methods.of(THESIS)).isEqualTo(FullMethod.thesis());
     }
 

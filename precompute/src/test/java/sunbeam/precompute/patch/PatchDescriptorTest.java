@@ -60,7 +60,7 @@ class PatchDescriptorTest {
         assertThat(descriptor.choices().find(PatchSettings.WIDTH)).contains(65e-6);
         assertThat(descriptor.choices().find(PatchSettings.HEIGHT)).contains(32.5e-6);
         assertThat(descriptor.choices().find(PatchSettings.MAX_HEIGHT)).contains(375e-9);
-        assertThat(descriptor.choices().find(PatchSettings.CHANNEL)).contains(Channel.GREEN);
+        assertThat(descriptor.choices().find(PatchSettings.CHANNEL)).contains("green");
         assertThat(descriptor.choices().find(PatchSettings.LEVEL)).contains(Levelling.PLANE);
         assertThat(descriptor.note()).isEqualTo("shed skin");
     }
@@ -113,7 +113,7 @@ class PatchDescriptorTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"channel, red and blue", "levelling, flat"})
+    @CsvSource({"heightUnit, inch", "levelling, flat"})
     void namesAnUnknownWord(String key, String word) throws IOException {
         assertRefused(
                 "{\"heights\": \"scan.png\", " + SCALE + ",\n\"" + key + "\": \"" + word + "\"}", "line 2", key, word);

@@ -161,7 +161,7 @@ class PatchLoaderTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"--width, 65", "--height, 65 inch", "--max-height, high", "--channel, cyan", "--level, flat"})
+    @CsvSource({"--width, 65", "--height, 65 inch", "--max-height, high", "--level, flat"})
     void namesTheOptionOfAWordThatItCannotRead(String option, String word) {
         assertThatThrownBy(() -> request(option, word))
                 .isInstanceOf(SettingException.class)
@@ -197,6 +197,13 @@ class PatchLoaderTest {
 
     private static String word(String given, String option, String word) {
         return given.equals(option) ? word : null;
+    }
+
+    @Test
+    void namesTheChannelsThatAnImageHas() throws IOException {
+        assertChoiceRefused(
+                PatchRequests.parse(ramp(), "12.8um", null, "255nm", "cyan", null),
+                "--channel cyan is not one of grey, red, green, blue, alpha");
     }
 
     @Test

@@ -12,6 +12,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.Random;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -88,6 +89,23 @@ class TableFileTest {
                     .as("bit %d", bit)
                     .isInstanceOf(TableException.class)
                     .hasMessageContaining("checksum");
+        }
+    }
+
+    /** Lengths are numbers in the file, too: one bit more of them must not take all of the memory. */
+    @Test
+    void anyFlippedBitIsNoticedOrHarmless() throws IOException {
+        byte[] good = Files.readAllBytes(file);
+        Random random = new Random(1);
+        for (int flip = 0; flip < 1500; flip++) {
+            byte[] bad = good.clone();
+            bad[random.nextInt(bad.length)] ^= (byte) (1 << random.nextInt(8));
+            Files.write(file, bad);
+            try {
+                assertThat(TableFile.read(file).real()).isDeepEqualTo(table.real());
+            } catch (TableException noticed) {
+                assertThat(noticed).hasMessageContaining("table.h5");
+            }
         }
     }
 

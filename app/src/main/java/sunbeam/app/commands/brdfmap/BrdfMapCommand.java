@@ -19,12 +19,12 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.files.output.AtomicFile;
-import sunbeam.app.files.output.DefaultName;
+import sunbeam.app.files.output.Ending;
 import sunbeam.app.files.output.ForceOption;
 import sunbeam.app.files.output.NpyWriter;
-import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.files.output.PngWriter;
 import sunbeam.app.files.output.SrgbImage;
+import sunbeam.app.files.output.StandardOutput;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.gpu.map.BrdfMapRenderer;
 import sunbeam.app.gpu.map.DiscDirections;
@@ -34,6 +34,7 @@ import sunbeam.app.gpu.picture.LinearPicture;
 import sunbeam.app.measure.errors.Certificate;
 import sunbeam.app.measure.errors.Certifier;
 import sunbeam.app.measure.errors.CertifyOption;
+import sunbeam.app.measure.errors.Explainer;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.UsageException;
@@ -124,28 +125,27 @@ public final class BrdfMapCommand implements Callable<Integer> {
         if (size < 1 || size > LARGEST) {
             throw new UsageException("--size " + size + " is out of range; give 1 to " + LARGEST);
         }
-        certify.count();
+        Ending.PNG.require("--output", output);
+        Ending.NPY.require("--linear", linear);
         double fixedExposure = parseExposure();
-        Methods.of(asked);
+        certify.check(Methods.of(asked));
         Direction wi = light.direction();
         PrintWriter err = specification.commandLine().getErr();
         DiffractionSetup setup = new DiffractionSetup(patchOptions, asked, environment, err);
         Choices choices = setup.seen(asked, err);
         Method chosen = Methods.of(choices);
-        Overwrite overwrite = force.overwrite();
-        Path picture = output != null
-                ? output
-                : DefaultName.choose(Path.of(""), "brdf-" + setup.patch().name(), "png", overwrite);
-        AtomicFile.checkWritable(picture, overwrite);
+        Path picture = output != null ? output : Path.of("brdf-" + setup.patch().name() + ".png");
+        AtomicFile.checkWritable(picture, force.overwrite(output));
         if (linear != null) {
             checkDifferent(picture);
-            AtomicFile.checkWritable(linear, overwrite);
+            AtomicFile.checkWritable(linear, force.overwrite());
         }
         MethodPlan plan = chosen.plan(setup.surface(), VisibleRange.of(wi));
-        PrintWriter out = specification.commandLine().getOut();
+        PrintWriter out = StandardOutput.reports(specification.commandLine().getOut(), err, picture, linear);
         methodOptions.print(plan, err);
         ShaderTables tables = setup.tables(plan, MethodUse.COLOUR);
         Optional<Certificate> certificate;
+        Path written;
         try (RenderContext context = RenderContexts.offscreen();
                 UploadedTables method = UploadedTables.upload(context, tables);
                 BrdfMapRenderer renderer = new BrdfMapRenderer(context, method, size);
@@ -158,14 +158,15 @@ public final class BrdfMapCommand implements Callable<Integer> {
             Map<String, String> text = describe(setup, choices, plan.summary(), factor, context);
             certificate.ifPresent(stated -> text.put("Certificate", stated.summary()));
             BufferedImage image = SrgbImage.fromEncoded(size, size, display.srgb(map, factor));
-            write(picture, stream -> PngWriter.write(stream, image, text), map);
+            written = write(picture, stream -> PngWriter.write(stream, image, text), map);
         }
-        out.println(picture);
+        out.println(written);
         if (linear != null) {
             out.println(linear);
         }
         return certificate
-                .map(stated -> CertifyOption.judge(stated, out, err))
+                .map(stated -> CertifyOption.judge(
+                        stated, plan, new Explainer(setup, choices, VisibleRange.of(wi), MethodUse.COLOUR), out, err))
                 .orElse(ExitCode.OK)
                 .code();
     }
@@ -177,16 +178,15 @@ public final class BrdfMapCommand implements Callable<Integer> {
     }
 
     /** Both files or none: neither appears before both are written. */
-    private void write(Path picture, AtomicFile.StreamContent png, LinearPicture map) {
-        Overwrite overwrite = force.overwrite();
-        try (AtomicFile image = AtomicFile.create(picture, overwrite);
-                AtomicFile numbers = linear == null ? null : AtomicFile.create(linear, overwrite)) {
+    private Path write(Path picture, AtomicFile.StreamContent png, LinearPicture map) {
+        try (AtomicFile image = AtomicFile.create(picture, force.overwrite(output));
+                AtomicFile numbers = linear == null ? null : AtomicFile.create(linear, force.overwrite())) {
             image.fill(png);
             if (numbers != null) {
                 numbers.fill(stream -> NpyWriter.write(stream, map.xyz(), size, size, 3));
                 numbers.commit();
             }
-            image.commit();
+            return image.commit();
         }
     }
 

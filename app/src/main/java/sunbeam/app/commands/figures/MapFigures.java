@@ -13,15 +13,15 @@ import sunbeam.precompute.method.Method;
 import sunbeam.precompute.method.NmmMethod;
 import sunbeam.precompute.method.PqMethod;
 import sunbeam.precompute.optics.CoherenceWindow;
+import sunbeam.precompute.plan.ErrorBudget;
 import sunbeam.precompute.plan.GaussianArea;
-import sunbeam.precompute.plan.Tolerances;
 import sunbeam.precompute.resample.PeriodInterpolation;
 
 /** The thesis's BRDF maps, figures 5.3 to 5.13. */
 final class MapFigures {
-    private static final FullMethod PLANNED = FullMethod.within(Tolerances.STANDARD);
+    private static final FullMethod PLANNED = FullMethod.within(ErrorBudget.STANDARD);
     private static final FullMethod THESIS = FullMethod.thesis().with(GaussianArea.STANDARD);
-    private static final NmmMethod NMM = NmmMethod.within(Tolerances.STANDARD);
+    private static final NmmMethod NMM = NmmMethod.within(ErrorBudget.STANDARD);
     private static final NmmMethod NMM_THESIS = new NmmMethod(THESIS.table(), Optional.empty(), THESIS.area());
     private static final double[] STEPS_NANOMETRES = {1, 5, 10, 20, 40};
     private static final int[] TERMS = {2, 4, 6, 8, 12, 16, 24, 37};
@@ -163,7 +163,7 @@ final class MapFigures {
     }
 
     private static Method pq(PeriodInterpolation interpolation) {
-        return PqMethod.within(Tolerances.STANDARD, interpolation);
+        return PqMethod.within(ErrorBudget.STANDARD, interpolation);
     }
 
     private static Method gem(double spacing) {

@@ -12,9 +12,10 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 import sunbeam.app.files.output.AtomicFile;
-import sunbeam.app.files.output.DefaultName;
+import sunbeam.app.files.output.Ending;
 import sunbeam.app.files.output.ForceOption;
 import sunbeam.app.files.output.PngWriter;
+import sunbeam.app.files.output.StandardOutput;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.UsageException;
@@ -54,15 +55,15 @@ public final class InspectCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
-        PrintWriter out = specification.commandLine().getOut();
+        Ending.PNG.require("--output", output);
         PrintWriter err = specification.commandLine().getErr();
+        PrintWriter out = StandardOutput.reports(specification.commandLine().getOut(), err, output);
         Patch loaded = load();
+        loaded.notes().forEach(note -> err.println(Messages.note(loaded.name() + ": " + note)));
         loaded.warnings().forEach(warning -> err.println(Messages.warning(loaded.name() + ": " + warning)));
         err.flush();
-        Path picture = output != null
-                ? output
-                : DefaultName.choose(Path.of(""), "inspect-" + loaded.name(), "png", force.overwrite());
-        AtomicFile.checkWritable(picture, force.overwrite());
+        Path picture = output != null ? output : Path.of("inspect-" + loaded.name() + ".png");
+        AtomicFile.checkWritable(picture, force.overwrite(output));
         Inspection inspection = Inspection.of(loaded);
         inspection.lines().forEach(out::println);
         out.flush();
@@ -70,8 +71,7 @@ public final class InspectCommand implements Callable<Integer> {
         text.put("Title", "Inspection of " + loaded.name());
         text.put("Patch", loaded.source());
         text.put("Plan", inspection.plan().summary());
-        PngWriter.write(picture, force.overwrite(), new InspectionSheet(inspection).draw(), text);
-        out.println(picture);
+        out.println(PngWriter.write(picture, force.overwrite(output), new InspectionSheet(inspection).draw(), text));
         return ExitCode.OK.code();
     }
 

@@ -19,6 +19,7 @@ import sunbeam.precompute.method.Surface;
 import sunbeam.precompute.patch.HeightMap;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.patch.SamplingCheck;
+import sunbeam.precompute.plan.ErrorBudget;
 import sunbeam.precompute.plan.PlanReport;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.Choices;
@@ -85,6 +86,9 @@ record Inspection(
         HeightMap map = patch.scan();
         List<String> lines = new ArrayList<>();
         lines.add(line("patch", patch.source()));
+        for (String channel : patch.channels()) {
+            lines.add(line(lines.size() == 1 ? "channels" : "", channel));
+        }
         lines.add(line(
                 "size",
                 "%s x %s, %d x %d samples"

@@ -10,9 +10,10 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 import sunbeam.app.files.output.AtomicFile;
-import sunbeam.app.files.output.DefaultName;
+import sunbeam.app.files.output.Ending;
 import sunbeam.app.files.output.ForceOption;
 import sunbeam.app.files.output.Overwrite;
+import sunbeam.app.files.output.StandardOutput;
 import sunbeam.app.scene.mesh.MeshReader;
 import sunbeam.app.scene.mesh.MeshSource;
 import sunbeam.app.scene.mesh.MeshWriter;
@@ -49,15 +50,16 @@ public final class MeshCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
-        Overwrite overwrite = force.overwrite();
-        Path target = output != null ? output : DefaultName.choose(Path.of(""), stem(), "obj", overwrite);
+        Ending.OBJ.require("--output", output);
+        Overwrite overwrite = force.overwrite(output);
+        Path target = output != null ? output : Path.of(stem() + ".obj");
         AtomicFile.checkWritable(target, overwrite);
         ReadMesh read = MeshSource.load(mesh, Path.of(""));
         PrintWriter err = specification.commandLine().getErr();
         read.warnings().forEach(warning -> err.println(Messages.warning(warning)));
-        MeshWriter.write(target, overwrite, read.mesh());
-        PrintWriter out = specification.commandLine().getOut();
-        out.println(target + ": " + MeshReader.count(read.mesh().vertices(), "vertex") + ", "
+        Path written = MeshWriter.write(target, overwrite, read.mesh());
+        PrintWriter out = StandardOutput.reports(specification.commandLine().getOut(), err, target);
+        out.println(written + ": " + MeshReader.count(read.mesh().vertices(), "vertex") + ", "
                 + MeshReader.count(read.mesh().triangles(), "triangle"));
         return ExitCode.OK.code();
     }

@@ -3,6 +3,7 @@ package sunbeam.app.commands.precompute;
 import java.nio.file.Path;
 import java.util.Locale;
 import java.util.concurrent.Callable;
+import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -10,8 +11,9 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.files.output.AtomicFile;
-import sunbeam.app.files.output.DefaultName;
+import sunbeam.app.files.output.Ending;
 import sunbeam.app.files.output.ForceOption;
+import sunbeam.app.files.output.StandardOutput;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.options.MethodOptions;
@@ -56,6 +58,7 @@ public final class PrecomputeCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
+        Ending.HDF5.require("--output", output);
         Choices choices = methodOptions.choices();
         return choices.located(() -> write(choices));
     }
@@ -66,19 +69,16 @@ public final class PrecomputeCommand implements Callable<Integer> {
                 patchOptions, choices, environment, specification.commandLine().getErr());
         FullMethod method =
                 FullMethod.of(setup.seen(choices, specification.commandLine().getErr()));
-        Path file = output != null
-                ? output
-                : DefaultName.choose(Path.of(""), setup.patch().name(), "h5", force.overwrite());
-        AtomicFile.checkWritable(file, force.overwrite());
+        Path file = output != null ? output : Path.of(setup.patch().name() + ".h5");
+        AtomicFile.checkWritable(file, force.overwrite(output));
         Plan plan = method.tablePlan(setup.surface(), VisibleRange.all());
         methodOptions.explain(plan, specification.commandLine().getErr());
         long start = System.nanoTime();
         FourierTable table = setup.table(plan);
         double seconds = (System.nanoTime() - start) * 1e-9;
-        AtomicFile.writeFile(file, force.overwrite(), path -> TableFile.write(path, table));
-        specification
-                .commandLine()
-                .getOut()
+        Path written = AtomicFile.writeFile(file, force.overwrite(output), path -> TableFile.write(path, table));
+        CommandLine line = specification.commandLine();
+        StandardOutput.reports(line.getOut(), line.getErr(), file)
                 .printf(
                         Locale.ROOT,
                         "%d %s terms of %d x %d bins, %.1f MB, made or read in %.2f s%n%s%n",
@@ -88,7 +88,7 @@ public final class PrecomputeCommand implements Callable<Integer> {
                         table.bandY().count(),
                         table.bytes() * 1e-6,
                         seconds,
-                        file);
+                        written);
         return ExitCode.OK.code();
     }
 }

@@ -17,12 +17,14 @@ import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.files.input.DirectionList;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.CsvWriter;
+import sunbeam.app.files.output.Ending;
 import sunbeam.app.files.output.ForceOption;
+import sunbeam.app.files.output.StandardOutput;
 import sunbeam.app.measure.errors.Certificate;
 import sunbeam.app.measure.errors.CertifyOption;
+import sunbeam.app.measure.errors.Explainer;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;
-import sunbeam.app.terminal.UsageException;
 import sunbeam.app.terminal.options.MethodOptions;
 import sunbeam.app.terminal.options.PatchOptions;
 import sunbeam.precompute.method.Method;
@@ -31,6 +33,7 @@ import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.method.ReferenceMethod;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.shader.MethodUse;
 
 /** {@code sunbeam reflectance}: numbers for a list of directions, the interface by which anybody can check Sunbeam. */
 @Command(
@@ -78,37 +81,35 @@ public final class ReflectanceCommand implements Callable<Integer> {
         return choices.located(() -> tabulate(choices));
     }
 
-    private int tabulate(Choices choices) {
-        if (certify.count().isPresent() && Methods.of(choices) instanceof ReferenceMethod) {
-            throw new UsageException("--certify compares with --method reference; leave out one of them");
-        }
+    private int tabulate(Choices asked) {
+        certify.check(Methods.of(asked));
+        Ending.CSV.require("--output", output);
         DirectionList list = DirectionList.read(directions);
         AtomicFile.checkWritable(output, force.overwrite());
-        DiffractionSetup setup = new DiffractionSetup(
-                patchOptions, choices, environment, specification.commandLine().getErr());
-        Method method =
-                Methods.of(setup.seen(choices, specification.commandLine().getErr()));
-        double tolerance = choices.get(TOLERANCE);
-        PrintWriter out = specification.commandLine().getOut();
-        List<double[]> results = evaluate(setup, method, list);
-        Optional<Certificate> certificate = certify.certificate(count ->
-                new ExactRows(setup.exact(method), list).certifier(results).certify(list.size(), count, tolerance));
+        PrintWriter err = specification.commandLine().getErr();
+        PrintWriter out = StandardOutput.reports(specification.commandLine().getOut(), err, output);
+        DiffractionSetup setup = new DiffractionSetup(patchOptions, asked, environment, err);
+        Choices choices = setup.seen(asked, err);
+        Method method = Methods.of(choices);
+        if (method instanceof ReferenceMethod) {
+            write(list, new ReferenceDirections(setup.exact(method)).evaluate(list));
+            out.println(output);
+            return ExitCode.OK.code();
+        }
+        VisibleRange range = VisibleRange.of(list.pairs());
+        MethodPlan plan = method.plan(setup.surface(), range);
+        methodOptions.print(plan, err);
+        List<double[]> results = new GpuDirections(setup, plan).evaluate(list);
+        Optional<Certificate> certificate = certify.certificate(count -> new ExactRows(setup.exact(method), list)
+                .certifier(results)
+                .certify(list.size(), count, choices.get(TOLERANCE)));
         write(list, results);
         out.println(output);
+        MethodUse use = list.spectral() ? MethodUse.SPECTRAL : MethodUse.COLOUR;
         return certificate
-                .map(stated -> CertifyOption.judge(
-                        stated, out, specification.commandLine().getErr()))
+                .map(stated -> CertifyOption.judge(stated, plan, new Explainer(setup, choices, range, use), out, err))
                 .orElse(ExitCode.OK)
                 .code();
-    }
-
-    private List<double[]> evaluate(DiffractionSetup setup, Method method, DirectionList list) {
-        if (!(method instanceof ReferenceMethod)) {
-            MethodPlan plan = method.plan(setup.surface(), VisibleRange.of(list.pairs()));
-            methodOptions.print(plan, specification.commandLine().getErr());
-            return new GpuDirections(setup, plan).evaluate(list);
-        }
-        return new ReferenceDirections(setup.exact(method)).evaluate(list);
     }
 
     private void write(DirectionList list, List<double[]> results) {

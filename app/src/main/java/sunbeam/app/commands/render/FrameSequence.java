@@ -1,6 +1,7 @@
 package sunbeam.app.commands.render;
 
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Map;
@@ -48,10 +49,12 @@ final class FrameSequence implements AutoCloseable {
      * animation does not flicker.
      *
      * @param linear where the linear colours of the only frame go, or null
+     * @return where the frames are
      */
-    void draw(List<Scene> scenes, List<Path> files, List<Boolean> missing, Overwrite overwrite, Path linear) {
+    List<Path> draw(List<Scene> scenes, List<Path> files, List<Boolean> missing, Overwrite overwrite, Path linear) {
         long frames = Collections.frequency(missing, true);
         OptionalDouble exposure = missing.get(0) ? OptionalDouble.empty() : recordedExposure(files.get(0));
+        List<Path> places = new ArrayList<>(files);
         try (Progress progress = Progress.start("rendering", frames * size.width() * size.height())) {
             FrameRenderer frameRenderer = new FrameRenderer(session, size, supersample);
             for (int i = 0; i < scenes.size(); i++) {
@@ -63,22 +66,23 @@ final class FrameSequence implements AutoCloseable {
                 double factor = exposure.isPresent() ? exposure.getAsDouble() : SceneDisplay.exposure(scene, picture);
                 exposure = OptionalDouble.of(factor);
                 if (missing.get(i)) {
-                    write(files.get(i), overwrite, scene, picture, factor);
+                    places.set(i, write(files.get(i), overwrite, scene, picture, factor));
                 }
                 if (linear != null) {
                     NpyWriter.write(linear, overwrite, picture.linear().xyz(), size.height(), size.width(), 3);
                 }
             }
         }
+        return places;
     }
 
     private static OptionalDouble recordedExposure(Path frame) {
         return Decimals.parse(PngText.read(frame).getOrDefault("Exposure", ""));
     }
 
-    private void write(Path file, Overwrite overwrite, Scene scene, ScenePicture picture, double exposure) {
+    private Path write(Path file, Overwrite overwrite, Scene scene, ScenePicture picture, double exposure) {
         Map<String, String> text = FrameText.of(data, scene, size, supersample, exposure, renderer, identity.of(scene));
-        PngWriter.write(file, overwrite, display.image(picture, exposure, scene.background()), text);
+        return PngWriter.write(file, overwrite, display.image(picture, exposure, scene.background()), text);
     }
 
     @Override

@@ -16,10 +16,11 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 import sunbeam.app.files.output.AtomicFile;
-import sunbeam.app.files.output.DefaultName;
+import sunbeam.app.files.output.Ending;
 import sunbeam.app.files.output.ForceOption;
 import sunbeam.app.files.output.OutputFolder;
 import sunbeam.app.files.output.Overwrite;
+import sunbeam.app.files.output.StandardOutput;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneData;
 import sunbeam.app.scene.SceneLoader;
@@ -108,14 +109,15 @@ public final class RenderCommand implements Callable<Integer> {
                     err.flush();
                 })
                 .load(scene);
-        PrintWriter out = specification.commandLine().getOut();
+        PrintWriter out = StandardOutput.reports(specification.commandLine().getOut(), err, output, linear);
         err.println("plan: " + data.method().summary());
         err.flush();
         try (RenderContext context = RenderContexts.offscreen();
                 FrameSequence frames = new FrameSequence(context, data, size, supersample)) {
-            draw(frames, scenes, files, target, err);
+            Path place = animation.isAsked() ? OutputFolder.claim(target, mayUse()) : target;
+            List<Path> wanted = place.equals(target) ? files : FrameFiles.names(place, scenes.size());
+            outputs(place, draw(frames, scenes, wanted, place, err)).forEach(out::println);
         }
-        outputs(target, files).forEach(out::println);
         return ExitCode.OK.code();
     }
 
@@ -125,8 +127,15 @@ public final class RenderCommand implements Callable<Integer> {
                     "--supersample " + supersample + " is out of range; give 1 to " + MOST_SUPERSAMPLES);
         }
         animation.check();
+        if (!animation.isAsked()) {
+            Ending.PNG.require("--output", output);
+        }
+        Ending.NPY.require("--linear", linear);
         if (animation.isAsked() && linear != null) {
             throw new UsageException("--linear is for single pictures; leave --light-sweep and --turntable out");
+        }
+        if (linear != null && linear.equals(output)) {
+            throw new UsageException("--linear " + linear + " is the picture's own name; give it another");
         }
         if (animation.isMp4()) {
             Mp4Animation.requireProgram(environment, animation.file(Path.of("")));
@@ -135,13 +144,19 @@ public final class RenderCommand implements Callable<Integer> {
 
     private Path target() {
         if (!animation.isAsked()) {
-            boolean mayUse = animation.resume() || force.overwrite() == Overwrite.REPLACE;
-            return output != null
-                    ? output
-                    : DefaultName.choose(Path.of(""), stem(), "png", mayUse ? Overwrite.REPLACE : Overwrite.REFUSE);
+            return output != null ? output : Path.of(stem() + ".png");
         }
-        boolean mayUse = animation.resume() || force.overwrite() == Overwrite.REPLACE;
-        return FrameFiles.folder(output, stem() + "-" + animation.name(), mayUse);
+        return FrameFiles.folder(output, stem() + "-" + animation.name(), mayUse());
+    }
+
+    /** Whether what has the chosen name is used, in place of the next number. */
+    private boolean mayUse() {
+        return output != null || animation.resume() || force.overwrite() == Overwrite.REPLACE;
+    }
+
+    /** What may become of a picture that has the name of one of these. */
+    private Overwrite overwriteOfPictures() {
+        return mayUse() || animation.isAsked() ? force.overwrite() : Overwrite.NUMBER;
     }
 
     /** The scene's name without folder and extension. */
@@ -154,10 +169,10 @@ public final class RenderCommand implements Callable<Integer> {
     /** Before anything is loaded: nobody waits for a picture that cannot be written. */
     private void checkOutputs(List<Path> files, Path target) {
         if (!animation.resume()) {
-            FrameFiles.requireFree(files, force.overwrite());
+            FrameFiles.requireFree(files, overwriteOfPictures());
         }
         if (!animation.isAsked() && !animation.resume()) {
-            AtomicFile.checkWritable(target, force.overwrite());
+            AtomicFile.checkWritable(target, overwriteOfPictures());
         }
         if (animation.isAsked()) {
             OutputFolder.check(target);
@@ -170,22 +185,21 @@ public final class RenderCommand implements Callable<Integer> {
         }
     }
 
-    private void draw(FrameSequence frames, List<Scene> scenes, List<Path> files, Path target, PrintWriter err) {
-        Overwrite overwrite = force.overwrite();
-        if (animation.isAsked()) {
-            OutputFolder.create(target);
-        }
+    /** Returns where the pictures are. */
+    private List<Path> draw(FrameSequence frames, List<Scene> scenes, List<Path> files, Path target, PrintWriter err) {
+        Overwrite overwrite = overwriteOfPictures();
         List<Boolean> missing = animation.resume()
                 ? FrameFiles.missing(files, frames.identities(scenes), overwrite)
                 : Collections.nCopies(files.size(), true);
-        AtomicFile.checkWritable(files.get(0), Overwrite.REPLACE);
+        AtomicFile.checkWritable(files.get(0), overwrite == Overwrite.NUMBER ? overwrite : Overwrite.REPLACE);
         Overwrite ofAnimation = overwriteOfAnimation();
         if (animation.isAsked()) {
             AtomicFile.checkWritable(animation.file(target), ofAnimation);
         }
+        List<Path> drawn;
         ShutdownHook hook = new ShutdownHook(() -> sayThatFramesAreKept(err));
         try {
-            frames.draw(scenes, files, missing, overwrite, linear);
+            drawn = frames.draw(scenes, files, missing, overwrite, linear);
         } finally {
             hook.close();
         }
@@ -197,6 +211,7 @@ public final class RenderCommand implements Callable<Integer> {
         if (animation.isAsked()) {
             warnOfOlderFrames(target, files.size(), err);
         }
+        return drawn;
     }
 
     private Overwrite overwriteOfAnimation() {

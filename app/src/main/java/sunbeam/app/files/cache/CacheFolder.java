@@ -10,6 +10,9 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
+import sunbeam.app.files.output.AtomicFile;
+import sunbeam.app.files.output.OutputException;
+import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.terminal.Environment;
 
 /**
@@ -46,10 +49,10 @@ public final class CacheFolder {
     public Optional<Path> open(Consumer<String> warning) {
         try {
             Files.createDirectories(path);
-            Path probe = Files.createTempFile(path, ".probe-", ".part");
-            Files.delete(probe);
+            // Sweeps away what killed processes left, too.
+            AtomicFile.checkWritable(path.resolve("probe"), Overwrite.REPLACE);
             return Optional.of(path);
-        } catch (IOException failure) {
+        } catch (IOException | OutputException failure) {
             warning.accept("no cache, so tables are computed anew each time: cannot write to " + path + " ("
                     + failure.getMessage() + "); set XDG_CACHE_HOME to a folder that takes files");
             return Optional.empty();

@@ -42,6 +42,7 @@ public final class DiffractionSetup {
             err.println(Messages.warning(warning));
             err.flush();
         });
+        patch.notes().forEach(note -> err.println(Messages.note(patch.name() + ": " + note)));
         patch.warnings().forEach(warning -> err.println(Messages.warning(patch.name() + ": " + warning)));
         err.flush();
     }

@@ -13,6 +13,8 @@ public final class DirectionList {
     private static final String WAVELENGTH = "wavelength";
     // At the horizon the radiance of a finite power is not finite.
     private static final double LARGEST_THETA = 89.999;
+    /** A hundred turns, as with the light's azimuth; of much larger angles rounding leaves no digit. */
+    private static final int LARGEST_PHI = 36_000;
 
     private final List<String> columns;
     private final List<double[]> rows;
@@ -48,6 +50,9 @@ public final class DirectionList {
     private static void check(CsvTable table, int row, String column, double value) {
         if (column.startsWith("theta") && !(value >= 0 && value <= LARGEST_THETA)) {
             throw table.failure(row, column, "must lie in 0.." + LARGEST_THETA + " degrees");
+        }
+        if (column.startsWith("phi") && !(Math.abs(value) <= LARGEST_PHI)) {
+            throw table.failure(row, column, "must lie in -" + LARGEST_PHI + ".." + LARGEST_PHI + " degrees");
         }
         double nanometres = 1e9;
         if (column.equals(WAVELENGTH)

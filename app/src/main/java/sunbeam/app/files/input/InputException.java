@@ -3,6 +3,7 @@ package sunbeam.app.files.input;
 import java.io.IOException;
 import java.nio.charset.CharacterCodingException;
 import java.nio.file.AccessDeniedException;
+import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 
@@ -19,6 +20,20 @@ public final class InputException extends RuntimeException {
     /** The operating system's refusal to read the file, put into words. */
     public static InputException of(Path file, IOException cause) {
         return new InputException("cannot read " + file + ": " + reason(cause), cause);
+    }
+
+    /**
+     * Lets nothing but a file pass: a pipe or a device could be read for ever.
+     *
+     * @throws InputException for what is there and is no regular file
+     */
+    public static void requireRegular(Path file) {
+        if (Files.isDirectory(file)) {
+            throw new InputException("cannot read " + file + ": it is a folder; name a file in it");
+        }
+        if (Files.exists(file) && !Files.isRegularFile(file)) {
+            throw new InputException("cannot read " + file + ": it is no regular file; copy it to one");
+        }
     }
 
     private static String reason(IOException cause) {

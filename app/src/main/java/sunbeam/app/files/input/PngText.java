@@ -1,5 +1,6 @@
 package sunbeam.app.files.input;
 
+import java.io.BufferedInputStream;
 import java.io.DataInputStream;
 import java.io.IOException;
 import java.io.InputStream;
@@ -11,6 +12,7 @@ import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.zip.CRC32;
+import sunbeam.precompute.text.Quoted;
 
 /**
  * The text chunks of a PNG file (ISO/IEC 15948, 11.3.4): tEXt and uncompressed iTXt. Says by what parameters a picture
@@ -19,17 +21,19 @@ import java.util.zip.CRC32;
 public final class PngText {
     private static final byte[] SIGNATURE = {(byte) 0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
     private static final int LONGEST_TEXT_BYTES = 1 << 20;
+    private static final int BLOCK_BYTES = 1 << 16;
 
     private PngText() {}
 
     /**
      * Keyword to value, in the file's order.
      *
-     * @throws InputException when the file is missing, no PNG, damaged, or has a text above 1 MiB or a compressed one
+     * @throws InputException when the file is missing, no PNG, damaged in any part, or has a text above 1 MiB or a compressed one
      */
     public static Map<String, String> read(Path file) {
+        InputException.requireRegular(file);
         try (InputStream stream = Files.newInputStream(file)) {
-            return read(file, new DataInputStream(stream));
+            return read(file, new DataInputStream(new BufferedInputStream(stream)));
         } catch (IOException failure) {
             throw InputException.of(file, failure);
         }
@@ -49,9 +53,25 @@ public final class PngText {
             if (type.equals("tEXt") || type.equals("iTXt")) {
                 addEntry(file, text, type, chunk(file, stream, type, length));
             } else {
-                // Data and checksum of a chunk that says nothing here.
-                stream.skipNBytes(length + Integer.BYTES);
+                check(file, stream, type, length);
             }
+        }
+    }
+
+    /** Reads a chunk that says nothing here, pixels above all: a picture with damaged ones is not the one described. */
+    private static void check(Path file, DataInputStream stream, String type, long length) throws IOException {
+        CRC32 checksum = new CRC32();
+        checksum.update(type.getBytes(StandardCharsets.ISO_8859_1));
+        byte[] block = new byte[BLOCK_BYTES];
+        for (long left = length; left > 0; ) {
+            int portion = (int) Math.min(left, block.length);
+            stream.readFully(block, 0, portion);
+            checksum.update(block, 0, portion);
+            left -= portion;
+        }
+        if ((int) checksum.getValue() != stream.readInt()) {
+            throw new InputException(
+                    "cannot read " + file + ": it is damaged (checksum of " + Quoted.oneLine(type) + ")");
         }
     }
 

@@ -4,20 +4,21 @@ import java.io.BufferedOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.io.UncheckedIOException;
-import java.nio.channels.FileChannel;
 import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.Files;
 import java.nio.file.LinkOption;
+import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
-import java.nio.file.StandardOpenOption;
+import java.nio.file.attribute.BasicFileAttributes;
+import java.util.Optional;
 import sunbeam.app.terminal.CancelledException;
 import sunbeam.app.terminal.ShutdownHook;
 
 /**
  * An output file that appears whole or not at all. It is written beside its target under a temporary name, forced to
  * the disk and renamed; a failure, {@link #close} without {@link #commit}, or the end of the process (Ctrl-C) removes
- * it. A target that is a device or a pipe ({@code /dev/null}) is written directly.
+ * it. A file that it replaces gives it its mode. A target that is a device or a pipe ({@code /dev/null}) is written
+ * directly; {@code -} is standard output, which gets the whole content at once.
  */
 public final class AtomicFile implements AutoCloseable {
     private static final int BUFFER_BYTES = 1 << 16;
@@ -32,15 +33,18 @@ public final class AtomicFile implements AutoCloseable {
 
     private final Path target;
     private final Overwrite overwrite;
+    private final boolean standardOutput;
     private final boolean direct;
     private final ShutdownHook hook;
     private Path written;
+    private Optional<FileAttributes> replaced = Optional.empty();
     private State state = State.OPEN;
 
     private AtomicFile(Path target, Overwrite overwrite) {
         this.target = target;
         this.overwrite = overwrite;
-        this.direct = isDevice(target);
+        this.standardOutput = StandardOutput.isMeant(target);
+        this.direct = !standardOutput && isDevice(target);
         this.written = target;
         hook = new ShutdownHook(this::discard);
     }
@@ -65,7 +69,8 @@ public final class AtomicFile implements AutoCloseable {
      */
     public static void checkWritable(Path target, Overwrite overwrite) {
         try (AtomicFile probe = create(target, overwrite)) {
-            if (!probe.direct) {
+            if (!probe.direct && !probe.standardOutput) {
+                AbandonedFiles.sweep(folderOf(probe.written));
                 Files.write(probe.path(), new byte[PROBE_BYTES]);
             }
         } catch (IOException failure) {
@@ -73,19 +78,23 @@ public final class AtomicFile implements AutoCloseable {
         }
     }
 
-    /** Writes the whole target through a buffered stream; an {@link IOException} of the content is the target's. */
-    public static void write(Path target, Overwrite overwrite, StreamContent content) {
+    /**
+     * Writes the whole target through a buffered stream; an {@link IOException} of the content is the target's.
+     *
+     * @return where it is, which another output's name decides with {@link Overwrite#NUMBER}
+     */
+    public static Path write(Path target, Overwrite overwrite, StreamContent content) {
         try (AtomicFile file = create(target, overwrite)) {
             file.fill(content);
-            file.commit();
+            return file.commit();
         }
     }
 
     /** As {@link #write}, for libraries that open the file themselves. */
-    public static void writeFile(Path target, Overwrite overwrite, FileContent content) {
+    public static Path writeFile(Path target, Overwrite overwrite, FileContent content) {
         try (AtomicFile file = create(target, overwrite)) {
             content.writeTo(file.path());
-            file.commit();
+            return file.commit();
         } catch (IOException failure) {
             throw OutputException.of(target, failure);
         } catch (UncheckedIOException failure) {
@@ -118,12 +127,28 @@ public final class AtomicFile implements AutoCloseable {
         if (direct) {
             return;
         }
+        boolean begun = false;
         try {
-            written = createTemporary(folderOf(target));
-        } catch (IOException failure) {
-            state = State.CLOSED;
-            hook.close();
-            throw failure;
+            takePlace();
+            begun = true;
+        } finally {
+            if (!begun) {
+                close();
+            }
+        }
+    }
+
+    private void takePlace() throws IOException {
+        if (standardOutput) {
+            written = Files.createTempFile("sunbeam-", ".part");
+            return;
+        }
+        written = AbandonedFiles.create(folderOf(target));
+        if (overwrite == Overwrite.REPLACE && Files.isRegularFile(target)) {
+            replaced = FileAttributes.of(target);
+        }
+        if (replaced.isPresent()) {
+            FileAttributes.hide(written);
         }
     }
 
@@ -150,10 +175,11 @@ public final class AtomicFile implements AutoCloseable {
     /**
      * Makes the content appear under the target's name.
      *
+     * @return the name, which is another than the target's where that was taken and {@link Overwrite#NUMBER} chosen
      * @throws OutputException when that fails, also because a file has appeared there meanwhile
      * @throws CancelledException when the process is being ended
      */
-    public synchronized void commit() {
+    public synchronized Path commit() {
         if (state == State.COMMITTED) {
             throw new IllegalStateException(target + " was committed before");
         }
@@ -161,21 +187,40 @@ public final class AtomicFile implements AutoCloseable {
             throw new CancelledException();
         }
         try {
-            if (!direct) {
-                force(written);
-                rename();
-            }
+            Path place = appear();
             state = State.COMMITTED;
+            return place;
         } catch (IOException failure) {
             throw OutputException.of(target, failure);
         }
     }
 
+    private Path appear() throws IOException {
+        if (direct) {
+            return target;
+        }
+        if (standardOutput) {
+            StandardOutput.copy(written);
+            Files.delete(written);
+            return target;
+        }
+        if (replaced.isPresent()) {
+            replaced.get().giveTo(written);
+        }
+        Durable.force(written);
+        Path place = Placement.place(written, target, overwrite);
+        Durable.forceFolder(folderOf(target));
+        return place;
+    }
+
     /** Removes what was written, unless it was committed. */
     @Override
     public void close() {
-        discard();
-        hook.close();
+        try {
+            discard();
+        } finally {
+            hook.close();
+        }
     }
 
     private synchronized void discard() {
@@ -193,21 +238,10 @@ public final class AtomicFile implements AutoCloseable {
         }
     }
 
-    private void rename() throws IOException {
-        if (overwrite == Overwrite.REPLACE) {
-            Files.move(written, target, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
-        } else {
-            Files.move(written, target);
-        }
-    }
-
-    private static void force(Path file) throws IOException {
-        try (FileChannel channel = FileChannel.open(file, StandardOpenOption.WRITE)) {
-            channel.force(true);
-        }
-    }
-
     private static void checkTarget(Path target, Overwrite overwrite) {
+        if (StandardOutput.isMeant(target)) {
+            return;
+        }
         if (Files.isDirectory(target)) {
             throw new OutputException("cannot write " + target + ": it is a folder; name a file in it");
         }
@@ -225,35 +259,30 @@ public final class AtomicFile implements AutoCloseable {
         if (overwrite == Overwrite.REFUSE) {
             throw OutputException.of(target, new FileAlreadyExistsException(target.toString()));
         }
-        if (!Files.isWritable(target)) {
+        if (overwrite == Overwrite.REPLACE && !Files.isWritable(target)) {
             throw new OutputException("cannot write " + target + ": it is write-protected; choose another name");
         }
     }
 
     /** Renaming onto a symbolic link would replace the link: go to the file that it stands for. */
     private static Path resolveLink(Path target) throws IOException {
-        return Files.isSymbolicLink(target) && Files.isRegularFile(target) ? target.toRealPath() : target;
+        boolean link = Files.isSymbolicLink(target) && Files.isRegularFile(target) && !StandardOutput.isMeant(target);
+        return link ? target.toRealPath() : target;
     }
 
+    /** One look, whose failure is told: a file that is taken for a device would be written over in place. */
     private static boolean isDevice(Path target) {
-        return Files.exists(target) && !Files.isRegularFile(target) && !Files.isDirectory(target);
+        try {
+            return Files.readAttributes(target, BasicFileAttributes.class).isOther();
+        } catch (NoSuchFileException free) {
+            return false;
+        } catch (IOException failure) {
+            throw OutputException.of(target, failure);
+        }
     }
 
     private static Path folderOf(Path target) {
         Path folder = target.toAbsolutePath().getParent();
         return folder != null ? folder : target.toAbsolutePath();
-    }
-
-    /** Not Files.createTempFile: that makes files which only their owner may read, and they are the output later. */
-    private static Path createTemporary(Path folder) throws IOException {
-        long process = ProcessHandle.current().pid();
-        for (int number = 0; ; number++) {
-            Path candidate = folder.resolve(".sunbeam-" + process + "-" + number + ".part");
-            try {
-                return Files.createFile(candidate);
-            } catch (FileAlreadyExistsException taken) {
-                // Another output of this process, or left by one that was killed: take the next number.
-            }
-        }
     }
 }

@@ -1,5 +1,6 @@
 package sunbeam.app.files.output;
 
+import java.nio.file.Path;
 import picocli.CommandLine.Option;
 
 /** The option {@code --force} of every command that writes files; to be used as a picocli mixin. */
@@ -10,8 +11,17 @@ public final class ForceOption {
                     + " and a name that Sunbeam chooses gets a number (-2, -3, ...) where it is taken.")
     private boolean force;
 
-    /** What the user allows. */
+    /** What the user allows where a file stands that the user named. */
     public Overwrite overwrite() {
         return force ? Overwrite.REPLACE : Overwrite.REFUSE;
+    }
+
+    /**
+     * What the user allows, also where Sunbeam chooses the name.
+     *
+     * @param named the name that the user gave, or null
+     */
+    public Overwrite overwrite(Path named) {
+        return force || named != null ? overwrite() : Overwrite.NUMBER;
     }
 }

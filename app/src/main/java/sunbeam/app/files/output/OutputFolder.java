@@ -17,6 +17,7 @@ public final class OutputFolder {
      * @throws OutputException when it cannot be made, or a file is in its place
      */
     public static void create(Path folder) {
+        requireFolder(folder);
         try {
             if (!Files.isDirectory(folder)) {
                 Files.createDirectory(folder);
@@ -29,11 +30,42 @@ public final class OutputFolder {
     }
 
     /**
+     * Makes the folder, or where others have made one of its name meanwhile and it may not be used, the next of
+     * {@code folder-2}, {@code folder-3} and so on.
+     *
+     * @param mayUse whether a folder that is there will do
+     * @return the folder
+     * @throws OutputException when it cannot be made
+     */
+    public static Path claim(Path folder, boolean mayUse) {
+        NumberedNames names = NumberedNames.ofFolder(folder);
+        for (int number = 1; !mayUse && number <= NumberedNames.MOST; number++) {
+            try {
+                return Files.createDirectory(names.name(number));
+            } catch (FileAlreadyExistsException taken) {
+                // The next number, then.
+            } catch (IOException failure) {
+                break;
+            }
+        }
+        create(folder);
+        return folder;
+    }
+
+    private static void requireFolder(Path folder) {
+        if (StandardOutput.isMeant(folder)) {
+            throw new OutputException(
+                    "cannot write several files to standard output: name a folder, or ./- for one of the name -");
+        }
+    }
+
+    /**
      * Tells early whether the folder is there or could be made, as far as can be known without making it.
      *
      * @throws OutputException when not
      */
     public static void check(Path folder) {
+        requireFolder(folder);
         Path above = folder.toAbsolutePath().getParent();
         if (Files.exists(folder) || above == null || !Files.isDirectory(above)) {
             create(folder);

@@ -31,10 +31,11 @@ public final class PngWriter {
      *
      * @param image sRGB, for example from {@link SrgbImage}
      * @param text keyword to value in the order to be written; a keyword has 1 to 79 printable ASCII characters
+     * @return where it is
      * @throws OutputException when the file cannot be written
      */
-    public static void write(Path target, Overwrite overwrite, BufferedImage image, Map<String, String> text) {
-        AtomicFile.write(target, overwrite, stream -> write(stream, image, text));
+    public static Path write(Path target, Overwrite overwrite, BufferedImage image, Map<String, String> text) {
+        return AtomicFile.write(target, overwrite, stream -> write(stream, image, text));
     }
 
     /** As {@link #write(Path, Overwrite, BufferedImage, Map)}, to a stream, which stays open. */

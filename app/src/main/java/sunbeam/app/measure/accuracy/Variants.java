@@ -2,17 +2,17 @@ package sunbeam.app.measure.accuracy;
 
 import sunbeam.precompute.expansion.ExpansionKind;
 import sunbeam.precompute.method.FullMethod;
+import sunbeam.precompute.plan.ErrorBudget;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.Neighbourhood;
 import sunbeam.precompute.plan.Neighbourhood.Anchor;
-import sunbeam.precompute.plan.Tolerances;
 
 /** Method {@code full} with one choice varied and the others as good as they get, so that only the one is seen. */
 final class Variants {
     /** Seven bins a side around the nearest: error 1e-7 for the patches of 65 um (design section 4). */
     private static final Neighbourhood WIDE = new Neighbourhood(3, Anchor.NEAREST);
 
-    private static final FullMethod FINEST = FullMethod.within(Tolerances.FINEST);
+    private static final FullMethod FINEST = FullMethod.within(ErrorBudget.FINEST);
 
     private Variants() {}
 

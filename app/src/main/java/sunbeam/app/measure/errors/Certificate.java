@@ -1,5 +1,7 @@
 package sunbeam.app.measure.errors;
 
+import java.util.Comparator;
+import java.util.List;
 import java.util.Locale;
 
 /**
@@ -11,6 +13,7 @@ import java.util.Locale;
  * @param relativeL2 root of the summed squares of all differences by that of all exact values; bright pixels rule it
  * @param colorDifference CIEDE2000 of those compared, after the picture's exposure; of nothing for a table
  * @param tolerance what was asked for
+ * @param compared what was looked at
  */
 public record Certificate(
         String places,
@@ -18,7 +21,11 @@ public record Certificate(
         ErrorStatistics relative,
         double relativeL2,
         ErrorStatistics colorDifference,
-        double tolerance) {
+        double tolerance,
+        List<ComparedPlace> compared) {
+    public Certificate {
+        compared = List.copyOf(compared);
+    }
 
     /** Whether the median exceeds the tolerance or the 95th percentile three times it. */
     public boolean missed() {
@@ -49,12 +56,21 @@ public record Certificate(
                                 colorDifference.maximum());
     }
 
-    /** One line that says what was missed and what helps. */
+    /** So many of the bright places, the worst first. */
+    List<ComparedPlace> worst(int count) {
+        return compared.stream()
+                .filter(place -> place.comparison().bright())
+                .sorted(Comparator.comparingDouble(
+                        (ComparedPlace place) -> -place.comparison().relative()))
+                .limit(count)
+                .toList();
+    }
+
+    /** What was missed. */
     public String complaint() {
         return String.format(
                 Locale.ROOT,
-                "the tolerance %.2g is missed: median %.2g (at most %.2g), 95th percentile %.2g (at most %.2g);"
-                        + " ask for a smaller --tolerance, and leave out options that override the plan",
+                "the tolerance %.2g is missed: median %.2g (at most %.2g), 95th percentile %.2g (at most %.2g)",
                 tolerance,
                 relative.median(),
                 tolerance,

@@ -1,10 +1,12 @@
 package sunbeam.app.measure.errors;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import java.util.Random;
 import java.util.stream.IntStream;
+import sunbeam.app.gpu.directions.DirectionsRenderer.Query;
 import sunbeam.app.gpu.picture.LinearPicture;
 import sunbeam.app.terminal.progress.Progress;
 import sunbeam.precompute.optics.DirectionPair;
@@ -53,14 +55,15 @@ public final class Certifier {
      */
     public Certificate certify(LinearPicture picture, int count, long seed, double exposure, double tolerance) {
         List<Integer> pixels = draw(picture, count, seed);
-        Comparison[] compared = new Comparison[pixels.size()];
+        ComparedPlace[] compared = new ComparedPlace[pixels.size()];
         try (Progress progress = Progress.start("Certificate", compared.length)) {
             IntStream.range(0, compared.length).parallel().forEach(i -> {
                 compared[i] = compare(picture, pixels.get(i));
                 progress.step(1);
             });
         }
-        List<Comparison> all = List.of(compared);
+        List<Comparison> all =
+                Arrays.stream(compared).map(ComparedPlace::comparison).toList();
         return new Certificate(
                 compared.length + " random pixels",
                 "XYZ",
@@ -70,7 +73,8 @@ public final class Certifier {
                         .filter(Comparison::bright)
                         .mapToDouble(pixel -> pixel.colorDifference(exposure))
                         .toArray()),
-                tolerance);
+                tolerance,
+                List.of(compared));
     }
 
     private List<Integer> draw(LinearPicture picture, int count, long seed) {
@@ -93,14 +97,14 @@ public final class Certifier {
         return pixels;
     }
 
-    private Comparison compare(LinearPicture picture, int pixel) {
+    private ComparedPlace compare(LinearPicture picture, int pixel) {
         DirectionPair pair = pairs.at(pixel);
         double gain = Gain.relativeRadiance(pair);
         double[] exact = reference.xyz(pair, Quadrature.INTEGRATED);
         for (int c = 0; c < 3; c++) {
             exact[c] *= gain;
         }
-        return new Comparison(drawn(picture, pixel), exact, gain);
+        return new ComparedPlace(new Query(pair, 0), new Comparison(drawn(picture, pixel), exact, gain));
     }
 
     private static double[] drawn(LinearPicture picture, int pixel) {

@@ -8,6 +8,9 @@ import picocli.CommandLine.Option;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.UsageException;
+import sunbeam.precompute.method.Method;
+import sunbeam.precompute.method.MethodPlan;
+import sunbeam.precompute.method.ReferenceMethod;
 
 /** Whether a run states its error; to be used as a picocli mixin. */
 public final class CertifyOption {
@@ -23,7 +26,7 @@ public final class CertifyOption {
                     "Evaluate N random places of this very result (pixels of a map, rows of a table) with the exact"
                             + " reference and state the error: median, 95th percentile and maximum relative error, and CIEDE2000"
                             + " of colours. Exit code 3 when the median exceeds --tolerance or the 95th percentile three times"
-                            + " it.")
+                            + " it (the message names what errs and what helps), or where the plan cannot promise it.")
     private Integer certify;
 
     /**
@@ -48,13 +51,44 @@ public final class CertifyOption {
         return count.isPresent() ? Optional.of(evaluate.apply(count.getAsInt())) : Optional.empty();
     }
 
-    /** Prints what a certificate says, complains if the tolerance is missed, and returns the exit code. */
-    public static ExitCode judge(Certificate certificate, PrintWriter out, PrintWriter err) {
-        out.println("certificate: " + certificate.summary());
-        if (!certificate.missed()) {
-            return ExitCode.OK;
+    /**
+     * Refuses what cannot be compared.
+     *
+     * @throws UsageException where a certificate is asked for and the method's light has no scale, or is the exact one
+     */
+    public void check(Method method) {
+        if (count().isEmpty()) {
+            return;
         }
-        err.println(Messages.error(certificate.complaint()));
-        return ExitCode.TOLERANCE_MISSED;
+        if (method instanceof ReferenceMethod) {
+            throw new UsageException("--certify compares with --method reference; leave out one of them");
+        }
+        if (method.brightness() == Method.Brightness.UNRELATED) {
+            throw new UsageException("--certify compares with a mirror's light, to which the colours of --method "
+                    + method.type().label() + " do not relate; leave out --certify ('accuracy' compares with a"
+                    + " brightness that is fitted)");
+        }
+    }
+
+    /**
+     * Prints what a certificate says, complains if the tolerance is missed or was not promised, and returns the exit code.
+     *
+     * @param plan that the result was made by
+     */
+    public static ExitCode judge(
+            Certificate certificate, MethodPlan plan, Explainer explainer, PrintWriter out, PrintWriter err) {
+        out.println("certificate: " + certificate.summary());
+        out.flush();
+        if (certificate.missed()) {
+            err.println(Messages.error(certificate.complaint() + "; " + explainer.explain(certificate)));
+            return ExitCode.TOLERANCE_MISSED;
+        }
+        if (!plan.shortfalls().isEmpty()) {
+            err.println(Messages.error(
+                    "these places keep the tolerance %.2g, but it is not promised for others: see the plan's warning"
+                            .formatted(certificate.tolerance())));
+            return ExitCode.TOLERANCE_MISSED;
+        }
+        return ExitCode.OK;
     }
 }

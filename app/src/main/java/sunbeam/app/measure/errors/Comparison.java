@@ -1,5 +1,6 @@
 package sunbeam.app.measure.errors;
 
+import java.util.Arrays;
 import java.util.List;
 import sunbeam.precompute.color.CieLab;
 import sunbeam.precompute.color.ColorDifference;
@@ -26,6 +27,20 @@ record Comparison(double[] computed, double[] exact, double gain) {
     /** Light where there should be none is measured by the floor. */
     double relative() {
         return RelativeError.difference(computed, exact) / Math.max(floor(), RelativeError.largest(exact));
+    }
+
+    /** The same before it was multiplied. */
+    Comparison withoutGain() {
+        return new Comparison(divided(computed), divided(exact), 1);
+    }
+
+    private double[] divided(double[] values) {
+        return Arrays.stream(values).map(value -> value / gain).toArray();
+    }
+
+    /** Something else that was computed at the same place. */
+    Comparison with(double[] other) {
+        return new Comparison(other, exact, gain);
     }
 
     /** CIEDE2000 of X, Y, Z after an exposure. */

@@ -31,6 +31,11 @@ public record ErrorStatistics(int count, double median, double percentile95, dou
         return count == 0 || (median <= tolerance && percentile95 <= PERCENTILE_FACTOR * tolerance);
     }
 
+    /** The smallest tolerance that they meet. */
+    public double reached() {
+        return count == 0 ? 0 : Math.max(median, percentile95 / PERCENTILE_FACTOR);
+    }
+
     /** For people: {@code median 1.2e-04, 95th percentile 3.4e-04, maximum 5.6e-03}. */
     @Override
     public String toString() {

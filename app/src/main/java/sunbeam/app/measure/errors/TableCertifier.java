@@ -6,10 +6,12 @@ import java.util.List;
 import java.util.Random;
 import java.util.function.IntFunction;
 import java.util.stream.IntStream;
+import sunbeam.app.gpu.directions.DirectionsRenderer.Query;
 import sunbeam.app.terminal.progress.Progress;
 
 /** Compares random rows of a table with the exact reference. */
 public final class TableCertifier {
+    private final IntFunction<Query> queries;
     private final IntFunction<double[]> computed;
     private final IntFunction<double[]> exact;
     private final String quantity;
@@ -17,11 +19,14 @@ public final class TableCertifier {
     /**
      * A certifier of one table.
      *
+     * @param queries a row's directions
      * @param computed a row's X, Y, Z of power, or power alone
      * @param exact the same by the reference; thread-safe
      * @param quantity its name
      */
-    public TableCertifier(IntFunction<double[]> computed, IntFunction<double[]> exact, String quantity) {
+    public TableCertifier(
+            IntFunction<Query> queries, IntFunction<double[]> computed, IntFunction<double[]> exact, String quantity) {
+        this.queries = queries;
         this.computed = computed;
         this.exact = exact;
         this.quantity = quantity;
@@ -39,20 +44,23 @@ public final class TableCertifier {
         Collections.shuffle(chosen, new Random(CertifyOption.SEED));
         List<Integer> drawn = chosen.subList(0, Math.min(rows, count));
         try (Progress progress = Progress.start("Certificate", drawn.size())) {
-            List<Comparison> compared = drawn.parallelStream()
+            List<ComparedPlace> places = drawn.parallelStream()
                     .map(row -> {
                         Comparison comparison = new Comparison(computed.apply(row), exact.apply(row), 1);
                         progress.step(1);
-                        return comparison;
+                        return new ComparedPlace(queries.apply(row), comparison);
                     })
                     .toList();
+            List<Comparison> compared =
+                    places.stream().map(ComparedPlace::comparison).toList();
             return new Certificate(
                     compared.size() + " random rows",
                     quantity,
                     Comparison.relative(compared),
                     Comparison.relativeL2(compared),
                     ErrorStatistics.of(),
-                    tolerance);
+                    tolerance,
+                    places);
         }
     }
 }

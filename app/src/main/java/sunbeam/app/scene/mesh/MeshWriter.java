@@ -19,10 +19,11 @@ public final class MeshWriter {
     /**
      * Writes a file, whole or not at all.
      *
+     * @return where it is
      * @throws sunbeam.app.files.output.OutputException when the file cannot be written
      */
-    public static void write(Path target, Overwrite overwrite, Mesh mesh) {
-        AtomicFile.write(target, overwrite, stream -> {
+    public static Path write(Path target, Overwrite overwrite, Mesh mesh) {
+        return AtomicFile.write(target, overwrite, stream -> {
             Writer writer = new OutputStreamWriter(stream, StandardCharsets.US_ASCII);
             write(mesh, writer);
             writer.flush();

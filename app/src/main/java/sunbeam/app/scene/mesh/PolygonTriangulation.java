@@ -1,15 +1,17 @@
 package sunbeam.app.scene.mesh;
 
-import java.util.ArrayList;
-import java.util.List;
 import org.joml.Vector3d;
 
 /**
  * Divides polygons, also concave ones, into triangles by cutting off ears (Meisters 1975), in the polygon's mean plane
- * (Newell's normal).
+ * (Newell's normal). A polygon of n corners takes of the order of n^2 steps at worst.
  */
 final class PolygonTriangulation {
-    private final List<Integer> rest = new ArrayList<>();
+    // The corners that are left, as a ring.
+    private final int[] before;
+    private final int[] after;
+    private final boolean[] isHollow;
+    private final boolean[] isEar;
     private final double[] x;
     private final double[] y;
     private final int start;
@@ -17,10 +19,15 @@ final class PolygonTriangulation {
     private PolygonTriangulation(float[] positions, int[] corners, int start, int end) {
         this.start = start;
         int count = end - start;
+        before = new int[count];
+        after = new int[count];
+        isHollow = new boolean[count];
+        isEar = new boolean[count];
         Vector3d[] points = new Vector3d[count];
         for (int i = 0; i < count; i++) {
             points[i] = RawMesh.vector(positions, corners[3 * (start + i)]);
-            rest.add(i);
+            before[i] = (i + count - 1) % count;
+            after[i] = (i + 1) % count;
         }
         Vector3d normal = newellNormal(points);
         Vector3d axis = Math.abs(normal.x) < 0.6 ? new Vector3d(1, 0, 0) : new Vector3d(0, 1, 0);
@@ -60,50 +67,75 @@ final class PolygonTriangulation {
     }
 
     private int[] cut() {
-        int[] triangles = new int[3 * (rest.size() - 2)];
-        int next = 0;
-        while (rest.size() > 3) {
-            int ear = ear();
-            for (int step = -1; step <= 1; step++) {
-                triangles[next++] = start + at(ear + step);
-            }
-            rest.remove(ear);
+        for (int i = 0; i < before.length; i++) {
+            judgeTurn(i);
         }
-        for (int corner : rest) {
-            triangles[next++] = start + corner;
+        for (int i = 0; i < before.length; i++) {
+            judgeEar(i);
         }
+        int[] triangles = new int[3 * (before.length - 2)];
+        int first = 0;
+        int written = 0;
+        for (int left = before.length; left > 3; left--) {
+            int tip = ear(after[first], left);
+            written = write(triangles, written, before[tip], tip, after[tip]);
+            first = tip == first ? after[tip] : first;
+            remove(tip);
+        }
+        write(triangles, written, first, after[first], after[after[first]]);
         return triangles;
     }
 
-    private int at(int index) {
-        return rest.get(Math.floorMod(index, rest.size()));
+    private int write(int[] triangles, int at, int a, int b, int c) {
+        triangles[at] = start + a;
+        triangles[at + 1] = start + b;
+        triangles[at + 2] = start + c;
+        return at + 3;
     }
 
     /**
-     * The first ear from the second corner on, so that a convex polygon becomes the usual fan about its first corner. A
-     * polygon that crosses itself may have none; its second corner is cut off then.
+     * The first ear from a corner on: from the second, so that a convex polygon becomes the usual fan about its first
+     * corner. A polygon that crosses itself may have none; its second corner is cut off then.
      */
-    private int ear() {
-        for (int step = 1; step <= rest.size(); step++) {
-            int i = step % rest.size();
-            if (turn(at(i - 1), at(i), at(i + 1)) > 0 && isEmpty(i)) {
-                return i;
+    private int ear(int second, int left) {
+        int corner = second;
+        for (int step = 0; step < left; step++) {
+            if (isEar[corner]) {
+                return corner;
             }
+            corner = after[corner];
         }
-        return 1;
+        return second;
     }
 
-    private boolean isEmpty(int i) {
-        int before = at(i - 1);
-        int tip = at(i);
-        int after = at(i + 1);
-        for (int other : rest) {
-            if (other != before
-                    && other != tip
-                    && other != after
-                    && turn(before, tip, other) >= 0
-                    && turn(tip, after, other) >= 0
-                    && turn(after, before, other) >= 0) {
+    /** Only the neighbours of a corner that goes can become ears, or cease to be. */
+    private void remove(int corner) {
+        int one = before[corner];
+        int other = after[corner];
+        after[one] = other;
+        before[other] = one;
+        isHollow[corner] = false;
+        judgeTurn(one);
+        judgeTurn(other);
+        judgeEar(one);
+        judgeEar(other);
+    }
+
+    private void judgeTurn(int corner) {
+        isHollow[corner] = !(turn(before[corner], corner, after[corner]) > 0);
+    }
+
+    private void judgeEar(int corner) {
+        isEar[corner] = !isHollow[corner] && isEmpty(before[corner], corner, after[corner]);
+    }
+
+    /** Whether no hollow corner lies in the triangle: if any corner does, a hollow one does. */
+    private boolean isEmpty(int one, int tip, int other) {
+        for (int corner = after[other]; corner != one; corner = after[corner]) {
+            if (isHollow[corner]
+                    && turn(one, tip, corner) >= 0
+                    && turn(tip, other, corner) >= 0
+                    && turn(other, one, corner) >= 0) {
                 return false;
             }
         }

@@ -1,6 +1,5 @@
 package sunbeam.app.scene.mesh;
 
-import java.util.Arrays;
 import org.joml.Vector3d;
 
 /**
@@ -12,9 +11,7 @@ final class VertexAssembly {
     private final boolean alwaysRightHanded;
     private final CornerNormals cornerNormals;
     private final int[] indices;
-    // Vertices of one position form a chain.
-    private final int[] firstAtPosition;
-    private final IntList nextAtPosition = new IntList();
+    private final VertexNumbers numbers = new VertexNumbers();
     private final IntList corners = new IntList();
     private final IntList normalKeys = new IntList();
     private final IntList handedness = new IntList();
@@ -32,8 +29,6 @@ final class VertexAssembly {
         this.alwaysRightHanded = alwaysRightHanded;
         this.cornerNormals = new CornerNormals(mesh);
         this.indices = new int[mesh.cornerCount()];
-        this.firstAtPosition = new int[mesh.positions().length / 3];
-        Arrays.fill(firstAtPosition, -1);
     }
 
     /** Vertices whose normal was computed. */
@@ -60,19 +55,11 @@ final class VertexAssembly {
     }
 
     private int vertexOf(int corner, int hand, FloatList sums) {
-        int position = mesh.position(corner);
         int key = cornerNormals.key(corner);
-        for (int vertex = firstAtPosition[position]; vertex >= 0; vertex = nextAtPosition.get(vertex)) {
-            boolean same = normalKeys.get(vertex) == key
-                    && handedness.get(vertex) == hand
-                    && mesh.textureCoordinate(corners.get(vertex)) == mesh.textureCoordinate(corner);
-            if (same) {
-                return vertex;
-            }
+        int vertex = numbers.of(mesh.position(corner), mesh.textureCoordinate(corner), key, hand);
+        if (vertex < corners.size()) {
+            return vertex;
         }
-        int vertex = corners.size();
-        nextAtPosition.add(firstAtPosition[position]);
-        firstAtPosition[position] = vertex;
         corners.add(corner);
         normalKeys.add(key);
         handedness.add(hand);

@@ -309,4 +309,83 @@ class MeshReaderTest {
         assertThatThrownBy(() -> MeshReader.read(file, new ObjLimits(1000, 4, 2, 4, 10)))
                 .hasMessageContaining("longer than 10");
     }
+
+    /** Searched one after the other, the corners that share a position took a minute. */
+    @Test
+    void anyNumberOfTrianglesMayShareAPosition() throws IOException {
+        int triangles = 200_000;
+        StringBuilder text = new StringBuilder("v 0 0 0\nv 1 0 0\nv 0 1 0\n");
+        for (int i = 0; i < triangles; i++) {
+            text.append("vt ").append(i).append(" 0\n");
+        }
+        for (int i = 1; i <= triangles; i++) {
+            text.append("f 1/")
+                    .append(i)
+                    .append(" 2/")
+                    .append(i)
+                    .append(" 3/")
+                    .append(i)
+                    .append('\n');
+        }
+        Mesh mesh = MeshReader.read(Files.writeString(folder.resolve("fan.obj"), text))
+                .mesh();
+        assertThat(mesh.triangles()).isEqualTo(triangles);
+        assertThat(mesh.vertices()).isEqualTo(3 * triangles);
+    }
+
+    /** Combs, of which every second corner is hollow: with each cut searched anew, fifty of them took seven seconds. */
+    @Test
+    void polygonsOfAThousandCornersAreDividedWithoutOverlap() throws IOException {
+        StringBuilder text = new StringBuilder();
+        int corners = 1000;
+        for (int i = 0; i < corners - 2; i++) {
+            text.append("v ")
+                    .append(corners - i)
+                    .append(' ')
+                    .append(i % 2 == 0 ? 2 : 1)
+                    .append(" 0\n");
+        }
+        text.append("v 0 0 0\nv ").append(corners).append(" 0 0\n");
+        String face = "f -" + corners;
+        for (int i = corners - 1; i > 0; i--) {
+            face += " -" + i;
+        }
+        Mesh mesh = MeshReader.read(Files.writeString(folder.resolve("comb.obj"), text + (face + "\n").repeat(50)))
+                .mesh();
+        assertThat(mesh.triangles()).isEqualTo(50 * (corners - 2));
+        double area = 0;
+        for (int i = 0; i < mesh.triangles() / 50; i++) {
+            area += area(mesh, i);
+        }
+        // By the shoelace formula; triangles that overlap or stick out would have more.
+        assertThat(area).isCloseTo(polygonArea(corners), within(1e-6 * area));
+    }
+
+    private static double area(Mesh mesh, int triangle) {
+        double[] x = new double[3];
+        double[] y = new double[3];
+        for (int corner = 0; corner < 3; corner++) {
+            int vertex = mesh.indices()[3 * triangle + corner];
+            x[corner] = mesh.positions()[3 * vertex];
+            y[corner] = mesh.positions()[3 * vertex + 1];
+        }
+        return Math.abs((x[1] - x[0]) * (y[2] - y[0]) - (y[1] - y[0]) * (x[2] - x[0])) / 2;
+    }
+
+    /** Of the comb: columns under its teeth, and the slanted ends. */
+    private static double polygonArea(int corners) {
+        double twice = 0;
+        double[] x = new double[corners];
+        double[] y = new double[corners];
+        for (int i = 0; i < corners - 2; i++) {
+            x[i] = corners - i;
+            y[i] = i % 2 == 0 ? 2 : 1;
+        }
+        x[corners - 1] = corners;
+        for (int i = 0; i < corners; i++) {
+            int next = (i + 1) % corners;
+            twice += x[i] * y[next] - x[next] * y[i];
+        }
+        return Math.abs(twice) / 2;
+    }
 }

@@ -13,7 +13,7 @@ import sunbeam.precompute.method.GemMethod;
 import sunbeam.precompute.method.Method;
 import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.method.PqMethod;
-import sunbeam.precompute.plan.Tolerances;
+import sunbeam.precompute.plan.ErrorBudget;
 import sunbeam.precompute.resample.PeriodInterpolation;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Origin;
@@ -34,7 +34,7 @@ class MethodOptionsTest {
 
     @Test
     void fullWithinTheStandardToleranceNeedsNoOption() {
-        assertThat(method("")).isEqualTo(FullMethod.within(Tolerances.STANDARD));
+        assertThat(method("")).isEqualTo(FullMethod.within(ErrorBudget.STANDARD));
         assertThat(method("--preset thesis")).isEqualTo(FullMethod.thesis());
         assertThat(method("--method FULL --expansion Taylor")).isEqualTo(method("--expansion taylor"));
     }

@@ -1,0 +1,39 @@
+package sunbeam.app.files.output;
+
+import java.io.FileDescriptor;
+import java.io.FileOutputStream;
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+
+/** The name {@code -}, which is standard output, as a command line knows it. A file of that name is {@code ./-}. */
+public final class StandardOutput {
+    private static final Path NAME = Path.of("-");
+
+    private StandardOutput() {}
+
+    /** Whether a target that the user named is standard output. */
+    public static boolean isMeant(Path target) {
+        return NAME.equals(target);
+    }
+
+    /**
+     * Where a command says what it did: beside what it writes, never in its midst.
+     *
+     * @param targets the files that it writes; null counts for none
+     */
+    public static PrintWriter reports(PrintWriter out, PrintWriter err, Path... targets) {
+        for (Path target : targets) {
+            if (isMeant(target)) {
+                return err;
+            }
+        }
+        return out;
+    }
+
+    /** Copies a complete file there. The stream stays open: it is the process's. */
+    static void copy(Path file) throws IOException {
+        Files.copy(file, new FileOutputStream(FileDescriptor.out));
+    }
+}

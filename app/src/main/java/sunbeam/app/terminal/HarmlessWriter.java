@@ -1,0 +1,59 @@
+package sunbeam.app.terminal;
+
+import java.io.FilterWriter;
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.Writer;
+
+/**
+ * Text on its way to a terminal, without what a terminal obeys: names of files and fields of tables may hold anything.
+ * Control characters other than line breaks and tabs, and those that change the direction of writing, become {@code ?}.
+ */
+public final class HarmlessWriter extends FilterWriter {
+    private static final char SHOWN = '?';
+
+    private HarmlessWriter(Writer out) {
+        super(out);
+    }
+
+    /** Such text to a writer, which is flushed with each line. */
+    public static PrintWriter around(Writer out) {
+        return new PrintWriter(new HarmlessWriter(out), true);
+    }
+
+    @Override
+    public void write(int character) throws IOException {
+        out.write(harmless((char) character));
+    }
+
+    @Override
+    public void write(char[] text, int offset, int length) throws IOException {
+        char[] shown = new char[length];
+        for (int i = 0; i < length; i++) {
+            shown[i] = harmless(text[offset + i]);
+        }
+        out.write(shown, 0, length);
+    }
+
+    @Override
+    public void write(String text, int offset, int length) throws IOException {
+        write(text.substring(offset, offset + length).toCharArray(), 0, length);
+    }
+
+    private static char harmless(char character) {
+        if (character == '\n' || character == '\r' || character == '\t') {
+            return character;
+        }
+        return isObeyed(character) ? SHOWN : character;
+    }
+
+    /** Controls (C0, DEL, C1), line and paragraph separators, and the formatting characters that turn text around. */
+    private static boolean isObeyed(char character) {
+        boolean direction = character == '\u061c'
+                || character == '\u200e'
+                || character == '\u200f'
+                || (character >= '\u202a' && character <= '\u202e')
+                || (character >= '\u2066' && character <= '\u2069');
+        return direction || Character.isISOControl(character) || character == '\u2028' || character == '\u2029';
+    }
+}

@@ -1,0 +1,70 @@
+package sunbeam.precompute.patch;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import sunbeam.precompute.scan.ScanBytes;
+import sunbeam.precompute.scan.ScanException;
+import sunbeam.precompute.scan.ScanReader;
+import sunbeam.precompute.scan.format.ScanFormats;
+import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.setting.SettingException;
+import sunbeam.precompute.units.Lengths;
+
+/** Reads heights in metres from scans, which know their scale or most of it, and from images, which know none. */
+final class HeightFiles {
+    private HeightFiles() {}
+
+    /**
+     * The heights of a file.
+     *
+     * @param choices of {@link PatchSettings#OF_FILES}
+     * @throws PatchException when the file cannot be used
+     * @throws SettingException when what was chosen contradicts it or is absurd, or something must be chosen
+     */
+    static MeasuredHeights read(Path file, Choices choices) {
+        InputFiles.requireReadable(file);
+        try (ScanBytes bytes = ScanBytes.open(file)) {
+            Optional<ScanReader> reader = ScanFormats.find(bytes);
+            return reader.isPresent()
+                    ? new ScanHeights(file, reader.get(), bytes, choices).read()
+                    : fromImage(file, choices);
+        } catch (ScanException unusable) {
+            throw new PatchException(file + " " + unusable.getMessage(), unusable);
+        } catch (IOException failure) {
+            throw new PatchException(
+                    "%s cannot be read (%s); check the file".formatted(file, failure.getMessage()), failure);
+        }
+    }
+
+    /** Whether a file knows its own scale, or most of it; false for images and for what cannot be read. */
+    static boolean isScan(Path file) {
+        if (!Files.isRegularFile(file)) {
+            return false;
+        }
+        try (ScanBytes bytes = ScanBytes.open(file)) {
+            return ScanFormats.find(bytes).isPresent();
+        } catch (ScanException | IOException unreadable) {
+            // Whoever reads the heights says what is wrong.
+            return false;
+        }
+    }
+
+    private static MeasuredHeights fromImage(Path file, Choices choices) {
+        if (choices.has(PatchSettings.COLUMNS)) {
+            throw new SettingException(
+                    PatchSettings.COLUMNS, "is for numbers without rows, but " + file + " is an image; leave it out");
+        }
+        Optional<Channel> channel = choices.find(PatchSettings.CHANNEL).map(Channel::of);
+        PatchScale scale = PatchScale.of(choices, file.toString());
+        HeightImage image = HeightImageReader.read(file, channel);
+        HeightMap map = scale.apply(image);
+        // Pictures are published with it: the file's name, not the folders of its owner.
+        String source = "%s (%s), %s, full scale %s"
+                .formatted(file.getFileName(), image.description(), map.describe(), Lengths.format(scale.maxHeight()));
+        List<String> warnings = scale.warnings(map, image.format(), choices.origin(PatchSettings.MAX_HEIGHT));
+        return new MeasuredHeights(map, source, List.of(), List.of(), warnings);
+    }
+}

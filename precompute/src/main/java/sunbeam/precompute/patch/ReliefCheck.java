@@ -1,0 +1,73 @@
+package sunbeam.precompute.patch;
+
+import java.nio.file.Path;
+import java.util.Optional;
+import sunbeam.precompute.setting.Setting;
+import sunbeam.precompute.setting.SettingException;
+import sunbeam.precompute.units.Lengths;
+
+/** What no scan can be: smaller than a wavelength, larger than a hand, flatter than an atom or deeper than wide. */
+final class ReliefCheck {
+    /** The longer side must exceed this: no order of visible light leaves a smaller patch. */
+    static final double SHORTEST_LONG_SIDE = 100e-9;
+
+    static final double LONGEST_SIDE = 0.1;
+    static final double LARGEST_RELIEF = 1e-3;
+    /** A hundredth of an atom: no microscope sees less, no light scatters from it; a scale was mistaken. */
+    static final double SMALLEST_RELIEF = 1e-12;
+    /** Relief over the longer side; above, a scan is impossible and the scale is wrong. */
+    static final double STEEPEST_RELIEF = 4;
+
+    private ReliefCheck() {}
+
+    /**
+     * Refuses sizes that are absurd.
+     *
+     * @param about where the size was chosen; a file that says it itself is at fault otherwise
+     */
+    static void requireSize(double width, double height, Setting<?> about, Path file) {
+        double longSide = Math.max(width, height);
+        if (longSide < SHORTEST_LONG_SIDE || longSide > LONGEST_SIDE) {
+            throw new SettingException(
+                    about,
+                    "is absurd: %s would be %s x %s; a patch's longer side is %s to %s (is the unit right?)"
+                            .formatted(
+                                    file,
+                                    Lengths.format(width),
+                                    Lengths.format(height),
+                                    Lengths.format(SHORTEST_LONG_SIDE),
+                                    Lengths.format(LONGEST_SIDE)));
+        }
+    }
+
+    /** What is absurd about the relief of a map, continuing "makes a relief of ..."; flat maps are not. */
+    static Optional<String> absurdity(HeightMap map) {
+        double relief = map.relief();
+        double longSide = Math.max(map.width(), map.height());
+        if (relief > 0 && relief < SMALLEST_RELIEF) {
+            return Optional.of(Lengths.format(relief) + ", less than a hundredth of an atom");
+        }
+        if (relief > LARGEST_RELIEF || relief > STEEPEST_RELIEF * longSide) {
+            return Optional.of("%s on a patch of %s, which is absurd; check both units"
+                    .formatted(Lengths.format(relief), Lengths.format(longSide)));
+        }
+        return Optional.empty();
+    }
+
+    /**
+     * Refuses a scan's relief where it is absurd.
+     *
+     * @param unitChosen whether the user said the unit
+     */
+    static void requireOfScan(HeightMap map, boolean unitChosen, Path file) {
+        Optional<String> absurdity = absurdity(map);
+        if (absurdity.isEmpty()) {
+            return;
+        }
+        if (unitChosen) {
+            throw new SettingException(PatchSettings.HEIGHT_UNIT, "makes a relief of " + absurdity.get());
+        }
+        throw new PatchException(
+                "%s has a relief of %s; its scale is wrong, export it again".formatted(file, absurdity.get()));
+    }
+}

@@ -1,0 +1,116 @@
+package sunbeam.precompute.scan;
+
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
+
+/** Reads numbers and texts of a file one after the other. Every method refuses to go beyond the end. */
+public final class ByteCursor {
+    private static final int WINDOW = 8192;
+
+    private final ScanBytes bytes;
+    private final ByteOrder order;
+    private ByteBuffer window = ByteBuffer.allocate(0);
+    private long windowStart;
+    private long position;
+
+    ByteCursor(ScanBytes bytes, long position, ByteOrder order) {
+        this.bytes = bytes;
+        this.position = position;
+        this.order = order;
+    }
+
+    /** Where the next number is read. */
+    public long position() {
+        return position;
+    }
+
+    /** Goes on elsewhere. */
+    public void moveTo(long target) {
+        bytes.requireInside(target, 0);
+        position = target;
+    }
+
+    /** Leaves bytes out. */
+    public void skip(long count) {
+        bytes.requireInside(position, count);
+        position += count;
+    }
+
+    public int unsignedByte() throws IOException {
+        return next(1).get() & 0xff;
+    }
+
+    public int int16() throws IOException {
+        return next(Short.BYTES).getShort();
+    }
+
+    public int unsigned16() throws IOException {
+        return int16() & 0xffff;
+    }
+
+    public int int32() throws IOException {
+        return next(Integer.BYTES).getInt();
+    }
+
+    public long unsigned32() throws IOException {
+        return int32() & 0xffff_ffffL;
+    }
+
+    public long int64() throws IOException {
+        return next(Long.BYTES).getLong();
+    }
+
+    public double float32() throws IOException {
+        return next(Float.BYTES).getFloat();
+    }
+
+    public double float64() throws IOException {
+        return next(Double.BYTES).getDouble();
+    }
+
+    /** Latin-1 of a fixed length, up to its first NUL, without blanks around it. */
+    public String text(int count) throws IOException {
+        bytes.requireInside(position, count);
+        String text = new String(bytes.read(position, count).array(), StandardCharsets.ISO_8859_1);
+        position += count;
+        int end = text.indexOf(0);
+        return (end < 0 ? text : text.substring(0, end)).strip();
+    }
+
+    /**
+     * UTF-8 up to a NUL, which is passed over.
+     *
+     * @param most bytes
+     * @throws ScanException when there is no NUL among them
+     */
+    public String textToNul(int most) throws IOException {
+        byte[] text = new byte[Math.min(most, 256)];
+        for (int length = 0; length < most; length++) {
+            byte next = next(1).get();
+            if (next == 0) {
+                return new String(text, 0, length, StandardCharsets.UTF_8);
+            }
+            if (length == text.length) {
+                text = Arrays.copyOf(text, Math.min(most, 2 * length));
+            }
+            text[length] = next;
+        }
+        throw new ScanException("has a text without end at position %d; the file is damaged, export it again"
+                .formatted(position - most));
+    }
+
+    private ByteBuffer next(int count) throws IOException {
+        bytes.requireInside(position, count);
+        if (position < windowStart || position + count > windowStart + window.limit()) {
+            windowStart = position;
+            window = bytes.read(position, (int) Math.min(WINDOW, bytes.size() - position))
+                    .order(order);
+        }
+        window.position((int) (position - windowStart));
+        position += count;
+        return window;
+    }
+}

@@ -1,0 +1,47 @@
+package sunbeam.precompute.scan;
+
+import java.util.Optional;
+
+/**
+ * How large a channel is.
+ *
+ * @param width along x of all columns together, metres; empty when the file does not say
+ * @param height along y of all rows together, metres; empty when the file does not say
+ * @param aspect distance of rows over distance of columns, as far as the file says; 1 for square samples
+ */
+public record Extent(Optional<Double> width, Optional<Double> height, double aspect) {
+    /** The file does not say; samples are taken for square. */
+    public static final Extent UNKNOWN = new Extent(Optional.empty(), Optional.empty(), 1);
+
+    /** @throws ScanException when a length is none */
+    public Extent {
+        width.ifPresent(Extent::require);
+        height.ifPresent(Extent::require);
+        require(aspect);
+    }
+
+    /** Of both sides, metres. */
+    public static Extent of(double width, double height) {
+        return new Extent(Optional.of(width), Optional.of(height), 1);
+    }
+
+    /**
+     * Of samples at distances in a unit; where that is no unit of length, only the ratio of the distances is known.
+     *
+     * @param pitchX distance of columns
+     * @param pitchY distance of rows
+     */
+    public static Extent ofPitches(double pitchX, double pitchY, String unit, int columns, int rows) {
+        require(pitchX);
+        require(pitchY);
+        return LengthUnit.metres(unit)
+                .map(metres -> of(columns * pitchX * metres, rows * pitchY * metres))
+                .orElseGet(() -> new Extent(Optional.empty(), Optional.empty(), pitchY / pitchX));
+    }
+
+    private static void require(double length) {
+        if (!(length > 0) || !Double.isFinite(length)) {
+            throw new ScanException("claims a side of %s; the file is damaged, export it again".formatted(length));
+        }
+    }
+}

@@ -1,0 +1,57 @@
+package sunbeam.precompute.scan;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+
+/**
+ * Samples that lie in a file one after the other.
+ *
+ * @param offset of the first, bytes
+ * @param count how many; checked against the file, so that a header cannot ask for more than is there
+ */
+public record SampleBlock(long offset, long count, SampleType type, ByteOrder order) {
+    private static final int BUFFER_SAMPLES = 1 << 15;
+
+    /** Bytes of all. */
+    public long bytes() {
+        return Math.multiplyExact(count, type.size());
+    }
+
+    /**
+     * The same, when the file has it.
+     *
+     * @throws ScanException otherwise
+     */
+    public SampleBlock requireIn(ScanBytes file) {
+        file.requireInside(offset, bytes());
+        return this;
+    }
+
+    /** The samples as stored, without any scale. */
+    public double[] read(ScanBytes file) throws IOException {
+        requireIn(file);
+        return read(file.stream(offset));
+    }
+
+    /**
+     * The samples of a stream that stands at the first of them.
+     *
+     * @throws ScanException when the stream ends too early
+     */
+    public double[] read(InputStream in) throws IOException {
+        double[] samples = new double[Math.toIntExact(count)];
+        byte[] bytes = new byte[BUFFER_SAMPLES * type.size()];
+        ByteBuffer buffer = ByteBuffer.wrap(bytes).order(order);
+        for (int first = 0; first < samples.length; first += BUFFER_SAMPLES) {
+            int wanted = Math.min(BUFFER_SAMPLES, samples.length - first);
+            if (in.readNBytes(bytes, 0, wanted * type.size()) < wanted * type.size()) {
+                throw new ScanException(
+                        "ends before the last of its %d samples; copy or export it again".formatted(count));
+            }
+            type.decode(buffer, samples, first, wanted);
+        }
+        return samples;
+    }
+}

@@ -1,0 +1,121 @@
+package sunbeam.precompute.scan;
+
+import java.io.BufferedInputStream;
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.channels.Channels;
+import java.nio.channels.FileChannel;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
+import java.util.Arrays;
+
+/** The bytes of a file, read where they are asked for. Whatever lies beyond its end is refused before memory is taken. */
+public final class ScanBytes implements AutoCloseable {
+    /** Most bytes of a header, which are read at once; the longest known take 100 KB. */
+    public static final int LARGEST_HEADER = 1 << 24;
+
+    private static final int STREAM_BUFFER = 1 << 18;
+
+    private final Path path;
+    private final FileChannel channel;
+    private final long size;
+
+    private ScanBytes(Path path, FileChannel channel, long size) {
+        this.path = path;
+        this.channel = channel;
+        this.size = size;
+    }
+
+    /** Opens a regular file. */
+    public static ScanBytes open(Path path) throws IOException {
+        FileChannel channel = FileChannel.open(path, StandardOpenOption.READ);
+        try {
+            return new ScanBytes(path, channel, channel.size());
+        } catch (IOException failure) {
+            channel.close();
+            throw failure;
+        }
+    }
+
+    public Path path() {
+        return path;
+    }
+
+    /** Of the file, bytes. */
+    public long size() {
+        return size;
+    }
+
+    /** The first bytes, as many as asked for or as there are. */
+    public byte[] head(int count) throws IOException {
+        return read(0, (int) Math.min(count, size)).array();
+    }
+
+    /** Whether the file begins with these ASCII characters. */
+    public boolean startsWith(String ascii) throws IOException {
+        return Arrays.equals(head(ascii.length()), ascii.getBytes(StandardCharsets.ISO_8859_1));
+    }
+
+    /** The first bytes as Latin-1 text, as many as asked for or as there are. */
+    public String headText(int count) throws IOException {
+        return new String(head(count), StandardCharsets.ISO_8859_1);
+    }
+
+    /**
+     * Bytes of a header.
+     *
+     * @return big-endian until told otherwise, backed by an array of exactly these bytes
+     * @throws ScanException when the file does not have them, or they are too many for a header
+     */
+    public ByteBuffer read(long offset, int count) throws IOException {
+        requireInside(offset, count);
+        if (count > LARGEST_HEADER) {
+            throw new ScanException(
+                    "claims a header of %d bytes; the file is damaged, export it again".formatted(count));
+        }
+        ByteBuffer buffer = ByteBuffer.allocate(count);
+        while (buffer.hasRemaining()) {
+            if (channel.read(buffer, offset + buffer.position()) < 0) {
+                throw new ScanException("shrinks while it is read; copy it to a folder that nobody writes to");
+            }
+        }
+        return buffer.flip();
+    }
+
+    /**
+     * Refuses a range that the file does not have.
+     *
+     * @throws ScanException with its size and the size that it should have
+     */
+    public void requireInside(long offset, long count) {
+        if (offset < 0 || count < 0 || offset > Long.MAX_VALUE - count) {
+            throw new ScanException(
+                    "claims %d bytes at position %d; the file is damaged, export it again".formatted(count, offset));
+        }
+        if (offset + count > size) {
+            throw new ScanException(
+                    "ends after %d bytes, but what its header promises takes %d; copy or export it again"
+                            .formatted(size, offset + count));
+        }
+    }
+
+    /** Reads numbers one after the other. */
+    public ByteCursor cursor(long offset, ByteOrder order) {
+        return new ByteCursor(this, offset, order);
+    }
+
+    /** Everything from a position to the end, in order; to be used up or dropped before another is asked for. */
+    public InputStream stream(long offset) throws IOException {
+        requireInside(offset, 0);
+        channel.position(offset);
+        return new BufferedInputStream(Channels.newInputStream(channel), STREAM_BUFFER);
+    }
+
+    @Override
+    public void close() throws IOException {
+        channel.close();
+    }
+}

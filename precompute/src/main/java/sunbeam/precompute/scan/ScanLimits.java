@@ -1,0 +1,69 @@
+package sunbeam.precompute.scan;
+
+import java.util.Locale;
+
+/** How large heights may be; checked from a file's header, before memory is taken for them. */
+public final class ScanLimits {
+    /** Longest side in samples: three times the longest that AFM software writes. */
+    public static final int LONGEST_SIDE = 16_384;
+    /** Most samples: 8192 x 8192, whose heights take half a gigabyte. */
+    public static final long MOST_SAMPLES = 1L << 26;
+    /** Most channels of a file: five times as many as any instrument records side by side. */
+    public static final int MOST_CHANNELS = 256;
+
+    /** Heights are held twice while they are levelled; arrays this large leave gaps in the heap of about as much. */
+    private static final int BYTES_PER_HEIGHT = 3 * Double.BYTES;
+
+    private ScanLimits() {}
+
+    /**
+     * Refuses what is too large, empty or a single sample.
+     *
+     * @throws ScanException that says which
+     */
+    public static void requireSize(long columns, long rows) {
+        if (columns < 1 || rows < 1) {
+            throw new ScanException(
+                    "claims %d x %d samples; the file is damaged, export it again".formatted(columns, rows));
+        }
+        if (columns > LONGEST_SIDE || rows > LONGEST_SIDE || columns * rows > MOST_SAMPLES) {
+            throw new ScanException(("has %d x %d samples; at most %d per side and %d (8192 x 8192) in all can be used,"
+                            + " so crop the scan")
+                    .formatted(columns, rows, LONGEST_SIDE, MOST_SAMPLES));
+        }
+        if (columns == 1 && rows == 1) {
+            throw new ScanException("has 1 x 1 samples, which is no surface; give at least 2 x 1 samples");
+        }
+    }
+
+    /**
+     * Refuses what the heap cannot hold while it is read and levelled.
+     *
+     * @param samples at most {@link #MOST_SAMPLES}
+     * @param bytesPerSample memory that reading takes beside the heights
+     * @param heapBytes largest size of the heap
+     * @throws ScanException with both figures
+     */
+    public static void requireMemory(long samples, int bytesPerSample, long heapBytes) {
+        long needed = samples * (bytesPerSample + BYTES_PER_HEIGHT);
+        if (needed > heapBytes) {
+            throw new ScanException(String.format(
+                    Locale.ROOT,
+                    "needs %.1f GB of memory, but Java may take %.1f GB; crop the scan or start Java with a larger -Xmx",
+                    needed / 1e9,
+                    heapBytes / 1e9));
+        }
+    }
+
+    /**
+     * Refuses more channels than any scan has.
+     *
+     * @throws ScanException with their number
+     */
+    public static void requireChannels(long count) {
+        if (count > MOST_CHANNELS) {
+            throw new ScanException("claims %d channels; at most %d are read, so export the height channel alone"
+                    .formatted(count, MOST_CHANNELS));
+        }
+    }
+}

@@ -1,0 +1,129 @@
+package sunbeam.precompute.scan.format;
+
+import java.io.IOException;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import sunbeam.precompute.scan.ByteCursor;
+import sunbeam.precompute.scan.ScanBytes;
+import sunbeam.precompute.scan.ScanException;
+
+/**
+ * One object of Gwyddion's serialisation: a type's name, the size of what follows, then components, each a name, a type's
+ * letter and a value. Arrays are left in the file.
+ *
+ * @param items components by name: Integer, Double, String, {@link Numbers} or GwyddionObject; others are passed over
+ */
+record GwyddionObject(Map<String, Object> items) {
+    /** Containers of containers of data fields go three deep; a hostile file could nest until the stack ends. */
+    private static final int DEEPEST = 8;
+
+    private static final int MOST_ITEMS = 100_000;
+    private static final int LONGEST_NAME = 4096;
+    private static final int LONGEST_TEXT = 1 << 20;
+
+    /** An array of doubles that was left in the file. */
+    record Numbers(long offset, long count) {}
+
+    /** Reads the object at a cursor. */
+    static GwyddionObject read(ScanBytes file, ByteCursor cursor) throws IOException {
+        return read(file, cursor, 0);
+    }
+
+    private static GwyddionObject read(ScanBytes file, ByteCursor cursor, int depth) throws IOException {
+        if (depth > DEEPEST) {
+            throw new ScanException("nests objects more than %d deep; save it anew with Gwyddion".formatted(DEEPEST));
+        }
+        cursor.textToNul(LONGEST_NAME);
+        long size = cursor.unsigned32();
+        file.requireInside(cursor.position(), size);
+        long end = cursor.position() + size;
+        Map<String, Object> items = new LinkedHashMap<>();
+        while (cursor.position() < end) {
+            if (items.size() > MOST_ITEMS) {
+                throw new ScanException("has more than %d parts; save its height channel alone".formatted(MOST_ITEMS));
+            }
+            String name = cursor.textToNul(LONGEST_NAME);
+            Object value = value(file, cursor, (char) cursor.unsignedByte(), depth);
+            if (value != null) {
+                items.put(name, value);
+            }
+        }
+        if (cursor.position() != end) {
+            throw new ScanException(
+                    "has parts that overlap at position %d; the file is damaged, save it again".formatted(end));
+        }
+        return new GwyddionObject(items);
+    }
+
+    /** Null for types that no height field needs. */
+    private static Object value(ScanBytes file, ByteCursor cursor, char type, int depth) throws IOException {
+        return switch (type) {
+            case 'i' -> cursor.int32();
+            case 'd' -> cursor.float64();
+            case 's' -> cursor.textToNul(LONGEST_TEXT);
+            case 'o' -> read(file, cursor, depth + 1);
+            case 'D' -> numbers(cursor);
+            default -> {
+                skip(cursor, type);
+                yield null;
+            }
+        };
+    }
+
+    private static void skip(ByteCursor cursor, char type) throws IOException {
+        switch (type) {
+            case 'b', 'c' -> cursor.skip(1);
+            case 'q' -> cursor.skip(Long.BYTES);
+            case 'C' -> cursor.skip(cursor.unsigned32());
+            case 'I' -> cursor.skip(Integer.BYTES * cursor.unsigned32());
+            case 'Q' -> cursor.skip(Long.BYTES * cursor.unsigned32());
+            case 'S' -> {
+                for (long i = cursor.unsigned32(); i > 0; i--) {
+                    cursor.textToNul(LONGEST_TEXT);
+                }
+            }
+            case 'O' -> {
+                for (long i = cursor.unsigned32(); i > 0; i--) {
+                    cursor.textToNul(LONGEST_NAME);
+                    cursor.skip(cursor.unsigned32());
+                }
+            }
+            default ->
+                throw new ScanException("has a part of the unknown type '%s' at position %d; save it anew with"
+                                .formatted(type, cursor.position() - 1)
+                        + " Gwyddion");
+        }
+    }
+
+    private static Numbers numbers(ByteCursor cursor) throws IOException {
+        long count = cursor.unsigned32();
+        Numbers numbers = new Numbers(cursor.position(), count);
+        cursor.skip(Double.BYTES * count);
+        return numbers;
+    }
+
+    int integer(String name) {
+        if (items.get(name) instanceof Integer value) {
+            return value;
+        }
+        throw new ScanException("has a data field without %s; save it anew with Gwyddion".formatted(name));
+    }
+
+    double number(String name, double otherwise) {
+        return items.get(name) instanceof Double value ? value : otherwise;
+    }
+
+    Numbers numbers(String name) {
+        if (items.get(name) instanceof Numbers value) {
+            return value;
+        }
+        throw new ScanException("has a data field without %s; save it anew with Gwyddion".formatted(name));
+    }
+
+    /** The unit that a component holds as an object of its own; empty without one. */
+    String unit(String name) {
+        boolean there = items.get(name) instanceof GwyddionObject;
+        Object text = there ? ((GwyddionObject) items.get(name)).items().get("unitstr") : null;
+        return text instanceof String unit ? unit : "";
+    }
+}

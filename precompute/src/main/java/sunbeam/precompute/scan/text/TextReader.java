@@ -1,0 +1,104 @@
+package sunbeam.precompute.scan.text;
+
+import java.io.IOException;
+import java.util.List;
+import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import sunbeam.precompute.scan.Extent;
+import sunbeam.precompute.scan.LengthUnit;
+import sunbeam.precompute.scan.ScanBytes;
+import sunbeam.precompute.scan.ScanChannel;
+import sunbeam.precompute.scan.ScanException;
+import sunbeam.precompute.scan.ScanReader;
+
+/**
+ * Text: a matrix of numbers from the top row, or points x y z on a grid, below any header. Known headers are those of
+ * Gwyddion (in all its languages), SPIP, Park's XEI and WSxM; numbers may have decimal commas and any line ends.
+ */
+public final class TextReader implements ScanReader {
+    private static final int POINT = 3;
+    /** As few triples on no grid may well be a matrix of three columns. */
+    private static final int SURELY_POINTS = 16;
+
+    private static final Pattern AXES = Pattern.compile(
+            "(?i)[#%;*\\s\"]*x\\s*[\\[(]([^\\])]+)[\\])]\\W+y\\s*[\\[(]([^\\])]+)[\\])]\\W+z\\s*[\\[(]([^\\])]+)[\\])].*");
+
+    @Override
+    public String format() {
+        return "text";
+    }
+
+    @Override
+    public boolean recognises(ScanBytes file) throws IOException {
+        return TextHead.of(file).isPresent();
+    }
+
+    @Override
+    public List<ScanChannel> channels(ScanBytes file) throws IOException {
+        TextHead head = TextHead.of(file).orElseThrow();
+        TextFacts facts = TextFacts.of(head.header());
+        TextNumbers numbers = TextNumbers.count(file, head);
+        boolean matrix = facts.width().isPresent() || facts.columns().isPresent();
+        if (!matrix && numbers.columns() == POINT && numbers.isRectangular() && numbers.rows() > POINT) {
+            Optional<ScanChannel> points = points(head, numbers);
+            if (points.isPresent()) {
+                return List.of(points.get());
+            }
+        }
+        return List.of(matrix(facts, numbers));
+    }
+
+    private static ScanChannel matrix(TextFacts facts, TextNumbers numbers) {
+        long columns = facts.columns().map(Integer::longValue).orElse(numbers.columns());
+        boolean asSaid = facts.columns().isPresent() && facts.rows().isPresent();
+        long rows = asSaid ? facts.rows().get() : numbers.count() / columns;
+        if (columns * rows != numbers.count()) {
+            throw new ScanException("has %d numbers where its header announces %d x %d; export it again"
+                    .formatted(numbers.count(), columns, rows));
+        }
+        if (facts.columns().isEmpty()) {
+            numbers.requireRectangular();
+        }
+        Extent extent = new Extent(facts.width(), facts.height(), 1);
+        return new ScanChannel(facts.channel(), toInt(columns), toInt(rows), extent, facts.unit(), numbers::read);
+    }
+
+    private static int toInt(long count) {
+        return (int) Math.min(count, Integer.MAX_VALUE);
+    }
+
+    private static Optional<ScanChannel> points(TextHead head, TextNumbers numbers) throws IOException {
+        double[][] xyz = numbers.readColumns(POINT);
+        Optional<PointGrid> found = PointGrid.of(xyz[0], xyz[1], xyz[2]);
+        if (found.isEmpty()) {
+            if (numbers.rows() >= SURELY_POINTS) {
+                throw new ScanException("has three numbers a line whose first two are no points of a grid; interpolate"
+                        + " the points in Gwyddion and export a matrix or .gwy");
+            }
+            return Optional.empty();
+        }
+        PointGrid grid = found.get();
+        Optional<Matcher> axes = head.header().stream()
+                .map(AXES::matcher)
+                .filter(Matcher::matches)
+                .findFirst();
+        String unitX = axes.map(matcher -> matcher.group(1)).orElse("");
+        String unitY = axes.map(matcher -> matcher.group(2)).orElse("");
+        double metresY =
+                LengthUnit.metres(unitY).orElse(1.0) / LengthUnit.metres(unitX).orElse(1.0);
+        Extent extent = Extent.ofPitches(
+                grid.axisX().pitch(),
+                grid.axisY().pitch() * metresY,
+                unitX,
+                grid.axisX().count(),
+                grid.axisY().count());
+        return Optional.of(new ScanChannel(
+                "z",
+                grid.axisX().count(),
+                grid.axisY().count(),
+                extent,
+                axes.map(matcher -> matcher.group(3)).orElse(""),
+                grid::heights));
+    }
+}

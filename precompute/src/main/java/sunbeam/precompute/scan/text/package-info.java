@@ -1,0 +1,2 @@
+/** Heights as text: the numbers, what headers say of them, and points on a grid. */
+package sunbeam.precompute.scan.text;

@@ -1,0 +1,100 @@
+package sunbeam.precompute.scan.format;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.Collection;
+import java.util.Random;
+import java.util.function.Supplier;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import sunbeam.precompute.scan.ChannelList;
+import sunbeam.precompute.scan.ScanBytes;
+import sunbeam.precompute.scan.ScanChannel;
+import sunbeam.precompute.scan.ScanException;
+import sunbeam.precompute.scan.ScanReader;
+
+/** What holds for all formats: the same surface comes out of each, and nothing but a complaint out of a damaged file. */
+class ScanFormatsTest {
+    /** Digits that the poorest of the formats keeps of 500 nm: seven, in 32-bit floats. */
+    private static final double ROUNDING = 5e-14;
+
+    @TempDir
+    Path folder;
+
+    static Collection<String> formats() {
+        return TestScans.all().keySet();
+    }
+
+    private Path file(byte[] content) throws IOException {
+        // No extension: files are known by their content.
+        return Files.write(folder.resolve("scan"), content);
+    }
+
+    @ParameterizedTest
+    @MethodSource("formats")
+    void readsTheHeightsTheirSizeAndWhichWayIsUp(String format) throws IOException {
+        try (ScanBytes bytes = ScanBytes.open(file(TestScans.all().get(format)))) {
+            ScanReader reader = ScanFormats.find(bytes).orElseThrow();
+            ChannelList channels = new ChannelList(reader.channels(bytes));
+            ScanChannel channel = channels.channels().get(channels.heights().orElseThrow());
+
+            assertThat(channel.columns()).isEqualTo(TestField.COLUMNS);
+            assertThat(channel.rows()).isEqualTo(TestField.ROWS);
+            assertThat(channel.extent().width().orElseThrow()).isCloseTo(TestField.WIDTH, within(1e-6 * 1e-6));
+            assertThat(channel.extent().height().orElseThrow()).isCloseTo(TestField.HEIGHT, within(1e-6 * 1e-6));
+            double metres = channel.metresPerUnit().orElseThrow();
+            assertThat(Arrays.stream(channel.samples()).map(s -> s * metres).toArray())
+                    .containsExactly(TestField.metres(), within(ROUNDING));
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("formats")
+    void refusesATruncatedFile(String format) throws IOException {
+        byte[] whole = TestScans.all().get(format);
+        for (int length = 0; length < whole.length - 1; length += 1 + whole.length / 400) {
+            int cut = length;
+            readAll(Arrays.copyOf(whole, length), () -> format + " cut to " + cut);
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("formats")
+    void damagedFilesAreComplainedAboutAndNeverCrash(String format) throws IOException {
+        byte[] whole = TestScans.all().get(format);
+        Random random = new Random(12);
+        for (int trial = 0; trial < 400; trial++) {
+            byte[] damaged = whole.clone();
+            int number = trial;
+            for (int hit = 0; hit <= trial % 4; hit++) {
+                // Headers are where damage does damage.
+                int reach = trial % 2 == 0 ? Math.min(600, whole.length) : whole.length;
+                damaged[random.nextInt(reach)] = (byte) (trial % 3 == 0 ? 0xff : random.nextInt(256));
+            }
+            readAll(damaged, () -> format + ", trial " + number);
+        }
+    }
+
+    /** Reads every channel; a complaint is as good as heights, anything else is not. */
+    private void readAll(byte[] content, Supplier<String> what) throws IOException {
+        try (ScanBytes bytes = ScanBytes.open(file(content))) {
+            ScanReader reader = ScanFormats.find(bytes).orElse(null);
+            if (reader == null) {
+                return;
+            }
+            for (ScanChannel channel : new ChannelList(reader.channels(bytes)).channels()) {
+                channel.samples();
+            }
+        } catch (ScanException complaint) {
+            assertThat(complaint.getMessage()).as(what).doesNotContain("\n").hasSizeBetween(10, 400);
+        } catch (RuntimeException | OutOfMemoryError crash) {
+            throw new AssertionError(what.get() + " crashes", crash);
+        }
+    }
+}

@@ -1,0 +1,50 @@
+package sunbeam.precompute.scan.format;
+
+/** The surface that tests write in every format: no symmetry, not square, its samples whole nanometres. */
+final class TestField {
+    static final int COLUMNS = 7;
+    static final int ROWS = 5;
+    static final double WIDTH = 3.5e-6;
+    static final double HEIGHT = 2e-6;
+
+    private TestField() {}
+
+    /** Nanometres, row 0 the top. */
+    static int nanometres(int column, int row) {
+        return 100 * row + column * column - 150;
+    }
+
+    /** Metres, row by row from the top. */
+    static double[] metres() {
+        double[] metres = new double[COLUMNS * ROWS];
+        for (int i = 0; i < metres.length; i++) {
+            metres[i] = 1e-9 * nanometres(i % COLUMNS, i / COLUMNS);
+        }
+        return metres;
+    }
+
+    /** What is done with each sample. */
+    interface Visitor {
+        void visit(int nanometres);
+    }
+
+    /** From the top row. */
+    static void downwards(Visitor visitor) {
+        for (int row = 0; row < ROWS; row++) {
+            along(row, visitor);
+        }
+    }
+
+    /** From the bottom row. */
+    static void upwards(Visitor visitor) {
+        for (int row = ROWS - 1; row >= 0; row--) {
+            along(row, visitor);
+        }
+    }
+
+    private static void along(int row, Visitor visitor) {
+        for (int column = 0; column < COLUMNS; column++) {
+            visitor.visit(nanometres(column, row));
+        }
+    }
+}
