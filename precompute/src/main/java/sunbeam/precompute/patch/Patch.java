@@ -15,7 +15,14 @@ import java.util.List;
  * @param repetition whether the surface goes on beyond the heights as they do
  */
 public record Patch(
-        String name, HeightMap heights, HeightMap scan, String source, List<String> channels, List<String> notes, List<String> warnings, Repetition repetition) {
+        String name,
+        HeightMap heights,
+        HeightMap scan,
+        String source,
+        List<String> channels,
+        List<String> notes,
+        List<String> warnings,
+        Repetition repetition) {
 
     private static final double SAME = 1e-4;
 

@@ -110,8 +110,8 @@ public final class PatchSettings {
             List.of(WIDTH, HEIGHT, MAX_HEIGHT, HEIGHT_UNIT, COLUMNS, CHANNEL, LEVEL, CROP, DESPIKE, EDGES, PERIODIC);
 
     /** All, the surface first. */
-    public static final List<Setting<?>> ALL =
-            List.of(PATCH, WIDTH, HEIGHT, MAX_HEIGHT, HEIGHT_UNIT, COLUMNS, CHANNEL, LEVEL, CROP, DESPIKE, EDGES, PERIODIC);
+    public static final List<Setting<?>> ALL = List.of(
+            PATCH, WIDTH, HEIGHT, MAX_HEIGHT, HEIGHT_UNIT, COLUMNS, CHANNEL, LEVEL, CROP, DESPIKE, EDGES, PERIODIC);
 
     private PatchSettings() {}
 

@@ -19,7 +19,6 @@ import sunbeam.precompute.method.Surface;
 import sunbeam.precompute.patch.HeightMap;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.patch.SamplingCheck;
-import sunbeam.precompute.plan.ErrorBudget;
 import sunbeam.precompute.plan.PlanReport;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.Choices;
