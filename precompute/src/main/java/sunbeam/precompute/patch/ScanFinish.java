@@ -105,13 +105,16 @@ record ScanFinish(String name, String file, Choices choices, Kind kind) {
 
     private Preparation.Prepared prepared(Preparation preparation, HeightMap measured) {
         try {
+            preparation.cropped(measured.field());
+        } catch (IllegalArgumentException wrong) {
+            throw new SettingException(CROP, wrong.getMessage());
+        }
+        try {
             return preparation.apply(measured.field());
-        } catch (Preparation.NothingThereException nothing) {
+        } catch (IllegalArgumentException nothing) {
             throw new PatchException(
                     file + ": " + nothing.getMessage() + " (NaN, infinite or transparent); export the scan again",
                     nothing);
-        } catch (IllegalArgumentException wrong) {
-            throw new SettingException(CROP, wrong.getMessage());
         }
     }
 

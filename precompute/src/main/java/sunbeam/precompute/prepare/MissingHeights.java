@@ -44,7 +44,7 @@ public final class MissingHeights {
     /**
      * The heights with every missing sample filled.
      *
-     * @throws Preparation.NothingThereException when all samples are missing
+     * @throws IllegalArgumentException when all samples are missing
      */
     public static Filled fill(HeightField field) {
         MissingHeights filling = new MissingHeights(field);
@@ -52,7 +52,7 @@ public final class MissingHeights {
             return new Filled(field, 0);
         }
         if (filling.count == filling.heights.length) {
-            throw new Preparation.NothingThereException("all " + filling.count + " samples are missing");
+            throw new IllegalArgumentException("all " + filling.count + " samples are missing");
         }
         filling.fillRings();
         return new Filled(field.with(filling.heights), filling.count);

@@ -30,26 +30,24 @@ public record Preparation(Optional<Crop> crop, Levelling levelling, boolean desp
         }
     }
 
-    /** No sample of the scan, or of the part that counts, is there. */
-    public static final class NothingThereException extends RuntimeException {
-        private static final long serialVersionUID = 1;
-
-        NothingThereException(String message) {
-            super(message);
-        }
+    /**
+     * The part of the scan that counts.
+     *
+     * @throws IllegalArgumentException as {@link Crop#apply}
+     */
+    public HeightField cropped(HeightField measured) {
+        return crop.isPresent() ? crop.get().apply(measured) : measured;
     }
 
     /**
      * Prepares heights as they were measured.
      *
-     * @throws NothingThereException when all samples are missing
-     * @throws IllegalArgumentException as {@link Crop#apply}
+     * @throws IllegalArgumentException when all samples are missing, or as {@link #cropped}
      */
     public Prepared apply(HeightField measured) {
         List<String> steps = new ArrayList<>();
-        HeightField field = measured;
+        HeightField field = cropped(measured);
         if (crop.isPresent()) {
-            field = crop.get().apply(measured);
             steps.add("cropped from %s x %s".formatted(rounded(measured.width()), rounded(measured.height())));
         }
         Tilt tilt = Tilt.of(field);

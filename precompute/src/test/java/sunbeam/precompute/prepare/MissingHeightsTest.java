@@ -89,7 +89,7 @@ class MissingHeightsTest {
     @Test
     void refusesAMapWithoutAnySample() {
         assertThatThrownBy(() -> MissingHeights.fill(map(2, 2, NAN, NAN, NAN, NAN)))
-                .isInstanceOf(Preparation.NothingThereException.class)
+                .isInstanceOf(IllegalArgumentException.class)
                 .hasMessageContaining("all 4 samples are missing");
     }
 }
