@@ -9,8 +9,6 @@ import javax.imageio.ImageIO;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.ValueSource;
 
 /** What {@code brdf-map} writes, and where. */
 class BrdfMapTest {
@@ -72,20 +70,6 @@ class BrdfMapTest {
                 .hasEntrySatisfying("Light", light -> assertThat(light).startsWith("theta 20.0, phi 0.0"));
         assertThat(workplace.resolve("lit.npy")).hasSameBinaryContentAs(workplace.resolve("dim.npy"));
         assertThat(brightness("lit.png")).isGreaterThan(brightness("dim.png"));
-    }
-
-    /** The blazed grating's few orders on black, and a skin's spread of light: neither may change from grey to black. */
-    @ParameterizedTest
-    @ValueSource(strings = {"blaze", "elaphe-like"})
-    void automaticExposureFollowsThePatchesWindowGradually(String patch) throws Exception {
-        // An order's area changes by a tenth with its window's, and its rho as much the other way.
-        assertThat(exposure(patch, "21um") / exposure(patch, "20um")).isBetween(0.8, 1.25);
-    }
-
-    private double exposure(String patch, String length) throws Exception {
-        String file = length + ".png";
-        workplace.succeed("brdf-map", "--patch", patch, "--coherence-length", length, "--size", "64", "--output", file);
-        return Double.parseDouble(PngFile.text(workplace.resolve(file)).get("Exposure"));
     }
 
     @Test

@@ -14,8 +14,7 @@ import sunbeam.precompute.units.Lengths;
 
 /** What breaks the tolerance that is promised: parts that a user fixed, or a tolerance at the edge of float32. */
 final class PlanWarnings {
-    // With five, the window's spectrum has fallen to exp(-(5 pi / 4)^2 / 2) = 4e-4 of an amplitude where its replica
-    // begins.
+    // With five, the replicas of the window's spectrum meet at exp(-(5 pi / 4)^2 / 2) = 4e-4 of an amplitude.
     private static final double FEWEST_SAMPLES = 5;
 
     // Units in the last place: a fifth of the bound, as measured for colours of orders at 65 um (docs/accuracy).
@@ -47,6 +46,7 @@ final class PlanWarnings {
         plan.accuracy().tolerance().ifPresent(tolerance -> {
             checkFloat32(tolerance, lines);
             checkFrequencies(tolerance, lines);
+            checkScale(tolerance, lines);
         });
         return lines;
     }
@@ -91,17 +91,36 @@ final class PlanWarnings {
         }
     }
 
-    /** Half a period of the sampling away, a sampled Gaussian's sum is no longer what its integral is. */
+    /** The sum over a coarse window's samples, by which a coherent power is divided, is not its integral, which bins know. */
+    private void checkScale(double tolerance, List<Sentence> lines) {
+        SampledWindow window = new SampledWindow(plan.window(), map);
+        double error = window.coherentError();
+        if (plan.average() == Average.COHERENT && error > tolerance) {
+            lines.add(Sentence.of(format(
+                    "coherent power and its colours are %.1e too large, more than the tolerance %s: a coherence length of %s"
+                            + " has too few samples, which are %s apart; give %s or more, a finer scan, or evaluate"
+                            + " directions by method reference",
+                    error,
+                    shown(tolerance),
+                    Lengths.format(plan.window().coherenceLength()),
+                    Lengths.format(window.pitch()),
+                    Lengths.format(FEWEST_SAMPLES * window.pitch()))));
+        }
+    }
+
+    /** Positions between the samples count in the ensemble; a window that is moved from sample to sample leaves them out. */
     private void checkSamples(List<Sentence> lines) {
         double pitch = PlanChecks.coarsestPitch(map);
         if (plan.average() == Average.ENSEMBLE && plan.window().coherenceLength() < FEWEST_SAMPLES * pitch) {
             lines.add(Sentence.of(format(
                     "a coherence length of %s is less than %.0f samples of the patch, which are %s apart: the ensemble's power"
-                            + " is not the mean over all positions of so coarse a window, by several per cent;"
+                            + " is the mean over all positions of the window, between the samples, too; over positions on"
+                            + " samples alone it is another, by %.1g of all light and more between bright orders;"
                             + " give %s or more, or a finer scan",
                     Lengths.format(plan.window().coherenceLength()),
                     FEWEST_SAMPLES,
                     Lengths.format(pitch),
+                    new SampledWindow(plan.window(), map).positionsDifference(),
                     Lengths.format(FEWEST_SAMPLES * pitch))));
         }
     }

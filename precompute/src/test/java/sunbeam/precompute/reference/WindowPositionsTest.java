@@ -56,6 +56,59 @@ class WindowPositionsTest {
         }
     }
 
+    /** |sum g(x - centre) p exp(2 pi i f x)|^2 over all samples of the periodic patch, by the square of the window's integral. */
+    private static double windowedAt(HeightMap map, double sigma, double cx, double cy, DirectionPair pair) {
+        double real = 0;
+        double imaginary = 0;
+        double pitch = map.pitchX();
+        int reach = (int) Math.ceil(9 * sigma / pitch) + 1;
+        for (int i = (int) (cx / pitch) - reach; i <= cx / pitch + reach; i++) {
+            for (int j = (int) (cy / pitch) - reach; j <= cy / pitch + reach; j++) {
+                double x = i * pitch;
+                double y = j * pitch;
+                double gauss = Math.exp(-0.5 * (Math.pow(x - cx, 2) + Math.pow(y - cy, 2)) / (sigma * sigma));
+                // Rows run downwards.
+                double height = map.at(Math.floorMod(i, map.columns()), Math.floorMod(-j, map.rows()));
+                double phase = 2 * Math.PI / WAVELENGTH * (pair.w() * height + pair.u() * x + pair.v() * y);
+                real += gauss * Math.cos(phase);
+                imaginary += gauss * Math.sin(phase);
+            }
+        }
+        double integral = 2 * Math.PI * Math.pow(sigma / pitch, 2);
+        return (real * real + imaginary * imaginary) / (integral * integral);
+    }
+
+    /** A window of 2.8 samples: positions between the samples count, and with them the definition is exact. */
+    @Test
+    void theEnsembleOfACoarseWindowIsTheMeanOverPositionsBetweenTheSamplesToo() {
+        double pitch = 350e-9;
+        HeightMap map = Surfaces.random(5, 4, pitch, 300e-9, 9);
+        CoherenceWindow window = CoherenceWindow.ofCoherenceLength(2.8 * pitch);
+        // Of a trigonometric polynomial over the period; the window's spectrum has faded at 8 steps a sample.
+        int perSample = 8;
+        double largest = 0;
+        for (int n = 0; n < 4; n++) {
+            DirectionPair pair = DirectionPairs.random(random);
+            double all = 0;
+            double onSamples = 0;
+            for (int i = 0; i < 5 * perSample; i++) {
+                for (int j = 0; j < 4 * perSample; j++) {
+                    double power =
+                            windowedAt(map, window.sigmaMetres(), i * pitch / perSample, j * pitch / perSample, pair);
+                    all += power / (20 * perSample * perSample);
+                    onSamples += i % perSample == 0 && j % perSample == 0 ? power / 20 : 0;
+                }
+            }
+            double expected = new ReferenceEvaluator(map, window, WindowOrigin.CENTRE)
+                    .powers(pair, WAVELENGTH)
+                    .ensemble();
+            assertThat(all).isCloseTo(expected, within(1e-9 * expected));
+            largest = Math.max(largest, Math.abs(onSamples / expected - 1));
+        }
+        // On samples alone it is another mean: that of what a window moved from sample to sample sees.
+        assertThat(largest).isGreaterThan(1e-3);
+    }
+
     @Test
     void meanOverRandomPositionsConvergesToTheEnsembleAverage() {
         DirectionPair pair = DirectionPairs.seeing(20, 1.1e6, -0.7e6, WAVELENGTH);

@@ -6,10 +6,14 @@ import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
 import java.awt.image.BufferedImage;
 import java.io.PrintWriter;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.Callable;
+import java.util.function.Function;
+import java.util.stream.Collectors;
 import jrtr.RenderContext;
 import jrtr.gl.RenderContexts;
 import picocli.CommandLine.Command;
@@ -25,11 +29,14 @@ import sunbeam.app.files.output.NpyWriter;
 import sunbeam.app.files.output.PngWriter;
 import sunbeam.app.files.output.SrgbImage;
 import sunbeam.app.files.output.StandardOutput;
+import sunbeam.app.files.plot.MapAnnotation;
+import sunbeam.app.files.plot.PictureSheet;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.gpu.map.BrdfMapRenderer;
 import sunbeam.app.gpu.map.DiscDirections;
-import sunbeam.app.gpu.picture.AutoExposure;
+import sunbeam.app.gpu.map.MapCaption;
 import sunbeam.app.gpu.picture.DisplayPass;
+import sunbeam.app.gpu.picture.ExposureOption;
 import sunbeam.app.gpu.picture.LinearPicture;
 import sunbeam.app.measure.errors.Certificate;
 import sunbeam.app.measure.errors.Certifier;
@@ -38,6 +45,7 @@ import sunbeam.app.measure.errors.Explainer;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.UsageException;
+import sunbeam.app.terminal.options.ComparedPatches;
 import sunbeam.app.terminal.options.LightOptions;
 import sunbeam.app.terminal.options.MethodOptions;
 import sunbeam.app.terminal.options.PatchOptions;
@@ -46,11 +54,11 @@ import sunbeam.precompute.method.Method;
 import sunbeam.precompute.method.MethodPlan;
 import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.optics.Direction;
+import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.shader.MethodUse;
 import sunbeam.precompute.shader.ShaderTables;
-import sunbeam.precompute.units.Decimals;
 
 /** {@code sunbeam brdf-map}: from a height map to the picture of its BRDF. */
 @Command(
@@ -83,17 +91,23 @@ public final class BrdfMapCommand implements Callable<Integer> {
     @Option(
             names = "--size",
             paramLabel = "PIXELS",
-            defaultValue = "256",
+            defaultValue = "512",
             description = "Width and height of the map. Default: ${DEFAULT-VALUE}.")
     private int size;
 
+    @Mixin
+    private ExposureOption exposure;
+
+    @Mixin
+    private ComparedPatches compared;
+
     @Option(
-            names = "--exposure",
-            paramLabel = "FACTOR",
-            defaultValue = "auto",
-            description = "Factor for the linear colours, or auto (default): the diffracted light is well lit and the"
-                    + " specular peak burns out.")
-    private String exposure;
+            names = "--annotate",
+            description =
+                    "Draw around and over the map what a reader needs: the horizon, rings every 15 degrees from the"
+                            + " normal, the directions of light and mirror, and a caption with patch, light, coherence length and"
+                            + " exposure. The picture grows by margins and caption.")
+    private boolean annotate;
 
     @Option(
             names = "--output",
@@ -122,43 +136,46 @@ public final class BrdfMapCommand implements Callable<Integer> {
     }
 
     private int draw(Choices asked) {
-        if (size < 1 || size > LARGEST) {
-            throw new UsageException("--size " + size + " is out of range; give 1 to " + LARGEST);
-        }
-        Ending.PNG.require("--output", output);
-        Ending.NPY.require("--linear", linear);
-        double fixedExposure = parseExposure();
+        check();
+        ExposureOption.Exposure exposed = exposure.parse();
         certify.check(Methods.of(asked));
-        Direction wi = light.direction();
         PrintWriter err = specification.commandLine().getErr();
-        DiffractionSetup setup = new DiffractionSetup(patchOptions, asked, environment, err);
-        Choices choices = setup.seen(asked, err);
-        Method chosen = Methods.of(choices);
-        Path picture = output != null ? output : Path.of("brdf-" + setup.patch().name() + ".png");
+        List<DiffractionSetup> setups = compared.load(patchOptions, asked).stream()
+                .map(patch -> new DiffractionSetup(patch, environment, err))
+                .toList();
+        // Scans of different sizes are seen by different coherence lengths.
+        List<Choices> choices =
+                setups.stream().map(setup -> setup.seen(asked, err)).toList();
+        List<Method> chosen = choices.stream().map(Methods::of).toList();
+        Path picture = output != null ? output : Path.of("brdf-" + names(setups) + ".png");
         AtomicFile.checkWritable(picture, force.overwrite(output));
         if (linear != null) {
             checkDifferent(picture);
             AtomicFile.checkWritable(linear, force.overwrite());
         }
-        MethodPlan plan = chosen.plan(setup.surface(), VisibleRange.of(wi));
         PrintWriter out = StandardOutput.reports(specification.commandLine().getOut(), err, picture, linear);
-        methodOptions.print(plan, err);
-        ShaderTables tables = setup.tables(plan, MethodUse.COLOUR);
+        List<MethodPlan> plans = plans(setups, chosen);
         Optional<Certificate> certificate;
         Path written;
         try (RenderContext context = RenderContexts.offscreen();
-                UploadedTables method = UploadedTables.upload(context, tables);
-                BrdfMapRenderer renderer = new BrdfMapRenderer(context, method, size);
                 DisplayPass display = new DisplayPass(context)) {
-            LinearPicture map = render(renderer, wi);
-            DiscDirections directions = new DiscDirections(size, wi);
-            double factor = fixedExposure > 0 ? fixedExposure : AutoExposure.of(map);
-            certificate = certify.certificate(count -> new Certifier(setup.exact(chosen), directions::at)
-                    .certify(map, count, CertifyOption.SEED, factor, choices.get(TOLERANCE)));
-            Map<String, String> text = describe(setup, choices, plan.summary(), factor, context);
+            List<DrawnMap> maps = new ArrayList<>();
+            for (int i = 0; i < setups.size(); i++) {
+                maps.add(draw(context, setups.get(i), plans.get(i)));
+            }
+            LinearPicture first = maps.get(0).picture();
+            double factor = exposed.of(maps.stream().map(DrawnMap::picture).toList());
+            certificate = certify.certificate(count -> new Certifier(
+                            setups.get(0).exact(chosen.get(0)), new DiscDirections(size, light.direction())::at)
+                    .certify(first, count, CertifyOption.SEED, factor, asked.get(TOLERANCE)));
+            Map<String, String> text = describe(setups, choices.get(0), maps, factor, context);
             certificate.ifPresent(stated -> text.put("Certificate", stated.summary()));
-            BufferedImage image = SrgbImage.fromEncoded(size, size, display.srgb(map, factor));
-            written = write(picture, stream -> PngWriter.write(stream, image, text), map);
+            List<BufferedImage> images = new ArrayList<>();
+            for (int i = 0; i < maps.size(); i++) {
+                images.add(image(maps.get(i), display, factor, chosen.get(i)));
+            }
+            BufferedImage sheet = PictureSheet.of(images);
+            written = write(picture, stream -> PngWriter.write(stream, sheet, text), first);
         }
         out.println(written);
         if (linear != null) {
@@ -166,10 +183,66 @@ public final class BrdfMapCommand implements Callable<Integer> {
         }
         return certificate
                 .map(stated -> CertifyOption.judge(
-                        stated, plan, new Explainer(setup, choices, VisibleRange.of(wi), MethodUse.COLOUR), out, err))
+                        stated,
+                        plans.get(0),
+                        new Explainer(
+                                setups.get(0), choices.get(0), VisibleRange.of(light.direction()), MethodUse.COLOUR),
+                        out,
+                        err))
                 .orElse(ExitCode.OK)
                 .code();
     }
+
+    private void check() {
+        if (size < 1 || size > LARGEST) {
+            throw new UsageException("--size " + size + " is out of range; give 1 to " + LARGEST);
+        }
+        Ending.PNG.require("--output", output);
+        Ending.NPY.require("--linear", linear);
+        if (compared.areSeveral() && (linear != null || certify.count().isPresent())) {
+            throw new UsageException(
+                    (linear != null ? "--linear" : "--certify")
+                            + " is for one map; leave out --with, or draw the maps one by one, with --exposure FILE.png of the first");
+        }
+    }
+
+    private static String names(List<DiffractionSetup> setups) {
+        return setups.stream().map(setup -> setup.patch().name()).limit(3).collect(Collectors.joining("-"));
+    }
+
+    /** Printed before anything is computed. */
+    private List<MethodPlan> plans(List<DiffractionSetup> setups, List<Method> chosen) {
+        List<MethodPlan> plans = new ArrayList<>();
+        for (int i = 0; i < setups.size(); i++) {
+            plans.add(chosen.get(i).plan(setups.get(i).surface(), VisibleRange.of(light.direction())));
+            methodOptions.print(
+                    plans.get(plans.size() - 1), specification.commandLine().getErr());
+        }
+        return plans;
+    }
+
+    private DrawnMap draw(RenderContext context, DiffractionSetup setup, MethodPlan plan) {
+        ShaderTables tables = setup.tables(plan, MethodUse.COLOUR);
+        try (UploadedTables method = UploadedTables.upload(context, tables);
+                BrdfMapRenderer renderer = new BrdfMapRenderer(context, method, size)) {
+            LinearPicture map = render(renderer, light.direction());
+            return new DrawnMap(setup.patch(), plan.summary(), 4 * method.windowSigma(), map);
+        }
+    }
+
+    private BufferedImage image(DrawnMap map, DisplayPass display, double factor, Method chosen) {
+        BufferedImage plain = SrgbImage.fromEncoded(size, size, display.srgb(map.picture(), factor));
+        if (!annotate) {
+            return plain;
+        }
+        String exposed = MapAnnotation.exposureText(factor)
+                + (exposure.isAutomatic() ? compared.areSeveral() ? ", automatic, one for all" : ", automatic" : "");
+        List<String> caption = MapCaption.of(map.patch(), light.direction(), map.coherenceLength(), chosen);
+        return new MapAnnotation(plain, light.direction(), MapCaption.with(caption, exposed)).draw();
+    }
+
+    /** A map, and of what and how it is. */
+    private record DrawnMap(Patch patch, String plan, double coherenceLength, LinearPicture picture) {}
 
     private void checkDifferent(Path picture) {
         if (picture.toAbsolutePath().normalize().equals(linear.toAbsolutePath().normalize())) {
@@ -190,17 +263,6 @@ public final class BrdfMapCommand implements Callable<Integer> {
         }
     }
 
-    private double parseExposure() {
-        if (exposure.equals("auto")) {
-            return 0;
-        }
-        double value = Decimals.parse(exposure).orElse(Double.NaN);
-        if (!(value > 0)) {
-            throw new UsageException("--exposure '" + exposure + "' is neither auto nor a positive number");
-        }
-        return value;
-    }
-
     private LinearPicture render(BrdfMapRenderer renderer, Direction wi) {
         try (Progress progress = Progress.start("BRDF map", (long) size * size)) {
             return renderer.render(wi, progress::step);
@@ -208,16 +270,20 @@ public final class BrdfMapCommand implements Callable<Integer> {
     }
 
     private Map<String, String> describe(
-            DiffractionSetup setup, Choices choices, String plan, double factor, RenderContext context) {
+            List<DiffractionSetup> setups, Choices choices, List<DrawnMap> maps, double factor, RenderContext context) {
         Map<String, String> text = new LinkedHashMap<>();
-        text.put("Title", "BRDF map of " + setup.patch().name());
-        text.put("Patch", setup.patch().source());
+        text.put("Title", "BRDF map of " + joined(setups, setup -> setup.patch().name(), ", "));
+        text.put("Patch", joined(setups, setup -> setup.patch().source(), "; "));
         text.put("Light", light.describe());
         text.put("Method", choices.get(METHOD).label());
         text.put("Options", Methods.describe(choices));
-        text.put("Plan", plan);
+        text.put("Plan", joined(maps, DrawnMap::plan, "; "));
         text.put("Exposure", Double.toString(factor));
         text.put("Renderer", context.info().renderer());
         return text;
+    }
+
+    private static <T> String joined(List<T> parts, Function<T, String> words, String between) {
+        return parts.stream().map(words).collect(Collectors.joining(between));
     }
 }

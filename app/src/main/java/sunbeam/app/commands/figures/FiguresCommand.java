@@ -59,7 +59,7 @@ public final class FiguresCommand implements Callable<Integer> {
             names = "--size",
             paramLabel = "PIXELS",
             defaultValue = "256",
-            description = "Width and height of each map, 16 to 2048. Default: ${DEFAULT-VALUE}.")
+            description = "Width and height of each map within its margins, 16 to 2048. Default: ${DEFAULT-VALUE}.")
     private int size;
 
     @Option(

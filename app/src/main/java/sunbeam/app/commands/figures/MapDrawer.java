@@ -3,6 +3,7 @@ package sunbeam.app.commands.figures;
 import java.awt.image.BufferedImage;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import jrtr.RenderContext;
@@ -10,8 +11,10 @@ import jrtr.gl.RenderContexts;
 import sunbeam.app.commands.figures.Panel.MapPanel;
 import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.files.output.SrgbImage;
+import sunbeam.app.files.plot.MapAnnotation;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.gpu.map.BrdfMapRenderer;
+import sunbeam.app.gpu.map.MapCaption;
 import sunbeam.app.gpu.picture.AutoExposure;
 import sunbeam.app.gpu.picture.DisplayPass;
 import sunbeam.app.gpu.picture.LinearPicture;
@@ -36,7 +39,7 @@ final class MapDrawer implements AutoCloseable {
     private record MapKey(Role role, double thetaDegrees, Method method) {}
 
     /** A map, the exposure that fits it, and what was computed. */
-    private record DrawnMap(LinearPicture map, double exposure, String summary) {}
+    private record DrawnMap(LinearPicture map, double exposure, double coherenceLength, String summary) {}
 
     MapDrawer(FigurePatches patches, PanelStore store, int size) {
         this.patches = patches;
@@ -66,7 +69,11 @@ final class MapDrawer implements AutoCloseable {
         text.put("Exposure", Double.toString(exposure));
         text.put("Renderer", context.info().renderer());
         BufferedImage image = SrgbImage.fromEncoded(size, size, display.srgb(map.map(), exposure));
-        return store.write(panel, image, text);
+        Direction light = Direction.ofDegrees(panel.thetaDegrees(), 0);
+        List<String> below =
+                MapCaption.of(patches.setup(panel.role()).patch(), light, map.coherenceLength(), panel.method());
+        String exposed = MapAnnotation.exposureText(exposure);
+        return store.write(panel, new MapAnnotation(image, light, MapCaption.with(below, exposed)).draw(), text);
     }
 
     private DrawnMap map(MapPanel panel) {
@@ -93,7 +100,7 @@ final class MapDrawer implements AutoCloseable {
                 Progress progress = Progress.start(panel.name(), (long) size * size)) {
             LinearPicture map = renderer.render(light, progress::step);
             double exposure = AutoExposure.of(map);
-            return new DrawnMap(map, exposure, plan.summary());
+            return new DrawnMap(map, exposure, 4 * method.windowSigma(), plan.summary());
         }
     }
 

@@ -17,6 +17,9 @@ import sunbeam.precompute.files.Sha256;
 final class PanelStore {
     static final String CAPTION = "Caption";
 
+    // Another look, other pictures: what was drawn in an older one is drawn anew.
+    private static final String LOOK = "annotated";
+
     private final Path folder;
     private final int size;
     private final Overwrite overwrite;
@@ -64,6 +67,7 @@ final class PanelStore {
         return Sha256.of(String.join(
                 "|",
                 Version.number(),
+                LOOK,
                 Integer.toString(size),
                 patches.setup(panel.role()).patch().digest(),
                 patches.azimuth(panel.role()).toString(),

@@ -9,6 +9,7 @@ import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.Callable;
 import jrtr.RenderContext;
@@ -98,6 +99,12 @@ public final class AccuracyCommand implements Callable<Integer> {
             description = "With --random: the first case's; the next ones count up. Default: " + FIRST_SEED + ".")
     private Long seed;
 
+    @Option(
+            names = "--keep",
+            paramLabel = "FOLDER",
+            description = "With --random: also write the cases that have light into a folder, as --cases reads them.")
+    private Path keep;
+
     @Option(names = "--quick", description = "Fewer directions: a first impression in a fifth of the time.")
     private boolean quick;
 
@@ -163,14 +170,18 @@ public final class AccuracyCommand implements Callable<Integer> {
         if (random == null && seed != null) {
             throw new UsageException("--seed " + seed + " belongs to --random; leave it out, or add --random");
         }
+        if (random == null && keep != null) {
+            throw new UsageException("--keep " + keep + " belongs to --random; leave it out, or add --random");
+        }
         if (random != null && random < 1) {
             throw new UsageException("--random " + random + " is out of range; give 1 or more");
         }
     }
 
     private ExitCode drawCases() {
+        Optional<KeptCases> kept = Optional.ofNullable(keep).map(folder -> new KeptCases(folder, force.overwrite()));
         try (RenderContext context = RenderContexts.offscreen()) {
-            int missed = new RandomCases(context, specification.commandLine().getOut())
+            int missed = new RandomCases(context, specification.commandLine().getOut(), kept)
                     .run(seed == null ? FIRST_SEED : seed, random);
             return missed == 0 ? ExitCode.OK : ExitCode.TOLERANCE_MISSED;
         }

@@ -98,7 +98,7 @@ record RandomCase(
 
     /** Compares method {@code full} with the reference on all directions that are bright enough. */
     Outcome measure(RenderContext context) {
-        Surface surface = Surface.of(Patch.periodic("case " + seed, map, "made up"));
+        Surface surface = surface();
         Planner planner = surface.planner();
         Plan plan = planner.plan(
                 TableChoices.of(new Accuracy.ByTolerance(tolerance)),
@@ -134,6 +134,20 @@ record RandomCase(
                 DirectionsRenderer renderer = new DirectionsRenderer(context, method, !colors)) {
             return renderer.evaluate(queries, done -> {});
         }
+    }
+
+    /** The same of another surface. */
+    RandomCase with(HeightMap other) {
+        return new RandomCase(seed, kind, other, area, tolerance, aim, colors, queries);
+    }
+
+    /** X, Y, Z, or the power of the average alone, of each query. */
+    double[][] exact() {
+        return exact(surface());
+    }
+
+    private Surface surface() {
+        return Surface.of(Patch.periodic("case " + seed, map, "made up"));
     }
 
     private double[][] exact(Surface surface) {

@@ -4,6 +4,7 @@ import java.io.PrintWriter;
 import java.util.Arrays;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import java.util.TreeMap;
 import jrtr.RenderContext;
 import sunbeam.precompute.plan.PlanReport;
@@ -12,10 +13,17 @@ import sunbeam.precompute.plan.PlanReport;
 final class RandomCases {
     private final RenderContext context;
     private final PrintWriter out;
+    private final Optional<KeptCases> kept;
     // The worst of median / tolerance and 95th percentile / (3 tolerance) of each case, by what it is.
     private final Map<String, double[]> ratios = new TreeMap<>();
 
-    RandomCases(RenderContext context, PrintWriter out) {
+    /**
+     * Cases on one graphics context.
+     *
+     * @param kept where cases that have light are written to, if anywhere
+     */
+    RandomCases(RenderContext context, PrintWriter out, Optional<KeptCases> kept) {
+        this.kept = kept;
         this.context = context;
         this.out = out;
     }
@@ -36,6 +44,7 @@ final class RandomCases {
                 continue;
             }
             bright++;
+            kept.ifPresent(folder -> folder.add(drawn));
             double ratio = Math.max(outcome.errors().median(), outcome.errors().percentile95() / 3) / drawn.tolerance();
             for (String key : new String[] {
                 "surface " + drawn.kind(), "aim " + drawn.aim(), drawn.colors() ? "XYZ" : "power", "all"
@@ -56,6 +65,7 @@ final class RandomCases {
                 out.flush();
             }
         }
+        kept.ifPresent(KeptCases::close);
         out.printf(
                 "%d cases from seed %d, %d with light: %d missed, %d of them as the plan had said%n",
                 count, firstSeed, bright, missed, said);

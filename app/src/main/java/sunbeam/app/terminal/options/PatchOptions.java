@@ -24,7 +24,16 @@ public final class PatchOptions extends SettingOptions {
 
     /** As {@link #load()}, as a method's preset takes it. */
     public Patch load(Choices method) {
-        return load(new PatchRequest(choices(), method.get(PRESET, Preset.NONE) == Preset.THESIS));
+        return load(new PatchRequest(choices()).raw(isThesis(method)));
+    }
+
+    /** As {@link #load(String)}, as a method's preset takes it. */
+    public Patch load(String named, Choices method) {
+        return load(new PatchRequest(choices().with(PatchSettings.PATCH, named)).raw(isThesis(method)));
+    }
+
+    private static boolean isThesis(Choices method) {
+        return method.get(PRESET, Preset.NONE) == Preset.THESIS;
     }
 
     /** As {@link #load()}, with a patch named elsewhere than by the option. */

@@ -27,6 +27,8 @@ final class AccuracyTasksTest {
         "--random 2 --quick, --patch and --quick are not for --random",
         "--random 2 --tolerance 1e-3, --tolerance belongs to --cases",
         "--tolerance 1e-3, --tolerance belongs to --cases",
+        "--keep found, --keep found belongs to --random",
+        "--cases nowhere --keep found, --keep found belongs to --random",
         "--random 0, --random 0 is out of range",
     })
     void optionsOfAnotherTaskAreRefused(String options, String complaint) {

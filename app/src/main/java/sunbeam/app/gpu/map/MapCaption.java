@@ -1,0 +1,66 @@
+package sunbeam.app.gpu.map;
+
+import java.math.BigDecimal;
+import java.math.MathContext;
+import java.util.ArrayList;
+import java.util.List;
+import sunbeam.precompute.method.Method;
+import sunbeam.precompute.optics.Direction;
+import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.patch.Patch;
+import sunbeam.precompute.plan.Average;
+import sunbeam.precompute.plan.GaussianArea;
+import sunbeam.precompute.units.Decimals;
+import sunbeam.precompute.units.Lengths;
+
+/** What stands below an annotated map: patch, light, window; the exposure comes last. */
+public final class MapCaption {
+    private MapCaption() {}
+
+    /**
+     * One paragraph each for the patch and for light and window.
+     *
+     * @param light towards the light
+     * @param coherenceLength four standard deviations of the window that was drawn with, metres
+     */
+    public static List<String> of(Patch patch, Direction light, double coherenceLength, Method method) {
+        HeightMap map = patch.heights();
+        String surface = "%s: %s x %s, relief %s"
+                .formatted(
+                        patch.name(),
+                        Lengths.format(rounded(map.width())),
+                        Lengths.format(rounded(map.height())),
+                        Lengths.format(rounded(map.relief())));
+        String lit = String.format(
+                "light %s\u00b0 from the normal, azimuth %s\u00b0; coherence length %s%s; method %s",
+                degrees(Math.atan2(Math.hypot(light.x(), light.y()), light.z())),
+                degrees(Math.atan2(light.y(), light.x())),
+                Lengths.format(rounded(coherenceLength)),
+                average(method, map),
+                method.type().label());
+        return List.of(surface, lit);
+    }
+
+    /** A caption with another paragraph. */
+    public static List<String> with(List<String> caption, String paragraph) {
+        List<String> all = new ArrayList<>(caption);
+        all.add(paragraph);
+        return all;
+    }
+
+    private static String degrees(double radians) {
+        // Without a negative zero.
+        return Decimals.format(Math.round(1e4 * Math.toDegrees(radians)) * 1e-4 + 0.0);
+    }
+
+    /** Four digits. */
+    private static double rounded(double metres) {
+        return new BigDecimal(metres).round(new MathContext(4)).doubleValue();
+    }
+
+    private static String average(Method method, HeightMap map) {
+        return method.exact(map).area() instanceof GaussianArea area
+                ? area.average() == Average.COHERENT ? ", one coherence area" : ", ensemble average"
+                : "";
+    }
+}

@@ -1,0 +1,35 @@
+package sunbeam.app.terminal.options;
+
+import java.util.ArrayList;
+import java.util.List;
+import picocli.CommandLine.Option;
+import sunbeam.app.terminal.UsageException;
+import sunbeam.precompute.patch.Patch;
+import sunbeam.precompute.setting.Choices;
+
+/** Surfaces beside the first; to be used as a picocli mixin. */
+public final class ComparedPatches {
+    private static final int MOST = 24;
+
+    @Option(
+            names = "--with",
+            paramLabel = "PATCH",
+            description =
+                    "Another surface to show beside it at the same exposure, with the same options; may be repeated.")
+    private List<String> others = new ArrayList<>();
+
+    /** Whether there is more than one surface. */
+    public boolean areSeveral() {
+        return !others.isEmpty();
+    }
+
+    /** The first surface and the others, as a method's preset takes them. */
+    public List<Patch> load(PatchOptions first, Choices method) {
+        if (others.size() > MOST) {
+            throw new UsageException("--with is given " + others.size() + " times; give it " + MOST + " times at most");
+        }
+        List<Patch> patches = new ArrayList<>(List.of(first.load(method)));
+        others.forEach(name -> patches.add(first.load(name, method)));
+        return patches;
+    }
+}

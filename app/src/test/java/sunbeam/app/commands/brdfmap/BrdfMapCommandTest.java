@@ -1,0 +1,111 @@
+package sunbeam.app.commands.brdfmap;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Map;
+import javax.imageio.ImageIO;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import sunbeam.app.Sunbeam;
+import sunbeam.app.files.input.PngText;
+import sunbeam.app.gpu.NeedsDisplay;
+import sunbeam.app.terminal.Environment;
+import sunbeam.app.terminal.ExitCode;
+
+/** Exposure and annotation of maps. */
+@NeedsDisplay
+class BrdfMapCommandTest {
+    @TempDir
+    private Path folder;
+
+    private final StringWriter err = new StringWriter();
+
+    /** Draws a map of 24 pixels. */
+    private int draw(String file, String... more) {
+        String[] first = {
+            "brdf-map", "--size", "24", "--output", folder.resolve(file).toString()
+        };
+        String[] all = new String[first.length + more.length];
+        System.arraycopy(first, 0, all, 0, first.length);
+        System.arraycopy(more, 0, all, first.length, more.length);
+        Environment environment = new Environment(Map.of(), folder);
+        return new Sunbeam(environment, new PrintWriter(new StringWriter()), new PrintWriter(err)).run(all);
+    }
+
+    private double exposure(String file, String... more) {
+        assertThat(draw(file, more)).as(err.toString()).isZero();
+        return Double.parseDouble(PngText.read(folder.resolve(file)).get("Exposure"));
+    }
+
+    private BufferedImage image(String file) throws IOException {
+        return ImageIO.read(folder.resolve(file).toFile());
+    }
+
+    /** The blazed grating's few orders on black, and a skin's spread of light: neither may change from grey to black. */
+    @ParameterizedTest
+    @ValueSource(strings = {"blaze", "elaphe-like"})
+    void automaticExposureFollowsTheWindowGradually(String patch) {
+        double first = exposure("a.png", "--patch", patch, "--coherence-length", "6um");
+        double second = exposure("b.png", "--patch", patch, "--coherence-length", "6.3um");
+
+        // An order's area changes by a tenth with its window's, and its rho as much the other way.
+        assertThat(second / first).isBetween(0.8, 1.25);
+    }
+
+    @Test
+    void severalMapsShareOneExposureBetweenThoseOfEach() throws IOException {
+        double both = exposure("all.png", "--patch", "blaze", "--with", "lamellar", "--annotate");
+        double blaze = exposure("blaze.png", "--patch", "blaze", "--annotate");
+        double lamellar = exposure("lamellar.png", "--patch", "lamellar");
+        double first = exposure("first.png", "--patch", "blaze", "--with", "lamellar", "--exposure", "first");
+
+        assertThat(both).isBetween(Math.min(blaze, lamellar), Math.max(blaze, lamellar));
+        assertThat(first).isEqualTo(blaze);
+        assertThat(PngText.read(folder.resolve("all.png"))).containsEntry("Title", "BRDF map of blaze, lamellar");
+        assertThat(image("all.png").getWidth())
+                .isGreaterThanOrEqualTo(2 * image("blaze.png").getWidth());
+        assertThat(image("lamellar.png").getWidth()).as("not annotated").isEqualTo(24);
+    }
+
+    @Test
+    void anotherPicturesExposureIsTaken() {
+        double blaze = exposure("blaze.png", "--patch", "blaze");
+
+        assertThat(exposure(
+                        "other.png",
+                        "--patch",
+                        "lamellar",
+                        "--exposure",
+                        folder.resolve("blaze.png").toString()))
+                .isEqualTo(blaze);
+    }
+
+    @Test
+    void whatHoldsNoExposureIsRefused() throws IOException {
+        Path none = Files.writeString(folder.resolve("none.png"), "no picture");
+        assertThat(draw("a.png", "--exposure", none.toString())).isEqualTo(ExitCode.UNUSABLE_INPUT.code());
+        assertThat(err.toString()).contains("none.png: not a PNG file");
+        ImageIO.write(new BufferedImage(1, 1, BufferedImage.TYPE_INT_RGB), "png", none.toFile());
+        assertThat(draw("a.png", "--exposure", none.toString())).isEqualTo(ExitCode.UNUSABLE_INPUT.code());
+        assertThat(err.toString()).contains("none.png: it has no text 'Exposure'");
+        assertThat(draw("a.png", "--exposure", "firs")).isEqualTo(ExitCode.USAGE.code());
+        assertThat(folder.resolve("a.png")).doesNotExist();
+    }
+
+    @Test
+    void whatIsForOneMapIsRefusedForSeveral() {
+        String linear = folder.resolve("x.npy").toString();
+        assertThat(draw("a.png", "--with", "blaze", "--linear", linear)).isEqualTo(ExitCode.USAGE.code());
+        assertThat(draw("a.png", "--with", "blaze", "--certify", "2")).isEqualTo(ExitCode.USAGE.code());
+        assertThat(err.toString()).contains("--linear is for one map", "--certify is for one map");
+        assertThat(folder.resolve("a.png")).doesNotExist();
+    }
+}
