@@ -8,10 +8,17 @@ import sunbeam.precompute.analysis.PeriodEstimate;
  * differ, the interval reaches from one to the other.
  *
  * @param heights from the phase of the heights' wave
- * @param light the ridge of the mean power over all positions of the window, metres; empty where it shows none near the
- *     heights' period
+ * @param light the ridge of the power, metres; empty where it shows none near the heights' period
+ * @param of which light
  */
-public record PeriodAnswer(PeriodEstimate heights, OptionalDouble light) {
+public record PeriodAnswer(PeriodEstimate heights, OptionalDouble light, Light of) {
+    /** Whose power. */
+    public enum Light {
+        /** The scan alone, faded to zero at its border. */
+        SCAN_ALONE,
+        /** The mean over all positions of the window on the repeated scan. */
+        ALL_POSITIONS
+    }
 
     /** Metres. */
     public double period() {

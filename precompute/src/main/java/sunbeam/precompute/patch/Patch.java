@@ -42,9 +42,9 @@ public record Patch(
         warnings = List.copyOf(warnings);
     }
 
-    /** A period of a surface. */
-    public static Patch periodic(String name, HeightMap heights, String source) {
-        return new Patch(name, heights, heights, source, List.of(), List.of(), List.of(), Repetition.PERIODIC);
+    /** A period of a surface that comes from no scan. */
+    public Patch(String name, HeightMap heights, String source, List<String> warnings) {
+        this(name, heights, heights, source, List.of(), List.of(), warnings, Repetition.PERIODIC);
     }
 
     /** The shorter side of what was measured, of axes along which it changes at all; metres, infinite where it is flat. */

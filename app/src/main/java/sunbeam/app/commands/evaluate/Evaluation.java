@@ -6,13 +6,16 @@ import java.util.OptionalDouble;
 import java.util.function.Consumer;
 import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.precompute.analysis.PeriodEstimate;
+import sunbeam.precompute.evaluation.FadedRidge;
 import sunbeam.precompute.evaluation.FirstOrder;
 import sunbeam.precompute.evaluation.GratingMeasurement;
+import sunbeam.precompute.evaluation.GratingPlane;
 import sunbeam.precompute.evaluation.PeriodAnswer;
 import sunbeam.precompute.evaluation.ResponseGrid;
 import sunbeam.precompute.evaluation.ResponseMatrix;
 import sunbeam.precompute.method.MethodPlan;
 import sunbeam.precompute.optics.CoherenceWindow;
+import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.setting.Choices;
@@ -74,19 +77,36 @@ public final class Evaluation {
                         Degrees.text(grid.plane().thetaI()),
                         Degrees.text(grid.plane().azimuth()));
         GratingMeasurement measurement = target.measure(response, sigmaFrequency);
-        Optional<PeriodAnswer> answer =
-                target.estimate().map(told -> new PeriodAnswer(told, lightNear(told, grating, responses, window)));
+        Optional<PeriodAnswer> answer = target.estimate().map(told -> answer(told, setup, grating, responses, window));
         return new Evaluation(target, responses, quantity, response, measurement, title, answer);
     }
 
-    /** The ridge of the mean power over all positions of the window, metres; of few wavelengths, which agree. */
-    private static OptionalDouble lightNear(
-            PeriodEstimate told, GratingRequest grating, Responses responses, CoherenceWindow window) {
+    /**
+     * What the light shows near what the heights tell, metres: for a sharp line the scan alone, faded to zero at its border,
+     * so that no repetition draws it aside; for a broad one the mean power over all positions of the window, of few
+     * wavelengths, which agree.
+     */
+    private static PeriodAnswer answer(
+            PeriodEstimate told,
+            DiffractionSetup setup,
+            GratingRequest grating,
+            Responses responses,
+            CoherenceWindow window) {
+        GratingPlane plane = responses.grid().plane();
         FirstOrder order = GratingTarget.near(told);
-        ResponseGrid grid = grating.fewWavelengths(responses.grid().plane(), order, window);
-        return GratingMeasurement.of(responses.binSums(grid).ensemble(row -> {}), order, window.sigmaFrequency())
+        ResponseGrid grid = grating.fewWavelengths(plane, order, window);
+        boolean repeats = setup.patch().repetition() == Patch.Repetition.PERIODIC;
+        if (!repeats && FadedRidge.isSharp(told, setup.patch().scan(), plane)) {
+            OptionalDouble alone = new FadedRidge(setup.patch().scan(), plane).period(told, grid.wavelengths());
+            if (alone.isPresent()) {
+                return new PeriodAnswer(told, alone, PeriodAnswer.Light.SCAN_ALONE);
+            }
+        }
+        OptionalDouble mean = GratingMeasurement.of(
+                        responses.binSums(grid).ensemble(row -> {}), order, window.sigmaFrequency())
                 .map(found -> OptionalDouble.of(found.interpolated().mean()))
                 .orElse(OptionalDouble.empty());
+        return new PeriodAnswer(told, mean, PeriodAnswer.Light.ALL_POSITIONS);
     }
 
     /** What of the surface the ridge belongs to, in words. */

@@ -13,6 +13,7 @@ import sunbeam.precompute.evaluation.PeriodAnswer;
 final class PeriodReport {
     private static final double NANOMETRES = 1e9;
     // A drift or disagreement below this share of the period is not worth a line.
+    private static final double EXACT = 1e-4;
     private static final double WORTH_SAYING = 2e-3;
 
     private PeriodReport() {}
@@ -21,7 +22,7 @@ final class PeriodReport {
         List<String> lines = new ArrayList<>();
         PeriodEstimate heights = answer.heights();
         int digits = digits(0.5 * (answer.high() - answer.low()));
-        if (answer.high() - answer.low() > 0) {
+        if (heights.halfWidth() > 0 || answer.high() - answer.low() > EXACT * answer.period()) {
             lines.add(String.format(
                     Locale.ROOT,
                     "period               %s nm, 95 %% interval %s to %s nm",
@@ -47,10 +48,13 @@ final class PeriodReport {
                 .ifPresentOrElse(
                         light -> lines.add(String.format(
                                 Locale.ROOT,
-                                "of the light         %s nm, mean over all positions of the window%s",
+                                "of the light         %s nm, %s%s",
                                 text(light, Math.min(2, digits)),
-                                answer.disagree() ? "; the interval reaches from one to the other" : "")),
-                        () -> lines.add("of the light         no ridge in the mean over all positions of the window"));
+                                words(answer.of()),
+                                answer.disagree() && heights.halfWidth() > 0
+                                        ? "; the interval reaches from one to the other"
+                                        : "")),
+                        () -> lines.add("of the light         no ridge near that, " + words(answer.of())));
         heights.second().ifPresent(second -> lines.add(second(second)));
         heights.drift()
                 .filter(drift -> drift.ratio() - 1 > WORTH_SAYING)
@@ -61,6 +65,12 @@ final class PeriodReport {
                         drift.first() * NANOMETRES,
                         drift.last() * NANOMETRES)));
         return lines;
+    }
+
+    private static String words(PeriodAnswer.Light light) {
+        return light == PeriodAnswer.Light.SCAN_ALONE
+                ? "the scan alone, faded at its border"
+                : "mean over all positions of the window";
     }
 
     private static String second(PeriodEstimate.Second second) {
@@ -77,7 +87,7 @@ final class PeriodReport {
     /** Decimals that show two digits of an uncertainty in metres. */
     private static int digits(double uncertainty) {
         return uncertainty > 0
-                ? (int) Math.max(0, Math.min(3, 1 - Math.floor(Math.log10(uncertainty * NANOMETRES))))
+                ? (int) Math.max(0, Math.min(2, 1 - Math.floor(Math.log10(uncertainty * NANOMETRES))))
                 : 2;
     }
 
@@ -91,6 +101,7 @@ final class PeriodReport {
         PeriodEstimate heights = answer.heights();
         tree.put("of_the_heights", interval(heights.period(), heights.low(), heights.high()));
         tree.put("of_the_light_nm", answer.light().isPresent() ? answer.light().getAsDouble() * NANOMETRES : null);
+        tree.put("light", answer.of().name().toLowerCase(Locale.ROOT));
         tree.put("periods_followed", heights.periods());
         heights.second().ifPresent(second -> {
             Map<String, Object> beside = interval(second.period(), second.low(), second.high());

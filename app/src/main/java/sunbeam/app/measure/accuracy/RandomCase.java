@@ -161,7 +161,7 @@ record RandomCase(
     }
 
     private Surface surface() {
-        return Surface.of(Patch.periodic("case " + seed, map, "made up"));
+        return Surface.of(new Patch("case " + seed, map, "made up", List.of()));
     }
 
     private double[][] exact(Surface surface) {
