@@ -27,6 +27,11 @@ public enum Levelling {
         return name().toLowerCase(Locale.ROOT).replace('_', '-');
     }
 
+    /** Whether a plane goes with what is subtracted. */
+    public boolean takesTilt() {
+        return this != NONE && this != MEAN;
+    }
+
     /** The levelled heights, on the same grid. */
     public HeightField apply(HeightField field) {
         return switch (this) {

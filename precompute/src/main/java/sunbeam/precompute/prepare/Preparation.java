@@ -53,7 +53,7 @@ public record Preparation(Optional<Crop> crop, Levelling levelling, boolean desp
         Tilt tilt = Tilt.of(field);
         field = levelling.apply(field);
         steps.add("levelling " + levelling.label()
-                + (levelling.ordinal() >= Levelling.PLANE.ordinal() && tilt.rise() > 0
+                + (levelling.takesTilt() && tilt.rise() > 0
                         ? " (tilt of %s across the scan removed)".formatted(rounded(tilt.rise()))
                         : ""));
         if (despike) {
