@@ -60,8 +60,9 @@ public final class OnePeriod {
         double real = 0;
         double imaginary = 0;
         for (int i = 0; i < heights.length; i++) {
-            double turns = (double) jx * (i % field.columns()) / field.columns()
-                    + (double) jy * (i / field.columns()) / field.rows();
+            int column = i % field.columns();
+            int row = i / field.columns();
+            double turns = (double) jx * column / field.columns() + (double) jy * row / field.rows();
             real += heights[i] * Math.cos(2 * Math.PI * turns);
             imaginary += heights[i] * Math.sin(2 * Math.PI * turns);
         }

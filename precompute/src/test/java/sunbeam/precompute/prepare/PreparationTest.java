@@ -24,6 +24,10 @@ class PreparationTest {
         return new HeightField(COLUMNS, ROWS, PITCH, PITCH, heights);
     }
 
+    private static int row(int i) {
+        return i / COLUMNS;
+    }
+
     private static double rough(int i) {
         return new SplittableRandom(i).nextDouble() * 10e-9;
     }
@@ -34,7 +38,7 @@ class PreparationTest {
 
     @Test
     void rowsLoseTheirOffsetsAndNothingElse() {
-        HeightField lines = field(i -> 40e-9 * Math.sin(i / COLUMNS) + rough(i % COLUMNS));
+        HeightField lines = field(i -> 40e-9 * Math.sin(row(i)) + rough(i % COLUMNS));
         // Every row is the same but for its offset.
         HeightField level = Levelling.ROWS.apply(lines);
         HeightField median = Levelling.MEDIAN_ROWS.apply(lines);
@@ -61,7 +65,7 @@ class PreparationTest {
         HeightField bow = field(i -> 1e-3
                 + 2e-9 * (i % COLUMNS)
                 + 1e-12 * Math.pow(i % COLUMNS - 30, 2)
-                - 3e-12 * (i % COLUMNS) * (i / COLUMNS));
+                - 3e-12 * (i % COLUMNS) * row(i));
         // Heights near 1 mm are doubles to 2.2e-19 m.
         assertThat(largest(Levelling.QUADRATIC.apply(bow))).isLessThan(1e-18);
         assertThat(largest(Levelling.PLANE.apply(bow))).isGreaterThan(1e-10);
@@ -111,7 +115,7 @@ class PreparationTest {
     @ParameterizedTest
     @EnumSource
     void blendedEdgesGoOnWithoutAStepAndLeaveTheMiddle(Edges edges) {
-        HeightField slope = field(i -> 3e-9 * (i % COLUMNS) + 1e-9 * (i / COLUMNS));
+        HeightField slope = field(i -> 3e-9 * (i % COLUMNS) + 1e-9 * row(i));
         HeightField treated = edges.apply(slope);
         if (edges == Edges.BLEND) {
             assertThat(Seam.of(treated).fits()).isTrue();
