@@ -156,6 +156,7 @@ public final class BrdfMapCommand implements Callable<Integer> {
         PrintWriter out = StandardOutput.reports(specification.commandLine().getOut(), err, picture, linear);
         List<MethodPlan> plans = plans(setups, chosen);
         Optional<Certificate> certificate;
+        ExitCode doubt;
         Path written;
         try (RenderContext context = RenderContexts.offscreen();
                 DisplayPass display = new DisplayPass(context)) {
@@ -170,9 +171,12 @@ public final class BrdfMapCommand implements Callable<Integer> {
                     .certify(first, count, CertifyOption.SEED, factor, asked.get(TOLERANCE)));
             Map<String, String> text = describe(setups, choices.get(0), maps, factor, context);
             certificate.ifPresent(stated -> text.put("Certificate", stated.summary()));
+            List<BufferedImage> plain =
+                    maps.stream().map(map -> plain(map, display, factor)).toList();
+            doubt = DoubtfulMap.judge(maps.stream().map(DrawnMap::patch).toList(), plain, err);
             List<BufferedImage> images = new ArrayList<>();
             for (int i = 0; i < maps.size(); i++) {
-                images.add(image(maps.get(i), display, factor, chosen.get(i)));
+                images.add(image(maps.get(i), plain.get(i), factor, chosen.get(i)));
             }
             BufferedImage sheet = PictureSheet.of(images);
             written = write(picture, stream -> PngWriter.write(stream, sheet, text), first);
@@ -189,7 +193,8 @@ public final class BrdfMapCommand implements Callable<Integer> {
                                 setups.get(0), choices.get(0), VisibleRange.of(light.direction()), MethodUse.COLOUR),
                         out,
                         err))
-                .orElse(ExitCode.OK)
+                .filter(code -> code != ExitCode.OK)
+                .orElse(doubt)
                 .code();
     }
 
@@ -230,8 +235,11 @@ public final class BrdfMapCommand implements Callable<Integer> {
         }
     }
 
-    private BufferedImage image(DrawnMap map, DisplayPass display, double factor, Method chosen) {
-        BufferedImage plain = SrgbImage.fromEncoded(size, size, display.srgb(map.picture(), factor));
+    private BufferedImage plain(DrawnMap map, DisplayPass display, double factor) {
+        return SrgbImage.fromEncoded(size, size, display.srgb(map.picture(), factor));
+    }
+
+    private BufferedImage image(DrawnMap map, BufferedImage plain, double factor, Method chosen) {
         if (!annotate) {
             return plain;
         }
