@@ -7,6 +7,7 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.ParseResult;
 import picocli.CommandLine.RunLast;
 import sunbeam.app.commands.brdfmap.BrdfMapCommand;
+import sunbeam.app.commands.color.ColorCommand;
 import sunbeam.app.commands.doctor.DoctorCommand;
 import sunbeam.app.commands.doctor.RendererProbe;
 import sunbeam.app.commands.evaluate.EvaluateCommand;
@@ -94,6 +95,7 @@ public final class Sunbeam {
     private CommandLine commandLine(RootCommand command) {
         CommandLine root = new CommandLine(command);
         root.addSubcommand(new BrdfMapCommand(environment));
+        root.addSubcommand(new ColorCommand(environment));
         root.addSubcommand(new ReflectanceCommand(environment));
         root.addSubcommand(new InspectCommand());
         root.addSubcommand(new EvaluateCommand(environment));

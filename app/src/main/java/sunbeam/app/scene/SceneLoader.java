@@ -5,6 +5,7 @@ import static sunbeam.precompute.plan.MethodSettings.COHERENCE_LENGTH;
 import java.nio.file.Path;
 import java.util.function.Consumer;
 import sunbeam.app.files.cache.DiffractionSetup;
+import sunbeam.app.gpu.colours.GpuColours;
 import sunbeam.app.scene.mesh.Mesh;
 import sunbeam.app.scene.mesh.MeshSource;
 import sunbeam.app.scene.mesh.ReadMesh;
@@ -96,6 +97,6 @@ public final class SceneLoader {
         Choices choices = scene.method().choices();
         MethodPlan method =
                 choices.located(() -> scene.method().seeing(patch).method().plan(setup.surface(), VisibleRange.all()));
-        return new SceneData(scene, mesh, patch, method, setup.tables(method, MethodUse.COLOUR), body);
+        return new SceneData(scene, mesh, patch, method, setup.tables(method, MethodUse.COLOUR, GpuColours::of), body);
     }
 }

@@ -12,6 +12,7 @@ import sunbeam.precompute.method.MethodType;
 import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.method.ReferenceMethod;
 import sunbeam.precompute.method.ScanLimit;
+import sunbeam.precompute.method.TableMethod;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.GaussianArea;
@@ -33,11 +34,17 @@ public record SceneMethod(Choices choices) {
      */
     public SceneMethod {
         choices = choices.only(Methods.SETTINGS);
-        if (choices.get(Methods.METHOD) == ReferenceMethod.TYPE) {
-            throw choices.complaint(Methods.METHOD, "evaluates single directions; for a mesh use full, nmm, pq or gem");
+        if (!draws(choices.get(Methods.METHOD))) {
+            throw choices.complaint(
+                    Methods.METHOD, "is for maps and lists of directions; for a mesh use full, nmm, pq or gem");
         }
         choices = choices.over(standard(choices));
         create(choices);
+    }
+
+    /** Whether a method can draw meshes. */
+    public static boolean draws(MethodType type) {
+        return type != ReferenceMethod.TYPE && type != TableMethod.TYPE;
     }
 
     /** What holds on a mesh unless chosen otherwise; it is written down with the scene. */

@@ -16,7 +16,6 @@ import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneMethod;
 import sunbeam.precompute.method.MethodType;
 import sunbeam.precompute.method.Methods;
-import sunbeam.precompute.method.ReferenceMethod;
 import sunbeam.precompute.plan.Preset;
 import sunbeam.precompute.resample.PeriodInterpolation;
 import sunbeam.precompute.setting.Choices;
@@ -26,7 +25,7 @@ import sunbeam.precompute.setting.Setting;
 final class MethodChoice {
     /** All of them. */
     static final List<MethodChoice> ALL = Methods.ALL.stream()
-            .filter(type -> type != ReferenceMethod.TYPE) // evaluates single directions
+            .filter(SceneMethod::draws)
             .flatMap(type -> forms(type).stream())
             .toList();
 

@@ -130,8 +130,8 @@ public record FullMethod(TableChoices table, Optional<Neighbourhood> neighbourho
         }
 
         @Override
-        public ShaderTables tables(MethodUse use, FourierTables fourier) {
-            return plan.sampling().tables(plan, fourier.of(plan), use, surface.cie());
+        public ShaderTables tables(MethodUse use, TableSources sources) {
+            return plan.sampling().tables(plan, sources.fourier(plan), use, surface.cie());
         }
     }
 }

@@ -118,7 +118,7 @@ public record GemMethod(OptionalDouble spacing, CoherenceWindow window) implemen
         }
 
         @Override
-        public ShaderTables tables(MethodUse use, FourierTables fourier) {
+        public ShaderTables tables(MethodUse use, TableSources sources) {
             ShaderTables.Builder tables = new ShaderTables.Builder("gem");
             Average.COHERENT.defineIn(tables);
             return tables.reals("gemSpacing", spacing)

@@ -47,7 +47,7 @@ public interface MethodPlan {
      * What the method's shader reads. Layers of large arrays are made when they are asked for.
      *
      * @param use one that the method answers
-     * @param fourier of the surface
+     * @param sources of the surface
      */
-    ShaderTables tables(MethodUse use, FourierTables fourier);
+    ShaderTables tables(MethodUse use, TableSources sources);
 }

@@ -19,6 +19,7 @@ public final class Methods {
     /** Each of them; a new one is entered here. */
     public static final List<MethodType> ALL = List.of(
             FullMethod.TYPE, // every wavelength
+            TableMethod.TYPE, // tabulated
             NmmMethod.TYPE, // one wavelength an order
             PqMethod.TYPE, // replicas with sharp edges
             GemMethod.TYPE, // a spacing

@@ -143,9 +143,9 @@ public record NmmMethod(TableChoices table, Optional<Neighbourhood> neighbourhoo
         }
 
         @Override
-        public ShaderTables tables(MethodUse use, FourierTables fourier) {
+        public ShaderTables tables(MethodUse use, TableSources sources) {
             boolean weighted = weighting == Weighting.WIDTH;
-            ShaderTables bins = plan.sampling().tables(plan, fourier.of(plan), use, surface.cie());
+            ShaderTables bins = plan.sampling().tables(plan, sources.fourier(plan), use, surface.cie());
             double width = surface.map().width();
             double height = surface.map().height();
             double sigma = plan.window().sigmaFrequency();

@@ -256,7 +256,7 @@ public record PqMethod(TableChoices table, PeriodInterpolation interpolation, Re
         }
 
         @Override
-        public ShaderTables tables(MethodUse use, FourierTables fourier) {
+        public ShaderTables tables(MethodUse use, TableSources sources) {
             HeightMap map = surface.map();
             PeriodSpectrum spectrum =
                     new PeriodSpectrum(map, surface.levels(), expansion, bandX(), bandY(), interpolation);

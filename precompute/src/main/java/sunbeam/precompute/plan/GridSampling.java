@@ -56,6 +56,11 @@ public record GridSampling(
     }
 
     @Override
+    public String wavelengths(VisibleRange range) {
+        return "%d to %d wavelengths a pixel".formatted(fewestNodes, mostNodes(range));
+    }
+
+    @Override
     public String summary(VisibleRange range) {
         return "grid with %d taps, %d to %d wavelengths".formatted(interpolation.taps(), fewestNodes, mostNodes(range));
     }

@@ -1,5 +1,7 @@
 package sunbeam.precompute.plan;
 
+import java.util.ArrayList;
+import java.util.List;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.fourier.Band;
 import sunbeam.precompute.optics.Direction;
@@ -11,9 +13,22 @@ import sunbeam.precompute.resample.AxisGrid;
  *
  * @param minimumW smallest |w|, 0..2
  * @param maximumW largest |w|, 0..2
+ * @param reach what of the intervals it is, for tables of single (u, v, w)
  */
 public record VisibleRange(
-        double minimumU, double maximumU, double minimumV, double maximumV, double minimumW, double maximumW) {
+        double minimumU,
+        double maximumU,
+        double minimumV,
+        double maximumV,
+        double minimumW,
+        double maximumW,
+        Reach reach) {
+
+    /** All of some intervals. */
+    public VisibleRange(
+            double minimumU, double maximumU, double minimumV, double maximumV, double minimumW, double maximumW) {
+        this(minimumU, maximumU, minimumV, maximumV, minimumW, maximumW, new Reach.Everything());
+    }
 
     /** Every pair of directions of the hemisphere. */
     public static VisibleRange all() {
@@ -23,14 +38,22 @@ public record VisibleRange(
     /** One light, every direction to the viewer: a BRDF map. */
     public static VisibleRange of(Direction light) {
         return new VisibleRange(
-                -light.x() - 1, -light.x() + 1, -light.y() - 1, -light.y() + 1, light.z(), light.z() + 1);
+                -light.x() - 1,
+                -light.x() + 1,
+                -light.y() - 1,
+                -light.y() + 1,
+                light.z(),
+                light.z() + 1,
+                new Reach.OneLight(light));
     }
 
     /** The smallest range that holds all of some pairs of directions; at least one is needed. */
     public static VisibleRange of(Iterable<DirectionPair> pairs) {
         double[] low = {Double.MAX_VALUE, Double.MAX_VALUE, Double.MAX_VALUE};
         double[] high = {-Double.MAX_VALUE, -Double.MAX_VALUE, -Double.MAX_VALUE};
+        List<DirectionPair> all = new ArrayList<>();
         for (DirectionPair pair : pairs) {
+            all.add(pair);
             double[] uvw = {pair.u(), pair.v(), -pair.w()};
             for (int axis = 0; axis < 3; axis++) {
                 low[axis] = Math.min(low[axis], uvw[axis]);
@@ -40,7 +63,14 @@ public record VisibleRange(
         if (low[0] > high[0]) {
             throw new IllegalArgumentException("no directions");
         }
-        return new VisibleRange(low[0], high[0], low[1], high[1], low[2], high[2]);
+        return new VisibleRange(low[0], high[0], low[1], high[1], low[2], high[2], new Reach.Pairs(all));
+    }
+
+    /** The intervals: part of the keys under which tables are kept that hold all of them. */
+    @Override
+    public String toString() {
+        return "VisibleRange[minimumU=%s, maximumU=%s, minimumV=%s, maximumV=%s, minimumW=%s, maximumW=%s]"
+                .formatted(minimumU, maximumU, minimumV, maximumV, minimumW, maximumW);
     }
 
     /** Bins along x that can be seen at a wavelength of 380 nm or longer, and a margin on both sides. */

@@ -32,6 +32,7 @@ import sunbeam.app.files.output.StandardOutput;
 import sunbeam.app.files.plot.MapAnnotation;
 import sunbeam.app.files.plot.PictureSheet;
 import sunbeam.app.gpu.UploadedTables;
+import sunbeam.app.gpu.colours.GpuColours;
 import sunbeam.app.gpu.map.BrdfMapRenderer;
 import sunbeam.app.gpu.map.DiscDirections;
 import sunbeam.app.gpu.map.MapCaption;
@@ -227,7 +228,7 @@ public final class BrdfMapCommand implements Callable<Integer> {
     }
 
     private DrawnMap draw(RenderContext context, DiffractionSetup setup, MethodPlan plan) {
-        ShaderTables tables = setup.tables(plan, MethodUse.COLOUR);
+        ShaderTables tables = setup.tables(plan, MethodUse.COLOUR, GpuColours::of);
         try (UploadedTables method = UploadedTables.upload(context, tables);
                 BrdfMapRenderer renderer = new BrdfMapRenderer(context, method, size)) {
             LinearPicture map = render(renderer, light.direction());

@@ -13,6 +13,7 @@ import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.files.output.SrgbImage;
 import sunbeam.app.files.plot.MapAnnotation;
 import sunbeam.app.gpu.UploadedTables;
+import sunbeam.app.gpu.colours.GpuColours;
 import sunbeam.app.gpu.map.BrdfMapRenderer;
 import sunbeam.app.gpu.map.MapCaption;
 import sunbeam.app.gpu.picture.AutoExposure;
@@ -94,7 +95,7 @@ final class MapDrawer implements AutoCloseable {
         Direction light = Direction.ofDegrees(panel.thetaDegrees(), 0);
         MethodPlan plan = panel.method().plan(setup.surface(), VisibleRange.of(light));
         // A hundred tables that no other command asks for: the cache is spared them.
-        ShaderTables tables = setup.freshTables(plan, MethodUse.COLOUR);
+        ShaderTables tables = setup.freshTables(plan, MethodUse.COLOUR, GpuColours::of);
         try (UploadedTables method = UploadedTables.upload(context, tables);
                 BrdfMapRenderer renderer = new BrdfMapRenderer(context, method, size);
                 Progress progress = Progress.start(panel.name(), (long) size * size)) {

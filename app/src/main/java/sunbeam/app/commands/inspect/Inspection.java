@@ -17,6 +17,7 @@ import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.method.ScanLimit;
 import sunbeam.precompute.method.Surface;
 import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.patch.ModelError;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.patch.SamplingCheck;
 import sunbeam.precompute.plan.PlanReport;
@@ -97,6 +98,7 @@ record Inspection(
                 "heights",
                 "relief %s, roughness %s rms".formatted(rounded(statistics.relief()), rounded(statistics.rms()))));
         lines.add(line("slopes", slopes()));
+        lines.add(line("model", ModelError.of(map).describe()));
         lines.addAll(periods());
         limit.line().ifPresent(said -> lines.add(line("light", said.in(OptionOrigin.INSTANCE))));
         lines.add(line("plan", plan.summary()));

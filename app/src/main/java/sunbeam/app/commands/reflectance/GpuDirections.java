@@ -7,6 +7,7 @@ import jrtr.gl.RenderContexts;
 import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.files.input.DirectionList;
 import sunbeam.app.gpu.UploadedTables;
+import sunbeam.app.gpu.colours.GpuColours;
 import sunbeam.app.gpu.directions.DirectionsRenderer;
 import sunbeam.app.terminal.progress.Progress;
 import sunbeam.precompute.method.MethodPlan;
@@ -30,7 +31,7 @@ final class GpuDirections {
             double wavelength = list.spectral() ? list.wavelength(row) : 0;
             queries.add(new DirectionsRenderer.Query(list.pair(row), wavelength));
         }
-        ShaderTables tables = setup.tables(plan, use);
+        ShaderTables tables = setup.tables(plan, use, GpuColours::of);
         try (RenderContext context = RenderContexts.offscreen();
                 UploadedTables method = UploadedTables.upload(context, tables);
                 DirectionsRenderer renderer = new DirectionsRenderer(context, method, list.spectral());

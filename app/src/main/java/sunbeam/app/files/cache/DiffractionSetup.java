@@ -7,6 +7,7 @@ import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.OptionOrigin;
 import sunbeam.app.terminal.options.PatchOptions;
 import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.colourtable.ColourSources;
 import sunbeam.precompute.method.Method;
 import sunbeam.precompute.method.MethodPlan;
 import sunbeam.precompute.method.Methods;
@@ -103,21 +104,23 @@ public final class DiffractionSetup {
     /**
      * What a method's shader reads, made now, layer by layer as it is asked for.
      *
+     * @param colours who evaluates shaders, for tables that are made of colours
      * @throws SettingException when the method has no answer for the use
      */
-    public ShaderTables freshTables(MethodPlan plan, MethodUse use) {
+    public ShaderTables freshTables(MethodPlan plan, MethodUse use, ColourSources colours) {
         requireAnswer(plan, use);
-        return plan.tables(use, store::freshTable);
+        return store.freshTables(plan, use, colours);
     }
 
     /**
      * What a method's shader reads, from the cache where it is there.
      *
+     * @param colours who evaluates shaders, for tables that are made of colours
      * @throws SettingException when the method has no answer for the use
      */
-    public ShaderTables tables(MethodPlan plan, MethodUse use) {
+    public ShaderTables tables(MethodPlan plan, MethodUse use, ColourSources colours) {
         requireAnswer(plan, use);
-        return store.tables(plan, use);
+        return store.tables(plan, use, colours);
     }
 
     private static void requireAnswer(MethodPlan plan, MethodUse use) {

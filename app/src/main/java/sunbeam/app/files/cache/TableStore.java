@@ -11,10 +11,13 @@ import sunbeam.app.files.output.OutputException;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.progress.Progress;
+import sunbeam.precompute.colourtable.ColourSource;
+import sunbeam.precompute.colourtable.ColourSources;
 import sunbeam.precompute.expansion.Expansion;
 import sunbeam.precompute.files.Sha256;
 import sunbeam.precompute.method.MethodPlan;
 import sunbeam.precompute.method.Surface;
+import sunbeam.precompute.method.TableSources;
 import sunbeam.precompute.plan.Plan;
 import sunbeam.precompute.shader.MethodUse;
 import sunbeam.precompute.shader.ShaderTables;
@@ -46,10 +49,12 @@ public final class TableStore {
     /**
      * What a method's shader reads, as it lies in the cache. Nothing is computed where it is there, and layer by layer, on
      * the way to the file, where it is not. Without a cache folder, layers are computed when they are asked for.
+     *
+     * @param colours who evaluates shaders, for tables that are made of colours
      */
-    public ShaderTables tables(MethodPlan plan, MethodUse use) {
+    public ShaderTables tables(MethodPlan plan, MethodUse use, ColourSources colours) {
         String key = "shader tables " + ShaderTablesFile.VERSION + "|" + plan.key(use);
-        Supplier<ShaderTables> make = () -> plan.tables(use, this::freshTable);
+        Supplier<ShaderTables> make = () -> freshTables(plan, use, colours);
         Optional<Path> file = file(key, "tables");
         if (file.isEmpty()) {
             return make.get();
@@ -73,6 +78,21 @@ public final class TableStore {
             Optional<T> ofAnother = lock.waited() ? read(file, reader) : Optional.empty();
             return ofAnother.orElseGet(made);
         }
+    }
+
+    /** What a method's shader reads, made now. */
+    public ShaderTables freshTables(MethodPlan plan, MethodUse use, ColourSources colours) {
+        return plan.tables(use, new TableSources() {
+            @Override
+            public FourierTable fourier(Plan needed) {
+                return freshTable(needed);
+            }
+
+            @Override
+            public ColourSource colours(ShaderTables tables, long places) {
+                return colours.of(tables, places);
+            }
+        });
     }
 
     /** The Fourier table for a plan. */

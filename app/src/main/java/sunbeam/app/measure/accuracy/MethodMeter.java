@@ -6,6 +6,7 @@ import java.util.stream.IntStream;
 import jrtr.RenderContext;
 import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.gpu.UploadedTables;
+import sunbeam.app.gpu.colours.GpuColours;
 import sunbeam.app.gpu.directions.DirectionsRenderer;
 import sunbeam.app.gpu.directions.DirectionsRenderer.Query;
 import sunbeam.app.measure.accuracy.MethodsFigure.Entry;
@@ -68,7 +69,7 @@ final class MethodMeter {
     }
 
     private UploadedTables upload(MethodPlan plan) {
-        return UploadedTables.upload(context, subject.setup().freshTables(plan, MethodUse.COLOUR));
+        return UploadedTables.upload(context, subject.setup().freshTables(plan, MethodUse.COLOUR, GpuColours::of));
     }
 
     private double[][] evaluate(UploadedTables method, List<Query> queries) {

@@ -14,6 +14,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.gpu.UploadedTables;
+import sunbeam.app.gpu.colours.GpuColours;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.UsageException;
@@ -114,7 +115,7 @@ public final class BenchmarkCommand implements Callable<Integer> {
 
     private FrameTime time(RenderContext context, DiffractionSetup setup, Contender contender, Direction wi) {
         long start = System.nanoTime();
-        ShaderTables tables = setup.freshTables(contender.method(), MethodUse.COLOUR);
+        ShaderTables tables = setup.freshTables(contender.method(), MethodUse.COLOUR, GpuColours::of);
         long tableReady = System.nanoTime();
         try (UploadedTables method = UploadedTables.upload(context, tables)) {
             double uploadSeconds = (System.nanoTime() - tableReady) * 1e-9;

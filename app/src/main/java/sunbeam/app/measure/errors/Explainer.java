@@ -10,6 +10,7 @@ import jrtr.RenderContext;
 import jrtr.gl.RenderContexts;
 import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.gpu.UploadedTables;
+import sunbeam.app.gpu.colours.GpuColours;
 import sunbeam.app.gpu.directions.DirectionsRenderer;
 import sunbeam.app.gpu.directions.DirectionsRenderer.Query;
 import sunbeam.app.terminal.OptionOrigin;
@@ -139,7 +140,7 @@ public final class Explainer {
         List<float[]> results;
         try (RenderContext context = RenderContexts.offscreen()) {
             MethodPlan plan = Methods.of(remedy.choices()).plan(setup.surface(), range);
-            try (UploadedTables tables = UploadedTables.upload(context, setup.freshTables(plan, use));
+            try (UploadedTables tables = UploadedTables.upload(context, setup.freshTables(plan, use, GpuColours::of));
                     DirectionsRenderer renderer = new DirectionsRenderer(context, tables, use == MethodUse.SPECTRAL)) {
                 List<Query> queries = places.stream().map(ComparedPlace::query).toList();
                 results = renderer.evaluate(queries, done -> {});

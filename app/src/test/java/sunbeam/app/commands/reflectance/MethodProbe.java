@@ -11,6 +11,7 @@ import jrtr.gl.RenderContexts;
 import picocli.CommandLine;
 import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.gpu.UploadedTables;
+import sunbeam.app.gpu.colours.GpuColours;
 import sunbeam.app.gpu.directions.DirectionsRenderer;
 import sunbeam.app.gpu.map.BrdfMapRenderer;
 import sunbeam.app.gpu.picture.LinearPicture;
@@ -81,7 +82,7 @@ final class MethodProbe {
     }
 
     private UploadedTables upload(RenderContext context, MethodPlan plan, MethodUse use) {
-        return UploadedTables.upload(context, setup.tables(plan, use));
+        return UploadedTables.upload(context, setup.tables(plan, use, GpuColours::of));
     }
 
     /** A BRDF map, lit from the normal. */

@@ -13,10 +13,11 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import sunbeam.app.terminal.Environment;
 import sunbeam.precompute.color.CieTable;
-import sunbeam.precompute.method.FourierTables;
+import sunbeam.precompute.colourtable.ColourSources;
 import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.method.MethodPlan;
 import sunbeam.precompute.method.Surface;
+import sunbeam.precompute.method.TableSources;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.patch.HeightDigest;
 import sunbeam.precompute.patch.HeightLevels;
@@ -40,6 +41,10 @@ class TableStoreTest {
     private final List<String> warnings = new ArrayList<>();
 
     /** Tables of one array, and how often they were made. */
+    private static final ColourSources NO_COLOURS = (tables, places) -> {
+        throw new AssertionError("no colours are needed");
+    };
+
     private static final class Counted implements MethodPlan {
         private final String key;
         private int made;
@@ -69,7 +74,7 @@ class TableStoreTest {
         }
 
         @Override
-        public ShaderTables tables(MethodUse use, FourierTables fourier) {
+        public ShaderTables tables(MethodUse use, TableSources sources) {
             made++;
             return new ShaderTables.Builder("counted")
                     .array(TableArray.of(ArrayLayout.flat("numbers", 3, 1, 1), new float[] {1, 2, 3}))
@@ -105,29 +110,29 @@ class TableStoreTest {
     void whatIsThereIsNotMadeAgain() {
         Counted plan = new Counted("plan");
 
-        ShaderTables first = store("a").tables(plan, MethodUse.COLOUR);
-        ShaderTables second = store("a").tables(plan, MethodUse.COLOUR);
+        ShaderTables first = store("a").tables(plan, MethodUse.COLOUR, NO_COLOURS);
+        ShaderTables second = store("a").tables(plan, MethodUse.COLOUR, NO_COLOURS);
 
         assertThat(plan.made).isOne();
         assertThat(numbers(first)).containsExactly(1, 2, 3);
         assertThat(numbers(second)).containsExactly(1, 2, 3);
-        store("a").tables(plan, MethodUse.SPECTRAL);
+        store("a").tables(plan, MethodUse.SPECTRAL, NO_COLOURS);
         assertThat(plan.made).as("another use").isEqualTo(2);
         assertThat(warnings).isEmpty();
     }
 
     @Test
     void whatBelongsToAnotherPlanIsMadeAgainAndTold() throws Exception {
-        store("a").tables(new Counted("plan"), MethodUse.COLOUR);
+        store("a").tables(new Counted("plan"), MethodUse.COLOUR, NO_COLOURS);
         Path file = kept().get(0);
         byte[] foreign = Files.readAllBytes(file);
         Files.delete(file);
         Counted other = new Counted("other");
-        store("a").tables(other, MethodUse.COLOUR);
+        store("a").tables(other, MethodUse.COLOUR, NO_COLOURS);
         Path others = kept().get(0);
         Files.write(others, foreign);
 
-        ShaderTables again = store("a").tables(other, MethodUse.COLOUR);
+        ShaderTables again = store("a").tables(other, MethodUse.COLOUR, NO_COLOURS);
 
         assertThat(other.made).isEqualTo(2);
         assertThat(numbers(again)).containsExactly(1, 2, 3);
@@ -140,8 +145,10 @@ class TableStoreTest {
         Files.createFile(home.resolve(".cache"));
         Counted plan = new Counted("plan");
 
-        assertThat(numbers(store("a").tables(plan, MethodUse.COLOUR))).containsExactly(1, 2, 3);
-        assertThat(numbers(store("a").tables(plan, MethodUse.COLOUR))).containsExactly(1, 2, 3);
+        assertThat(numbers(store("a").tables(plan, MethodUse.COLOUR, NO_COLOURS)))
+                .containsExactly(1, 2, 3);
+        assertThat(numbers(store("a").tables(plan, MethodUse.COLOUR, NO_COLOURS)))
+                .containsExactly(1, 2, 3);
 
         assertThat(plan.made).isEqualTo(2);
         assertThat(warnings).hasSize(2).allMatch(line -> line.startsWith("no cache"));

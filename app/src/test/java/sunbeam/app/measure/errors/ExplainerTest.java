@@ -21,6 +21,7 @@ import picocli.CommandLine;
 import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.gpu.NeedsDisplay;
 import sunbeam.app.gpu.UploadedTables;
+import sunbeam.app.gpu.colours.GpuColours;
 import sunbeam.app.gpu.directions.DirectionsRenderer;
 import sunbeam.app.gpu.directions.DirectionsRenderer.Query;
 import sunbeam.app.terminal.Environment;
@@ -78,7 +79,7 @@ final class ExplainerTest {
         MethodPlan plan = method.plan(setup.surface(), range());
         List<double[]> results = new ArrayList<>();
         try (RenderContext context = RenderContexts.offscreen();
-                UploadedTables tables = UploadedTables.upload(context, setup.freshTables(plan, use));
+                UploadedTables tables = UploadedTables.upload(context, setup.freshTables(plan, use, GpuColours::of));
                 DirectionsRenderer renderer = new DirectionsRenderer(context, tables, use == MethodUse.SPECTRAL)) {
             for (float[] values : renderer.evaluate(queries, done -> {})) {
                 results.add(

@@ -1,0 +1,101 @@
+package sunbeam.app.gpu.colours;
+
+import java.util.ArrayList;
+import java.util.List;
+import jrtr.Binding;
+import jrtr.FloatFormat;
+import jrtr.FloatTarget;
+import jrtr.FloatTargetSpec;
+import jrtr.FloatTexture;
+import jrtr.FloatTextureSpec;
+import jrtr.RenderContext;
+import jrtr.ShaderProgram;
+import jrtr.Tile;
+import jrtr.gl.RenderContexts;
+import sunbeam.app.gpu.UploadedTables;
+import sunbeam.app.terminal.progress.Progress;
+import sunbeam.precompute.colourtable.ColourSource;
+import sunbeam.precompute.shader.ShaderTables;
+
+/** Colours by a method's shader (shaders/colours.frag), in a context of its own, so that any thread may ask for them. */
+public final class GpuColours implements ColourSource {
+    // Side of the squares that are drawn at once: enough for all processors of a software renderer, little enough for
+    // slow
+    // drivers.
+    private static final int SIDE = 128;
+
+    private final RenderContext context;
+    private final Progress progress;
+    private UploadedTables method;
+    private ShaderProgram program;
+    private FloatTexture places;
+    private FloatTarget target;
+    private final List<Binding> bindings = new ArrayList<>();
+
+    private GpuColours(RenderContext context, long places) {
+        this.context = context;
+        this.progress = Progress.start("Colours", places);
+    }
+
+    /**
+     * Uploads a method's tables.
+     *
+     * @param places that will be asked for in all
+     * @throws jrtr.GraphicsException if the device has no room for them
+     */
+    public static GpuColours of(ShaderTables tables, long places) {
+        GpuColours colours = new GpuColours(RenderContexts.offscreen(), places);
+        try {
+            colours.prepare(tables);
+            return colours;
+        } catch (RuntimeException | Error failure) {
+            colours.close();
+            throw failure;
+        }
+    }
+
+    private void prepare(ShaderTables tables) {
+        method = UploadedTables.upload(context, tables);
+        program = method.program("colours.frag");
+        places = context.createFloatTexture("places", FloatTextureSpec.flat(SIDE, SIDE, FloatFormat.RGBA32F));
+        target = context.createFloatTarget("colours", FloatTargetSpec.color(SIDE, SIDE));
+        bindings.addAll(method.bindings());
+        bindings.add(new Binding("places", places));
+    }
+
+    @Override
+    public float[] xyz(float[] uvw) {
+        int count = uvw.length / 3;
+        float[] xyz = new float[uvw.length];
+        for (int start = 0; start < count; start += SIDE * SIDE) {
+            int batch = Math.min(SIDE * SIDE, count - start);
+            batch(uvw, xyz, start, batch);
+            progress.step(batch);
+        }
+        return xyz;
+    }
+
+    private void batch(float[] uvw, float[] xyz, int start, int count) {
+        float[] texels = new float[4 * SIDE * SIDE];
+        for (int i = 0; i < count; i++) {
+            System.arraycopy(uvw, 3 * (start + i), texels, 4 * i, 3);
+        }
+        places.upload(texels);
+        Tile used = new Tile(0, 0, SIDE, (count + SIDE - 1) / SIDE);
+        // Tiles count rows from the top, texels from the bottom.
+        Tile tile = new Tile(0, SIDE - used.height(), SIDE, used.height());
+        context.drawFullScreen(program, bindings, target, tile);
+        float[] rgba = target.read(0, tile);
+        for (int i = 0; i < count; i++) {
+            int row = used.height() - 1 - i / SIDE;
+            System.arraycopy(rgba, 4 * (row * SIDE + i % SIDE), xyz, 3 * (start + i), 3);
+        }
+    }
+
+    @Override
+    public void close() {
+        progress.close();
+        // It owns all that lives in it.
+        context.close();
+    }
+}

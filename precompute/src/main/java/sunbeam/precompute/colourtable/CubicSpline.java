@@ -1,0 +1,58 @@
+package sunbeam.precompute.colourtable;
+
+/**
+ * Interpolation by cubic B-splines on equally spaced samples (M. Unser, "Splines: a perfect fit for signal and image
+ * processing", IEEE Signal Processing Magazine 16 (1999)): coefficients c_i with sum_i c_i b(x - i) = f(i) at all samples.
+ */
+final class CubicSpline {
+    /** What a sample counts in the coefficient of its neighbour falls by this factor a sample: sqrt(3) - 2. */
+    static final double POLE = Math.sqrt(3) - 2;
+
+    // POLE to this power is below the rounding of float32.
+    private static final int HORIZON = 16;
+
+    private CubicSpline() {}
+
+    /**
+     * Turns samples into coefficients, in place; beyond both ends the samples go on as in a mirror that stands on the last
+     * one.
+     *
+     * @param first index of the first sample in the array
+     * @param stride from one sample to the next
+     * @param count of the samples; a single one is its own coefficient
+     */
+    static void toCoefficients(float[] samples, int first, int stride, int count) {
+        if (count < 2) {
+            return;
+        }
+        double[] c = new double[count];
+        for (int i = 0; i < count; i++) {
+            // (1 - POLE) (1 - 1 / POLE) = 6.
+            c[i] = 6.0 * samples[first + i * stride];
+        }
+        c[0] = mirroredStart(c);
+        for (int i = 1; i < count; i++) {
+            c[i] += POLE * c[i - 1];
+        }
+        c[count - 1] = POLE / (POLE * POLE - 1) * (c[count - 1] + POLE * c[count - 2]);
+        for (int i = count - 2; i >= 0; i--) {
+            c[i] = POLE * (c[i + 1] - c[i]);
+        }
+        for (int i = 0; i < count; i++) {
+            samples[first + i * stride] = (float) c[i];
+        }
+    }
+
+    /** Sum of POLE^i c_i over the mirrored samples. */
+    private static double mirroredStart(double[] c) {
+        int period = 2 * (c.length - 1);
+        double sum = 0;
+        double factor = 1;
+        for (int i = 0; i < HORIZON; i++) {
+            int at = i % period;
+            sum += factor * c[at < c.length ? at : period - at];
+            factor *= POLE;
+        }
+        return sum;
+    }
+}

@@ -1,0 +1,211 @@
+package sunbeam.precompute.method;
+
+import static sunbeam.precompute.plan.MethodSettings.AVERAGE;
+import static sunbeam.precompute.plan.MethodSettings.COHERENCE_LENGTH;
+import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
+import static sunbeam.precompute.plan.MethodSettings.WINDOW_ORIGIN;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import sunbeam.precompute.colourtable.ColourSource;
+import sunbeam.precompute.colourtable.TableBaking;
+import sunbeam.precompute.colourtable.TableDesign;
+import sunbeam.precompute.colourtable.TablePages;
+import sunbeam.precompute.colourtable.TableSpace;
+import sunbeam.precompute.files.Sha256;
+import sunbeam.precompute.optics.Direction;
+import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.plan.Accuracy;
+import sunbeam.precompute.plan.ErrorBudget;
+import sunbeam.precompute.plan.GaussianArea;
+import sunbeam.precompute.plan.MemoryNeed;
+import sunbeam.precompute.plan.Reach;
+import sunbeam.precompute.plan.TableChoices;
+import sunbeam.precompute.plan.VisibleRange;
+import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.setting.Sentence;
+import sunbeam.precompute.setting.SettingException;
+import sunbeam.precompute.shader.MethodUse;
+import sunbeam.precompute.shader.ShaderTables;
+
+/**
+ * Colours of the power that {@link FullMethod} diffracts, tabulated over (u, v, w) beforehand: a few look-ups a pixel
+ * (docs/colour-tables.md).
+ *
+ * @param tolerance relative error of colours
+ * @param area the window and its average
+ */
+public record TableMethod(double tolerance, GaussianArea area) implements Method {
+    // Of the tolerance, what is tabulated may take; the rest is interpolation's.
+    private static final double SOURCE_SHARE = 0.5;
+
+    /** Its name and settings. */
+    public static final MethodType TYPE = new MethodType(
+                    "table",
+                    "colours of full, tabulated beforehand: the fastest.",
+                    List.of(TOLERANCE, WINDOW_ORIGIN, COHERENCE_LENGTH, AVERAGE),
+                    TableMethod::of)
+            .comparedAs(surface -> variants());
+
+    public TableMethod {
+        TOLERANCE.kind().check(tolerance);
+    }
+
+    private static TableMethod of(Choices choices) {
+        return new TableMethod(choices.get(TOLERANCE), GaussianArea.of(choices));
+    }
+
+    private static List<Variant> variants() {
+        List<Variant> variants = new ArrayList<>();
+        for (String tolerance : List.of("1e-2", "1e-3")) {
+            variants.add(new Variant(
+                    "table, tolerance " + tolerance,
+                    new TableMethod(Double.parseDouble(tolerance), GaussianArea.STANDARD),
+                    ""));
+        }
+        return variants;
+    }
+
+    @Override
+    public MethodType type() {
+        return TYPE;
+    }
+
+    @Override
+    public ReferenceMethod exact(HeightMap map) {
+        return new ReferenceMethod(area);
+    }
+
+    @Override
+    public MethodPlan plan(Surface surface, VisibleRange range) {
+        double relief = surface.map().relief();
+        TableDesign design = TableDesign.within(tolerance, area, relief);
+        TablePages pages = pages(design, range.reach());
+        TableBaking baking = new TableBaking(pages);
+        requireRoom(surface, design, baking.memory());
+        FullMethod full = new FullMethod(
+                TableChoices.of(new Accuracy.ByTolerance(Math.max(ErrorBudget.FINEST, SOURCE_SHARE * tolerance))),
+                Optional.empty(),
+                area);
+        return new Planned(surface, pages, baking, full.plan(surface, pages.range()));
+    }
+
+    private void requireRoom(Surface surface, TableDesign design, MemoryNeed need) {
+        surface.planner().excess(need).ifPresent(excess -> {
+            throw SettingException.of(
+                    TOLERANCE,
+                    tolerance,
+                    String.format(
+                            Locale.ROOT,
+                            "and a table of colours in steps of %.2g in (u, v) %s; give a coarser ",
+                            design.step(),
+                            excess),
+                    TOLERANCE,
+                    ", a shorter ",
+                    COHERENCE_LENGTH,
+                    ", or ",
+                    Methods.METHOD,
+                    " full");
+        });
+    }
+
+    private static TablePages pages(TableDesign design, Reach reach) {
+        if (reach instanceof Reach.OneLight one) {
+            return TablePages.of(design, one.light());
+        }
+        if (reach instanceof Reach.Pairs some) {
+            return TablePages.of(design, some.pairs());
+        }
+        throw new SettingException(
+                Methods.METHOD,
+                "tabulates BRDF maps and lists of directions; for a mesh use ",
+                Methods.METHOD,
+                " full");
+    }
+
+    private record Planned(Surface surface, TablePages pages, TableBaking baking, MethodPlan source)
+            implements MethodPlan {
+
+        private String step() {
+            return String.format(Locale.ROOT, "%.2g", pages.design().step());
+        }
+
+        @Override
+        public String summary() {
+            return String.format(
+                    Locale.ROOT,
+                    "table: %s, step %s in (u, v), %.2f million places, %.0f MB; of %s",
+                    pages.slices() == 1 ? "one light" : pages.slices() + " slices in w",
+                    step(),
+                    pages.evaluated() * 1e-6,
+                    baking.texelsLayout().bytes() * 1e-6,
+                    source.summary());
+        }
+
+        @Override
+        public List<String> reasons() {
+            List<String> reasons = new ArrayList<>();
+            reasons.add(
+                    "step %s in (u, v): cubic B-splines through square roots of X, Y, Z err by the tolerance (docs/colour-tables.md)"
+                            .formatted(step()));
+            reasons.add(
+                    pages.slices() == 1
+                            ? "one slice: w follows from u and v under one light"
+                            : "%d slices in w, interpolated by cubic polynomials".formatted(pages.slices()));
+            reasons.add("evaluated by full for half of the tolerance:");
+            reasons.addAll(source.reasons());
+            return reasons;
+        }
+
+        @Override
+        public List<Sentence> warnings() {
+            return source.warnings();
+        }
+
+        @Override
+        public List<Sentence> shortfalls() {
+            return source.shortfalls();
+        }
+
+        @Override
+        public MemoryNeed memory() {
+            return baking.memory();
+        }
+
+        @Override
+        public boolean answers(MethodUse use) {
+            return use == MethodUse.COLOUR;
+        }
+
+        @Override
+        public String key(MethodUse use) {
+            return String.join("|", "table", Sha256.of(pages.key()), source.key(use));
+        }
+
+        @Override
+        public ShaderTables tables(MethodUse use, TableSources sources) {
+            ShaderTables evaluated = source.tables(use, sources);
+            ShaderTables.Builder tables = new ShaderTables.Builder("table");
+            try (ColourSource colours = sources.colours(evaluated, pages.evaluated())) {
+                tables.array(baking.texels(colours)).array(baking.pageList());
+            }
+            area(tables);
+            return tables.define("COLOUR_SLICES", pages.slices())
+                    .reals("colourOrigin", pages.originX(), pages.originY())
+                    .reals("colourTexelsPerUnit", 1 / pages.design().step())
+                    .reals("colourPageSide", pages.side())
+                    .build(evaluated.windowSigma(), evaluated.specularReach());
+        }
+
+        private void area(ShaderTables.Builder tables) {
+            if (pages.space() instanceof TableSpace.OneLight one) {
+                Direction light = one.light();
+                tables.reals("colourLight", light.x(), light.y(), light.z());
+            } else {
+                tables.reals("colourSlicesPerUnit", 1 / pages.design().sliceStep());
+            }
+        }
+    }
+}

@@ -1,0 +1,21 @@
+package sunbeam.precompute.method;
+
+import sunbeam.precompute.colourtable.ColourSource;
+import sunbeam.precompute.plan.Plan;
+import sunbeam.precompute.shader.ShaderTables;
+import sunbeam.precompute.table.FourierTable;
+
+/** Where what tables are made of comes from. */
+public interface TableSources {
+
+    /** The Fourier table of the surface that a plan needs, made now, or kept. */
+    FourierTable fourier(Plan plan);
+
+    /**
+     * Colours of the surface by another method's shader, to be closed by the caller.
+     *
+     * @param tables what that shader reads
+     * @param places that will be asked for in all
+     */
+    ColourSource colours(ShaderTables tables, long places);
+}
