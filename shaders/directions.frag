@@ -1,5 +1,6 @@
 #version 330 core
 #include "include/gain.glsl"
+#include "include/loops.glsl"
 #include "method/{METHOD}.glsl"
 
 // A list of directions, one per fragment, through the very code that draws the maps.
@@ -28,4 +29,7 @@ void main() {
 #else
     result = vec4(diffractedXyz(uvwLambda.xyz), gain);
 #endif
+    if (loopsWereCut()) {
+        result = vec4(LOOPS_CUT);
+    }
 }

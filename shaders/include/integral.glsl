@@ -15,29 +15,47 @@ struct Steps {
     float size;
     int first;
     int last;
-    bool cutFirst;
-    bool cutLast;
+    bool cut;
 };
-
-const int FEWEST_CUT_INTERVALS = 6;
 
 // Equal steps from one end of the band to the other.
 Steps wholeBand(int count) {
     float origin = 1.0 / LONGEST_WAVELENGTH;
-    return Steps(origin, (1.0 / SHORTEST_WAVELENGTH - origin) / float(count - 1), 0, count - 1, false, false);
-}
-
-// The same for power that does not vanish at the ends: that of a lone order may be all there is to see.
-Steps cutBand(int count) {
-    Steps steps = wholeBand(count);
-    steps.cutFirst = true;
-    steps.cutLast = true;
-    return steps;
+    return Steps(origin, (1.0 / SHORTEST_WAVELENGTH - origin) / float(count - 1), 0, count - 1, false);
 }
 
 // Factor of the i-th step from a cut end.
 float endWeight(int i) {
     return i == 0 ? 3.0 / 8.0 : i == 1 ? 7.0 / 6.0 : i == 2 ? 23.0 / 24.0 : 1.0;
+}
+
+// Gauss's rule of four nodes on panels, for power that the ends cut: the flank of a lone order may be all there is to see. All
+// panels have one size but for three at each end, of a quarter, a quarter and a half of it, because flanks are steep.
+struct Panels {
+    float low;
+    float size;
+    int count;
+};
+
+const float GAUSS_PLACES[4] = float[](0.06943184, 0.33000948, 0.66999052, 0.93056816);
+const float GAUSS_WEIGHTS[4] = float[](0.17392742, 0.32607258, 0.32607258, 0.17392742);
+const int GRADED_PANELS = 4;
+
+// Panels of this size or smaller between two 1 / lambda.
+Panels panelsBetween(float low, float high, float largestSize) {
+    int equal = max(int(ceil((high - low) / largestSize)), 2);
+    return Panels(low, (high - low) / float(equal), equal + GRADED_PANELS);
+}
+
+// Where a panel near the lower end begins, in sizes.
+float gradedEdge(int panel) {
+    return panel < 3 ? 0.25 * float(panel) : float(panel - 2);
+}
+
+float panelEdge(Panels panels, int panel) {
+    return 2 * panel <= panels.count
+            ? gradedEdge(panel)
+            : float(panels.count - GRADED_PANELS) - gradedEdge(panels.count - panel);
 }
 
 // CIE XYZ of the power seen, and of the power 1, both in units of one step.
@@ -51,8 +69,20 @@ Integral overSteps(Ray ray, Steps steps) {
     for (int i = steps.first; i <= steps.last; ++i) {
         float wavelength = 1.0 / (steps.origin + steps.size * float(i));
         vec3 weight = cieWeight(wavelength) * (wavelength * wavelength);
-        weight *= steps.cutFirst ? endWeight(i - steps.first) : 1.0;
-        weight *= steps.cutLast ? endWeight(steps.last - i) : 1.0;
+        weight *= steps.cut ? endWeight(i - steps.first) * endWeight(steps.last - i) : 1.0;
+        sum.power += weight * powerAtStep(ray, i, wavelength);
+        sum.one += weight;
+    }
+    return sum;
+}
+
+Integral overPanels(Ray ray, Panels panels) {
+    Integral sum = Integral(vec3(0.0), vec3(0.0));
+    for (int i = 0; i < 4 * panels.count; ++i) {
+        float from = panelEdge(panels, i / 4);
+        float width = panelEdge(panels, i / 4 + 1) - from;
+        float wavelength = 1.0 / (panels.low + panels.size * (from + width * GAUSS_PLACES[i % 4]));
+        vec3 weight = cieWeight(wavelength) * (wavelength * wavelength * width * GAUSS_WEIGHTS[i % 4]);
         sum.power += weight * powerAtStep(ray, i, wavelength);
         sum.one += weight;
     }
@@ -64,8 +94,31 @@ vec3 partXyz(Ray ray, Steps steps) {
     return steps.size * overSteps(ray, steps).power;
 }
 
+// CIE XYZ of what the panels cover.
+vec3 partXyz(Ray ray, Panels panels) {
+    return panels.size * overPanels(ray, panels).power;
+}
+
 // CIE XYZ of the whole band: constant power comes out exactly, however few the steps.
 vec3 bandXyz(Ray ray, Steps steps) {
     Integral sum = overSteps(ray, steps);
+    return sum.power * cieWhite / sum.one;
+}
+
+// A band that may cut power anywhere (sunbeam.precompute.plan.BandRule): equal steps up to a |(u, v)|, panels beyond, with a
+// size along the ray in cycles per metre and a largest one in 1 / lambda.
+uniform int bandFewestNodes;
+uniform float bandReach;
+uniform float bandPanel;
+uniform float bandLargestPanel;
+
+vec3 cutBandXyz(Ray ray, float uv) {
+    if (uv <= bandReach) {
+        Steps steps = wholeBand(bandFewestNodes);
+        steps.cut = true;
+        return bandXyz(ray, steps);
+    }
+    float largest = min(bandLargestPanel, bandPanel / uv);
+    Integral sum = overPanels(ray, panelsBetween(1.0 / LONGEST_WAVELENGTH, 1.0 / SHORTEST_WAVELENGTH, largest));
     return sum.power * cieWhite / sum.one;
 }

@@ -10,9 +10,9 @@ uniform float gridNodeStep;
 uniform float gridRayScale;
 // Index of the first column and of the first sample on it: x, y for columns along x; z, w for rows along y.
 uniform vec4 gridRaysFirst;
-// Largest of |u|, |v| whose ray crosses too few columns, and the number of wavelengths it takes instead.
+// Largest of |u|, |v| whose ray crosses fewer columns than this.
 uniform float gridCentreReach;
-uniform int gridCentreNodes;
+uniform int gridFewestNodes;
 // A ray that crosses enough columns stops at every second one, or third, up to this.
 uniform int gridLargestStride;
 
@@ -97,12 +97,12 @@ vec3 diffractedXyz(vec3 uvw) {
     if (abs(major) < gridCentreReach) {
         // Near the specular direction: both axes interpolated.
         Ray ray = Ray(uvw, false, alongX, 0.0, 0.0, vec2(0.0), 0.0);
-        return bandXyz(ray, cutBand(gridCentreNodes));
+        return cutBandXyz(ray, length(uvw.xy));
     }
     float minorPerColumn = (alongX ? uvw.y : uvw.x) / abs(major) * gridNodeStep * gridRayScale;
     // 1 / lambda = column step / |major|, and the phase grows in proportion.
     float crossed = abs(major) / gridNodeStep * (1.0 / SHORTEST_WAVELENGTH - 1.0 / LONGEST_WAVELENGTH);
-    int stride = clamp(int(crossed) / gridCentreNodes, 1, gridLargestStride);
+    int stride = clamp(int(crossed) / gridFewestNodes, 1, gridLargestStride);
     float waveNumberStep = gridNodeStep * float(stride) / abs(major);
     Ray ray = Ray(
             uvw,
@@ -114,7 +114,7 @@ vec3 diffractedXyz(vec3 uvw) {
             expansionPhase(uvw.z, 1.0) * waveNumberStep);
     int first = int(ceil(1.0 / (LONGEST_WAVELENGTH * waveNumberStep)));
     int last = int(floor(1.0 / (SHORTEST_WAVELENGTH * waveNumberStep)));
-    return bandXyz(ray, Steps(0.0, waveNumberStep, first, last, false, false));
+    return bandXyz(ray, Steps(0.0, waveNumberStep, first, last, false));
 }
 
 #endif

@@ -8,12 +8,10 @@
 // How far from an order's middle wavelengths lie, and their distance, in deviations of the order's power.
 uniform float orderReach;
 uniform float orderNodeSpacing;
-// The same where the band cuts an order.
-uniform float orderCutSpacing;
+// Where the band cuts an order, panels of Gauss's rule, likewise in deviations.
+uniform float orderPanel;
 // Their largest distance in metres.
 uniform float orderLargestStep;
-// Wavelengths within the specular order, which has no middle.
-uniform int specularNodes;
 // Standard deviation of the window's spectrum, cycles per metre.
 uniform float windowSigmaFrequency;
 
@@ -56,16 +54,17 @@ vec3 oneOrder(vec3 uvw, vec2 bin) {
     if (high <= low || abs(distance) > FLANK_REACH * windowSigmaFrequency) {
         return vec3(0.0);
     }
-    bool cutLow = low > middle - halfWidth;
-    bool cutHigh = high < middle + halfWidth;
+    Ray ray = Ray(uvw, false, ivec2(bin), middle, distance);
     // Where the band cuts an order, the trapezoid rule loses the accuracy that it owes to vanishing ends.
-    float inDeviations = cutLow || cutHigh ? orderCutSpacing : orderNodeSpacing;
-    // A flank falls off the faster the farther out it is met.
-    float flank = max(0.0, max(low - middle, middle - high)) / deviation;
-    float spacing = min(inDeviations * deviation / (1.0 + flank), orderLargestStep * middle * middle);
-    int intervals = max(int(ceil((high - low) / spacing)), FEWEST_CUT_INTERVALS);
-    Steps steps = Steps(low, (high - low) / float(intervals), 0, intervals, cutLow, cutHigh);
-    return partXyz(Ray(uvw, false, ivec2(bin), middle, distance), steps);
+    if (low > middle - halfWidth || high < middle + halfWidth) {
+        // A flank falls off the faster the farther out it is met.
+        float flank = max(0.0, max(low - middle, middle - high)) / deviation;
+        float largest = min(orderPanel * deviation / (1.0 + flank), 3.0 * orderLargestStep * middle * middle);
+        return partXyz(ray, panelsBetween(low, high, largest));
+    }
+    float spacing = min(orderNodeSpacing * deviation, orderLargestStep * middle * middle);
+    int intervals = max(int(ceil((high - low) / spacing)), 2);
+    return partXyz(ray, Steps(low, (high - low) / float(intervals), 0, intervals, false));
 }
 
 vec3 diffractedXyz(vec3 uvw) {
@@ -73,7 +72,7 @@ vec3 diffractedXyz(vec3 uvw) {
     // is e^-25.
     const float SPECULAR_REACH = 5.0;
     if (length(uvw.xy) < SPECULAR_REACH * windowSigmaFrequency * LONGEST_WAVELENGTH) {
-        return bandXyz(Ray(uvw, true, ivec2(0), 0.0, 0.0), cutBand(specularNodes));
+        return cutBandXyz(Ray(uvw, true, ivec2(0), 0.0, 0.0), length(uvw.xy));
     }
     // Orders along the axis on which the ray crosses more of them; on the other, the one nearest to the ray.
     vec2 binsPerWaveNumber = uvw.xy * tablePeriod;

@@ -22,7 +22,10 @@ final class LauncherSandbox {
             "find",
             "flock",
             "grep",
+            "head",
+            "locale",
             "mkdir",
+            "mktemp",
             "mv",
             "readlink",
             "rm",
@@ -31,7 +34,8 @@ final class LauncherSandbox {
             "setsid",
             "sleep",
             "touch",
-            "true");
+            "true",
+            "uname");
 
     private final Path root;
 

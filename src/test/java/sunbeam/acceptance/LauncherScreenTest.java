@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.attribute.PosixFilePermissions;
 import java.time.Duration;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -82,12 +83,52 @@ class LauncherScreenTest {
         }
     }
 
-    @Test
-    void aScreenThatIsThereIsUsed() throws Exception {
+    @ParameterizedTest
+    @ValueSource(strings = {"elsewhere:9876", "unix/socket:9876"})
+    void aScreenThatMayBeThereIsUsed(String display) throws Exception {
         SunbeamResult result =
-                sandbox.command("brdf-map").with("DISPLAY", ":9876").run();
+                sandbox.command("brdf-map").with("DISPLAY", display).run();
 
-        assertThat(result.stdout()).as("%s", result).startsWith("screen :9876\n");
+        assertThat(result.stdout()).as("%s", result).startsWith("screen " + display + "\n");
+    }
+
+    @Test
+    void aScreenOfThisMachineThatHasGoneIsReplacedWithAWord() throws Exception {
+        SunbeamResult result =
+                sandbox.command("brdf-map").with("DISPLAY", ":9876.0").run();
+
+        assertThat(result.stdout()).as("%s", result).startsWith("screen :").doesNotStartWith("screen :9876");
+        assertThat(result.stderr()).contains("warning: there is no screen :9876.0 any more: drawing on a private one");
+    }
+
+    /** Its key lies in a folder that only its owner reads, and it listens on no abstract socket. */
+    @Test
+    void nobodyElseUsesThePrivateScreen() throws Exception {
+        sandbox.installJava("jdk", "17.0.1", "echo \"$XAUTHORITY\" >'" + folder + "/key'; exec sleep 60");
+
+        try (RunningSunbeam running = sandbox.command("brdf-map").start()) {
+            Screen screen = Screen.of(running);
+            Path noted = folder.resolve("key");
+            while (!Files.exists(noted) || Files.size(noted) == 0) {
+                Thread.sleep(20);
+            }
+            Path key = Path.of(Files.readString(noted).strip());
+            assertThat(Files.size(key)).isEqualTo(44);
+            assertThat(PosixFilePermissions.toString(Files.getPosixFilePermissions(key.getParent())))
+                    .isEqualTo("rwx------");
+            assertThat(screen.server().info().commandLine().orElse("")).contains("-auth " + key);
+            assertThat(Files.readString(Path.of("/proc/net/unix")))
+                    .contains(" " + screen.socket())
+                    .doesNotContain("@" + screen.socket());
+            running.signal("TERM");
+            running.end(PATIENCE);
+            screen.assertGone();
+            long deadline = System.nanoTime() + PATIENCE.toNanos();
+            while (Files.exists(key.getParent())) {
+                assertThat(System.nanoTime()).as("the end of the key").isLessThan(deadline);
+                Thread.sleep(20);
+            }
+        }
     }
 
     @ParameterizedTest
@@ -101,6 +142,8 @@ class LauncherScreenTest {
                 "precompute",
                 "mesh",
                 "inspect",
+                "reflectance --method reference",
+                "reflectance --method=reference --patch blaze",
                 "brdf-map --help",
                 "view -h"
             })

@@ -77,17 +77,54 @@ class LauncherStartTest {
     @Test
     void aLocaleWithoutUnicodeIsReplacedSinceJavaTakesFileNamesInIt() throws Exception {
         sandbox.installJava("jdk", "17.0.1", "echo \"locale $LC_ALL\"");
+        sandbox.installProgram("locale", "printf '%s\\n' C C.utf8 POSIX en_GB.utf8");
 
         SunbeamResult plain = sandbox.command("inspect")
                 .without("LC_ALL")
                 .without("LC_CTYPE")
                 .with("LANG", "C")
                 .run();
+        // As ssh brings it along from another machine.
+        SunbeamResult missing =
+                sandbox.command("inspect").with("LC_ALL", "de_DE.UTF-8").run();
         SunbeamResult unicode =
                 sandbox.command("inspect").with("LC_ALL", "en_GB.UTF-8").run();
 
         assertThat(plain.stdout().lines()).endsWith("locale C.UTF-8");
+        assertThat(missing.stdout().lines()).endsWith("locale C.UTF-8");
         assertThat(unicode.stdout().lines()).endsWith("locale en_GB.UTF-8");
+    }
+
+    @Test
+    void aFolderMayHaveANameThatPatternsUnderstand(@TempDir Path place) throws Exception {
+        LauncherSandbox odd = LauncherSandbox.in(Files.createDirectories(place.resolve("br[x] *?")));
+
+        assertThat(odd.command("inspect").run().exitCode()).isZero();
+        assertThat(odd.command("inspect").run().exitCode()).isZero();
+        assertThat(odd.builds()).isEqualTo(1);
+    }
+
+    /** Unpacked by the build: else JOGL takes them from a folder of /tmp that another user may have made. */
+    @Test
+    void librariesComeFromTheBuildsOwnFolder() throws Exception {
+        sandbox.installMaven(
+                "for machine in amd64 aarch64 armv6hf; do",
+                "mkdir -p app/target/natives/linux-$machine && touch app/target/natives/linux-$machine/libjogl.so",
+                "done");
+        SunbeamResult result =
+                sandbox.command("brdf-map").with("DISPLAY", "elsewhere:0").run();
+        Path repository = sandbox.repository().toRealPath();
+
+        assertThat(result.stdout().lines())
+                .as("%s", result)
+                .contains("-Djogamp.gluegen.UseTempJarCache=false")
+                .anyMatch(line -> line.startsWith("-Djava.library.path=" + repository + "/app/target/natives/linux-"));
+    }
+
+    @Test
+    void aDeadJavaLeavesNoFilesInTheUsersFolder() throws Exception {
+        assertThat(sandbox.command("inspect").run().stdout().lines())
+                .contains("-XX:ErrorFile=/dev/null", "-XX:-CreateCoredumpOnCrash");
     }
 
     @Test

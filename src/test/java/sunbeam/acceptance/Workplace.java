@@ -48,7 +48,10 @@ record Workplace(Path folder, Path caches) {
     /** The tables in the cache, sorted. */
     List<Path> tables() throws IOException {
         Path cache = caches.resolve("sunbeam");
-        return names(cache).stream().map(cache::resolve).toList();
+        return names(cache).stream()
+                .filter(name -> !name.endsWith(".lock"))
+                .map(cache::resolve)
+                .toList();
     }
 
     private static List<String> names(Path directory) throws IOException {

@@ -8,6 +8,7 @@ import jrtr.FloatTexture;
 import jrtr.FloatTextureSpec;
 import jrtr.RenderContext;
 import jrtr.Tile;
+import sunbeam.app.gpu.CutLoops;
 
 /** Runs the costly shader for the pixels that show skin and for no other, packed (see {@link Packing}). */
 final class PackedShading implements AutoCloseable {
@@ -48,7 +49,7 @@ final class PackedShading implements AutoCloseable {
             upload(packing, covered, first, buffer, part);
             Tile used = new Tile(0, Packing.ROWS - packing.rows(), packing.columns(), packing.rows());
             skin.shade(context, scene, buffer, sources, target, used);
-            unpack(packing, target.read(0, used), covered, first, lit);
+            unpack(packing, CutLoops.checked(target.read(0, used)), covered, first, lit);
         }
         return lit;
     }

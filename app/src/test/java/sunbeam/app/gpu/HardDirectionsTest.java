@@ -52,6 +52,29 @@ class HardDirectionsTest extends InAContext {
         }
     }
 
+    /** Light and view that nearly cancel: factors of 1 + wi . wr lost all digits but one at 89.9 degrees. */
+    @Test
+    void grazingMirrorsHaveTheirRadianceToo() {
+        CoherenceWindow window = CoherenceWindow.ofCoherenceLength(3e-6);
+        List<Query> queries = new ArrayList<>();
+        for (double theta : new double[] {89.5, 89.9, 89.99}) {
+            queries.add(new Query(
+                    new DirectionPair(Direction.ofDegrees(theta, 20), Direction.ofDegrees(theta, 200.01)), 500e-9));
+        }
+        List<float[]> computed = comparison(3e-6).spectral(queries);
+        for (int i = 0; i < queries.size(); i++) {
+            DirectionPair pair = queries.get(i).pair();
+            float power = computed.get(i)[0];
+            // Components near 1 are rounded by 6e-8, of a sum of 3.9e-4 at 89.99 degrees: 1.5e-4, and its square.
+            assertThat(computed.get(i)[2] / power / Gain.relativeRadiance(pair))
+                    .as("rho at %s", pair)
+                    .isCloseTo(1, within(3e-4));
+            assertThat(computed.get(i)[3] / power / Gain.brdf(pair, window, 500e-9))
+                    .as("brdf at %s", pair)
+                    .isCloseTo(1, within(3e-4));
+        }
+    }
+
     @Test
     void grazingLightAndViewStayFinite() {
         double coherenceLength = 3e-6;

@@ -18,13 +18,27 @@ record AxisResponse(double period, double sigma, Form form) {
     private static final int MARGIN = 2;
 
     /** What stands for the Gaussian. */
-    sealed interface Form {}
+    sealed interface Form {
+        /** What stands for it along y. */
+        default Form alongY() {
+            return this;
+        }
+    }
 
     /** Itself. */
     record Exact() implements Form {}
 
     /** A few bins. */
-    record Nearest(Neighbourhood neighbourhood) implements Form {}
+    record Nearest(int radius, int radiusY, Neighbourhood.Anchor anchor) implements Form {
+        static Nearest of(Neighbourhood bins) {
+            return new Nearest(bins.radiusX(), bins.radiusY(), bins.anchor());
+        }
+
+        @Override
+        public Nearest alongY() {
+            return new Nearest(radiusY, radiusY, anchor);
+        }
+    }
 
     /**
      * A grid.
@@ -46,10 +60,9 @@ record AxisResponse(double period, double sigma, Form form) {
     int[] bins(double frequency) {
         double position = frequency * period;
         if (form instanceof Nearest nearest) {
-            Neighbourhood around = nearest.neighbourhood();
-            int middle =
-                    (int) (around.anchor() == Neighbourhood.Anchor.FLOOR ? Math.floor(position) : Math.rint(position));
-            return IntStream.rangeClosed(middle - around.radius(), middle + around.radius())
+            boolean floor = nearest.anchor() == Neighbourhood.Anchor.FLOOR;
+            int middle = (int) (floor ? Math.floor(position) : Math.rint(position));
+            return IntStream.rangeClosed(middle - nearest.radius(), middle + nearest.radius())
                     .toArray();
         }
         double reach = REACH * sigma * period + MARGIN;

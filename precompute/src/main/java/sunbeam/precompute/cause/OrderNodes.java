@@ -13,10 +13,10 @@ final class OrderNodes {
     // As in the shader.
     private static final double FLANK_REACH = 6.5;
     private static final double SPECULAR_REACH = 5;
-    private static final int FEWEST_CUT_INTERVALS = 6;
 
     private final PlanNodes weights;
     private final OrderSampling orders;
+    private final DirectionPair pair;
     private final double u;
     private final double v;
     private final double sigma;
@@ -26,6 +26,7 @@ final class OrderNodes {
     OrderNodes(PlanNodes weights, OrderSampling orders, PlanModel model, DirectionPair pair) {
         this.weights = weights;
         this.orders = orders;
+        this.pair = pair;
         this.u = pair.u();
         this.v = pair.v();
         this.sigma = model.sigmaFrequency();
@@ -35,7 +36,7 @@ final class OrderNodes {
 
     List<PlanNode> all() {
         if (Math.hypot(u, v) < SPECULAR_REACH * sigma * LONGEST) {
-            return weights.band(PlanNodes.Steps.cutBand(orders.specularNodes()), new PlanNode.Anywhere());
+            return weights.band(PlanNodes.cutBand(orders.band(), pair), new PlanNode.Anywhere());
         }
         boolean alongX = Math.abs(u * periodX) >= Math.abs(v * periodY);
         double major = alongX ? u * periodX : v * periodY;
@@ -66,13 +67,15 @@ final class OrderNodes {
         if (high <= low || Math.abs(distance) > FLANK_REACH * sigma) {
             return List.of();
         }
-        boolean cutLow = low > middle - half;
-        boolean cutHigh = high < middle + half;
-        double inDeviations = cutLow || cutHigh ? orders.cutSpacing() : orders.nodeSpacing();
-        double flank = Math.max(0, Math.max(low - middle, middle - high)) / deviation;
-        double spacing = Math.min(inDeviations * deviation / (1 + flank), orders.largestStep() * middle * middle);
-        int intervals = Math.max((int) Math.ceil((high - low) / spacing), FEWEST_CUT_INTERVALS);
-        PlanNodes.Steps steps = new PlanNodes.Steps(low, (high - low) / intervals, 0, intervals, cutLow, cutHigh);
-        return weights.part(steps, new PlanNode.OneOrder(binX, binY));
+        PlanNode.OneOrder order = new PlanNode.OneOrder(binX, binY);
+        double largestStep = orders.largestStep() * middle * middle;
+        if (low > middle - half || high < middle + half) {
+            double flank = Math.max(0, Math.max(low - middle, middle - high)) / deviation;
+            double largest = Math.min(orders.panel() * deviation / (1 + flank), 3 * largestStep);
+            return weights.part(PlanNodes.panels(low, high, largest), order);
+        }
+        double spacing = Math.min(orders.nodeSpacing() * deviation, largestStep);
+        int intervals = Math.max((int) Math.ceil((high - low) / spacing), 2);
+        return weights.part(PlanNodes.steps(low, (high - low) / intervals, 0, intervals), order);
     }
 }

@@ -58,13 +58,13 @@ public final class PlanModel {
 
     private static Form form(Sampling sampling) {
         if (sampling instanceof BinSampling bins) {
-            return new Nearest(bins.neighbourhood());
+            return Nearest.of(bins.neighbourhood());
         }
         if (sampling instanceof RaySampling rays) {
-            return new Nearest(rays.neighbourhood());
+            return Nearest.of(rays.neighbourhood());
         }
         return sampling instanceof OrderSampling
-                ? new Nearest(new Neighbourhood(0, Neighbourhood.Anchor.NEAREST))
+                ? Nearest.of(new Neighbourhood(0, Neighbourhood.Anchor.NEAREST))
                 : Interpolated.of(((GridSampling) sampling).interpolation());
     }
 
@@ -123,7 +123,7 @@ public final class PlanModel {
         BinSum sum = new BinSum(
                 evaluator,
                 new AxisResponse(map.width(), sigma, exactX ? new Exact() : form),
-                new AxisResponse(map.height(), sigma, exactY ? new Exact() : form),
+                new AxisResponse(map.height(), sigma, exactY ? new Exact() : form.alongY()),
                 fx,
                 fy);
         if (ensemble && form instanceof Interpolated) {

@@ -2,9 +2,11 @@ package sunbeam.precompute.cause;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.LongStream;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.SmoothCieWeights;
 import sunbeam.precompute.optics.DirectionPair;
+import sunbeam.precompute.plan.BandRule;
 import sunbeam.precompute.plan.BinSampling;
 import sunbeam.precompute.plan.GridSampling;
 import sunbeam.precompute.plan.OrderSampling;
@@ -17,6 +19,12 @@ final class PlanNodes {
     private static final double LOWEST = 1 / CieTable.MAXIMUM_WAVELENGTH;
     private static final double HIGHEST = 1 / CieTable.MINIMUM_WAVELENGTH;
     private static final double[] CUT_END = {3.0 / 8, 7.0 / 6, 23.0 / 24};
+    private static final double[] GAUSS_PLACES = {
+        0.0694318442029737, 0.3300094782075719, 0.6699905217924281, 0.9305681557970263
+    };
+    private static final double[] GAUSS_WEIGHTS = {
+        0.1739274225687269, 0.3260725774312731, 0.3260725774312731, 0.1739274225687269
+    };
     private static final double PER_METRE = 8e9;
 
     private final double[][] weights = new double[3][];
@@ -31,17 +39,54 @@ final class PlanNodes {
         norm = 1 / cie.integralOfY();
     }
 
-    /** Step i, from first to last, lies at 1 / lambda = origin + i size. */
-    record Steps(double origin, double size, long first, long last, boolean cutFirst, boolean cutLast) {
-        static Steps cutBand(int count) {
-            return new Steps(LOWEST, (HIGHEST - LOWEST) / (count - 1), 0, count - 1, true, true);
-        }
+    /** A place of 1 / lambda, and the length that it stands for. */
+    record WaveNumber(double value, double length) {}
 
-        private double endWeight(long i) {
-            double low = cutFirst && i - first < CUT_END.length ? CUT_END[(int) (i - first)] : 1;
-            double high = cutLast && last - i < CUT_END.length ? CUT_END[(int) (last - i)] : 1;
-            return low * high;
+    /** Step i, from first to last, lies at 1 / lambda = origin + i size. */
+    static List<WaveNumber> steps(double origin, double size, long first, long last) {
+        return LongStream.rangeClosed(first, last)
+                .mapToObj(i -> new WaveNumber(origin + size * i, size))
+                .toList();
+    }
+
+    /** Gauss's rule on panels that are graded at both ends. */
+    static List<WaveNumber> panels(double low, double high, double largest) {
+        int equal = (int) Math.max(Math.ceil((high - low) / largest), 2);
+        double size = (high - low) / equal;
+        List<Double> edges = new ArrayList<>(List.of(0.0, 0.25, 0.5));
+        for (int i = 1; i < equal; i++) {
+            edges.add((double) i);
         }
+        edges.addAll(List.of(equal - 0.5, equal - 0.25, (double) equal));
+        List<WaveNumber> places = new ArrayList<>();
+        for (int panel = 0; panel + 1 < edges.size(); panel++) {
+            double width = edges.get(panel + 1) - edges.get(panel);
+            for (int i = 0; i < GAUSS_PLACES.length; i++) {
+                places.add(new WaveNumber(
+                        low + size * (edges.get(panel) + width * GAUSS_PLACES[i]), size * width * GAUSS_WEIGHTS[i]));
+            }
+        }
+        return places;
+    }
+
+    /** The whole band, which may cut power anywhere. */
+    static List<WaveNumber> cutBand(BandRule rule, DirectionPair pair) {
+        double uv = Math.hypot(pair.u(), pair.v());
+        if (uv > rule.reach()) {
+            return panels(LOWEST, HIGHEST, Math.min(rule.largestPanel(), rule.panel() / uv));
+        }
+        int last = rule.fewestNodes() - 1;
+        List<WaveNumber> places = new ArrayList<>(steps(LOWEST, (HIGHEST - LOWEST) / last, 0, last));
+        for (int i = 0; i < CUT_END.length; i++) {
+            for (int at : new int[] {i, last - i}) {
+                places.set(
+                        at,
+                        new WaveNumber(
+                                places.get(at).value(),
+                                CUT_END[i] * places.get(at).length()));
+            }
+        }
+        return places;
     }
 
     /** All that a direction takes. */
@@ -55,9 +100,7 @@ final class PlanNodes {
             return nodes;
         }
         if (sampling instanceof RaySampling rays) {
-            double length = Math.hypot(pair.u(), pair.v());
-            int along = (int) Math.ceil(length * (HIGHEST - LOWEST) / rays.nodeStep()) + 1;
-            return band(Steps.cutBand(Math.max(rays.fewestNodes(), along)), new PlanNode.Anywhere());
+            return band(cutBand(rays.band(), pair), new PlanNode.Anywhere());
         }
         return sampling instanceof OrderSampling orders
                 ? new OrderNodes(this, orders, model, pair).all()
@@ -68,19 +111,19 @@ final class PlanNodes {
         boolean alongX = Math.abs(pair.u()) >= Math.abs(pair.v());
         double major = Math.abs(alongX ? pair.u() : pair.v());
         if (major < grid.centreReach()) {
-            return band(Steps.cutBand(grid.fewestNodes()), new PlanNode.Anywhere());
+            return band(cutBand(grid.band(), pair), new PlanNode.Anywhere());
         }
         double crossed = major / grid.nodeStep() * (HIGHEST - LOWEST);
         int stride = (int) Math.max(1, Math.min(grid.largestStride(), Math.floor(crossed) / grid.fewestNodes()));
         double size = grid.nodeStep() * stride / major;
-        Steps steps =
-                new Steps(0, size, (long) Math.ceil(LOWEST / size), (long) Math.floor(HIGHEST / size), false, false);
-        return band(steps, new PlanNode.OnLine(alongX));
+        return band(
+                steps(0, size, (long) Math.ceil(LOWEST / size), (long) Math.floor(HIGHEST / size)),
+                new PlanNode.OnLine(alongX));
     }
 
     /** Over the whole band: constant power comes out exactly. */
-    List<PlanNode> band(Steps steps, PlanNode.Place place) {
-        List<PlanNode> nodes = part(steps, place);
+    List<PlanNode> band(List<WaveNumber> places, PlanNode.Place place) {
+        List<PlanNode> nodes = part(places, place);
         double[] one = new double[3];
         nodes.forEach(node -> {
             for (int c = 0; c < 3; c++) {
@@ -95,14 +138,14 @@ final class PlanNodes {
         return nodes;
     }
 
-    /** Over what the steps cover. */
-    List<PlanNode> part(Steps steps, PlanNode.Place place) {
+    /** Over what the places cover. */
+    List<PlanNode> part(List<WaveNumber> places, PlanNode.Place place) {
         List<PlanNode> nodes = new ArrayList<>();
-        for (long i = steps.first(); i <= steps.last(); i++) {
-            double wavelength = 1 / (steps.origin() + steps.size() * i);
+        for (WaveNumber at : places) {
+            double wavelength = 1 / at.value();
             double[] xyz = new double[3];
             for (int c = 0; c < 3; c++) {
-                xyz[c] = steps.size() * steps.endWeight(i) * weight(wavelength, c) * wavelength * wavelength;
+                xyz[c] = at.length() * weight(wavelength, c) * wavelength * wavelength;
             }
             nodes.add(new PlanNode(wavelength, xyz, place));
         }

@@ -18,12 +18,19 @@ final class ChannelReader {
     /**
      * The channel to read: the wanted one, else grey of a grey image and red of an RGB image with equal channels.
      *
-     * @throws PatchException when the image lacks the channel
+     * @throws PatchException when the image lacks the channel, or shows its heights in false colours
      * @throws SettingException when RGB differs and none is chosen
      */
     Channel choose(Optional<Channel> wanted) {
+        boolean coloured =
+                wanted.filter(channel -> channel == Channel.ALPHA).isEmpty() && bands.isColour() && !coloursAreEqual();
+        if (coloured && FalseColours.in(bands)) {
+            throw new PatchException(
+                    file + " looks like a picture in false colours, which follow a colour map: no channel of"
+                            + " it is a height; export the heights themselves (.gwy, .gsf, text, 16-bit grey)");
+        }
         if (wanted.isEmpty() || wanted.get() == Channel.GREY) {
-            if (bands.isColour() && !coloursAreEqual()) {
+            if (coloured) {
                 throw new SettingException(
                         PatchSettings.CHANNEL,
                         (wanted.isEmpty() ? "is missing: " : "is not enough: ") + file

@@ -8,6 +8,7 @@ import java.util.Optional;
 import sunbeam.precompute.scan.ScanBytes;
 import sunbeam.precompute.scan.ScanException;
 import sunbeam.precompute.scan.ScanReader;
+import sunbeam.precompute.scan.format.GwyddionConversion;
 import sunbeam.precompute.scan.format.ScanFormats;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.SettingException;
@@ -28,14 +29,38 @@ final class HeightFiles {
         InputFiles.requireReadable(file);
         try (ScanBytes bytes = ScanBytes.open(file)) {
             Optional<ScanReader> reader = ScanFormats.find(bytes);
-            return reader.isPresent()
-                    ? new ScanHeights(file, reader.get(), bytes, choices).read()
-                    : fromImage(file, choices);
+            if (reader.isPresent()) {
+                String format = reader.get().format();
+                return new ScanHeights(file, format, choices).read(reader.get().channels(bytes));
+            }
+            return ImageFormat.isPicture(bytes.head(4)) ? fromImage(file, choices) : throughGwyddion(file, choices);
         } catch (ScanException unusable) {
             throw new PatchException(file + " " + unusable.getMessage(), unusable);
         } catch (IOException failure) {
             throw new PatchException(
                     "%s cannot be read (%s); check the file".formatted(file, failure.getMessage()), failure);
+        }
+    }
+
+    private static MeasuredHeights throughGwyddion(Path file, Choices choices) throws IOException {
+        Path folder = Files.createTempDirectory("sunbeam-");
+        try {
+            Path converted = new GwyddionConversion(System.getenv())
+                    .convert(file, folder)
+                    .orElseThrow(
+                            () -> new ScanException("is neither an image nor a scan in a format that Sunbeam knows;"
+                                    + " install Gwyddion (the command gwyddion, and xvfb-run where there is no display), through"
+                                    + " which Sunbeam reads 170 others, or export it as .gwy, .gsf or text"));
+            try (ScanBytes bytes = ScanBytes.open(converted)) {
+                ScanReader reader = ScanFormats.find(bytes)
+                        .orElseThrow(() -> new ScanException("is converted by Gwyddion to nothing that can be read"));
+                return new ScanHeights(file, "through Gwyddion", choices).read(reader.channels(bytes));
+            }
+        } finally {
+            for (String name : GwyddionConversion.FILES) {
+                Files.deleteIfExists(folder.resolve(name));
+            }
+            Files.deleteIfExists(folder);
         }
     }
 

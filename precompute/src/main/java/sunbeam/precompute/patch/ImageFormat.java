@@ -45,6 +45,19 @@ enum ImageFormat {
                 + "; export the scan as 8- or 16-bit PNG or as TIFF");
     }
 
+    /** Whether a file is a picture of any kind, read or refused here; another may be a scan that others can read. */
+    static boolean isPicture(byte[] head) {
+        return head.length == 0
+                || startsWith(head, 0x89, 'P', 'N', 'G')
+                || startsWith(head, 'I', 'I', 42, 0)
+                || startsWith(head, 'M', 'M', 0, 42)
+                || startsWith(head, 'B', 'M')
+                || startsWith(head, 0xff, 0xd8, 0xff)
+                || startsWith(head, 'G', 'I', 'F', '8')
+                || startsWith(head, 'R', 'I', 'F', 'F')
+                || startsWith(head, '%', 'P', 'D', 'F');
+    }
+
     private static void requirePlainBmp(Path file, byte[] head) {
         int compression = head.length > BMP_COMPRESSION_OFFSET ? head[BMP_COMPRESSION_OFFSET] : 0;
         if (compression == BMP_EMBEDDED_JPEG || compression == BMP_EMBEDDED_PNG) {

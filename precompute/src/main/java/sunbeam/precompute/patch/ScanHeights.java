@@ -14,9 +14,7 @@ import java.util.Optional;
 import sunbeam.precompute.scan.ChannelList;
 import sunbeam.precompute.scan.Extent;
 import sunbeam.precompute.scan.Samples;
-import sunbeam.precompute.scan.ScanBytes;
 import sunbeam.precompute.scan.ScanChannel;
-import sunbeam.precompute.scan.ScanReader;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.setting.SettingException;
@@ -26,19 +24,18 @@ import sunbeam.precompute.units.Lengths;
 /** Reads the heights of one scan: its own scale, completed by what was chosen. Neither is ever guessed. */
 final class ScanHeights {
     private final Path file;
-    private final ScanReader reader;
-    private final ScanBytes bytes;
+    private final String format;
     private final Choices choices;
 
-    ScanHeights(Path file, ScanReader reader, ScanBytes bytes, Choices choices) {
+    /** @param format of the file, for people */
+    ScanHeights(Path file, String format, Choices choices) {
         this.file = file;
-        this.reader = reader;
-        this.bytes = bytes;
+        this.format = format;
         this.choices = choices;
     }
 
-    MeasuredHeights read() throws IOException {
-        ChannelList channels = new ChannelList(reader.channels(bytes));
+    MeasuredHeights read(List<ScanChannel> found) throws IOException {
+        ChannelList channels = new ChannelList(found);
         int index = choose(channels);
         ScanChannel channel = inColumns(channels.channels().get(index));
         requireNoContradiction(channel);
@@ -58,7 +55,7 @@ final class ScanHeights {
         ReliefCheck.requireOfScan(map, channel.metresPerUnit().isEmpty(), file);
         String label = channels.label(index);
         String which = channels.count() == 1 && channel.name().isEmpty() ? "" : ", channel " + label;
-        String source = "%s (%s%s), %s".formatted(file.getFileName(), reader.format(), which, map.describe());
+        String source = "%s (%s%s), %s".formatted(file.getFileName(), format, which, map.describe());
         return new MeasuredHeights(map, source, channels.lines(), notes(channels, label), PatchScale.oddities(map));
     }
 
@@ -139,7 +136,7 @@ final class ScanHeights {
         if (!width && !unit) {
             throw new SettingException(
                     WIDTH,
-                    "is missing: " + file + " (" + reader.format()
+                    "is missing: " + file + " (" + format
                             + ") says neither how large the scan is nor in which unit its heights are; add for example ",
                     WIDTH,
                     " 20um and ",
@@ -149,7 +146,7 @@ final class ScanHeights {
         if (!width) {
             throw new SettingException(
                     WIDTH,
-                    "is missing: " + file + " (" + reader.format() + ") does not say how large the scan is; add for"
+                    "is missing: " + file + " (" + format + ") does not say how large the scan is; add for"
                             + " example ",
                     WIDTH,
                     " 20um");
@@ -157,7 +154,7 @@ final class ScanHeights {
         if (!unit) {
             throw new SettingException(
                     HEIGHT_UNIT,
-                    "is missing: " + file + " (" + reader.format() + ") does not say in which unit its heights are;"
+                    "is missing: " + file + " (" + format + ") does not say in which unit its heights are;"
                             + " add for example ",
                     HEIGHT_UNIT,
                     " nm");

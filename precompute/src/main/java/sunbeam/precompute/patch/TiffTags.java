@@ -8,6 +8,7 @@ import javax.imageio.metadata.IIOMetadata;
 import javax.imageio.plugins.tiff.BaselineTIFFTagSet;
 import javax.imageio.plugins.tiff.TIFFDirectory;
 import javax.imageio.plugins.tiff.TIFFField;
+import sunbeam.precompute.scan.ScanLimits;
 
 /**
  * What a TIFF's tags must say before it is decoded. The format can hold far more than heights, and a damaged or hostile
@@ -81,7 +82,7 @@ final class TiffTags {
     private void requireTilesWithinLimits() {
         long width = number(BaselineTIFFTagSet.TAG_TILE_WIDTH, 1);
         long length = number(BaselineTIFFTagSet.TAG_TILE_LENGTH, 1);
-        if (width < 1 || length < 1 || width * length > ImageLimits.MOST_SAMPLES) {
+        if (width < 1 || length < 1 || width * length > ScanLimits.MOST_SAMPLES) {
             throw new PatchException(
                     "%s is a TIFF with tiles of %d x %d samples; save it in strips".formatted(file, width, length));
         }

@@ -17,8 +17,8 @@ import sunbeam.precompute.table.WindowPhase;
 
 /** DFT bins as shaders/method/neighbourhood.glsl reads them. */
 final class BinArrays {
-    // As in shaders/method/neighbourhood.glsl.
-    private static final int UNROLLED_RADIUS = 4;
+    // More bins are not held in arrays, and their loops not written out.
+    private static final int MOST_WRITTEN_OUT = 81;
     private static final String TERMS = "tableTerms";
     private static final String COEFFICIENTS = "expansionCoefficients";
 
@@ -50,10 +50,9 @@ final class BinArrays {
         tables.define("ANCHOR_FLOOR", 0)
                 .define("ANCHOR_NEAREST", 1)
                 .define("ANCHOR", floor ? "ANCHOR_FLOOR" : "ANCHOR_NEAREST")
-                .define("RADIUS", neighbourhood.radius());
-        if (neighbourhood.radius() > UNROLLED_RADIUS) {
-            tables.integers("tableRadius", neighbourhood.radius());
-        }
+                .define("RADIUS", "ivec2(%d, %d)".formatted(neighbourhood.radiusX(), neighbourhood.radiusY()))
+                .define("MANY_BINS", neighbourhood.bins() > MOST_WRITTEN_OUT ? 1 : 0)
+                .integers("tableRadius", neighbourhood.radiusX(), neighbourhood.radiusY());
         double sigma = plan.window().sigmaFrequency();
         double width = table.patch().width();
         double height = table.patch().height();

@@ -50,12 +50,12 @@ public record BinSampling(Neighbourhood neighbourhood, WavelengthNodes wavelengt
     private void checkRadius(Plan plan, double tolerance, HeightMap map, List<Sentence> lines) {
         double sigmaBins = plan.window().sigmaFrequency() * Math.max(map.width(), map.height());
         int needed = new ErrorBudget(tolerance).neighbourhoodRadius(sigmaBins);
-        if (neighbourhood.radius() < needed) {
+        if (neighbourhood.radiusX() < needed) {
             lines.add(Sentence.of(
                     String.format(
                             Locale.ROOT,
                             "radius %d cuts the window's spectrum, which is %.2f DFT bins wide; the tolerance %s takes ",
-                            neighbourhood.radius(),
+                            neighbourhood.radiusX(),
                             sigmaBins,
                             tolerance),
                     RADIUS,
@@ -99,13 +99,24 @@ public record BinSampling(Neighbourhood neighbourhood, WavelengthNodes wavelengt
     }
 
     @Override
-    public int margin(CoherenceWindow window, double period) {
-        return neighbourhood.margin();
+    public int marginX(CoherenceWindow window, double width) {
+        return neighbourhood.marginX();
+    }
+
+    @Override
+    public int marginY(CoherenceWindow window, double height) {
+        return neighbourhood.marginY();
     }
 
     @Override
     public long reads(Plan plan) {
         return wavelengths.count() * neighbourhood.reads(plan.expansion().terms());
+    }
+
+    @Override
+    public long loopSteps(Plan plan) {
+        return wavelengths.count()
+                * Math.max(plan.expansion().terms(), neighbourhood.bins() + 2L * neighbourhood.radiusY() + 1);
     }
 
     @Override

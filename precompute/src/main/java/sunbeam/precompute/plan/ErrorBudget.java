@@ -43,6 +43,11 @@ public record ErrorBudget(double tolerance, Roughness roughness) {
     // on both scans, and so of the trapezoid rule's over dozens of orders.
     private static final double ROUGH_AVERAGING = 8;
 
+    private static final double PANEL_ERROR = 105 * Math.pow(24, 4) / (9 * Math.pow(40320, 3)) / Math.sqrt(2 * Math.PI);
+    private static final double CUT_ERROR = 19.0 / 720 * 1.4 / Math.sqrt(2 * Math.PI);
+    // Beyond, the bound says little.
+    private static final double LARGEST_PANEL = 3.5;
+
     /** For a patch of which nothing is known. */
     public ErrorBudget(double tolerance) {
         this(tolerance, Roughness.NONE);
@@ -118,6 +123,23 @@ public record ErrorBudget(double tolerance, Roughness roughness) {
     /** Deviations of a power's Gaussian, narrower by sqrt(2), down to the darkest power. */
     public static double powerSkirt() {
         return Math.sqrt(-2 * Math.log(DARKEST_POWER));
+    }
+
+    /**
+     * Panels of Gauss's rule with four nodes, in deviations of an order's power, where the band cuts it. A panel of size H errs
+     * by H^9 4!^4 / (9 8!^3) times the eighth derivative (Abramowitz and Stegun 25.4.30), which for exp(-x^2 / 2) is at most
+     * 105, beside an integral of sqrt(2 pi).
+     */
+    public double panelDeviations() {
+        return Math.min(LARGEST_PANEL, Math.pow(wavelengths() / PANEL_ERROR, 1.0 / 9));
+    }
+
+    /**
+     * Equal steps with Gregory's corrections of three nodes, in deviations of an order's power, where the band cuts it: the
+     * first term that is left out is 19 / 720 h^4 times the third derivative, at most 1.4 for exp(-x^2 / 2).
+     */
+    public double cutSpacing() {
+        return Math.min(1, Math.pow(wavelengths() / CUT_ERROR, 0.25));
     }
 
     /** Relative error of the trapezoid rule over wavelengths for a lone order. */

@@ -26,7 +26,8 @@ import sunbeam.precompute.table.FourierTable;
  * @param nodeStep distance of the columns, cycles per metre
  * @param largestStride a ray that crosses many columns stops at every second one, or third, up to this
  * @param fewestNodes directions whose ray crosses fewer columns than this within the visible band, those near the specular
- *     one, take this many equal steps of 1 / lambda and interpolate both axes
+ *     one, take this many wavelengths or more and interpolate both axes
+ * @param band the wavelengths of these directions
  * @param singles bins that are summed at single wavelengths, where they are not too many
  * @param budget what each source may err
  */
@@ -35,6 +36,7 @@ public record GridSampling(
         double nodeStep,
         int largestStride,
         int fewestNodes,
+        BandRule band,
         Optional<Neighbourhood> singles,
         ErrorBudget budget)
         implements Sampling {
@@ -70,16 +72,25 @@ public record GridSampling(
                 String.format(
                         Locale.ROOT,
                         "wavelengths: where the ray (u, v) / lambda crosses columns %.4g cycles per metre apart, with"
-                                + " strides of up to %d, at most %d; where |u|, |v| < %.3f, %d equal steps of 1 / lambda",
+                                + " strides of up to %d, at most %d; where |u|, |v| < %.3f, %s",
                         nodeStep,
                         largestStride,
                         mostNodes(range),
                         centreReach(),
-                        fewestNodes));
+                        band.inWords()));
     }
 
     @Override
-    public int margin(CoherenceWindow window, double period) {
+    public int marginX(CoherenceWindow window, double width) {
+        return margin(window, width);
+    }
+
+    @Override
+    public int marginY(CoherenceWindow window, double height) {
+        return margin(window, height);
+    }
+
+    private static int margin(CoherenceWindow window, double period) {
         return (int) Math.ceil(SamplingPlanner.GAUSS_REACH * window.sigmaFrequency() * period) + 1;
     }
 
@@ -87,6 +98,15 @@ public record GridSampling(
     public long reads(Plan plan) {
         // Two complex terms share a texel.
         return (plan.expansion().terms() + 1L) / 2 * mostNodes(plan.range()) * interpolation.taps();
+    }
+
+    @Override
+    public long loopSteps(Plan plan) {
+        // Loops over the taps of a texel are written out, those over texels may not be.
+        long layers = (2L * plan.expansion().terms() + 3) / 4;
+        double centre = Math.sqrt(2) * Math.min(centreReach(), plan.range().maximumComponent());
+        long nodes = Math.max(mostNodes(plan.range()), band.mostNodes(centre));
+        return nodes * layers;
     }
 
     private int kernelSamples() {
@@ -103,12 +123,13 @@ public record GridSampling(
      * there; else a grid that is fine enough for both averages.
      */
     public Sampling single() {
-        return singles.<Sampling>map(bins -> new RaySampling(bins, nodeStep, fewestNodes))
+        return singles.<Sampling>map(bins -> new RaySampling(bins, band))
                 .orElseGet(() -> new GridSampling(
                         new ErrorBudget(budget.tolerance()).interpolation(Average.ENSEMBLE),
                         nodeStep,
                         largestStride,
                         fewestNodes,
+                        band,
                         singles,
                         budget));
     }
@@ -161,10 +182,11 @@ public record GridSampling(
         tables.array(SpectrumArrays.kernel(interpolation.taps(), interpolation::kernel, kernelSamples()))
                 .array(ColorArrays.cieWeights(cie));
         if (use == MethodUse.COLOUR) {
+            band.addTo(tables);
             tables.reals("gridNodeStep", nodeStep)
                     .integers("gridLargestStride", largestStride)
                     .reals("gridCentreReach", centreReach())
-                    .integers("gridCentreNodes", fewestNodes)
+                    .integers("gridFewestNodes", fewestNodes)
                     .reals("cieWhite", ColorArrays.cieWhite(cie));
         }
         return tables.build(plan.window().sigmaMetres(), plan.specularReach());

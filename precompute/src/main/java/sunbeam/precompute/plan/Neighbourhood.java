@@ -1,17 +1,15 @@
 package sunbeam.precompute.plan;
 
 /**
- * The DFT bins that are summed around a frequency, (2 radius + 1)^2 of them.
+ * The DFT bins that are summed around a frequency, (2 radiusX + 1) (2 radiusY + 1) of them.
  *
- * @param radius bins on each side, 0..64
+ * @param radiusX bins on each side along x
+ * @param radiusY along y: a patch that is short there has them far apart
  * @param anchor the bin in the middle
  */
-public record Neighbourhood(int radius, Anchor anchor) {
-    /** The largest radius that can be asked for; beyond it a window this narrow wants other means. */
+public record Neighbourhood(int radiusX, int radiusY, Anchor anchor) {
+    /** The largest radius that can be asked for. */
     public static final int MAXIMUM_RADIUS = 15;
-
-    /** The largest radius that is ever summed: for single wavelengths, where time is no matter. */
-    public static final int LARGEST_SUM = 64;
 
     /** How the middle bin follows from the frequency. */
     public enum Anchor {
@@ -22,29 +20,39 @@ public record Neighbourhood(int radius, Anchor anchor) {
     }
 
     public Neighbourhood {
-        if (radius < 0 || radius > LARGEST_SUM) {
-            throw new IllegalArgumentException("radius " + radius + " is not in 0.." + LARGEST_SUM);
+        if (radiusX < 0 || radiusY < 0) {
+            throw new IllegalArgumentException("radius " + Math.min(radiusX, radiusY) + " is negative");
         }
     }
 
-    /** Bins along each axis. */
-    private int side() {
-        return 2 * radius + 1;
+    /** As many bins along both axes. */
+    public Neighbourhood(int radius, Anchor anchor) {
+        this(radius, radius, anchor);
+    }
+
+    /** How many are summed. */
+    public long bins() {
+        return (2L * radiusX + 1) * (2L * radiusY + 1);
     }
 
     /** In a few words. */
     String summary() {
         String middle = anchor == Anchor.FLOOR ? "floored" : "nearest";
-        return side() + " x " + side() + " bins around the " + middle + " one";
+        return "%d x %d bins around the %s one".formatted(2 * radiusX + 1, 2 * radiusY + 1, middle);
     }
 
-    /** Bins beyond the visible ones that are summed, and one more, because float32 may round into the next one. */
-    int margin() {
-        return radius + 1;
+    /** Bins along x beyond the visible ones that are summed, and one more, because float32 may round into the next one. */
+    int marginX() {
+        return radiusX + 1;
+    }
+
+    /** The same along y. */
+    int marginY() {
+        return radiusY + 1;
     }
 
     /** Texture reads of all bins. */
     long reads(int terms) {
-        return (long) side() * side() * terms;
+        return bins() * terms;
     }
 }

@@ -17,12 +17,12 @@ import sunbeam.precompute.units.Lengths;
  *
  * @param reach how far from an order's middle wavelengths lie, in standard deviations of the order's power
  * @param nodeSpacing their distance, likewise
- * @param cutSpacing the same for orders that the visible band cuts
+ * @param panel of Gauss's rule on orders that the visible band cuts, likewise
  * @param largestStep their largest distance in metres: orders near the specular one are broader than the structure of the
  *     colour matching functions and D65
- * @param specularNodes wavelengths within the specular order, which has no middle
+ * @param band wavelengths within the specular order, which has no middle
  */
-public record OrderSampling(double reach, double nodeSpacing, double cutSpacing, double largestStep, int specularNodes)
+public record OrderSampling(double reach, double nodeSpacing, double panel, double largestStep, BandRule band)
         implements Sampling {
     private static final Neighbourhood NEAREST_BIN = new Neighbourhood(0, Neighbourhood.Anchor.NEAREST);
 
@@ -42,16 +42,21 @@ public record OrderSampling(double reach, double nodeSpacing, double cutSpacing,
                 String.format(
                         Locale.ROOT,
                         "wavelengths: %d or more around each order's middle, %.2f deviations of its power and at most %s"
-                                + " apart; %d within the specular order",
+                                + " apart; %d or more within the specular order",
                         nodes(),
                         nodeSpacing,
                         Lengths.format(largestStep),
-                        specularNodes));
+                        band.fewestNodes()));
     }
 
     @Override
-    public int margin(CoherenceWindow window, double period) {
-        return NEAREST_BIN.margin();
+    public int marginX(CoherenceWindow window, double width) {
+        return NEAREST_BIN.marginX();
+    }
+
+    @Override
+    public int marginY(CoherenceWindow window, double height) {
+        return NEAREST_BIN.marginY();
     }
 
     @Override
@@ -59,6 +64,12 @@ public record OrderSampling(double reach, double nodeSpacing, double cutSpacing,
         // A ray from the middle passes at most half of the orders each way.
         long passed = ((long) plan.bandX().count() + plan.bandY().count()) / 2;
         return passed * nodes() * plan.expansion().terms();
+    }
+
+    @Override
+    public long loopSteps(Plan plan) {
+        long passed = ((long) plan.bandX().count() + plan.bandY().count()) / 2;
+        return passed * nodes();
     }
 
     @Override
@@ -70,13 +81,13 @@ public record OrderSampling(double reach, double nodeSpacing, double cutSpacing,
 
     @Override
     public ShaderTables tables(Plan plan, FourierTable table, MethodUse use, CieTable cie) {
-        return BinArrays.tables("full_orders", plan, table, NEAREST_BIN)
-                .array(ColorArrays.cieWeights(cie))
+        ShaderTables.Builder tables = BinArrays.tables("full_orders", plan, table, NEAREST_BIN);
+        band.addTo(tables);
+        return tables.array(ColorArrays.cieWeights(cie))
                 .reals("orderReach", reach)
                 .reals("orderNodeSpacing", nodeSpacing)
-                .reals("orderCutSpacing", cutSpacing)
+                .reals("orderPanel", panel)
                 .reals("orderLargestStep", largestStep)
-                .integers("specularNodes", specularNodes)
                 .reals("windowSigmaFrequency", plan.window().sigmaFrequency())
                 .reals("cieWhite", ColorArrays.cieWhite(cie))
                 .build(plan.window().sigmaMetres(), plan.specularReach());

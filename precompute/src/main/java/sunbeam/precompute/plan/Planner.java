@@ -69,17 +69,18 @@ public final class Planner {
                     table.accuracy(),
                     range,
                     expansion,
-                    range.bandX(map.width(), sampling.margin(area.window(), map.width())),
-                    range.bandY(map.height(), sampling.margin(area.window(), map.height())),
+                    range.bandX(map.width(), sampling.marginX(area.window(), map.width())),
+                    range.bandY(map.height(), sampling.marginY(area.window(), map.height())),
                     area.window(),
                     area.origin(),
                     area.average(),
                     sampling);
-            if (MemoryNeed.of(plan, map.rows()).fits(heapLimit)) {
+            if (MemoryNeed.of(plan, map.rows()).fits(heapLimit) && LoopSteps.fit(plan)) {
                 break;
             }
         }
         requireRoom(plan);
+        LoopSteps.require(plan);
         return plan;
     }
 

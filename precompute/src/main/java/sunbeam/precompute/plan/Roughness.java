@@ -18,10 +18,11 @@ import sunbeam.precompute.reference.ReferenceEvaluator;
  * @param mean power of these
  * @param dark power that nine of ten of these exceed
  * @param deviations of the window's spectrum across the frequencies that can be seen
+ * @param diffracted share of the light that does not go where a mirror sends it, 0..1: little where grains lie on a mirror
  */
-public record Roughness(double bright, double mean, double dark, double deviations) {
+public record Roughness(double bright, double mean, double dark, double deviations, double diffracted) {
     // A patch of lines, a mirror, a grain of dust leave nearly all directions dark.
-    private static final double FEWEST_BRIGHT = 0.6;
+    private static final double FEWEST_BRIGHT = 0.85;
     // With fewer, all light may be the skirt of one bright spot.
     private static final double FEWEST_DEVIATIONS = 60;
     private static final int MOST_TRIES = 1000;
@@ -30,7 +31,7 @@ public record Roughness(double bright, double mean, double dark, double deviatio
     private static final long SEED = 1936;
 
     /** Nothing is known: bare skirts everywhere. */
-    public static final Roughness NONE = new Roughness(0, 1, 0, 0);
+    public static final Roughness NONE = new Roughness(0, 1, 0, 0, 0);
 
     static Roughness measure(HeightMap map, CoherenceWindow window, WindowOrigin origin, VisibleRange range) {
         ReferenceEvaluator evaluator = new ReferenceEvaluator(map, window, origin);
@@ -51,7 +52,27 @@ public record Roughness(double bright, double mean, double dark, double deviatio
                         (double) powers.length / DIRECTIONS,
                         Arrays.stream(powers).average().orElseThrow(),
                         powers[powers.length / 10],
-                        across / window.sigmaFrequency());
+                        across / window.sigmaFrequency(),
+                        Arrays.stream(drawn)
+                                .mapToDouble(query -> diffracted(map, query))
+                                .average()
+                                .orElseThrow());
+    }
+
+    /** 1 less the power of the mean over the surface. */
+    private static double diffracted(HeightMap map, Query query) {
+        double phase = 2 * Math.PI / query.wavelength() * query.pair().w();
+        double cosine = 0;
+        double sine = 0;
+        int samples = map.columns() * map.rows();
+        for (int row = 0; row < map.rows(); row++) {
+            for (int column = 0; column < map.columns(); column++) {
+                double angle = phase * map.at(column, row);
+                cosine += Math.cos(angle) / samples;
+                sine += Math.sin(angle) / samples;
+            }
+        }
+        return Math.max(0, 1 - cosine * cosine - sine * sine);
     }
 
     private record Query(DirectionPair pair, double wavelength) {}
@@ -82,8 +103,11 @@ public record Roughness(double bright, double mean, double dark, double deviatio
         return bright >= FEWEST_BRIGHT && deviations >= FEWEST_DEVIATIONS;
     }
 
-    /** Root of how much darker the dark directions are than the mean, 0..1. */
+    /**
+     * Root of how much darker the dark directions are than the mean of what is diffracted, beside all light, 0..1: what an
+     * expansion leaves of the phases of a few grains is as rare as they are.
+     */
     public double contrast() {
-        return Math.min(1, Math.sqrt(dark / mean));
+        return Math.min(1, Math.sqrt(dark / mean * diffracted));
     }
 }

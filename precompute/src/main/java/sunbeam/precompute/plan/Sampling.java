@@ -28,14 +28,24 @@ public sealed interface Sampling permits BinSampling, GridSampling, OrderSamplin
     }
 
     /**
-     * Bins beyond the visible ones, along one axis, that the window brings into view.
+     * Bins beyond the visible ones along x that the window brings into view.
      *
-     * @param period of the patch along that axis, metres
+     * @param width of the patch, metres
      */
-    int margin(CoherenceWindow window, double period);
+    int marginX(CoherenceWindow window, double width);
+
+    /**
+     * The same along y.
+     *
+     * @param height of the patch, metres
+     */
+    int marginY(CoherenceWindow window, double height);
 
     /** Texture reads of the pixel that takes most. */
     long reads(Plan plan);
+
+    /** Steps that the loops of the pixel that takes most make together, but for those that compilers write out. */
+    long loopSteps(Plan plan);
 
     /** Shapes of the arrays that {@link #tables} holds; where their number of layers is not known yet, at most. */
     List<ArrayLayout> layouts(Plan plan, MethodUse use);

@@ -27,6 +27,9 @@ final class SamplingPlanner {
     // share of the order's middle, which is exp(0.5^2 / sigma^2) times the power half a bin aside: 5 times at 0.4.
     private static final double RESOLVED_SIGMA_BINS = 0.4;
 
+    // Of a single wavelength, whose time is no matter: what graphics drivers let a loop take, with room for rows.
+    private static final long MOST_SUMMED = 60_000;
+
     private final HeightMap map;
     private final HeightLevels heights;
     private final CoherenceWindow window;
@@ -57,24 +60,28 @@ final class SamplingPlanner {
             choices.add(grid(budget.interpolation(average)));
             choices.add(grid(budget.compactInterpolation(average)));
         }
-        // Half way between two orders both count alike.
-        int radius = Math.max(1, budget.neighbourhoodRadius(sigmaBins));
-        if (radius <= Neighbourhood.MAXIMUM_RADIUS) {
-            choices.add(rays(radius));
-        }
-        return choices.isEmpty() ? List.of(grid(budget.interpolation(average))) : choices;
+        choices.add(new RaySampling(bins(), band(fewestNodes())));
+        return choices;
+    }
+
+    /** All that count; half way between two orders both count alike. */
+    private Neighbourhood bins() {
+        return new Neighbourhood(radius(map.width()), radius(map.height()), Neighbourhood.Anchor.NEAREST);
+    }
+
+    private int radius(double period) {
+        return Math.max(1, budget.neighbourhoodRadius(window.sigmaFrequency() * period));
+    }
+
+    /** An order's power is narrower than its amplitude by sqrt(2). */
+    private BandRule band(int fewestNodes) {
+        double deviation = window.sigmaFrequency() / Math.sqrt(2);
+        return BandRule.of(fewestNodes, deviation, budget.cutSpacing(), budget.panelDeviations());
     }
 
     /** Whether the window's spectrum is so wide that a grid is worth while. */
     static boolean interpolates(HeightMap map, CoherenceWindow window) {
         return window.sigmaFrequency() * Math.min(map.width(), map.height()) >= RESOLVED_SIGMA_BINS;
-    }
-
-    private Sampling rays(int radius) {
-        // Gregory's corrections of cut ends want the order resolved; the trapezoid rule alone would do with twice the
-        // step.
-        double step = Math.min(1, cutSpacing()) * window.sigmaFrequency() / Math.sqrt(2);
-        return new RaySampling(new Neighbourhood(radius, Neighbourhood.Anchor.NEAREST), step, fewestNodes());
     }
 
     private Sampling orders() {
@@ -83,12 +90,11 @@ final class SamplingPlanner {
         double spacing = Math.min(1, Math.PI * Math.sqrt(2 / Math.log(2 / (0.01 * budget.tolerance()))));
         double reach = Math.max(3, Math.sqrt(2 * Math.log(1 / (0.1 * budget.tolerance()))));
         return new OrderSampling(
-                reach, spacing, cutSpacing(), WAVELENGTH_STEP_AT_STANDARD / relativeFineness(), 4 * fewestNodes());
-    }
-
-    /** Gregory's rule with three corrected nodes errs by the fourth power of the step, some hundredth of a Gaussian's. */
-    private double cutSpacing() {
-        return Math.pow(30 * budget.wavelengths(), 0.25);
+                reach,
+                spacing,
+                budget.panelDeviations(),
+                WAVELENGTH_STEP_AT_STANDARD / relativeFineness(),
+                band(4 * fewestNodes()));
     }
 
     private Sampling grid(InterpolationDesign design) {
@@ -96,18 +102,15 @@ final class SamplingPlanner {
         // of deviation sigma / sqrt(2), for which the trapezoid rule errs by 2 exp(-2 (pi deviation / step)^2).
         double perStep = Math.sqrt(2 / (Math.PI * Math.PI) * Math.log(2 / budget.wavelengths()));
         double step = window.sigmaFrequency() / perStep;
-        double centre = new GridSampling(design, step, 1, fewestNodes(), singles(), budget).centreReach();
+        double centre =
+                new GridSampling(design, step, 1, fewestNodes(), band(fewestNodes()), singles(), budget).centreReach();
         int stride = (int) Math.ceil(centre / LARGEST_CENTRE);
-        return new GridSampling(design, step / stride, stride, fewestNodes(), singles(), budget);
+        return new GridSampling(design, step / stride, stride, fewestNodes(), band(fewestNodes()), singles(), budget);
     }
 
     /** Bins that single wavelengths are summed from, where they are not too many. */
     private Optional<Neighbourhood> singles() {
-        double period = Math.max(map.width(), map.height());
-        int radius = Math.max(1, budget.neighbourhoodRadius(window.sigmaFrequency() * period));
-        return radius > Neighbourhood.LARGEST_SUM
-                ? Optional.empty()
-                : Optional.of(new Neighbourhood(radius, Neighbourhood.Anchor.NEAREST));
+        return Optional.of(bins()).filter(bins -> bins.bins() <= MOST_SUMMED);
     }
 
     /** How much finer than at the standard tolerance wavelengths are resolved. */

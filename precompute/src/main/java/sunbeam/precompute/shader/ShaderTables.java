@@ -85,6 +85,8 @@ public record ShaderTables(
          * @param specularReach |(u, v)| up to which a direction sees the specular peak
          */
         public ShaderTables build(double windowSigma, double specularReach) {
+            // shaders/include/loops.glsl
+            integers("loopProbe", 2);
             return new ShaderTables(shader, defines, uniforms, arrays, windowSigma, specularReach);
         }
     }

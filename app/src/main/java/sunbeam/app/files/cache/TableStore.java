@@ -59,16 +59,25 @@ public final class TableStore {
         if (file.isEmpty()) {
             return make.get();
         }
-        Optional<ShaderTables> kept = read(file.get(), path -> ShaderTablesFile.read(path, key));
+        Function<Path, ShaderTables> reader = path -> ShaderTablesFile.read(path, key);
+        return keptOr(file.get(), reader, () -> {
+            ShaderTables made = make.get();
+            save(file.get(), path -> ShaderTablesFile.write(path, key, made));
+            // Again from the file, so that no more than one layer at a time need be in memory.
+            return read(file.get(), reader).orElse(made);
+        });
+    }
+
+    /** What is in the file, else what is made, by one process at a time. */
+    private <T> T keptOr(Path file, Function<Path, T> reader, Supplier<T> made) {
+        Optional<T> kept = read(file, reader);
         if (kept.isPresent()) {
             return kept.get();
         }
-        ShaderTables made = make.get();
-        save(file.get(), path -> ShaderTablesFile.write(path, key, made));
-        // Again from the file, so that no more than one layer at a time need be in memory.
-        return Files.exists(file.get())
-                ? read(file.get(), path -> ShaderTablesFile.read(path, key)).orElse(made)
-                : made;
+        try (CacheLock lock = CacheLock.of(file, warning)) {
+            Optional<T> ofAnother = lock.waited() ? read(file, reader) : Optional.empty();
+            return ofAnother.orElseGet(made);
+        }
     }
 
     /** What a method's shader reads, made now. */
@@ -89,14 +98,14 @@ public final class TableStore {
     /** The Fourier table for a plan. */
     public FourierTable table(Plan plan) {
         Optional<Path> file = file("table 1|" + surface.identity().digest() + "|" + plan.tableKey(), "h5");
-        Optional<FourierTable> kept =
-                file.flatMap(path -> read(path, present -> checked(TableFile.read(present), plan)));
-        if (kept.isPresent()) {
-            return kept.get();
+        if (file.isEmpty()) {
+            return freshTable(plan);
         }
-        FourierTable table = freshTable(plan);
-        file.ifPresent(path -> save(path, target -> TableFile.write(target, table)));
-        return table;
+        return keptOr(file.get(), present -> checked(TableFile.read(present), plan), () -> {
+            FourierTable table = freshTable(plan);
+            save(file.get(), target -> TableFile.write(target, table));
+            return table;
+        });
     }
 
     /** A table that was read, under the name that the surface has now. */

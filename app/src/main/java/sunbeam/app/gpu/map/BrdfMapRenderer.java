@@ -10,6 +10,7 @@ import jrtr.ShaderProgram;
 import jrtr.Tile;
 import org.joml.Vector2f;
 import org.joml.Vector3f;
+import sunbeam.app.gpu.CutLoops;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.gpu.picture.LinearPicture;
 import sunbeam.precompute.optics.Direction;
@@ -66,7 +67,7 @@ public final class BrdfMapRenderer implements AutoCloseable {
 
     /** What has been drawn: linear XYZ of rho, NaN outside the disc. */
     public LinearPicture picture() {
-        return LinearPicture.ofRgba(size, size, target.read(0));
+        return LinearPicture.ofRgba(size, size, CutLoops.checked(target.read(0)));
     }
 
     /** Pixels inside the disc. */

@@ -21,6 +21,7 @@ enum RandomAim {
     /** Both uniform on the hemisphere. */
     ANYWHERE;
 
+    private static final int MOST_TRIES = 1000;
     private static final double LOWEST_COSINE = 0.01;
     private static final double GRAZING_COSINE = 0.05;
 
@@ -31,7 +32,7 @@ enum RandomAim {
      * @param sigmaFrequency of the window, cycles per metre
      */
     DirectionPair draw(SplittableRandom random, HeightMap map, double wavelength, double sigmaFrequency) {
-        while (true) {
+        for (int tries = 0; tries < MOST_TRIES; tries++) {
             Direction light = hemisphere(random, this == GRAZING ? GRAZING_COSINE : 1);
             Direction view = this == GRAZING || this == ANYWHERE
                     ? hemisphere(random, 1)
@@ -40,6 +41,8 @@ enum RandomAim {
                 return new DirectionPair(light, view);
             }
         }
+        // The valleys of a patch smaller than a wavelength lie beyond the horizon.
+        return ANYWHERE.draw(random, map, wavelength, sigmaFrequency);
     }
 
     private Direction aimed(

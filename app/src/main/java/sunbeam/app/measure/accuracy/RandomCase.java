@@ -57,13 +57,18 @@ record RandomCase(
     private static final double[] TOLERANCES = {1e-2, 1e-3, 1e-4};
     private static final int POWERS = 60;
     private static final int COLORS = 12;
-    private static final int MOST_SAMPLES = 64;
-    private static final int MOST_SAMPLES_OF_COLORS = 32;
-    private static final double FINEST_PITCH = 40e-9;
-    private static final double COARSEST_PITCH = 300e-9;
-    // Samples in a coherence length: with fewer, the sampled Gaussian is none (PlanWarnings).
+    // Both the reference and, under long windows, its integral over wavelengths cost by the sample.
+    private static final int MOST_SAMPLES = 128;
+    private static final int MOST_SAMPLES_OF_COLORS = 40;
+    private static final double FINEST_PITCH = 10e-9;
+    private static final double COARSEST_PITCH = 1e-6;
+    private static final double LONGEST_SIDE = 100e-6;
+    private static final double SHORTEST_WINDOW = 1e-6;
+    private static final double LONGEST_WINDOW = 1e-3;
+    // The reference sums the window's samples at each of hundreds of wavelengths.
+    private static final double LONGEST_IN_SAMPLES = 600;
+    // Samples in a coherence length: with fewer, the plan says what the sampled Gaussian errs (PlanWarnings).
     private static final double FEWEST_SAMPLES = 5;
-    private static final double LONGEST_WINDOW = 400e-6;
 
     /** Draws a case. */
     static RandomCase of(long seed) {
@@ -71,10 +76,14 @@ record RandomCase(
         RandomSurface kind = oneOf(random, RandomSurface.values());
         RandomAim aim = oneOf(random, RandomAim.values());
         boolean colors = random.nextInt(3) == 0;
-        double pitch = FINEST_PITCH * Math.pow(COARSEST_PITCH / FINEST_PITCH, random.nextDouble());
-        HeightMap map = kind.draw(random, colors ? MOST_SAMPLES_OF_COLORS : MOST_SAMPLES, pitch);
-        double shortest = Math.max(1e-6, FEWEST_SAMPLES * pitch);
-        double coherenceLength = shortest * Math.pow(LONGEST_WINDOW / shortest, random.nextDouble());
+        HeightMap map = kind.draw(
+                random,
+                colors ? MOST_SAMPLES_OF_COLORS : MOST_SAMPLES,
+                between(random, FINEST_PITCH, COARSEST_PITCH),
+                LONGEST_SIDE);
+        double shortest = Math.max(SHORTEST_WINDOW, FEWEST_SAMPLES * Math.max(map.pitchX(), map.pitchY()));
+        double longest = colors ? LONGEST_IN_SAMPLES * Math.min(map.pitchX(), map.pitchY()) : LONGEST_WINDOW;
+        double coherenceLength = between(random, shortest, Math.max(shortest, Math.min(longest, LONGEST_WINDOW)));
         GaussianArea area = new GaussianArea(
                 CoherenceWindow.ofCoherenceLength(coherenceLength),
                 oneOf(random, WindowOrigin.values()),
@@ -87,6 +96,11 @@ record RandomCase(
             queries.add(new Query(pair, wavelength));
         }
         return new RandomCase(seed, kind, map, area, tolerance, aim, colors, queries);
+    }
+
+    /** Equally often in each octave. */
+    private static double between(SplittableRandom random, double least, double most) {
+        return least * Math.pow(most / least, random.nextDouble());
     }
 
     private static <T> T oneOf(SplittableRandom random, T[] values) {
@@ -171,12 +185,13 @@ record RandomCase(
     public String toString() {
         return String.format(
                 Locale.ROOT,
-                "seed %d: %s, %d x %d samples of %.0f nm, relief %.0f nm, window %.3g um on the %s, %s %s %s, tolerance %.0e",
+                "seed %d: %s, %d x %d samples of %.0f x %.0f nm, relief %.3g nm, window %.3g um on the %s, %s %s %s, tolerance %.0e",
                 seed,
                 kind.toString().toLowerCase(Locale.ROOT),
                 map.columns(),
                 map.rows(),
                 map.pitchX() * 1e9,
+                map.pitchY() * 1e9,
                 map.relief() * 1e9,
                 area.window().coherenceLength() * 1e6,
                 area.origin().toString().toLowerCase(Locale.ROOT),

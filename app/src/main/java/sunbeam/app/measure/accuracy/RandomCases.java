@@ -29,7 +29,7 @@ final class RandomCases {
     }
 
     /**
-     * Runs cases, prints those that miss, and the distribution.
+     * Runs cases, prints a line each, and the distribution.
      *
      * @return how many missed
      */
@@ -54,16 +54,8 @@ final class RandomCases {
             if (ratio > 1) {
                 missed++;
                 said += outcome.said() ? 1 : 0;
-                out.printf(
-                        Locale.ROOT,
-                        "%s%s: %s rows %d; %s%n",
-                        outcome.said() ? "missed as said, " : "missed, ",
-                        drawn,
-                        outcome.errors(),
-                        outcome.errors().count(),
-                        new PlanReport(outcome.plan()).summary());
-                out.flush();
             }
+            print(drawn, outcome, ratio);
         }
         kept.ifPresent(KeptCases::close);
         out.printf(
@@ -71,6 +63,18 @@ final class RandomCases {
                 count, firstSeed, bright, missed, said);
         ratios.forEach(this::print);
         return missed;
+    }
+
+    private void print(RandomCase drawn, RandomCase.Outcome outcome, double ratio) {
+        String verdict = ratio <= 1 ? "kept" : outcome.said() ? "missed as said" : "missed";
+        out.printf(Locale.ROOT, "%s, %.2g of what is promised: %s", verdict, ratio, drawn);
+        if (ratio > 1) {
+            out.printf(
+                    "; %s, %d directions; %s",
+                    outcome.errors(), outcome.errors().count(), new PlanReport(outcome.plan()).summary());
+        }
+        out.println();
+        out.flush();
     }
 
     private static double[] joined(double[] a, double[] b) {

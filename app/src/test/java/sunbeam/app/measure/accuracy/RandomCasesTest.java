@@ -2,7 +2,6 @@ package sunbeam.app.measure.accuracy;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.util.Map;
 import java.util.stream.LongStream;
 import jrtr.RenderContext;
 import jrtr.gl.RenderContexts;
@@ -18,13 +17,6 @@ class RandomCasesTest {
     private static final long FIRST_SEED = 500;
     private static final int CASES = 40;
 
-    /**
-     * Known shortfalls (docs/error-budget.md), with what their 95th percentile stays below: the dark valley beside a step's
-     * bright orders under a window of 15 samples, as an ensemble (0.11 of 3e-3 allowed), and a grain of dust at 1e-4 (3.3e-4
-     * of 3e-4). Whoever mends one takes it out here.
-     */
-    private static final Map<Long, Double> SHORTFALLS = Map.of(534L, 0.2, 535L, 4e-4);
-
     private static RenderContext context;
 
     @BeforeAll
@@ -37,8 +29,9 @@ class RandomCasesTest {
         context.close();
     }
 
+    /** The first of all cases, and some that once missed: loops that the driver ended, a chirp taken for rough. */
     static LongStream seeds() {
-        return LongStream.range(FIRST_SEED, FIRST_SEED + CASES);
+        return LongStream.concat(LongStream.range(FIRST_SEED, FIRST_SEED + CASES), LongStream.of(10046, 10074));
     }
 
     @ParameterizedTest
@@ -48,11 +41,6 @@ class RandomCasesTest {
 
         RandomCase.Outcome outcome = drawn.measure(context);
 
-        if (SHORTFALLS.containsKey(seed)) {
-            assertThat(outcome.errors().median()).as("%s", drawn).isLessThan(drawn.tolerance());
-            assertThat(outcome.errors().percentile95()).as("%s", drawn).isLessThan(SHORTFALLS.get(seed));
-            return;
-        }
         // The promise itself: median at most the tolerance, 95th percentile at most three times it.
         assertThat(outcome.errors().meets(drawn.tolerance()))
                 .as("%s: %s", drawn, outcome.errors())

@@ -10,7 +10,21 @@ import sunbeam.precompute.scan.text.TextReader;
 /** The formats that Sunbeam reads by itself. A new reader needs one line here. */
 public final class ScanFormats {
     /** In the order in which they are asked; text last, as half of the others begin with some. */
-    public static final List<ScanReader> ALL = List.of(new GwyddionReader(), new SimpleFieldReader(), new TextReader());
+    public static final List<ScanReader> ALL = List.of(
+            new GwyddionReader(),
+            new SimpleFieldReader(),
+            new NanoscopeReader(),
+            new NanosurfReader(),
+            new WsxmReader(),
+            new AgilentReader(),
+            new DigitalSurfReader(),
+            new SurfaceDataReader(),
+            new NumpyReader(),
+            new X3pReader(),
+            new JpkReader(),
+            new ParkReader(),
+            new IgorWaveReader(),
+            new TextReader());
 
     private ScanFormats() {}
 

@@ -51,6 +51,9 @@ public final class TextReader implements ScanReader {
 
     private static ScanChannel matrix(TextFacts facts, TextNumbers numbers) {
         long columns = facts.columns().map(Integer::longValue).orElse(numbers.columns());
+        if (columns < 1) {
+            throw new ScanException("has no numbers in its first row; export it again");
+        }
         boolean asSaid = facts.columns().isPresent() && facts.rows().isPresent();
         long rows = asSaid ? facts.rows().get() : numbers.count() / columns;
         if (columns * rows != numbers.count()) {

@@ -34,6 +34,18 @@ class SharedScansTest {
     @ParameterizedTest
     @ValueSource(
             strings = {
+                "di-1.di",
+                "di-3.di",
+                "spot_1-1000nm.ibw",
+                "nid-1.nid",
+                "example_ps.tiff",
+                "sample_0.jpk",
+                "stp-1.stp",
+                "top-1.top",
+                "x3p-2.x3p",
+                "sdf-1.sdf",
+                "mi-1.mi",
+                "sur-2.sur",
                 "test.gwy",
                 "gwyddion-export-english.txt",
                 "gwyddion-export-german.txt",

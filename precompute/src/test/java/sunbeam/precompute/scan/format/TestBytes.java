@@ -47,6 +47,15 @@ final class TestBytes {
         return bytes(ByteBuffer.allocate(8).order(order).putDouble(value).array());
     }
 
+    /** Nothing, in the same order. */
+    TestBytes fresh() {
+        return new TestBytes(order);
+    }
+
+    boolean isLittle() {
+        return order == ByteOrder.LITTLE_ENDIAN;
+    }
+
     /** Latin-1. */
     TestBytes text(String text) {
         return bytes(text.getBytes(StandardCharsets.ISO_8859_1));

@@ -18,6 +18,20 @@ final class TestScans {
         all.put("gwyddion-text-german", gwyddionText(true, "\r\n"));
         all.put("spip-text", spipText());
         all.put("points", points());
+        all.put("nanoscope", TestInstruments.nanoscope(2, 2));
+        all.put("nanoscope-32", TestInstruments.nanoscope(4, 4));
+        all.put("nanoscope-32-of-16", TestInstruments.nanoscope(4, 2));
+        all.put("ibw", TestInstruments.igorWave());
+        all.put("nid", TestInstruments.nanosurf());
+        all.put("stp", TestInstruments.wsxm("double"));
+        all.put("top", TestInstruments.wsxm("short"));
+        all.put("jpk", TestInstruments.jpk());
+        all.put("park", TestInstruments.park());
+        all.put("sdf-text", TestInstruments.surfaceData(false));
+        all.put("sdf-binary", TestInstruments.surfaceData(true));
+        all.put("x3p", TestInstruments.x3p());
+        all.put("sur", TestInstruments.digitalSurf());
+        all.put("mi", TestInstruments.agilent());
         return all;
     }
 

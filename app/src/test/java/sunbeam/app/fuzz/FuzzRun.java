@@ -1,0 +1,73 @@
+package sunbeam.app.fuzz;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+
+/**
+ * What {@code ./sunbeam fuzz READER --minutes N} runs: Jazzer, guided by the coverage of the readers, in a process of the
+ * budget's memory. Not among the tests. Jazzer's integration with JUnit is made for JUnit 5; its driver needs no JUnit.
+ */
+final class FuzzRun {
+    private static final Path KEPT = Path.of("src/test/resources/sunbeam/app/fuzz");
+
+    @Test
+    void run() throws Exception {
+        FuzzedReader reader = FuzzedReader.of(System.getProperty(FuzzTarget.READER));
+        double minutes = Double.parseDouble(System.getProperty("sunbeam.fuzz.minutes"));
+        Path work = Path.of("target", "fuzz", reader.label());
+        Path corpus = Files.createDirectories(work.resolve("corpus"));
+        Path findings = Files.createDirectories(work.resolve("findings"));
+        int number = 0;
+        for (byte[] seed : reader.seeds()) {
+            Files.write(corpus.resolve("seed-" + number++), seed);
+        }
+        Process process = new ProcessBuilder(command(reader, minutes, corpus, findings))
+                .inheritIO()
+                .start();
+        int status = process.waitFor();
+        assertThat(files(findings))
+                .as("findings, to be kept in %s", KEPT.resolve(reader.corpus()))
+                .isEmpty();
+        assertThat(status).isZero();
+    }
+
+    private static List<String> command(FuzzedReader reader, double minutes, Path corpus, Path findings) {
+        List<String> command = new ArrayList<>(List.of(
+                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                FuzzTarget.HEAP,
+                "-Djava.awt.headless=true",
+                "-Dslf4j.internal.verbosity=ERROR",
+                "-D" + FuzzTarget.READER + "=" + reader.label(),
+                "-cp",
+                System.getProperty("surefire.test.class.path", System.getProperty("java.class.path")),
+                "com.code_intelligence.jazzer.Jazzer",
+                "--target_class=" + FuzzTarget.class.getName(),
+                "--instrumentation_includes=sunbeam.**:de.javagl.**:de.siegmar.**:io.jhdf.**:com.sun.imageio.**",
+                "--keep_going=10",
+                "-artifact_prefix=" + findings + "/",
+                "-max_total_time=" + Math.round(60 * minutes),
+                "-max_len=20000",
+                "-print_final_stats=1",
+                // Of the clock, for inputs that wait; the budget of the processor's time is asserted.
+                "-timeout=60",
+                corpus.toString()));
+        Path kept = KEPT.resolve(reader.corpus());
+        if (Files.isDirectory(kept)) {
+            command.add(kept.toString());
+        }
+        return command;
+    }
+
+    private static List<Path> files(Path folder) throws IOException {
+        try (Stream<Path> files = Files.list(folder)) {
+            return files.toList();
+        }
+    }
+}

@@ -1,0 +1,182 @@
+package sunbeam.app.fuzz;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import sunbeam.app.files.input.CsvTable;
+import sunbeam.app.files.input.DirectionList;
+import sunbeam.app.files.input.PngText;
+import sunbeam.app.files.input.TextTable;
+import sunbeam.app.scene.SceneReader;
+import sunbeam.app.scene.mesh.MeshReader;
+import sunbeam.app.scene.texture.BodyTextures;
+import sunbeam.app.terminal.OptionOrigin;
+import sunbeam.app.terminal.options.PatchOptions;
+import sunbeam.precompute.patch.PatchRequest;
+import sunbeam.precompute.patch.PatchSettings;
+import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.shader.ShaderTablesFile;
+import sunbeam.precompute.table.TableFile;
+
+/** Everything of Sunbeam's that reads a file which may have come from anywhere. */
+enum FuzzedReader {
+    /** Images, scans and text with heights, with the scale on the command line. */
+    HEIGHTS("heights", "heights") {
+        @Override
+        void read(Path file) {
+            Choices scale = choices(file).with(PatchSettings.WIDTH, 10e-6).with(PatchSettings.MAX_HEIGHT, 300e-9);
+            PatchOptions.load(new PatchRequest(scale));
+        }
+    },
+    /** Scans that bring their own scale. */
+    SCAN("scan", "heights") {
+        @Override
+        void read(Path file) {
+            PatchOptions.load(new PatchRequest(choices(file)));
+        }
+    },
+    /** Descriptors, with a good image beside them. */
+    DESCRIPTOR("patch.json", "descriptor") {
+        @Override
+        void read(Path file) throws IOException {
+            Path image = file.resolveSibling("scan.png");
+            if (!Files.exists(image)) {
+                Files.write(image, Seeds.image("png"));
+            }
+            PatchOptions.load(new PatchRequest(choices(file)));
+        }
+    },
+    SCENE("scene.json", "scene") {
+        @Override
+        void read(Path file) {
+            SceneReader.read(file);
+        }
+    },
+    DIRECTIONS("directions.csv", "directions") {
+        @Override
+        void read(Path file) {
+            DirectionList.read(file).pairs();
+        }
+    },
+    TABLE("table.csv", "table") {
+        @Override
+        void read(Path file) {
+            TextTable.read(file, List.of("name"));
+            CsvTable.read(file, List.of(), List.of("x"));
+        }
+    },
+    MESH("mesh.obj", "mesh") {
+        @Override
+        void read(Path file) {
+            MeshReader.read(file);
+        }
+    },
+    TEXTURE("texture", "texture") {
+        @Override
+        void read(Path file) {
+            BodyTextures.load(file.toString());
+        }
+    },
+    PICTURE("picture.png", "picture") {
+        @Override
+        void read(Path file) {
+            PngText.read(file);
+        }
+    },
+    FOURIER_TABLE("fourier.h5", "fourier-table") {
+        @Override
+        void read(Path file) {
+            TableFile.read(file);
+        }
+    },
+    SHADER_TABLES("shader.tables", "shader-tables") {
+        @Override
+        void read(Path file) {
+            ShaderTablesFile.read(file, Seeds.KEY);
+        }
+    };
+
+    private final String fileName;
+    private final String corpus;
+
+    FuzzedReader(String fileName, String corpus) {
+        this.fileName = fileName;
+        this.corpus = corpus;
+    }
+
+    /** Reads a file, or refuses it as the program would. */
+    abstract void read(Path file) throws IOException;
+
+    private static Choices choices(Path file) {
+        return Choices.at(OptionOrigin.INSTANCE).with(PatchSettings.PATCH, file.toString());
+    }
+
+    /** As the command line names it. */
+    String label() {
+        return name().toLowerCase(Locale.ROOT).replace('_', '-');
+    }
+
+    static FuzzedReader of(String label) {
+        for (FuzzedReader reader : values()) {
+            if (reader.label().equals(label)) {
+                return reader;
+            }
+        }
+        throw new IllegalArgumentException("no reader '" + label + "'");
+    }
+
+    /** What the file is called; only JSON and CSV go by their names. */
+    String fileName() {
+        return fileName;
+    }
+
+    /** Folder of the inputs that are kept, under {@code src/test/resources/sunbeam/app/fuzz}. */
+    String corpus() {
+        return corpus;
+    }
+
+    /** Good inputs, from which mutations start. */
+    List<byte[]> seeds() throws IOException {
+        return switch (this) {
+            case HEIGHTS, SCAN ->
+                List.of(Seeds.image("png"), Seeds.image("bmp"), Seeds.image("tiff"), Seeds.gsf(), Seeds.numberText());
+            case TEXTURE -> List.of(Seeds.image("png"), Seeds.image("jpeg"), Seeds.image("gif"), Seeds.image("bmp"));
+            case PICTURE -> List.of(Seeds.pictureWithText());
+            case DESCRIPTOR -> List.of(text("""
+                    {"heights": "scan.png", "width": "10 um", "maxHeight": "300 nm", "level": "plane"}
+                    """));
+            case SCENE -> List.of(text("""
+                    {"mesh": "snake", "patch": {"patch": "elaphe-like"}, "texture": "none", "rotatePatch": "30 deg",
+                     "camera": {"position": ["10 cm", "-20 cm", "15 cm"], "lookAt": ["0 m", "0 m", "0 m"],
+                                "fieldOfView": "30 deg"},
+                     "light": {"direction": [0, 0, 2], "intensity": 1}, "exposure": 2, "background": "#102030",
+                     "plan": {"tolerance": 0.01}, "weights": {"diffraction": 20}, "orientation": [0, 0, 0, 1]}
+                    """));
+            case DIRECTIONS ->
+                List.of(text("theta_i,phi_i,theta_r,phi_r,wavelength\n0,0,10,180,550\n\"30\",1e1,-0.0,5,400\n"));
+            case TABLE -> List.of(text("name,x,\"a \"\"b\"\"\"\none,1,x\n\"t,w\no\",2,y\n"));
+            case MESH -> List.of(text("""
+                    v 0 0 0
+                    v 1 0 0
+                    v 1 1 0
+                    v 0 1 .5
+                    vt 0 0
+                    vt 1 0
+                    vn 0 0 1
+                    f 1/1/1 2/2/1 3/1/1 4/2/1
+                    f -1 -2 -3
+                    f 1//1 2//1 \\
+                    4//1
+                    """));
+            case FOURIER_TABLE -> List.of(Seeds.fourierTable());
+            case SHADER_TABLES -> List.of(Seeds.shaderTables());
+        };
+    }
+
+    private static byte[] text(String content) {
+        return content.getBytes(StandardCharsets.UTF_8);
+    }
+}

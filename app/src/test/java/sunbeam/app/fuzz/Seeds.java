@@ -1,0 +1,118 @@
+package sunbeam.app.fuzz;
+
+import java.awt.image.BufferedImage;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.Map;
+import javax.imageio.ImageIO;
+import sunbeam.app.files.output.PngWriter;
+import sunbeam.precompute.expansion.HeightScale;
+import sunbeam.precompute.expansion.TaylorExpansion;
+import sunbeam.precompute.fourier.Band;
+import sunbeam.precompute.patch.HeightLevels;
+import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.shader.ArrayLayout;
+import sunbeam.precompute.shader.ShaderTables;
+import sunbeam.precompute.shader.ShaderTablesFile;
+import sunbeam.precompute.shader.TableArray;
+import sunbeam.precompute.table.PatchIdentity;
+import sunbeam.precompute.table.TableBuilder;
+import sunbeam.precompute.table.TableFile;
+
+/** Small good files of every kind. */
+final class Seeds {
+    /** Of the shader tables. */
+    static final String KEY = "full|a surface|a plan";
+
+    private static final int SIDE = 8;
+
+    private Seeds() {}
+
+    private static BufferedImage picture(int type) {
+        BufferedImage image = new BufferedImage(SIDE, SIDE, type);
+        for (int pixel = 0; pixel < SIDE * SIDE; pixel++) {
+            image.setRGB(pixel % SIDE, pixel / SIDE, 0x030405 * pixel);
+        }
+        return image;
+    }
+
+    static byte[] image(String format) throws IOException {
+        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+        ImageIO.write(picture(BufferedImage.TYPE_INT_RGB), format, bytes);
+        return bytes.toByteArray();
+    }
+
+    static byte[] pictureWithText() throws IOException {
+        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+        PngWriter.write(
+                bytes, picture(BufferedImage.TYPE_INT_RGB), Map.of("Title", "seed", "Patch", "\u86c7 of 65 \u00b5m"));
+        return bytes.toByteArray();
+    }
+
+    /** Gwyddion Simple Field: text, zeros up to a multiple of four, then float32, little-endian. */
+    static byte[] gsf() {
+        String header = """
+                Gwyddion Simple Field 1.0
+                XRes = 4
+                YRes = 3
+                XReal = 1e-6
+                YReal = 7.5e-7
+                ZUnits = m
+                XYUnits = m
+                Title = seed
+                """;
+        int length = header.length() / 4 * 4 + 4;
+        ByteBuffer bytes = ByteBuffer.allocate(length + 4 * 4 * 3).order(ByteOrder.LITTLE_ENDIAN);
+        bytes.put(header.getBytes(StandardCharsets.US_ASCII)).position(length);
+        for (int sample = 0; sample < 4 * 3; sample++) {
+            bytes.putFloat(sample * 1e-9f);
+        }
+        return bytes.array();
+    }
+
+    static byte[] numberText() {
+        return "# x y\n1.0 2.0 3.0\n4.0 5.5 6e-1\n7,0 8 9\n".getBytes(StandardCharsets.UTF_8);
+    }
+
+    static byte[] fourierTable() throws IOException {
+        double[] heights = new double[6 * 5];
+        Arrays.setAll(heights, sample -> 1e-9 * sample * sample);
+        HeightLevels levels = HeightLevels.of(new HeightMap(6, 5, 50e-9, 50e-9, heights));
+        PatchIdentity patch = new PatchIdentity("seed", 6, 5, 50e-9, 50e-9, "digest");
+        return written(file -> TableFile.write(
+                file,
+                new TableBuilder(patch, levels, done -> {})
+                        .build(new TaylorExpansion(HeightScale.mean(levels), 2, 3), Band.of(-1, 1), Band.of(-1, 1))));
+    }
+
+    static byte[] shaderTables() throws IOException {
+        ArrayLayout layout = ArrayLayout.layered("terms", 3, 2, 2, 2);
+        ShaderTables tables = new ShaderTables.Builder("full_grid")
+                .define("TAPS", 4)
+                .reals("scale", 0.1)
+                .integers("first", -7, 9)
+                .array(TableArray.computed(layout, number -> new float[layout.floatsPerLayer()]))
+                .build(16e-6, 0.04);
+        return written(file -> ShaderTablesFile.write(file, KEY, tables));
+    }
+
+    private interface FileWriter {
+        void write(Path file);
+    }
+
+    private static byte[] written(FileWriter writer) throws IOException {
+        Path folder = Files.createTempDirectory("sunbeam-seed");
+        Path file = folder.resolve("file");
+        writer.write(file);
+        byte[] content = Files.readAllBytes(file);
+        Files.delete(file);
+        Files.delete(folder);
+        return content;
+    }
+}

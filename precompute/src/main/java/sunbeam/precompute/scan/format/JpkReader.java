@@ -1,0 +1,93 @@
+package sunbeam.precompute.scan.format;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+import sunbeam.precompute.scan.Direction;
+import sunbeam.precompute.scan.Extent;
+import sunbeam.precompute.scan.Samples;
+import sunbeam.precompute.scan.ScanBytes;
+import sunbeam.precompute.scan.ScanChannel;
+import sunbeam.precompute.scan.ScanException;
+import sunbeam.precompute.scan.ScanLimits;
+import sunbeam.precompute.scan.ScanReader;
+
+/**
+ * JPK (Bruker NanoWizard) images, .jpk and .jpk-qi-image: a TIFF whose first page is a thumbnail with the grid, and whose
+ * other pages are channels, from the bottom row, with linear scalings, one of which ("slot") is the default. Source: JPK, "Image file format
+ * specification", tags 0x8000 to 0x80ff.
+ */
+final class JpkReader implements ScanReader {
+    private static final int GRID_WIDTH = 0x8042;
+    private static final int GRID_HEIGHT = 0x8043;
+    private static final int CHANNEL = 0x8050;
+    private static final int RETRACE = 0x8051;
+    private static final int CHANNEL_TITLE = 0x8052;
+    private static final int SLOTS = 0x8080;
+    private static final int DEFAULT_SLOT = 0x8081;
+    private static final int FIRST_SLOT = 0x8090;
+    private static final int SLOT_STEP = 0x30;
+    private static final int MOST_SLOTS = 64;
+    /** Tags of a slot's encoder, from its first. */
+    private static final int UNIT = 0x12;
+
+    private static final int SCALING = 0x13;
+    private static final int MULTIPLIER = 0x14;
+    private static final int OFFSET = 0x15;
+
+    @Override
+    public String format() {
+        return "JPK";
+    }
+
+    @Override
+    public boolean recognises(ScanBytes file) throws IOException {
+        return TiffPages.firstHas(file, CHANNEL) && TiffPages.firstHas(file, GRID_WIDTH);
+    }
+
+    @Override
+    public List<ScanChannel> channels(ScanBytes file) throws IOException {
+        List<TiffPages.Page> pages = TiffPages.read(file, ScanLimits.MOST_CHANNELS + 2);
+        TiffPages.Page grid = pages.get(0);
+        Extent extent = Extent.of(grid.number(GRID_WIDTH), grid.number(GRID_HEIGHT));
+        List<ScanChannel> channels = new ArrayList<>();
+        for (TiffPages.Page page : pages.subList(1, pages.size())) {
+            channels.add(channel(page, extent));
+        }
+        return channels;
+    }
+
+    private static ScanChannel channel(TiffPages.Page page, Extent extent) throws IOException {
+        int columns = (int) page.number(TiffPages.WIDTH);
+        int rows = (int) page.number(TiffPages.LENGTH);
+        page.requireSamples(columns, rows);
+        String title = page.text(CHANNEL_TITLE);
+        int slot = slot(page);
+        boolean linear = page.text(slot + SCALING).equals("LinearScaling");
+        double factor = linear ? page.number(slot + MULTIPLIER) : 1;
+        double offset = linear ? page.number(slot + OFFSET) : 0;
+        // Without a scaling samples are steps of a converter, whatever they measure.
+        String unit = linear ? page.text(slot + UNIT) : "steps";
+        return new ScanChannel(
+                title.isEmpty() ? page.text(CHANNEL) : title,
+                page.number(RETRACE) == 0 ? Direction.TRACE : Direction.RETRACE,
+                columns,
+                rows,
+                extent,
+                unit,
+                () -> Samples.scaled(Samples.upsideDown(page.samples(), columns), factor, offset));
+    }
+
+    /** First tag of the slot that is the default. */
+    private static int slot(TiffPages.Page page) throws IOException {
+        String wanted = page.text(DEFAULT_SLOT);
+        int count = (int) Math.min(MOST_SLOTS, page.number(SLOTS));
+        for (int i = 0; i < count; i++) {
+            int first = FIRST_SLOT + SLOT_STEP * i;
+            if (page.text(first).equals(wanted)) {
+                return first;
+            }
+        }
+        throw new ScanException("has a channel without its scaling \"%s\"; export it again".formatted(wanted));
+    }
+}

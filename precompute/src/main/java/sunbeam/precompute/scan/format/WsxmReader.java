@@ -1,0 +1,98 @@
+package sunbeam.precompute.scan.format;
+
+import java.io.IOException;
+import java.nio.ByteOrder;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import sunbeam.precompute.scan.Extent;
+import sunbeam.precompute.scan.LengthUnit;
+import sunbeam.precompute.scan.SampleBlock;
+import sunbeam.precompute.scan.SampleType;
+import sunbeam.precompute.scan.Samples;
+import sunbeam.precompute.scan.ScanBytes;
+import sunbeam.precompute.scan.ScanChannel;
+import sunbeam.precompute.scan.ScanException;
+import sunbeam.precompute.scan.ScanReader;
+import sunbeam.precompute.scan.text.HeaderText;
+
+/**
+ * WSxM .stp and .top: a text header whose size it states, then 16-bit integers, floats or doubles, little-endian, from
+ * the bottom right. "Z Amplitude" is the height between the lowest and the highest sample. Source: the header itself,
+ * which WSxM keeps readable, and files.
+ */
+final class WsxmReader implements ScanReader {
+    private static final Pattern SIZE = Pattern.compile("Image header size:\\s*(\\d{1,7})");
+
+    @Override
+    public String format() {
+        return "WSxM";
+    }
+
+    @Override
+    public boolean recognises(ScanBytes file) throws IOException {
+        return file.startsWith("WSxM file copyright") && file.headText(300).contains("SxM Image file");
+    }
+
+    @Override
+    public List<ScanChannel> channels(ScanBytes file) throws IOException {
+        Matcher size = SIZE.matcher(file.headText(300));
+        if (!size.find()) {
+            throw new ScanException("does not say how long its header is; save it with a newer WSxM");
+        }
+        int start = Integer.parseInt(size.group(1));
+        file.requireInside(start, 0);
+        Map<String, String> values = new HashMap<>();
+        for (String line : file.headText(start).lines().toList()) {
+            int colon = line.indexOf(':');
+            if (colon > 0) {
+                values.putIfAbsent(
+                        line.substring(0, colon).strip(),
+                        line.substring(colon + 1).strip());
+            }
+        }
+        int columns = HeaderText.integer(values, "Number of columns");
+        int rows = HeaderText.integer(values, "Number of rows");
+        SampleType type = type(values.getOrDefault("Image Data Type", "short"));
+        SampleBlock block =
+                new SampleBlock(start, (long) columns * rows, type, ByteOrder.LITTLE_ENDIAN).requireIn(file);
+        HeaderText.Quantity amplitude = HeaderText.quantity(values, "Z Amplitude");
+        String name = values.getOrDefault("Acquisition channel", values.getOrDefault("Head type", ""));
+        return List.of(new ScanChannel(
+                name,
+                columns,
+                rows,
+                new Extent(side(values, "X Amplitude"), side(values, "Y Amplitude"), 1),
+                amplitude.unit(),
+                () -> stretched(
+                        Samples.upsideDown(Samples.mirrored(block.read(file), columns), columns), amplitude.value())));
+    }
+
+    private static Optional<Double> side(Map<String, String> values, String name) {
+        HeaderText.Quantity side = HeaderText.quantity(values, name);
+        return LengthUnit.metres(side.unit()).map(metres -> metres * side.value());
+    }
+
+    private static SampleType type(String name) {
+        return switch (name) {
+            case "short" -> SampleType.SIGNED_16;
+            case "float" -> SampleType.FLOAT_32;
+            case "double" -> SampleType.FLOAT_64;
+            default -> throw new ScanException("stores samples as \"%s\"; save it with doubles".formatted(name));
+        };
+    }
+
+    /** Samples in units of which the lowest and the highest are an amplitude apart; zero stays zero. */
+    private static double[] stretched(double[] samples, double amplitude) {
+        double least = Double.POSITIVE_INFINITY;
+        double largest = Double.NEGATIVE_INFINITY;
+        for (double sample : samples) {
+            least = Math.min(least, sample);
+            largest = Math.max(largest, sample);
+        }
+        return largest > least ? Samples.scaled(samples, amplitude / (largest - least), 0) : samples;
+    }
+}

@@ -1,0 +1,59 @@
+package sunbeam.acceptance;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Set;
+import java.util.TreeSet;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Eight programs that start together on an empty cache, in one folder. */
+class EightAtOnceTest {
+    private static final int PROGRAMS = 8;
+
+    @TempDir
+    Path root;
+
+    @Test
+    void eachHasItsOutputAndOneMakesTheTable() throws Exception {
+        Workplace workplace = Workplace.in(root);
+        List<RunningSunbeam> programs = new ArrayList<>();
+        try {
+            for (int i = 0; i < PROGRAMS; i++) {
+                programs.add(
+                        workplace.command("precompute", "--patch", "lamellar").start());
+            }
+            Set<String> outputs = new TreeSet<>();
+            int waited = 0;
+            for (RunningSunbeam program : programs) {
+                SunbeamResult result = program.end(Duration.ofMinutes(5));
+                assertThat(result.exitCode()).as("%s", result).isZero();
+                outputs.add(result.stdout().lines().reduce((one, last) -> last).orElseThrow());
+                waited += result.stderr().contains("waiting for it") ? 1 : 0;
+            }
+            assertThat(outputs).hasSize(PROGRAMS).contains("lamellar.h5", "lamellar-8.h5");
+            assertThat(workplace.files()).containsExactlyElementsOf(outputs);
+            long size = Files.size(workplace.resolve("lamellar.h5"));
+            for (String output : outputs) {
+                assertThat(Files.size(workplace.resolve(output))).isEqualTo(size);
+            }
+            // However they meet, one table is in the cache, and nothing that is half of one.
+            assertThat(workplace.tables().stream()
+                            .filter(file -> file.toString().endsWith(".h5")))
+                    .hasSize(1);
+            assertThat(workplace.tables().stream()
+                            .filter(file -> file.toString().endsWith(".part")))
+                    .isEmpty();
+            assertThat(waited).isLessThan(PROGRAMS);
+        } finally {
+            for (RunningSunbeam program : programs) {
+                program.close();
+            }
+        }
+    }
+}
