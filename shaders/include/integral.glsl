@@ -8,25 +8,34 @@
 // constants stay constants in the loop: compilers put all calls in line.)
 float powerAtStep(Ray ray, int step, float wavelength);
 
-// Step i, from first to last, both included, lies at 1 / lambda = origin + i size. At an end that is cut the integrand does
-// not vanish, and the trapezoid rule gets Gregory's correction: three nodes each, which must not overlap.
+// Step i, from first to last, both included, lies at 1 / lambda = origin + i size. At a cut end the integrand does not vanish,
+// and the trapezoid rule gets corrections of four nodes, which must not overlap; the end lies at most one step beyond.
 struct Steps {
     float origin;
     float size;
     int first;
     int last;
     bool cut;
+    // From the first and from the last step to the ends, in steps.
+    float beyondFirst;
+    float beyondLast;
 };
 
 // Equal steps from one end of the band to the other.
 Steps wholeBand(int count) {
     float origin = 1.0 / LONGEST_WAVELENGTH;
-    return Steps(origin, (1.0 / SHORTEST_WAVELENGTH - origin) / float(count - 1), 0, count - 1, false);
+    return Steps(origin, (1.0 / SHORTEST_WAVELENGTH - origin) / float(count - 1), 0, count - 1, false, 0.0, 0.0);
 }
 
-// Factor of the i-th step from a cut end.
-float endWeight(int i) {
-    return i == 0 ? 3.0 / 8.0 : i == 1 ? 7.0 / 6.0 : i == 2 ? 23.0 / 24.0 : 1.0;
+// Factors of the four steps next to a cut end that lies t steps beyond: Euler and Maclaurin's corrections and the integral
+// of the rest, with derivatives by forward differences. Exact for cubics; Gregory's rule where t is 0.
+vec4 endWeights(float t) {
+    float first = 1.0 / 12.0 - 0.5 * t * t;
+    float cube = t * t * t / 6.0;
+    float second = cube - 0.5 * first;
+    float third = first / 3.0 - cube - 1.0 / 720.0 - 0.25 * t * cube;
+    return vec4(0.5 + t - first + second - third, 1.0 + first - 2.0 * second + 3.0 * third, 1.0 + second - 3.0 * third,
+            1.0 + third);
 }
 
 // Gauss's rule of four nodes on panels, for power that the ends cut: the flank of a lone order may be all there is to see. All
@@ -43,7 +52,8 @@ const int GRADED_PANELS = 4;
 
 // Panels of this size or smaller between two 1 / lambda.
 Panels panelsBetween(float low, float high, float largestSize) {
-    int equal = max(int(ceil((high - low) / largestSize)), 2);
+    // A whole number of the largest size is so many, however float32 rounds.
+    int equal = max(int(ceil((high - low) / largestSize - 1e-3)), 2);
     return Panels(low, (high - low) / float(equal), equal + GRADED_PANELS);
 }
 
@@ -66,10 +76,14 @@ struct Integral {
 
 Integral overSteps(Ray ray, Steps steps) {
     Integral sum = Integral(vec3(0.0), vec3(0.0));
+    vec4 low = endWeights(steps.beyondFirst);
+    vec4 high = endWeights(steps.beyondLast);
     for (int i = steps.first; i <= steps.last; ++i) {
         float wavelength = 1.0 / (steps.origin + steps.size * float(i));
         vec3 weight = cieWeight(wavelength) * (wavelength * wavelength);
-        weight *= steps.cut ? endWeight(i - steps.first) * endWeight(steps.last - i) : 1.0;
+        if (steps.cut) {
+            weight *= i < steps.first + 4 ? low[i - steps.first] : i > steps.last - 4 ? high[steps.last - i] : 1.0;
+        }
         sum.power += weight * powerAtStep(ray, i, wavelength);
         sum.one += weight;
     }

@@ -64,7 +64,7 @@ vec3 oneOrder(vec3 uvw, vec2 bin) {
     }
     float spacing = min(orderNodeSpacing * deviation, orderLargestStep * middle * middle);
     int intervals = max(int(ceil((high - low) / spacing)), 2);
-    return partXyz(ray, Steps(low, (high - low) / float(intervals), 0, intervals, false));
+    return partXyz(ray, Steps(low, (high - low) / float(intervals), 0, intervals, false, 0.0, 0.0));
 }
 
 vec3 diffractedXyz(vec3 uvw) {

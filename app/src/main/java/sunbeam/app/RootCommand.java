@@ -60,12 +60,23 @@ final class RootCommand implements Callable<Integer> {
             description = "Print the stack trace of a failure below its message.")
     private boolean debug;
 
+    @Option(
+            names = "--quiet",
+            scope = ScopeType.INHERIT,
+            description = "Say nothing but failures on standard error: no plan, no warning.")
+    private boolean quiet;
+
     @Spec
     private CommandSpec specification;
 
     /** Whether stack traces are asked for; known once the command line has been parsed. */
     boolean debug() {
         return debug;
+    }
+
+    /** Whether only failures are to be told; known once the command line has been parsed. */
+    boolean quiet() {
+        return quiet;
     }
 
     @Override

@@ -7,6 +7,7 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.ParseResult;
 import picocli.CommandLine.RunLast;
 import sunbeam.app.commands.brdfmap.BrdfMapCommand;
+import sunbeam.app.commands.color.ColorCommand;
 import sunbeam.app.commands.doctor.DoctorCommand;
 import sunbeam.app.commands.doctor.RendererProbe;
 import sunbeam.app.commands.evaluate.EvaluateCommand;
@@ -22,6 +23,7 @@ import sunbeam.app.measure.benchmark.BenchmarkCommand;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.HarmlessWriter;
+import sunbeam.app.terminal.QuietWriter;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.app.viewer.ViewCommand;
 
@@ -45,7 +47,7 @@ public final class Sunbeam {
             CommandLine commandLine = commandLine(root);
             commandLine.setParameterExceptionHandler((failure, all) -> failures.report(failure));
             commandLine.setExecutionExceptionHandler((failure, command, result) -> failures.report(failure));
-            commandLine.setExecutionStrategy(parsed -> execute(commandLine, parsed));
+            commandLine.setExecutionStrategy(parsed -> execute(commandLine, parsed, root.quiet()));
             requireText(arguments);
             return told(commandLine.execute(arguments), failures);
         } catch (Throwable failure) {
@@ -57,12 +59,13 @@ public final class Sunbeam {
     }
 
     /** Help may use the terminal's bold letters; what commands print may hold the words of any file. */
-    private int execute(CommandLine root, ParseResult parsed) {
+    private int execute(CommandLine root, ParseResult parsed, boolean quiet) {
         Integer help = CommandLine.executeHelpRequest(parsed);
         if (help != null) {
             return help;
         }
         root.setOut(HarmlessWriter.around(out));
+        root.setErr(quiet ? QuietWriter.around(err) : err);
         return new RunLast().execute(parsed);
     }
 
@@ -92,6 +95,7 @@ public final class Sunbeam {
     private CommandLine commandLine(RootCommand command) {
         CommandLine root = new CommandLine(command);
         root.addSubcommand(new BrdfMapCommand(environment));
+        root.addSubcommand(new ColorCommand(environment));
         root.addSubcommand(new ReflectanceCommand(environment));
         root.addSubcommand(new InspectCommand());
         root.addSubcommand(new EvaluateCommand(environment));

@@ -6,6 +6,7 @@ import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.io.Writer;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
@@ -145,5 +146,19 @@ final class SunbeamTest {
         assertThat(err.toString())
                 .isEqualToNormalizingNewlines(
                         "sunbeam: cannot write to standard output: its disk is full, or its reader has ended\n");
+    }
+
+    @Test
+    void quietLeavesFailuresOnly() throws IOException {
+        Path mesh = Files.writeString(home.resolve("triangle.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+        String output = home.resolve("out.obj").toString();
+        assertThat(run("mesh", mesh.toString(), "--output", output)).isZero();
+        assertThat(err.toString()).contains("sunbeam: warning: ");
+        err.getBuffer().setLength(0);
+        assertThat(run("mesh", mesh.toString(), "--quiet", "--force", "--output", output))
+                .isZero();
+        assertThat(err.toString()).isEmpty();
+        assertThat(run("mesh", mesh.toString(), "--quiet", "--output", output)).isEqualTo(6);
+        assertThat(err.toString()).startsWith("sunbeam: cannot write ").hasLineCount(1);
     }
 }

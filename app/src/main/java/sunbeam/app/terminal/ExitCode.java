@@ -8,7 +8,8 @@ public enum ExitCode {
     OK(0, "done"),
     INTERNAL_ERROR(1, "internal error: a bug in Sunbeam, or out of memory"),
     USAGE(2, "wrong command line"),
-    TOLERANCE_MISSED(3, "done, but the tolerance asked for was missed"),
+    TOLERANCE_MISSED(
+            3, "done, but the tolerance was missed, or the picture can only be a mistake (a mirror, all black)"),
     UNUSABLE_INPUT(4, "input file missing or unusable"),
     NO_GRAPHICS(5, "no usable graphics (display, OpenGL)"),
     CANNOT_WRITE(6, "output cannot be written"),

@@ -7,7 +7,14 @@ public final class Messages {
     /** A name of a file may take 4096 bytes; whatever is longer is no message. */
     private static final int LONGEST = 6000;
 
+    private static final String WARNING = "sunbeam: warning: ";
+
     private Messages() {}
+
+    /** Whether a line is one of {@link #warning}. */
+    static boolean isWarning(String line) {
+        return line.startsWith(WARNING);
+    }
 
     /** {@code sunbeam: message}, with line breaks in the message turned into blanks. */
     public static String error(String message) {
@@ -16,7 +23,7 @@ public final class Messages {
 
     /** {@code sunbeam: warning: message}, with line breaks in the message turned into blanks. */
     public static String warning(String message) {
-        return "sunbeam: warning: " + oneLine(message);
+        return WARNING + oneLine(message);
     }
 
     /** {@code sunbeam: note: message}, with line breaks in the message turned into blanks. */

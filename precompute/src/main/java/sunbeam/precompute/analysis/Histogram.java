@@ -1,6 +1,6 @@
 package sunbeam.precompute.analysis;
 
-import sunbeam.precompute.patch.HeightLevels;
+import java.util.Arrays;
 import sunbeam.precompute.patch.HeightMap;
 
 /**
@@ -21,27 +21,31 @@ public record Histogram(double minimum, double width, double[] shares) {
      * heights, as 8-bit scans have, gets bins that each hold equally many of these: others would draw a comb.
      */
     public static Histogram of(HeightMap map, int mostBins) {
-        HeightLevels heights = HeightLevels.of(map);
-        double relief = heights.maximum() - heights.minimum();
+        double[] heights = map.toArray();
+        double[] sorted = heights.clone();
+        Arrays.parallelSort(sorted);
+        double lowest = sorted[0];
+        double relief = sorted[sorted.length - 1] - lowest;
         if (relief == 0) {
-            return new Histogram(heights.minimum() - 0.5 * FLAT_BIN, FLAT_BIN, new double[] {1});
+            return new Histogram(lowest - 0.5 * FLAT_BIN, FLAT_BIN, new double[] {1});
         }
-        double step = step(heights.levels());
+        double step = step(sorted);
         double intervals = relief / step;
         boolean quantised = intervals < MOST_LEVELS;
         double width = quantised ? step * Math.ceil((intervals + 1) / mostBins) : relief / mostBins;
-        double minimum = quantised ? heights.minimum() - 0.5 * step : heights.minimum();
+        double minimum = quantised ? lowest - 0.5 * step : lowest;
         int bins = quantised ? (int) Math.ceil((relief + step) / width - 1e-6) : mostBins;
-        double[] shares = new double[bins];
-        int[] counts = heights.histogram();
-        for (int i = 0; i < counts.length; i++) {
-            int bin = (int) ((heights.levels()[i] - minimum) / width);
-            shares[Math.max(0, Math.min(bins - 1, bin))] += (double) counts[i] / heights.index().length;
+        long[] counts = new long[bins];
+        for (double height : heights) {
+            counts[Math.max(0, Math.min(bins - 1, (int) ((height - minimum) / width)))]++;
         }
+        double[] shares = Arrays.stream(counts)
+                .mapToDouble(count -> (double) count / heights.length)
+                .toArray();
         return new Histogram(minimum, width, shares);
     }
 
-    /** The smallest distance of neighbouring levels, beyond rounding. */
+    /** The smallest distance of heights in ascending order, beyond rounding. */
     private static double step(double[] levels) {
         double rounding = 1e-6 * (levels[levels.length - 1] - levels[0]);
         double step = Double.POSITIVE_INFINITY;

@@ -18,7 +18,6 @@ import sunbeam.precompute.shader.ColorArrays;
 final class PlanNodes {
     private static final double LOWEST = 1 / CieTable.MAXIMUM_WAVELENGTH;
     private static final double HIGHEST = 1 / CieTable.MINIMUM_WAVELENGTH;
-    private static final double[] CUT_END = {3.0 / 8, 7.0 / 6, 23.0 / 24};
     private static final double[] GAUSS_PLACES = {
         0.0694318442029737, 0.3300094782075719, 0.6699905217924281, 0.9305681557970263
     };
@@ -51,7 +50,7 @@ final class PlanNodes {
 
     /** Gauss's rule on panels that are graded at both ends. */
     static List<WaveNumber> panels(double low, double high, double largest) {
-        int equal = (int) Math.max(Math.ceil((high - low) / largest), 2);
+        int equal = (int) Math.max(Math.ceil((high - low) / largest - 1e-3), 2);
         double size = (high - low) / equal;
         List<Double> edges = new ArrayList<>(List.of(0.0, 0.25, 0.5));
         for (int i = 1; i < equal; i++) {
@@ -76,17 +75,35 @@ final class PlanNodes {
             return panels(LOWEST, HIGHEST, Math.min(rule.largestPanel(), rule.panel() / uv));
         }
         int last = rule.fewestNodes() - 1;
-        List<WaveNumber> places = new ArrayList<>(steps(LOWEST, (HIGHEST - LOWEST) / last, 0, last));
-        for (int i = 0; i < CUT_END.length; i++) {
-            for (int at : new int[] {i, last - i}) {
-                places.set(
-                        at,
-                        new WaveNumber(
-                                places.get(at).value(),
-                                CUT_END[i] * places.get(at).length()));
-            }
+        return cut(steps(LOWEST, (HIGHEST - LOWEST) / last, 0, last), 0, 0);
+    }
+
+    /** Corrected at both ends, which lie so many steps beyond the first and the last. */
+    private static List<WaveNumber> cut(List<WaveNumber> steps, double beyondFirst, double beyondLast) {
+        List<WaveNumber> places = new ArrayList<>(steps);
+        double[] low = endWeights(beyondFirst);
+        double[] high = endWeights(beyondLast);
+        for (int i = 0; i < low.length; i++) {
+            scale(places, i, low[i]);
+            scale(places, places.size() - 1 - i, high[i]);
         }
         return places;
+    }
+
+    private static void scale(List<WaveNumber> places, int at, double factor) {
+        places.set(
+                at,
+                new WaveNumber(places.get(at).value(), factor * places.get(at).length()));
+    }
+
+    /** Exact for cubics whose integral ends t steps beyond. */
+    private static double[] endWeights(double t) {
+        double first = 1.0 / 12 - t * t / 2;
+        double second = -first / 2 + t * t * t / 6;
+        double third = first / 3 - t * t * t / 6 - 1.0 / 720 - Math.pow(t, 4) / 24;
+        return new double[] {
+            0.5 + t - first + second - third, 1 + first - 2 * second + 3 * third, 1 + second - 3 * third, 1 + third
+        };
     }
 
     /** All that a direction takes. */
@@ -116,8 +133,11 @@ final class PlanNodes {
         double crossed = major / grid.nodeStep() * (HIGHEST - LOWEST);
         int stride = (int) Math.max(1, Math.min(grid.largestStride(), Math.floor(crossed) / grid.fewestNodes()));
         double size = grid.nodeStep() * stride / major;
+        long first = (long) Math.ceil(LOWEST / size);
+        long last = (long) Math.floor(HIGHEST / size);
+        List<WaveNumber> steps = steps(0, size, first, last);
         return band(
-                steps(0, size, (long) Math.ceil(LOWEST / size), (long) Math.floor(HIGHEST / size)),
+                grid.endsCut() ? cut(steps, first - LOWEST / size, HIGHEST / size - last) : steps,
                 new PlanNode.OnLine(alongX));
     }
 

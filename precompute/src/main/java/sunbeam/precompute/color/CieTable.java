@@ -7,6 +7,7 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
+import java.util.function.DoubleUnaryOperator;
 import java.util.stream.Stream;
 import sunbeam.precompute.files.Sha256;
 
@@ -23,9 +24,11 @@ public final class CieTable {
 
     private static final String RESOURCE = "/sunbeam/color/cie1931_d65_1nm.csv";
     private final double[][] weighted;
+    private final double integralOfY;
 
-    private CieTable(double[][] weighted) {
+    private CieTable(double[][] weighted, double integralOfY) {
         this.weighted = weighted;
+        this.integralOfY = integralOfY;
     }
 
     /** Reads the table that comes with Sunbeam. */
@@ -33,7 +36,8 @@ public final class CieTable {
         try (CsvReader<NamedCsvRecord> rows = CsvReader.builder()
                 .commentStrategy(CommentStrategy.SKIP)
                 .ofNamedCsvRecord(CieTable.class.getResourceAsStream(RESOURCE), StandardCharsets.UTF_8)) {
-            return new CieTable(rows.stream().map(CieTable::weighted).toArray(double[][]::new));
+            double[][] weighted = rows.stream().map(CieTable::weighted).toArray(double[][]::new);
+            return new CieTable(weighted, integral(weighted));
         } catch (IOException e) {
             throw new UncheckedIOException("cannot read " + RESOURCE, e);
         }
@@ -75,8 +79,31 @@ public final class CieTable {
         return digest.hex();
     }
 
-    /** Integral of S ybar over the band (trapezoid on the 1 nm table, exact for linear interpolation), in metres. */
+    /**
+     * The same with the light's spectrum times a factor, which is not normalised away: white stays that of the light itself.
+     *
+     * @param factor of a wavelength in metres, at each nanometre; linear between
+     */
+    public CieTable times(DoubleUnaryOperator factor) {
+        double[][] product = new double[weighted.length][3];
+        for (int i = 0; i < product.length; i++) {
+            double value = factor.applyAsDouble(MINIMUM_WAVELENGTH + i * 1e-9);
+            for (int channel = 0; channel < 3; channel++) {
+                product[i][channel] = value * weighted[i][channel];
+            }
+        }
+        return new CieTable(product, integralOfY);
+    }
+
+    /**
+     * Integral of S ybar over the band (trapezoid on the 1 nm table, exact for linear interpolation), in metres; of the light
+     * before any factor.
+     */
     public double integralOfY() {
+        return integralOfY;
+    }
+
+    private static double integral(double[][] weighted) {
         double sum = 0;
         for (int i = 0; i + 1 < weighted.length; i++) {
             sum += 0.5 * (weighted[i][1] + weighted[i + 1][1]);

@@ -25,6 +25,11 @@ public record Surface(HeightMap map, HeightLevels levels, PatchIdentity identity
         return new Surface(map, HeightLevels.of(map), identity, CieTable.load());
     }
 
+    /** The same in other light. */
+    public Surface under(CieTable light) {
+        return new Surface(map, levels, identity, light);
+    }
+
     /** Plans Fourier tables of it. */
     public Planner planner() {
         return new Planner(map, levels, cie);

@@ -39,24 +39,25 @@ public final class SlopeCheck {
             }
         }
         double share = steep / ((double) columns * rows);
-        return share <= LARGEST_SHARE ? Optional.empty() : Optional.of(warning(share, steepest));
+        return share <= LARGEST_SHARE ? Optional.empty() : Optional.of(warning(share, steepest, ModelError.of(map)));
     }
 
     /** The slope between a sample and its right and lower neighbours. */
-    private static double slope(HeightMap map, int column, int row) {
+    static double slope(HeightMap map, int column, int row) {
         double here = map.at(column, row);
         double alongX = map.columns() > 1 ? (map.at(column + 1, row) - here) / map.pitchX() : 0;
         double alongY = map.rows() > 1 ? (map.at(column, row + 1) - here) / map.pitchY() : 0;
         return Math.hypot(alongX, alongY);
     }
 
-    private static String warning(double share, double steepest) {
+    private static String warning(double share, double steepest, ModelError error) {
         return String.format(
                 Locale.ROOT,
                 "slopes too steep for scalar theory: %.1f %% of the surface are steeper than %.0f degrees, the steepest"
-                        + " %.0f degrees; shadows and second reflections are not computed, expect wrong brightness",
+                        + " %.0f degrees; shadows and second reflections are not computed: %s",
                 100 * share,
                 STEEPEST,
-                Math.toDegrees(Math.atan(steepest)));
+                Math.toDegrees(Math.atan(steepest)),
+                error.describe());
     }
 }

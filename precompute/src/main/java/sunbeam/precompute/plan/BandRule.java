@@ -20,6 +20,8 @@ public record BandRule(int fewestNodes, double reach, double panel, double large
     // Kinks of D65's table, 5 nm apart, lie anywhere in a panel: with two nodes where equal steps have one, both err
     // alike.
     private static final double NODES_BESIDE_EQUAL = 2;
+    // A flank beside the band falls faster than an order one deviation from its middle.
+    private static final double STEEPEST_FLANK = 2;
     private static final double BAND = 1 / CieTable.MINIMUM_WAVELENGTH - 1 / CieTable.MAXIMUM_WAVELENGTH;
 
     /**
@@ -32,7 +34,7 @@ public record BandRule(int fewestNodes, double reach, double panel, double large
     static BandRule of(int fewestNodes, double deviation, double spacing, double panel) {
         return new BandRule(
                 fewestNodes,
-                fewestNodes * spacing * deviation / BAND,
+                fewestNodes * spacing * deviation / BAND / STEEPEST_FLANK,
                 panel * deviation,
                 BAND * NODES_PER_PANEL / (NODES_BESIDE_EQUAL * fewestNodes));
     }
@@ -42,7 +44,7 @@ public record BandRule(int fewestNodes, double reach, double panel, double large
         if (uv <= reach) {
             return fewestNodes;
         }
-        double equal = Math.max(2, Math.ceil(BAND / Math.min(largestPanel, panel / uv)));
+        double equal = Math.max(2, Math.ceil(BAND / Math.min(largestPanel, panel / uv) - 1e-3));
         return NODES_PER_PANEL * ((int) equal + GRADED_PANELS);
     }
 

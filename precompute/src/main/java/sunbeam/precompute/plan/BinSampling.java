@@ -30,6 +30,11 @@ import sunbeam.precompute.units.Lengths;
 public record BinSampling(Neighbourhood neighbourhood, WavelengthNodes wavelengths) implements Sampling {
 
     @Override
+    public String wavelengths(VisibleRange range) {
+        return wavelengths.count() + " wavelengths a pixel";
+    }
+
+    @Override
     public String summary(VisibleRange range) {
         return neighbourhood.summary() + " at " + wavelengths.count() + " wavelengths";
     }

@@ -44,7 +44,7 @@ public record ErrorBudget(double tolerance, Roughness roughness) {
     private static final double ROUGH_AVERAGING = 8;
 
     private static final double PANEL_ERROR = 105 * Math.pow(24, 4) / (9 * Math.pow(40320, 3)) / Math.sqrt(2 * Math.PI);
-    private static final double CUT_ERROR = 19.0 / 720 * 1.4 / Math.sqrt(2 * Math.PI);
+    private static final double CUT_ERROR = 3.0 / 160 * 3 / Math.sqrt(2 * Math.PI);
     // Beyond, the bound says little.
     private static final double LARGEST_PANEL = 3.5;
 
@@ -135,11 +135,11 @@ public record ErrorBudget(double tolerance, Roughness roughness) {
     }
 
     /**
-     * Equal steps with Gregory's corrections of three nodes, in deviations of an order's power, where the band cuts it: the
-     * first term that is left out is 19 / 720 h^4 times the third derivative, at most 1.4 for exp(-x^2 / 2).
+     * Equal steps with corrections of four nodes at the ends, in deviations of an order's power, where the band cuts it: the
+     * first term that is left out is 3 / 160 h^5 times the fourth derivative (Gregory's rule), at most 3 for exp(-x^2 / 2).
      */
     public double cutSpacing() {
-        return Math.min(1, Math.pow(wavelengths() / CUT_ERROR, 0.25));
+        return Math.min(1, Math.pow(wavelengths() / CUT_ERROR, 0.2));
     }
 
     /** Relative error of the trapezoid rule over wavelengths for a lone order. */

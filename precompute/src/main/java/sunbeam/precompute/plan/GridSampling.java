@@ -41,10 +41,23 @@ public record GridSampling(
         ErrorBudget budget)
         implements Sampling {
 
+    /**
+     * Whether columns resolve an order that the band cuts. Where light goes everywhere, the ends, which the eye hardly sees,
+     * are dim beside the rest.
+     */
+    public boolean endsCut() {
+        return !budget.roughness().isRough();
+    }
+
     /** Largest of |u|, |v| up to which both axes are interpolated. */
     public double centreReach() {
         double waveNumbers = 1 / CieTable.MINIMUM_WAVELENGTH - 1 / CieTable.MAXIMUM_WAVELENGTH;
         return fewestNodes * nodeStep / waveNumbers;
+    }
+
+    @Override
+    public String wavelengths(VisibleRange range) {
+        return "%d to %d wavelengths a pixel".formatted(fewestNodes, mostNodes(range));
     }
 
     @Override
@@ -185,6 +198,7 @@ public record GridSampling(
             band.addTo(tables);
             tables.reals("gridNodeStep", nodeStep)
                     .integers("gridLargestStride", largestStride)
+                    .integers("gridEndsCut", endsCut() ? 1 : 0)
                     .reals("gridCentreReach", centreReach())
                     .integers("gridFewestNodes", fewestNodes)
                     .reals("cieWhite", ColorArrays.cieWhite(cie));

@@ -68,6 +68,11 @@ public record MemoryNeed(long heapBytes, long textureBytes, long longestSide) {
                                 .orElse(0)));
     }
 
+    /** Whether a texture is too long, which only a smaller patch mends. */
+    boolean isTooLong() {
+        return longestSide > LONGEST_SIDE;
+    }
+
     boolean fits(long heapLimit) {
         return heapBytes <= USABLE_HEAP * heapLimit
                 && textureBytes <= MOST_TEXTURE_BYTES

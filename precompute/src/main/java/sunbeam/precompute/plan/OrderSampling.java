@@ -27,6 +27,11 @@ public record OrderSampling(double reach, double nodeSpacing, double panel, doub
     private static final Neighbourhood NEAREST_BIN = new Neighbourhood(0, Neighbourhood.Anchor.NEAREST);
 
     @Override
+    public String wavelengths(VisibleRange range) {
+        return "%d wavelengths or more for each order".formatted(nodes());
+    }
+
+    @Override
     public String summary(VisibleRange range) {
         return "single orders with %d wavelengths each or more".formatted(nodes());
     }

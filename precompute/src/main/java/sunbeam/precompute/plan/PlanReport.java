@@ -1,5 +1,7 @@
 package sunbeam.precompute.plan;
 
+import java.math.BigDecimal;
+import java.math.MathContext;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -20,14 +22,28 @@ public final class PlanReport {
         this.plan = plan;
     }
 
-    /** One line: what is computed. */
+    /** One line: what is computed, in words that need no knowledge of how. */
     public String summary() {
-        return terms() + ", " + plan.sampling().summary(plan.range()) + ", " + bins() + accuracy();
+        return "%s, coherence length %s, %s"
+                .formatted(
+                        accuracy(),
+                        Lengths.format(plan.window().coherenceLength()),
+                        plan.sampling().wavelengths(plan.range()));
     }
 
     private String accuracy() {
         OptionalDouble tolerance = plan.accuracy().tolerance();
-        return tolerance.isPresent() ? " (tolerance " + tolerance.getAsDouble() + ")" : " (thesis)";
+        return tolerance.isPresent()
+                ? "colours planned to %s %% (95 %% of directions to %s %%)"
+                        .formatted(percent(tolerance.getAsDouble()), percent(3 * tolerance.getAsDouble()))
+                : "as in the thesis";
+    }
+
+    private static String percent(double share) {
+        return new BigDecimal(100 * share)
+                .round(new MathContext(3))
+                .stripTrailingZeros()
+                .toPlainString();
     }
 
     private String terms() {
@@ -57,6 +73,7 @@ public final class PlanReport {
     public List<String> reasons() {
         List<String> lines = new ArrayList<>();
         VisibleRange range = plan.range();
+        lines.add("sizes: " + terms() + ", " + plan.sampling().summary(range) + ", " + bins());
         lines.add(format(
                 "directions: u %.3f..%.3f, v %.3f..%.3f, |w| %.3f..%.3f can occur; nothing else is computed",
                 range.minimumU(),

@@ -85,21 +85,26 @@ public final class Planner {
     }
 
     private void requireRoom(Plan plan) {
-        excess(MemoryNeed.of(plan, map.rows())).ifPresent(excess -> {
-            throw SettingException.of(
-                    COHERENCE_LENGTH,
-                    plan.window().coherenceLength(),
-                    "and %d x %d DFT bins in %d terms %s; crop the patch, or give a coarser "
-                            .formatted(
-                                    plan.bandX().count(),
-                                    plan.bandY().count(),
-                                    plan.expansion().terms(),
-                                    excess),
-                    TOLERANCE,
-                    ", fewer ",
-                    TERMS,
-                    " or another ",
-                    COHERENCE_LENGTH);
+        MemoryNeed need = MemoryNeed.of(plan, map.rows());
+        excess(need).ifPresent(excess -> {
+            String problem = "and %d x %d DFT bins in %d terms %s; crop the patch"
+                    .formatted(
+                            plan.bandX().count(),
+                            plan.bandY().count(),
+                            plan.expansion().terms(),
+                            excess);
+            double coherenceLength = plan.window().coherenceLength();
+            throw need.isTooLong()
+                    ? SettingException.of(COHERENCE_LENGTH, coherenceLength, problem)
+                    : SettingException.of(
+                            COHERENCE_LENGTH,
+                            coherenceLength,
+                            problem + ", or give a coarser ",
+                            TOLERANCE,
+                            ", fewer ",
+                            TERMS,
+                            " or another ",
+                            COHERENCE_LENGTH);
         });
     }
 

@@ -20,6 +20,11 @@ import sunbeam.precompute.table.FourierTable;
 public record RaySampling(Neighbourhood neighbourhood, BandRule band) implements Sampling {
 
     @Override
+    public String wavelengths(VisibleRange range) {
+        return "%d to %d wavelengths a pixel".formatted(band.fewestNodes(), mostNodes(range));
+    }
+
+    @Override
     public String summary(VisibleRange range) {
         return "%s at %d to %d wavelengths".formatted(neighbourhood.summary(), band.fewestNodes(), mostNodes(range));
     }

@@ -19,6 +19,9 @@ public sealed interface Sampling permits BinSampling, GridSampling, OrderSamplin
     /** What is summed or interpolated, in a few words. */
     String summary(VisibleRange range);
 
+    /** How many wavelengths a pixel adds up, for people. */
+    String wavelengths(VisibleRange range);
+
     /** Why, one line each. */
     List<String> reasons(VisibleRange range);
 

@@ -55,12 +55,11 @@ final class SamplingPlanner {
         if (neighbour < 1e-3 * budget.tolerance()) {
             return List.of(orders());
         }
-        List<Sampling> choices = new ArrayList<>();
-        if (interpolates(map, window)) {
-            choices.add(grid(budget.interpolation(average)));
-            choices.add(grid(budget.compactInterpolation(average)));
-        }
-        choices.add(new RaySampling(bins(), band(fewestNodes())));
+        List<Sampling> grids = List.of(grid(budget.interpolation(average)), grid(budget.compactInterpolation(average)));
+        Sampling rays = new RaySampling(bins(), band(fewestNodes()));
+        List<Sampling> choices = new ArrayList<>(grids);
+        // Where orders are resolved along an axis, a grid fine enough for them is larger than the bins.
+        choices.add(interpolates(map, window) ? grids.size() : 0, rays);
         return choices;
     }
 
@@ -101,7 +100,10 @@ final class SamplingPlanner {
         // Columns are crossed at up to sqrt(2) of their distance. The power of a lone order along the ray is a Gaussian
         // of deviation sigma / sqrt(2), for which the trapezoid rule errs by 2 exp(-2 (pi deviation / step)^2).
         double perStep = Math.sqrt(2 / (Math.PI * Math.PI) * Math.log(2 / budget.wavelengths()));
-        double step = window.sigmaFrequency() / perStep;
+        double deviation = window.sigmaFrequency() / Math.sqrt(2);
+        double uncut = window.sigmaFrequency() / perStep;
+        double step =
+                budget.roughness().isRough() ? uncut : Math.min(uncut, budget.cutSpacing() * deviation / Math.sqrt(2));
         double centre =
                 new GridSampling(design, step, 1, fewestNodes(), band(fewestNodes()), singles(), budget).centreReach();
         int stride = (int) Math.ceil(centre / LARGEST_CENTRE);

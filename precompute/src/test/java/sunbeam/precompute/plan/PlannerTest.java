@@ -195,6 +195,29 @@ class PlannerTest {
         return new Planner(map, HeightLevels.of(map), CIE, MUCH_MEMORY);
     }
 
+    @Test
+    void moreStepsThanDriversTakeAreRefusedBeforeAnythingIsComputed() {
+        Request asked = request(Optional.empty(), 0, OptionalInt.of(15), 65e-6, 0.05e-9);
+
+        assertThatThrownBy(() -> planner(64, 400e-9)
+                        .plan(asked.table(), asked.neighbourhood(), asked.area(), VisibleRange.all()))
+                .isInstanceOf(SettingException.class)
+                .hasMessageContaining("65,535");
+    }
+
+    @Test
+    void aPatchThatIsShortAlongOneAxisHasFewBinsThere() {
+        HeightMap line = Surfaces.random(64, 1, 50e-9, 400e-9, 5);
+        GaussianArea area = GaussianArea.STANDARD.with(CoherenceWindow.ofCoherenceLength(5e-6));
+
+        Plan plan = new Planner(line, HeightLevels.of(line), CIE, MUCH_MEMORY)
+                .plan(TableChoices.of(Accuracy.ByTolerance.STANDARD), Optional.empty(), area, VisibleRange.all());
+
+        Neighbourhood bins = ((RaySampling) plan.sampling()).neighbourhood();
+        assertThat(bins.radiusY()).isEqualTo(1);
+        assertThat(bins.radiusX()).isGreaterThan(bins.radiusY());
+    }
+
     /** Zero or empty for what is not fixed. */
     private static Request request(
             Optional<ExpansionKind> expansion,

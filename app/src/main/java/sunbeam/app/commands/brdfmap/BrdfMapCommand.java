@@ -154,6 +154,7 @@ public final class BrdfMapCommand implements Callable<Integer> {
         PrintWriter out = StandardOutput.reports(specification.commandLine().getOut(), err, picture, linear);
         List<MethodPlan> plans = plans(setups, chosen);
         Optional<Certificate> certificate;
+        ExitCode doubt;
         Path written;
         try (RenderContext context = RenderContexts.offscreen();
                 DisplayPass display = new DisplayPass(context)) {
@@ -168,9 +169,13 @@ public final class BrdfMapCommand implements Callable<Integer> {
                             .certify(first, count, CertifyOption.SEED, factor, choices.get(TOLERANCE)));
             Map<String, String> text = describe(setups, choices, maps, factor, context);
             certificate.ifPresent(stated -> text.put("Certificate", stated.summary()));
-            List<BufferedImage> images = maps.stream()
-                    .map(map -> image(map, display, factor, chosen))
-                    .toList();
+            List<BufferedImage> plain =
+                    maps.stream().map(map -> plain(map, display, factor)).toList();
+            doubt = DoubtfulMap.judge(maps.stream().map(DrawnMap::patch).toList(), plain, err);
+            List<BufferedImage> images = new ArrayList<>();
+            for (int i = 0; i < maps.size(); i++) {
+                images.add(image(maps.get(i), plain.get(i), factor, chosen));
+            }
             BufferedImage sheet = PictureSheet.of(images);
             written = write(picture, stream -> PngWriter.write(stream, sheet, text), first);
         }
@@ -185,7 +190,8 @@ public final class BrdfMapCommand implements Callable<Integer> {
                         new Explainer(setups.get(0), choices, VisibleRange.of(light.direction()), MethodUse.COLOUR),
                         out,
                         err))
-                .orElse(ExitCode.OK)
+                .filter(code -> code != ExitCode.OK)
+                .orElse(doubt)
                 .code();
     }
 
@@ -226,8 +232,11 @@ public final class BrdfMapCommand implements Callable<Integer> {
         }
     }
 
-    private BufferedImage image(DrawnMap map, DisplayPass display, double factor, Method chosen) {
-        BufferedImage plain = SrgbImage.fromEncoded(size, size, display.srgb(map.picture(), factor));
+    private BufferedImage plain(DrawnMap map, DisplayPass display, double factor) {
+        return SrgbImage.fromEncoded(size, size, display.srgb(map.picture(), factor));
+    }
+
+    private BufferedImage image(DrawnMap map, BufferedImage plain, double factor, Method chosen) {
         if (!annotate) {
             return plain;
         }

@@ -7,6 +7,7 @@ import java.util.List;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.OutputException;
 import sunbeam.app.files.output.Overwrite;
+import sunbeam.app.files.output.StandardOutput;
 
 /** The files of one evaluation: one name, several endings. */
 final class OutputFiles {
@@ -20,6 +21,10 @@ final class OutputFiles {
 
     /** A name that the user gave, or the first free one of {@code chosen}, {@code chosen-2} and so on. */
     static OutputFiles of(Path given, String chosen, List<String> endings, Overwrite overwrite) {
+        if (given != null && StandardOutput.isMeant(given)) {
+            throw new OutputException(
+                    "cannot write several files to standard output: name a file, or ./- for names that begin with -");
+        }
         OutputFiles files = given != null ? new OutputFiles(given) : free(chosen, endings, overwrite);
         endings.forEach(ending -> AtomicFile.checkWritable(files.path(ending), overwrite));
         return files;

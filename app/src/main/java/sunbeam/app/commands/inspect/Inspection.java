@@ -13,6 +13,7 @@ import sunbeam.precompute.analysis.SpectrumPeak;
 import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.method.Surface;
 import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.patch.ModelError;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.patch.SamplingCheck;
 import sunbeam.precompute.plan.ErrorBudget;
@@ -69,6 +70,7 @@ record Inspection(
                 "heights",
                 "relief %s, roughness %s rms".formatted(rounded(statistics.relief()), rounded(statistics.rms()))));
         lines.add(line("slopes", slopes()));
+        lines.add(line("model", ModelError.of(map).describe()));
         lines.addAll(periods());
         lines.add(line("plan", plan.summary()));
         lines.add(line("cost", plan.cost(map.rows())));

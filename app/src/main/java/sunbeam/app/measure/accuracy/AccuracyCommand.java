@@ -48,7 +48,7 @@ public final class AccuracyCommand implements Callable<Integer> {
     private static final List<String> DEFAULT_PATCHES = List.of("blaze", "elaphe-like", "xenopeltis-like");
     private static final List<Double> CASE_TOLERANCES = List.of(1e-2, 1e-3, 1e-4);
     private static final long FIRST_SEED = 1;
-    private static final SampleCounts USUAL = new SampleCounts(300, 32, 3);
+    private static final SampleCounts USUAL = new SampleCounts(300, 100, 3);
     private static final SampleCounts QUICK = new SampleCounts(120, 10, 3);
     private static final int USUAL_MAP = 128;
     private static final int QUICK_MAP = 128;

@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.TreeMap;
 import jrtr.RenderContext;
 import sunbeam.precompute.plan.PlanReport;
+import sunbeam.precompute.setting.SettingException;
 
 /** Many random cases, and how their errors are distributed by kind. */
 final class RandomCases {
@@ -36,10 +37,18 @@ final class RandomCases {
     int run(long firstSeed, int count) {
         int missed = 0;
         int said = 0;
+        int refused = 0;
         int bright = 0;
         for (long seed = firstSeed; seed < firstSeed + count; seed++) {
             RandomCase drawn = RandomCase.of(seed);
-            RandomCase.Outcome outcome = drawn.measure(context);
+            RandomCase.Outcome outcome;
+            try {
+                outcome = drawn.measure(context);
+            } catch (SettingException refusal) {
+                refused++;
+                out.printf("refused, %s: %s%n", drawn, refusal.getMessage());
+                continue;
+            }
             if (outcome.errors().count() == 0) {
                 continue;
             }
@@ -59,8 +68,8 @@ final class RandomCases {
         }
         kept.ifPresent(KeptCases::close);
         out.printf(
-                "%d cases from seed %d, %d with light: %d missed, %d of them as the plan had said%n",
-                count, firstSeed, bright, missed, said);
+                "%d cases from seed %d, %d refused by the plan, %d with light: %d missed, %d of them as the plan had said%n",
+                count, firstSeed, refused, bright, missed, said);
         ratios.forEach(this::print);
         return missed;
     }

@@ -70,7 +70,7 @@ final class InspectCommandTest {
     void thePictureCarriesThePlanThatIsPrinted() {
         assertThat(run("inspect", "sinusoid", "--output", picture())).isZero();
         Map<String, String> text = PngText.read(Path.of(picture()));
-        assertThat(text.get("Plan")).contains("terms");
+        assertThat(text.get("Plan")).contains("colours planned to");
         assertThat(out.toString().lines()).contains("plan      " + text.get("Plan"));
     }
 

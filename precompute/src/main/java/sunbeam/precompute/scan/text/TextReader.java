@@ -50,6 +50,9 @@ public final class TextReader implements ScanReader {
     }
 
     private static ScanChannel matrix(TextFacts facts, TextNumbers numbers) {
+        if (facts.columns().isEmpty()) {
+            numbers.requireRectangular();
+        }
         long columns = facts.columns().map(Integer::longValue).orElse(numbers.columns());
         if (columns < 1) {
             throw new ScanException("has no numbers in its first row; export it again");
@@ -59,9 +62,6 @@ public final class TextReader implements ScanReader {
         if (columns * rows != numbers.count()) {
             throw new ScanException("has %d numbers where its header announces %d x %d; export it again"
                     .formatted(numbers.count(), columns, rows));
-        }
-        if (facts.columns().isEmpty()) {
-            numbers.requireRectangular();
         }
         Extent extent = new Extent(facts.width(), facts.height(), 1);
         return new ScanChannel(facts.channel(), toInt(columns), toInt(rows), extent, facts.unit(), numbers::read);

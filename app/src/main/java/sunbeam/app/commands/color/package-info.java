@@ -1,0 +1,2 @@
+/** {@code sunbeam color}: colours by viewing angle. */
+package sunbeam.app.commands.color;

@@ -1,0 +1,46 @@
+package sunbeam.app.terminal;
+
+import java.io.FilterWriter;
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.Writer;
+
+/** Lines on their way to standard error without plans and warnings: failures are left. */
+public final class QuietWriter extends FilterWriter {
+    private final StringBuilder line = new StringBuilder();
+
+    private QuietWriter(Writer out) {
+        super(out);
+    }
+
+    /** Such lines to a writer, which is flushed with each. */
+    public static PrintWriter around(Writer out) {
+        return new PrintWriter(new QuietWriter(out), true);
+    }
+
+    @Override
+    public void write(int character) throws IOException {
+        line.append((char) character);
+        if (character == '\n') {
+            String whole = line.toString();
+            line.setLength(0);
+            if (!whole.startsWith("plan: ") && !Messages.isWarning(whole)) {
+                out.write(whole);
+            }
+        }
+    }
+
+    @Override
+    public void write(char[] text, int offset, int length) throws IOException {
+        for (int i = 0; i < length; i++) {
+            write(text[offset + i]);
+        }
+    }
+
+    @Override
+    public void write(String text, int offset, int length) throws IOException {
+        for (int i = 0; i < length; i++) {
+            write(text.charAt(offset + i));
+        }
+    }
+}

@@ -1,0 +1,53 @@
+package sunbeam.app.commands.brdfmap;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.awt.image.BufferedImage;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import sunbeam.app.terminal.ExitCode;
+import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.patch.Patch;
+
+class DoubtfulMapTest {
+    private static final BufferedImage BLACK = new BufferedImage(8, 8, BufferedImage.TYPE_INT_RGB);
+    private static final Patch MIRROR = patch(0);
+    private static final Patch STEP = patch(1e-7);
+
+    private static Patch patch(double step) {
+        return new Patch("step", new HeightMap(2, 1, 1e-7, 1e-7, new double[] {0, step}), "made up", List.of());
+    }
+
+    private static BufferedImage lit() {
+        BufferedImage image = new BufferedImage(8, 8, BufferedImage.TYPE_INT_RGB);
+        image.setRGB(3, 5, 0x000001);
+        return image;
+    }
+
+    private static ExitCode judge(Patch patch, BufferedImage image, StringWriter said) {
+        return DoubtfulMap.judge(List.of(STEP, patch), List.of(lit(), image), new PrintWriter(said));
+    }
+
+    @Test
+    void aMapWithLightOfASurfaceIsFine() {
+        StringWriter said = new StringWriter();
+
+        assertThat(judge(STEP, lit(), said)).isEqualTo(ExitCode.OK);
+        assertThat(said.toString()).isEmpty();
+    }
+
+    @Test
+    void theMapOfAMirrorIsDoubtful() {
+        assertThat(judge(MIRROR, lit(), new StringWriter()).code()).isEqualTo(3);
+    }
+
+    @Test
+    void aBlackMapIsDoubtfulAndSaysWhatHelps() {
+        StringWriter said = new StringWriter();
+
+        assertThat(judge(STEP, BLACK, said).code()).isEqualTo(3);
+        assertThat(said.toString()).contains("warning: the map is black all over; let the exposure be automatic");
+    }
+}

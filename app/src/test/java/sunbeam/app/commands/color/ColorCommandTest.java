@@ -1,0 +1,173 @@
+package sunbeam.app.commands.color;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Map;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import sunbeam.app.Sunbeam;
+import sunbeam.app.files.input.PngText;
+import sunbeam.app.gpu.NeedsDisplay;
+import sunbeam.app.terminal.Environment;
+import sunbeam.app.terminal.ExitCode;
+
+@NeedsDisplay
+class ColorCommandTest {
+    @TempDir
+    private Path folder;
+
+    private final StringWriter err = new StringWriter();
+
+    private int run(String... more) {
+        String[] first = {
+            "color",
+            "--coherence-length",
+            "10um",
+            "--step",
+            "2",
+            "--output",
+            folder.resolve("c.png").toString(),
+            "--force"
+        };
+        String[] all = new String[first.length + more.length];
+        System.arraycopy(first, 0, all, 0, first.length);
+        System.arraycopy(more, 0, all, first.length, more.length);
+        Environment environment = new Environment(Map.of(), folder);
+        return new Sunbeam(environment, new PrintWriter(new StringWriter()), new PrintWriter(err)).run(all);
+    }
+
+    private JsonNode tell(String... more) throws IOException {
+        assertThat(run(more)).as(err.toString()).isZero();
+        return new ObjectMapper().readTree(folder.resolve("c.json").toFile());
+    }
+
+    private static JsonNode at(JsonNode surface, String strip, double theta) {
+        for (JsonNode colour : surface.get("colours")) {
+            if (colour.get("strip").asText().equals(strip)
+                    && Math.abs(colour.get("theta_r").asDouble() - theta) < 1e-9) {
+                return colour;
+            }
+        }
+        throw new AssertionError("no colour at " + theta);
+    }
+
+    @Test
+    void aGratingsColourIsThatOfItsFirstOrder() throws IOException {
+        JsonNode told = tell("--patch", "sinusoid", "--theta-i", "0", "--spectrum", "12");
+
+        JsonNode surface = told.get("surfaces").get(0);
+        assertThat(surface.get("strongest_direction_deg").asDouble()).isCloseTo(0, within(0.01));
+        // lambda = d sin(theta) for a period of 2.5 um; at 12 degrees 520 nm. An order is as wide as blur_nm says, and
+        // the eye
+        // sees more of its longer half here: half a width.
+        JsonNode green = at(surface, "along", 12);
+        double expected = 2500 * Math.sin(Math.toRadians(12));
+        assertThat(green.get("dominant_nm").asDouble())
+                .isCloseTo(expected, within(green.get("blur_nm").asDouble() / 2));
+        JsonNode spectrum = surface.get("spectra").get(0);
+        int brightest = 0;
+        for (int i = 0; i < spectrum.get("wavelength_nm").size(); i++) {
+            double value = spectrum.get("relative_radiance").get(i).asDouble();
+            brightest = value > spectrum.get("relative_radiance").get(brightest).asDouble() ? i : brightest;
+        }
+        // The order's height falls with its wavelength, which shifts the maximum by part of its width.
+        assertThat(spectrum.get("wavelength_nm").get(brightest).asDouble())
+                .isCloseTo(expected, within(green.get("blur_nm").asDouble() / 4));
+        assertThat(green.get("delta_e").asDouble()).as("tolerance 1e-3").isBetween(1e-3, 1.0);
+    }
+
+    @Test
+    void theMirrorDirectionIsWhiteWhateverTheConstantIndex() throws IOException {
+        double[] luminances = new double[3];
+        String[] indices = {"1.5", "1.56", "0.97+6.5i"};
+        for (int i = 0; i < indices.length; i++) {
+            JsonNode surface = tell("--patch", "sinusoid", "--theta-i", "0", "--index", indices[i])
+                    .get("surfaces")
+                    .get(0);
+            luminances[i] = at(surface, "along", 0).get("Y").asDouble();
+        }
+        // Along the normal Schlick's reflectance is the mirror's own, to which all relates.
+        assertThat(luminances[1]).isCloseTo(luminances[0], within(1e-6 * luminances[0]));
+        assertThat(luminances[2]).isCloseTo(luminances[0], within(1e-6 * luminances[0]));
+    }
+
+    @Test
+    void aTabulatedIndexColoursTheLightAndAConstantOneInAFileDoesNot() throws IOException {
+        Path same = Files.writeString(folder.resolve("same.csv"), "wl,n\n0.3,1.56\n0.9,1.56\n\nwl,k\n0.3,0\n0.9,0\n");
+        Path gold = Files.writeString(
+                folder.resolve("gold.csv"), "wl,n,k\n0.3,1.5,1.9\n0.5,1.0,1.9\n0.6,0.25,3.0\n0.8,0.15,4.9\n");
+        String[] light = {"--patch", "sinusoid", "--theta-i", "20"};
+
+        JsonNode constant = tell(with(light, "--index", "1.56")).get("surfaces").get(0);
+        JsonNode table =
+                tell(with(light, "--index", same.toString())).get("surfaces").get(0);
+        JsonNode golden =
+                tell(with(light, "--index", gold.toString())).get("surfaces").get(0);
+
+        for (double theta : new double[] {-40, -20, -8, 10, 60}) {
+            for (String channel : new String[] {"X", "Y", "Z"}) {
+                double expected = at(constant, "along", theta).get(channel).asDouble();
+                // Seven digits are written, float32 computes.
+                assertThat(at(table, "along", theta).get(channel).asDouble())
+                        .isCloseTo(expected, within(1e-5 * Math.abs(expected)));
+            }
+        }
+        JsonNode mirror = at(golden, "along", -20);
+        assertThat(mirror.get("dominant_nm").asDouble()).as("gold").isBetween(570.0, 610.0);
+    }
+
+    private static String[] with(String[] first, String... more) {
+        String[] all = new String[first.length + more.length];
+        System.arraycopy(first, 0, all, 0, first.length);
+        System.arraycopy(more, 0, all, first.length, more.length);
+        return all;
+    }
+
+    @Test
+    void severalSurfacesAndLightsShareOneExposure() throws IOException {
+        JsonNode told = tell("--patch", "blaze", "--with", "lamellar", "--theta-i", "0", "--theta-i-to", "20");
+
+        assertThat(told.get("surfaces")).hasSize(2);
+        // 2 strips, 5 lights, 81 angles.
+        assertThat(told.get("surfaces").get(1).get("colours")).hasSize(2 * 5 * 81);
+        assertThat(Files.readAllLines(folder.resolve("c.csv"))).hasSize(1 + 2 * 2 * 5 * 81);
+        assertThat(PngText.read(folder.resolve("c.png")))
+                .containsEntry("Exposure", told.get("exposure").toString())
+                .containsEntry("Index", "1.5");
+    }
+
+    @Test
+    void whatIsNoIndexIsRefused() throws IOException {
+        Path infrared = Files.writeString(folder.resolve("infrared.csv"), "wl,n\n1,1.5\n5,1.4\n");
+        Path words = Files.writeString(folder.resolve("words.csv"), "wl,n\n0.3,glass\n");
+        Map<String, Integer> refused = Map.of(
+                "glass",
+                ExitCode.USAGE.code(),
+                "0",
+                ExitCode.USAGE.code(),
+                "1",
+                ExitCode.USAGE.code(),
+                "-1.5",
+                ExitCode.USAGE.code(),
+                infrared.toString(),
+                ExitCode.UNUSABLE_INPUT.code(),
+                words.toString(),
+                ExitCode.UNUSABLE_INPUT.code(),
+                folder.resolve("none.csv").toString(),
+                ExitCode.UNUSABLE_INPUT.code());
+        refused.forEach(
+                (index, code) -> assertThat(run("--index", index)).as(index).isEqualTo(code));
+        assertThat(err.toString())
+                .contains("reflects nothing", "from 1000 to 5000 nm", "line 2: 'glass' is not a number")
+                .doesNotContain("Exception");
+        assertThat(folder.resolve("c.png")).doesNotExist();
+    }
+}

@@ -1,0 +1,49 @@
+package sunbeam.precompute.color;
+
+import java.util.List;
+import sunbeam.precompute.optics.DirectionPair;
+import sunbeam.precompute.optics.Gain;
+import sunbeam.precompute.optics.RefractiveIndex;
+
+/**
+ * A part of the light that a material reflects, in which wavelength and direction separate. Schlick's reflectance is R0 (1 -
+ * s) + s with s = (1 - cos theta_d)^5 and R0 of the wavelength; colours need it under the integral over wavelengths. So they
+ * are the sum of two integrals, one with R0 as a factor of the light's spectrum; of one where R0 is constant.
+ *
+ * @param cie observer and light with this part's spectral factor
+ * @param constant of the directional factor, constant + schlick s
+ * @param schlick of the directional factor
+ */
+public record ReflectionPart(CieTable cie, double constant, double schlick) {
+
+    /**
+     * The parts of a material's light, in proportion to a flat mirror of the same material seen along the normal, whose
+     * luminance is 1.
+     */
+    public static List<ReflectionPart> of(RefractiveIndex index, CieTable cie) {
+        double mirror = mirror(index, cie);
+        if (index.isConstant()) {
+            return List.of(new ReflectionPart(cie, 1, (1 - mirror) / mirror));
+        }
+        CieTable coloured = cie.times(wavelength -> index.reflectance(wavelength) / mirror);
+        return List.of(new ReflectionPart(coloured, 1, -1), new ReflectionPart(cie, 0, 1 / mirror));
+    }
+
+    /** The mean of the reflectance along the normal, weighted by luminance. */
+    public static double mirror(RefractiveIndex index, CieTable cie) {
+        double sum = 0;
+        double weights = 0;
+        for (int nanometre = 380; nanometre <= 780; nanometre++) {
+            double weight = cie.at(nanometre * 1e-9, 1);
+            sum += weight * index.reflectance(nanometre * 1e-9);
+            weights += weight;
+        }
+        return sum / weights;
+    }
+
+    /** Relative radiance per power of this part, with the mask: {@link Gain#relativeRadiance} for another material. */
+    public double gain(DirectionPair pair) {
+        double s = Math.pow(Math.max(0, 1 - pair.cosThetaD()), 5);
+        return Gain.relativeRadiance(pair) * Gain.R0 / Gain.reflectance(pair.cosThetaD()) * (constant + schlick * s);
+    }
+}

@@ -1,0 +1,68 @@
+package sunbeam.precompute.color;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class ChromaticityTest {
+    private static final CieTable CIE = CieTable.load();
+
+    @Test
+    void whiteHasNoHue() {
+        assertThat(Chromaticity.WHITE.hue(CIE).nanometres()).isNaN();
+        assertThat(Chromaticity.of(new double[3]).hue(CIE).nanometres())
+                .as("black")
+                .isNaN();
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {420, 480, 500.5, 560, 600, 640})
+    void lightOfOneWavelengthMixedWithWhiteKeepsItsDominantWavelength(double nanometres) {
+        Chromaticity pure = Chromaticity.ofWavelength(CIE, nanometres * 1e-9);
+        for (double share : new double[] {0.1, 0.5, 0.999}) {
+            Chromaticity mixed = new Chromaticity(
+                    Chromaticity.WHITE.x() + share * (pure.x() - Chromaticity.WHITE.x()),
+                    Chromaticity.WHITE.y() + share * (pure.y() - Chromaticity.WHITE.y()));
+            // Between table values the locus is taken for straight.
+            assertThat(mixed.hue(CIE).nanometres()).isCloseTo(nanometres, within(0.3));
+            assertThat(mixed.hue(CIE).purity()).isCloseTo(share, within(1e-3));
+        }
+    }
+
+    @Test
+    void purplesHaveTheComplement() {
+        Chromaticity purple = new Chromaticity(0.35, 0.2);
+
+        Chromaticity.Hue hue = purple.hue(CIE);
+
+        assertThat(hue.nanometres()).as("green, negative").isBetween(-570.0, -495.0);
+        assertThat(hue.purity()).isBetween(0.3, 1.0);
+    }
+
+    /** CIE 15: sRGB's primaries have these dominant wavelengths against D65. */
+    @Test
+    void theScreensPrimariesHaveTheirKnownDominantWavelengths() {
+        assertThat(Chromaticity.of(Srgb.xyz(1, 0, 0)).hue(CIE).nanometres()).isCloseTo(611.4, within(0.5));
+        assertThat(Chromaticity.of(Srgb.xyz(0, 1, 0)).hue(CIE).nanometres()).isCloseTo(549.1, within(0.5));
+        assertThat(Chromaticity.of(Srgb.xyz(0, 0, 1)).hue(CIE).nanometres()).isCloseTo(464.2, within(0.5));
+    }
+
+    @Test
+    void screenColoursComeBackAndWhatIsBrighterIsWhite() {
+        for (int rgb : new int[] {0x000000, 0xffffff, 0x7f3010, 0x10a0f0}) {
+            double[] xyz = Srgb.xyz(Srgb.linear(rgb >> 16), Srgb.linear(rgb >> 8 & 0xff), Srgb.linear(rgb & 0xff));
+            assertThat(DisplayColor.hex(DisplayColor.rgb(xyz))).isEqualTo(DisplayColor.hex(rgb));
+        }
+        assertThat(DisplayColor.rgb(new double[] {5, 3, 1})).isEqualTo(0xffffff);
+        // Spectral green at Y = 0.3 keeps its luminance.
+        Chromaticity green = Chromaticity.ofWavelength(CIE, 520e-9);
+        int shown = DisplayColor.rgb(new double[] {0.3 * green.x() / green.y(), 0.3, 0});
+        double luminance =
+                Srgb.xyz(Srgb.linear(shown >> 16), Srgb.linear(shown >> 8 & 0xff), Srgb.linear(shown & 0xff))[1];
+        // 8 bits.
+        assertThat(luminance).isCloseTo(0.3, within(5e-3));
+    }
+}

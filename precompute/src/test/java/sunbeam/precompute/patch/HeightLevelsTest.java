@@ -1,0 +1,57 @@
+package sunbeam.precompute.patch;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.Arrays;
+import java.util.Random;
+import java.util.function.IntToDoubleFunction;
+import org.junit.jupiter.api.Test;
+
+class HeightLevelsTest {
+    private static final int SIDE = 40;
+
+    /** The levels against the definition: sorted, distinct, and each sample's own. */
+    private static HeightLevels check(IntToDoubleFunction heights) {
+        double[] samples = new double[SIDE * SIDE];
+        Arrays.setAll(samples, heights);
+        HeightLevels levels = HeightLevels.of(new HeightMap(SIDE, SIDE, 1e-8, 1e-8, samples));
+
+        assertThat(levels.levels())
+                .containsExactly(Arrays.stream(samples)
+                        .map(h -> h + 0.0)
+                        .sorted()
+                        .distinct()
+                        .toArray());
+        for (int i = 0; i < samples.length; i++) {
+            assertThat(levels.levels()[levels.index()[i]]).isEqualTo(samples[i] + 0.0);
+        }
+        return levels;
+    }
+
+    @Test
+    void everySampleHasItsLevel() {
+        Random random = new Random(4);
+        check(i -> 1e-7 * random.nextGaussian());
+        assertThat(check(i -> 1e-9 * random.nextInt(256)).count()).isBetween(250, 256);
+    }
+
+    @Test
+    void aGrainOfDustDoesNotMixUpTheRest() {
+        Random random = new Random(5);
+        // All levels but one in one step of the search.
+        check(i -> i == 77 ? 1e-3 : 1e-12 * random.nextInt(500));
+        check(i -> i == 77 ? -Double.MAX_VALUE : i == 78 ? Double.MAX_VALUE : i);
+    }
+
+    @Test
+    void aFlatMapHasOneLevel() {
+        assertThat(check(i -> 3e-9).count()).isEqualTo(1);
+        assertThat(check(i -> i % 2 == 0 ? 0.0 : Double.MIN_VALUE).count()).isEqualTo(2);
+    }
+
+    @Test
+    void minusZeroIsZero() {
+        assertThat(check(i -> i % 3 == 0 ? -0.0 : i % 3 == 1 ? 0.0 : 1e-9).count())
+                .isEqualTo(2);
+    }
+}

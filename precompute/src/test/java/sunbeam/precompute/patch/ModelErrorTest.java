@@ -1,0 +1,55 @@
+package sunbeam.precompute.patch;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import org.junit.jupiter.api.Test;
+import sunbeam.precompute.Surfaces;
+import sunbeam.precompute.patch.ModelError.Incidence;
+
+class ModelErrorTest {
+    private static final double PITCH = 10e-9;
+
+    @Test
+    void theMeanSlopeOfAGratingIsTwiceItsDepthOverItsPeriod() {
+        double period = 100 * PITCH;
+        HeightMap sine = Surfaces.of(1000, 1, PITCH, (x, y) -> 50e-9 * Math.sin(2 * Math.PI * x / period));
+
+        // 10 samples a quarter period and a missing seam: 1e-3.
+        assertThat(ModelError.of(sine).meanSlope()).isCloseTo(2 * 100e-9 / period, within(4e-4));
+    }
+
+    @Test
+    void aFlatSurfaceIsDrawnRightAndASteeperOneWorse() {
+        ModelError flat = ModelError.of(Surfaces.of(8, 8, PITCH, (x, y) -> 0));
+        assertThat(flat.expected(Incidence.NEAR_NORMAL)).isZero();
+        for (Incidence incidence : Incidence.values()) {
+            assertThat(new ModelError(0.3).expected(incidence)).isGreaterThan(new ModelError(0.2).expected(incidence));
+            assertThat(new ModelError(0.3).low(incidence)).isLessThan(new ModelError(0.3).expected(incidence));
+        }
+    }
+
+    /** Three gratings of docs/examples/coupled_waves.py, from the middle of their ranges. */
+    @Test
+    void theRuleHoldsForGratingsThatWereComputedRigorously() {
+        // sinusoidal, metal, period 1.4195 um, depth 56.17 nm, 21.58 degrees: 0.0158.
+        assertThat(between(2 * 56.17e-3 / 1.4195, Incidence.NEAR_NORMAL, 0.0158))
+                .isTrue();
+        // blazed, metal, period 1.3454 um, depth 188.07 nm, 15.35 degrees: 0.196.
+        assertThat(between(2 * 188.07e-3 / 1.3454, Incidence.NEAR_NORMAL, 0.196))
+                .isTrue();
+        // blazed, dielectric, period 1.9533 um, depth 480.37 nm, 57.29 degrees: 0.228.
+        assertThat(between(2 * 480.37e-3 / 1.9533, Incidence.OBLIQUE, 0.228)).isTrue();
+    }
+
+    private static boolean between(double meanSlope, Incidence incidence, double error) {
+        ModelError rule = new ModelError(meanSlope);
+        return rule.low(incidence) <= error && error <= rule.high(incidence);
+    }
+
+    @Test
+    void beyondTheRuleItSaysSo() {
+        assertThat(new ModelError(1.3).describe()).contains("beyond the rule");
+        assertThat(new ModelError(0.2).describe()).contains("9.6 %").contains("mean slope 0.20;");
+    }
+}
