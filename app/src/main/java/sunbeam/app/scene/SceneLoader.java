@@ -1,5 +1,7 @@
 package sunbeam.app.scene;
 
+import static sunbeam.precompute.plan.MethodSettings.COHERENCE_LENGTH;
+
 import java.nio.file.Path;
 import java.util.function.Consumer;
 import sunbeam.app.files.cache.DiffractionSetup;
@@ -12,8 +14,10 @@ import sunbeam.app.scene.texture.BodyTextures;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.options.PatchOptions;
 import sunbeam.precompute.method.MethodPlan;
+import sunbeam.precompute.method.ScanLimit;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.plan.VisibleRange;
+import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.shader.MethodUse;
 
 /** Loads what a scene names. Needs no OpenGL and may run on any thread; may take seconds. */
@@ -40,7 +44,9 @@ public final class SceneLoader {
     public SceneData load(Scene scene) {
         Mesh mesh = mesh(scene);
         BodyTexture body = BodyTextures.load(scene.texture());
-        return withTables(scene, mesh, body, patch(scene));
+        Patch patch = patch(scene);
+        tellLimit(scene, patch);
+        return withTables(scene, mesh, body, patch);
     }
 
     /** As {@link #load(Scene)}, keeping what has not changed; files are not looked at again. */
@@ -49,12 +55,20 @@ public final class SceneLoader {
         Mesh mesh = before.mesh().equals(scene.mesh()) ? previous.mesh() : mesh(scene);
         BodyTexture body =
                 before.texture().equals(scene.texture()) ? previous.body() : BodyTextures.load(scene.texture());
-        boolean samePatch = before.patch().equals(scene.patch());
+        boolean samePatch = before.patch().equals(scene.patch())
+                && before.method().isThesis() == scene.method().isThesis();
         boolean sameMethod = before.method().method().equals(scene.method().method());
         if (samePatch && sameMethod) {
             return new SceneData(scene, mesh, previous.patch(), previous.method(), previous.tables(), body);
         }
-        return withTables(scene, mesh, body, samePatch ? previous.patch() : patch(scene));
+        Patch patch = samePatch ? previous.patch() : patch(scene);
+        tellLimit(scene, patch);
+        return withTables(scene, mesh, body, patch);
+    }
+
+    /** A scene that is loaded already, by another method; what is to be said of the patch has been said. */
+    public SceneData preview(Scene scene, SceneData loaded) {
+        return withTables(scene, loaded.mesh(), loaded.body(), loaded.patch());
     }
 
     private Mesh mesh(Scene scene) {
@@ -64,18 +78,25 @@ public final class SceneLoader {
     }
 
     private Patch patch(Scene scene) {
-        Patch patch = PatchOptions.load(scene.patch());
+        Patch patch = PatchOptions.load(scene.patch().raw(scene.method().isThesis()));
         patch.notes().forEach(line -> warning.accept(patch.name() + ": " + line));
         patch.warnings().forEach(line -> warning.accept(patch.name() + ": " + line));
         return patch;
     }
 
+    private void tellLimit(Scene scene, Patch patch) {
+        Choices choices = scene.method().choices();
+        ScanLimit.of(choices, patch)
+                .line()
+                .ifPresent(line -> warning.accept(patch.name() + ": " + line.in(choices.origin(COHERENCE_LENGTH))));
+    }
+
     /** Light and camera may move at any time, so that the plan holds for every pair of directions. */
     private SceneData withTables(Scene scene, Mesh mesh, BodyTexture body, Patch patch) {
         DiffractionSetup setup = new DiffractionSetup(patch, environment, warning);
-        MethodPlan method = scene.method()
-                .choices()
-                .located(() -> scene.method().method().plan(setup.surface(), VisibleRange.all()));
+        Choices choices = scene.method().choices();
+        MethodPlan method =
+                choices.located(() -> scene.method().seeing(patch).method().plan(setup.surface(), VisibleRange.all()));
         return new SceneData(scene, mesh, patch, method, setup.tables(method, MethodUse.COLOUR, GpuColours::of), body);
     }
 }

@@ -11,7 +11,9 @@ import sunbeam.precompute.method.Method;
 import sunbeam.precompute.method.MethodType;
 import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.method.ReferenceMethod;
+import sunbeam.precompute.method.ScanLimit;
 import sunbeam.precompute.method.TableMethod;
+import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.Preset;
@@ -71,6 +73,11 @@ public record SceneMethod(Choices choices) {
     /** The method. */
     public Method method() {
         return create(choices);
+    }
+
+    /** The same as it sees a patch: no farther than a scan reaches. */
+    public SceneMethod seeing(Patch patch) {
+        return new SceneMethod(ScanLimit.of(choices, patch).choices());
     }
 
     /** Which method. */

@@ -9,6 +9,7 @@ import picocli.CommandLine.Model.OptionSpec;
 import picocli.CommandLine.Spec;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
+import sunbeam.precompute.setting.ValueKind;
 
 /**
  * An option for each of some settings, with the setting's help; to be used as a picocli mixin. Values are understood and
@@ -43,10 +44,19 @@ public class SettingOptions {
         ISetter setter = new ISetter() {
             @Override
             public <T> T set(T value) {
-                texts.put(setting, (String) value);
+                texts.put(setting, value == null ? null : value.toString());
                 return value;
             }
         };
+        if (setting.kind().form() == ValueKind.Form.FLAG) {
+            return OptionSpec.builder(OptionOrigin.INSTANCE.name(setting))
+                    .arity("0")
+                    .negatable(true)
+                    .type(Boolean.class)
+                    .description(description(setting).replace("%", "%%"))
+                    .setter(setter)
+                    .build();
+        }
         return OptionSpec.builder(OptionOrigin.INSTANCE.name(setting))
                 .paramLabel(setting.kind().placeholder())
                 .type(String.class)

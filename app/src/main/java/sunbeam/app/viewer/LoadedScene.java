@@ -5,6 +5,7 @@ import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneData;
 import sunbeam.app.scene.SceneLoader;
 import sunbeam.app.scene.SceneMethod;
+import sunbeam.precompute.patch.Patch;
 
 /**
  * A scene with its tables for final pictures and for previews.
@@ -17,9 +18,9 @@ record LoadedScene(SceneData fine, SceneData coarse) {
     /** Loads all, or what differs from the previous one. May take seconds. */
     static LoadedScene load(SceneLoader loader, Scene scene, LoadedScene previous) {
         SceneData fine = previous == null ? loader.load(scene) : loader.load(scene, previous.fine);
-        Scene preview = coarse(scene);
+        Scene preview = coarse(scene, fine.patch());
         boolean kept = previous != null && previous.coarse.suits(preview);
-        SceneData coarse = kept ? previous.coarse.with(preview) : loader.load(preview, fine);
+        SceneData coarse = kept ? previous.coarse.with(preview) : loader.preview(preview, fine);
         return new LoadedScene(fine, coarse);
     }
 
@@ -29,12 +30,13 @@ record LoadedScene(SceneData fine, SceneData coarse) {
     }
 
     LoadedScene with(Scene scene) {
-        return new LoadedScene(fine.with(scene), coarse.with(coarse(scene)));
+        return new LoadedScene(fine.with(scene), coarse.with(coarse(scene, fine.patch())));
     }
 
-    private static Scene coarse(Scene scene) {
-        SceneMethod method = PreviewPlan.of(scene.method());
-        double scale = PreviewPlan.radianceScale(scene.method(), method);
+    private static Scene coarse(Scene scene, Patch patch) {
+        SceneMethod seen = scene.method().seeing(patch);
+        SceneMethod method = PreviewPlan.of(seen);
+        double scale = PreviewPlan.radianceScale(seen, method);
         Blend blend = scene.blend();
         return scene.withMethod(method).withBlend(blend.withDiffraction(scale * blend.diffraction()));
     }

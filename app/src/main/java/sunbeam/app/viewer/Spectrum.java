@@ -22,7 +22,7 @@ final class Spectrum {
      * @return none where nobody waits for it any more
      */
     static double[] of(SceneData data, DirectionPair pair, BooleanSupplier outdated) {
-        GaussianArea area = data.scene().method().area();
+        GaussianArea area = data.scene().method().seeing(data.patch()).area();
         ReferenceEvaluator reference = new ReferenceEvaluator(data.patch().heights(), area.window(), area.origin());
         boolean coherent = area.average() == Average.COHERENT;
         double[] powers = new double[COUNT];

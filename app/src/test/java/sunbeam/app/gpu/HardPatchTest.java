@@ -7,9 +7,10 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import sunbeam.precompute.patch.HeightMap;
-import sunbeam.precompute.patch.MissingSamples;
 import sunbeam.precompute.patch.SamplingCheck;
 import sunbeam.precompute.plan.Average;
+import sunbeam.precompute.prepare.HeightField;
+import sunbeam.precompute.prepare.MissingHeights;
 
 /** Patches of odd shapes and with faults. The tolerance holds for all of them, against the same samples. */
 @NeedsDisplay
@@ -56,9 +57,9 @@ class HardPatchTest extends InAContext {
         for (int i = 0; i < heights.length; i += 17) {
             heights[i] = Double.NaN;
         }
-        HeightMap filled = MissingSamples.fill(new HeightMap(64, 64, 50e-9, 50e-9, heights))
-                .heights();
-        assertKept(filled, 3e-6, "filled");
+        HeightField filled = MissingHeights.fill(new HeightField(64, 64, 50e-9, 50e-9, heights))
+                .field();
+        assertKept(new HeightMap(64, 64, 50e-9, 50e-9, filled.heights()), 3e-6, "filled");
     }
 
     @Test

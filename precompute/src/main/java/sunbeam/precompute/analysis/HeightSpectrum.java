@@ -5,8 +5,8 @@ import sunbeam.precompute.fourier.Band;
 import sunbeam.precompute.fourier.BandTransform2d;
 import sunbeam.precompute.fourier.ComplexVector;
 import sunbeam.precompute.patch.HeightMap;
-import sunbeam.precompute.patch.Levelling;
 import sunbeam.precompute.patch.SamplingCheck;
+import sunbeam.precompute.prepare.Levelling;
 
 /**
  * Power spectrum of a patch's heights up to what light can see (2 / 380 nm) or the samples hold (1 / (2 pitch)),
@@ -33,7 +33,7 @@ public record HeightSpectrum(Band bandX, Band bandY, double width, double height
     /** Transforms the heights of a map without missing samples. */
     public static HeightSpectrum of(HeightMap map, Edges edges) {
         boolean tapered = edges == Edges.TAPERED;
-        HeightMap level = (tapered ? Levelling.PLANE : Levelling.MEAN).apply(map);
+        HeightMap level = map.levelled(tapered ? Levelling.PLANE : Levelling.MEAN);
         double[] taperX = taper(map.columns(), tapered);
         double[] taperY = taper(map.rows(), tapered);
         Band bandX = band(map.columns(), map.pitchX());

@@ -1,12 +1,17 @@
 package sunbeam.precompute.analysis;
 
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
 import java.util.function.Function;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.patch.HeightMap;
 
 /**
  * Finds what repeats in a surface. A patch is first taken as a piece of a surface: its edges are tapered, and a
- * regularity is a peak above the local background of the averaged spectrum that fits at least four times into the patch.
+ * regularity is a peak above the local background of the averaged spectrum that fits at least four times into the patch, or
+ * the sharp line of a grating that holds much of the heights' variance ({@link SharpLines}).
  * Where that shows nothing and the patch is small against a coherence area, it is taken as one period of a surface that
  * repeats, as the model takes it: a regularity is then a frequency that holds much of the heights' variance.
  */
@@ -30,7 +35,8 @@ public final class PeriodFinder {
 
     /** The surface's regularities in all directions. */
     public Periodicity all() {
-        return choose(TaperedPeaks::all, PeriodicPeaks::all);
+        Periodicity others = choose(TaperedPeaks::all, PeriodicPeaks::all);
+        return line().map(sharp -> withLine(sharp, others)).orElse(others);
     }
 
     /**
@@ -41,12 +47,47 @@ public final class PeriodFinder {
      *     beside the line along the azimuth: {@link CoherenceWindow#sigmaFrequency()}
      */
     public Periodicity along(double azimuth, double tolerance) {
-        return choose(peaks -> peaks.along(azimuth, tolerance), peaks -> peaks.along(azimuth, 3 * tolerance));
+        Periodicity others =
+                choose(peaks -> peaks.along(azimuth, tolerance), peaks -> peaks.along(azimuth, 3 * tolerance));
+        return line().filter(sharp -> Math.abs(across(sharp, azimuth)) <= tolerance)
+                .map(sharp -> withLine(projected(sharp, azimuth), others))
+                .orElse(others);
     }
 
     /** The spectrum that an answer rests on. */
     public HeightSpectrum spectrum(Periodicity answer) {
         return answer.edges() == HeightSpectrum.Edges.TAPERED ? tapered : periodic;
+    }
+
+    private Optional<SpectrumPeak> line() {
+        return new SharpLines(tapered).strongest(variance(tapered));
+    }
+
+    private static double across(SpectrumPeak peak, double azimuth) {
+        return peak.frequencyY() * Math.cos(azimuth) - peak.frequencyX() * Math.sin(azimuth);
+    }
+
+    /** What light in the plane of an azimuth sees of a line beside it. */
+    private static SpectrumPeak projected(SpectrumPeak peak, double azimuth) {
+        double along = peak.frequencyX() * Math.cos(azimuth) + peak.frequencyY() * Math.sin(azimuth);
+        return new SpectrumPeak(along * Math.cos(azimuth), along * Math.sin(azimuth), peak.figure(), peak.rms());
+    }
+
+    /** The line first, then what the averaged spectrum shows beside it and its overtones. */
+    private Periodicity withLine(SpectrumPeak line, Periodicity others) {
+        List<SpectrumPeak> peaks = new ArrayList<>();
+        peaks.add(line);
+        if (others.edges() == HeightSpectrum.Edges.TAPERED) {
+            others.peaks().stream()
+                    .filter(peak -> !taperedPeaks.isOvertone(peak, line) && peak.rms() < line.rms())
+                    .forEach(peaks::add);
+        }
+        return new Periodicity(HeightSpectrum.Edges.TAPERED, peaks, line.figure(), SharpLines.THRESHOLD);
+    }
+
+    /** Of all bins but the zeroth. */
+    private static double variance(HeightSpectrum spectrum) {
+        return Arrays.stream(spectrum.power()).sum() - spectrum.at(0, 0);
     }
 
     private Periodicity choose(

@@ -186,7 +186,7 @@ final class TaperedPeaks {
     }
 
     /** Whether a peak is not resolved from another or from a multiple of it. */
-    private boolean isOvertone(SpectrumPeak peak, SpectrumPeak of) {
+    boolean isOvertone(SpectrumPeak peak, SpectrumPeak of) {
         double projection = (peak.frequencyX() * of.frequencyX() + peak.frequencyY() * of.frequencyY())
                 / (of.frequency() * of.frequency());
         double multiple = Math.max(1, Math.rint(Math.abs(projection))) * Math.signum(projection);

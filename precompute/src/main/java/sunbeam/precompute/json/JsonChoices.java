@@ -16,7 +16,9 @@ public final class JsonChoices {
         for (Setting<?> setting : choices.chosen()) {
             String value = choices.written(setting);
             json.writeFieldName(setting.fileKey());
-            if (setting.kind().form() == ValueKind.Form.NUMBER
+            if (setting.kind().form() == ValueKind.Form.FLAG) {
+                json.writeBoolean(Boolean.parseBoolean(value));
+            } else if (setting.kind().form() == ValueKind.Form.NUMBER
                     && Decimals.parse(value).isPresent()) {
                 json.writeNumber(value);
             } else {

@@ -140,6 +140,12 @@ public final class JsonObject {
                     }
                     return text;
                 });
+            case FLAG -> {
+                if (!(value instanceof JsonValue.Word word)) {
+                    throw complaint(key, value, "must be true or false, without quotes");
+                }
+                yield word.word();
+            }
             case NUMBER -> {
                 if (value instanceof JsonValue.Text word
                         && Decimals.parse(word.text()).isEmpty()) {

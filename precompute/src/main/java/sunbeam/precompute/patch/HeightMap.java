@@ -2,13 +2,15 @@ package sunbeam.precompute.patch;
 
 import java.util.Arrays;
 import java.util.function.DoubleUnaryOperator;
+import sunbeam.precompute.prepare.HeightField;
+import sunbeam.precompute.prepare.Levelling;
 import sunbeam.precompute.units.Lengths;
 
 /**
  * One period of a surface: heights in metres on a rectangular grid, seen from above. Column index grows with +x, row 0
  * is the top (largest y); the surface repeats this patch periodically in both directions.
  *
- * <p>Immutable. Missing samples are NaN until {@link MissingSamples} fills them.
+ * <p>Immutable. Missing samples are NaN until they are filled ({@link HeightField}).
  */
 public final class HeightMap {
     private final int columns;
@@ -52,9 +54,19 @@ public final class HeightMap {
         return new HeightMap(heights, columns, rows, pitchX, pitchY);
     }
 
-    /** The same grid with other heights, whose array is taken over: the caller must not touch it again. */
-    HeightMap withOwned(double[] replaced) {
-        return new HeightMap(replaced, columns, rows, pitchX, pitchY);
+    /** The map of a field, whose array it takes over. */
+    static HeightMap of(HeightField field) {
+        return new HeightMap(field.heights(), field.columns(), field.rows(), field.pitchX(), field.pitchY());
+    }
+
+    /** The heights as preparing takes them; not to be written to. */
+    HeightField field() {
+        return new HeightField(columns, rows, pitchX, pitchY, heights);
+    }
+
+    /** The same grid with something subtracted. */
+    public HeightMap levelled(Levelling levelling) {
+        return of(levelling.apply(field()));
     }
 
     public int columns() {
@@ -117,6 +129,11 @@ public final class HeightMap {
 
     /** The same grid with every height replaced by a function of it. */
     public HeightMap map(DoubleUnaryOperator function) {
-        return withOwned(Arrays.stream(heights).map(function).toArray());
+        return owning(
+                columns,
+                rows,
+                pitchX,
+                pitchY,
+                Arrays.stream(heights).map(function).toArray());
     }
 }

@@ -1,7 +1,6 @@
 package sunbeam.precompute.patch;
 
 import static sunbeam.precompute.patch.PatchSettings.CHANNEL;
-import static sunbeam.precompute.patch.PatchSettings.LEVEL;
 import static sunbeam.precompute.patch.PatchSettings.MAX_HEIGHT;
 import static sunbeam.precompute.patch.PatchSettings.PATCH;
 import static sunbeam.precompute.patch.PatchSettings.WIDTH;
@@ -9,10 +8,8 @@ import static sunbeam.precompute.patch.PatchSettings.WIDTH;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import java.util.Optional;
 import java.util.function.Function;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
@@ -62,7 +59,11 @@ public final class PatchLoader {
         Path file = existing(name);
         return name.toLowerCase(Locale.ROOT).endsWith(".json")
                 ? fromDescriptor(PatchDescriptorReader.read(file), request)
-                : fromFile(file, file, request.choices());
+                : fromFile(
+                        file,
+                        file,
+                        request.choices(),
+                        request.raw() ? ScanFinish.Kind.DESCRIBED : ScanFinish.Kind.GIVEN_DIRECTLY);
     }
 
     private Path existing(String name) {
@@ -95,7 +96,7 @@ public final class PatchLoader {
         }
         String source = "built-in " + name + ", " + map.describe();
         MeasuredHeights made = new MeasuredHeights(map, source, List.of(), List.of(), List.of());
-        return finish(name, name, made, request.find(LEVEL));
+        return new ScanFinish(name, name, request.choices(), ScanFinish.Kind.BUILT_IN).patch(made);
     }
 
     private static Patch fromDescriptor(PatchDescriptor descriptor, PatchRequest request) {
@@ -103,9 +104,9 @@ public final class PatchLoader {
         requireNoScale(request, what);
         Choices described = descriptor.choices();
         requireAgreed(CHANNEL, request, described, what);
-        requireAgreed(LEVEL, request, described, what);
+        PatchSettings.PREPARING.forEach(setting -> requireAgreed(setting, request, described, what));
         Choices all = described.over(request.choices());
-        return all.located(() -> fromFile(descriptor.file(), descriptor.heights(), all));
+        return all.located(() -> fromFile(descriptor.file(), descriptor.heights(), all, ScanFinish.Kind.DESCRIBED));
     }
 
     private static void requireNoScale(PatchRequest request, String what) {
@@ -128,41 +129,8 @@ public final class PatchLoader {
     }
 
     /** @param file that the patch is called by */
-    private static Patch fromFile(Path file, Path heightsFile, Choices choices) {
+    private static Patch fromFile(Path file, Path heightsFile, Choices choices, ScanFinish.Kind kind) {
         MeasuredHeights measured = HeightFiles.read(heightsFile, choices);
-        return finish(InputFiles.stem(file), heightsFile.toString(), measured, choices.find(LEVEL));
-    }
-
-    private static Patch finish(String name, String file, MeasuredHeights measured, Optional<Levelling> levelling) {
-        List<String> warnings = new ArrayList<>(measured.warnings());
-        Levelling chosen = levelling.orElse(Levelling.MEAN);
-        MissingSamples.Filled filled = fill(file, chosen.apply(measured.map()));
-        HeightMap heights = filled.heights();
-        if (filled.count() > 0) {
-            warnings.add(missingWarning(filled));
-            // A plane fitted to filled samples would be bent by them; the mean is that of all samples again.
-            heights = chosen == Levelling.NONE ? heights : Levelling.MEAN.apply(heights);
-        }
-        if (heights.relief() == 0) {
-            warnings.add("all heights are equal: the patch is a flat mirror");
-        }
-        SamplingCheck.pitch(heights).ifPresent(warnings::add);
-        SlopeCheck.slopes(heights).ifPresent(warnings::add);
-        String source = measured.source() + ", levelling " + chosen.label();
-        return new Patch(name, heights, source, measured.channels(), measured.notes(), warnings);
-    }
-
-    private static MissingSamples.Filled fill(String file, HeightMap map) {
-        try {
-            return MissingSamples.fill(map);
-        } catch (IllegalArgumentException e) {
-            throw new PatchException(
-                    file + ": " + e.getMessage() + " (NaN, infinite or transparent); export the scan again", e);
-        }
-    }
-
-    private static String missingWarning(MissingSamples.Filled filled) {
-        long samples = (long) filled.heights().columns() * filled.heights().rows();
-        return "%d of %d samples are missing and were filled from their neighbours".formatted(filled.count(), samples);
+        return new ScanFinish(InputFiles.stem(file), heightsFile.toString(), choices, kind).patch(measured);
     }
 }

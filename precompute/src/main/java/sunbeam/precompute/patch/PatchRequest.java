@@ -10,11 +10,23 @@ import sunbeam.precompute.setting.SettingException;
  * A patch that somebody asks for.
  *
  * @param choices of {@link PatchSettings}
+ * @param raw whether files given directly are taken as the thesis takes them, less their mean and repeated, where nothing
+ *     else is chosen
  */
-public record PatchRequest(Choices choices) {
+public record PatchRequest(Choices choices, boolean raw) {
     /** Keeps what is about patches. */
     public PatchRequest {
         choices = choices.only(PatchSettings.ALL);
+    }
+
+    /** What somebody chose. */
+    public PatchRequest(Choices choices) {
+        this(choices, false);
+    }
+
+    /** The same for the thesis's preset, or not. */
+    public PatchRequest raw(boolean thesis) {
+        return new PatchRequest(choices, thesis);
     }
 
     /** A surface and nothing else, which the program asks for. */

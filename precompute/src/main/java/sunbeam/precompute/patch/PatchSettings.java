@@ -2,6 +2,9 @@ package sunbeam.precompute.patch;
 
 import java.util.List;
 import java.util.Map;
+import sunbeam.precompute.prepare.Crop;
+import sunbeam.precompute.prepare.Edges;
+import sunbeam.precompute.prepare.Levelling;
 import sunbeam.precompute.scan.ScanLimits;
 import sunbeam.precompute.setting.Kinds;
 import sunbeam.precompute.setting.Setting;
@@ -59,23 +62,56 @@ public final class PatchSettings {
                     + " or alpha. Default: of a scan, heights from a sensor before those from a voltage, trace before"
                     + " retrace.");
 
+    /** The part that counts. */
+    public static final Setting<Crop> CROP = new Setting<>(
+            "crop",
+            Crop.KIND,
+            "Use this part of the scan alone, measured from its lower left corner: LEFT:RIGHT,BOTTOM:TOP, for example"
+                    + " 5um:25um,0um:10um.");
+
     /** What is subtracted from the heights. */
     public static final Setting<Levelling> LEVEL = new Setting<>(
                     "level",
-                    Kinds.word("KIND", Levelling.class),
-                    "What is subtracted from the heights: none, mean (default), plane.")
+                    Kinds.oneOf("KIND", List.of(Levelling.values()), Levelling::label),
+                    "What is subtracted from the heights: none, mean, plane, rows (the plane, then each row's mean),"
+                            + " median-rows, quadratic (tilt and bow). Default: plane for a file, mean for a descriptor"
+                            + " and for what is periodic.")
             .inFiles("levelling");
+
+    /** Whether spikes are removed. */
+    public static final Setting<Boolean> DESPIKE = new Setting<>(
+            "despike",
+            Kinds.flag(),
+            "Replace single samples that stand far above or below all around them by the median of these; says how many"
+                    + " and how high.");
+
+    /** What becomes of the border. */
+    public static final Setting<Edges> EDGES = new Setting<>(
+            "edges",
+            Kinds.oneOf("KIND", List.of(Edges.values()), Edges::label),
+            "Where the scan's repetition begins: repeat as it is, or blend opposite borders over a tenth of each side."
+                    + " Default: blend for a file, repeat for a descriptor and for what is periodic.");
+
+    /** Whether the patch is a period of the surface. */
+    public static final Setting<Boolean> PERIODIC = new Setting<>(
+            "periodic",
+            Kinds.flag(),
+            "The patch is a period of the surface (its negation: it is not, whatever it looks like). A scan that is none is"
+                    + " seen with a coherence length of at most its shorter side.");
 
     /** What turns a file's samples into metres. */
     public static final List<Setting<?>> SCALE = List.of(WIDTH, HEIGHT, MAX_HEIGHT, HEIGHT_UNIT, COLUMNS);
 
+    /** What is done with heights, in this order, whatever they come from. */
+    public static final List<Setting<?>> PREPARING = List.of(CROP, LEVEL, DESPIKE, EDGES, PERIODIC);
+
     /** What may be said of a file's heights, in a descriptor or beside an image's name. */
     public static final List<Setting<?>> OF_FILES =
-            List.of(WIDTH, HEIGHT, MAX_HEIGHT, HEIGHT_UNIT, COLUMNS, CHANNEL, LEVEL);
+            List.of(WIDTH, HEIGHT, MAX_HEIGHT, HEIGHT_UNIT, COLUMNS, CHANNEL, LEVEL, CROP, DESPIKE, EDGES, PERIODIC);
 
     /** All, the surface first. */
-    public static final List<Setting<?>> ALL =
-            List.of(PATCH, WIDTH, HEIGHT, MAX_HEIGHT, HEIGHT_UNIT, COLUMNS, CHANNEL, LEVEL);
+    public static final List<Setting<?>> ALL = List.of(
+            PATCH, WIDTH, HEIGHT, MAX_HEIGHT, HEIGHT_UNIT, COLUMNS, CHANNEL, LEVEL, CROP, DESPIKE, EDGES, PERIODIC);
 
     private PatchSettings() {}
 

@@ -51,6 +51,16 @@ public final class Kinds {
         return bounded(placeholder, ValueKind.Form.NUMBER, least, largest, Kinds::whole, String::valueOf);
     }
 
+    /** Yes or no. */
+    public static ValueKind<Boolean> flag() {
+        Function<String, Boolean> parse = text -> switch (text) {
+            case "true" -> true;
+            case "false" -> false;
+            default -> throw new IllegalArgumentException(Quoted.of(text) + " is neither true nor false");
+        };
+        return new TextKind<>("", ValueKind.Form.FLAG, parse, value -> value, String::valueOf, "true or false");
+    }
+
     /** One of an enum's constants, by its name in lower case. */
     public static <E extends Enum<E>> ValueKind<E> word(String placeholder, Class<E> type) {
         return oneOf(

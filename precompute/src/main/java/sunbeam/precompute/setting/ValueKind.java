@@ -13,7 +13,9 @@ public interface ValueKind<T> {
         /** A text of a number and its unit. */
         QUANTITY,
         /** A bare number; or a text that is none, such as a word in a number's place. */
-        NUMBER
+        NUMBER,
+        /** true or false; on the command line the option alone, or its negation. */
+        FLAG
     }
 
     /** What stands for a value in a manual, such as LENGTH. */

@@ -61,6 +61,11 @@ public final class Lengths {
         return format(metres, SHOWN_DIGITS);
     }
 
+    /** As {@link #format(double)}, with so many digits. */
+    public static String rounded(double metres, int digits) {
+        return format(metres, digits);
+    }
+
     /** As {@link #format(double)}, with as many digits as {@link #parse} needs to give the same number back. */
     public static String exact(double metres) {
         for (int digits = SHOWN_DIGITS; digits < MOST_DIGITS; digits++) {

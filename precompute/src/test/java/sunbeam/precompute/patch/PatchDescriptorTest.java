@@ -13,6 +13,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.precompute.json.JsonException;
+import sunbeam.precompute.prepare.Levelling;
 import sunbeam.precompute.setting.SettingException;
 
 class PatchDescriptorTest {

@@ -136,15 +136,18 @@ public final class BrdfMapCommand implements Callable<Integer> {
         return choices.located(() -> draw(choices));
     }
 
-    private int draw(Choices choices) {
+    private int draw(Choices asked) {
         check();
         ExposureOption.Exposure exposed = exposure.parse();
-        Method chosen = Methods.of(choices);
-        certify.check(chosen);
+        certify.check(Methods.of(asked));
         PrintWriter err = specification.commandLine().getErr();
-        List<DiffractionSetup> setups = compared.load(patchOptions).stream()
+        List<DiffractionSetup> setups = compared.load(patchOptions, asked).stream()
                 .map(patch -> new DiffractionSetup(patch, environment, err))
                 .toList();
+        // Scans of different sizes are seen by different coherence lengths.
+        List<Choices> choices =
+                setups.stream().map(setup -> setup.seen(asked, err)).toList();
+        List<Method> chosen = choices.stream().map(Methods::of).toList();
         Path picture = output != null ? output : Path.of("brdf-" + names(setups) + ".png");
         AtomicFile.checkWritable(picture, force.overwrite(output));
         if (linear != null) {
@@ -164,17 +167,17 @@ public final class BrdfMapCommand implements Callable<Integer> {
             }
             LinearPicture first = maps.get(0).picture();
             double factor = exposed.of(maps.stream().map(DrawnMap::picture).toList());
-            certificate = certify.certificate(
-                    count -> new Certifier(setups.get(0).exact(chosen), new DiscDirections(size, light.direction())::at)
-                            .certify(first, count, CertifyOption.SEED, factor, choices.get(TOLERANCE)));
-            Map<String, String> text = describe(setups, choices, maps, factor, context);
+            certificate = certify.certificate(count -> new Certifier(
+                            setups.get(0).exact(chosen.get(0)), new DiscDirections(size, light.direction())::at)
+                    .certify(first, count, CertifyOption.SEED, factor, asked.get(TOLERANCE)));
+            Map<String, String> text = describe(setups, choices.get(0), maps, factor, context);
             certificate.ifPresent(stated -> text.put("Certificate", stated.summary()));
             List<BufferedImage> plain =
                     maps.stream().map(map -> plain(map, display, factor)).toList();
             doubt = DoubtfulMap.judge(maps.stream().map(DrawnMap::patch).toList(), plain, err);
             List<BufferedImage> images = new ArrayList<>();
             for (int i = 0; i < maps.size(); i++) {
-                images.add(image(maps.get(i), plain.get(i), factor, chosen));
+                images.add(image(maps.get(i), plain.get(i), factor, chosen.get(i)));
             }
             BufferedImage sheet = PictureSheet.of(images);
             written = write(picture, stream -> PngWriter.write(stream, sheet, text), first);
@@ -187,7 +190,8 @@ public final class BrdfMapCommand implements Callable<Integer> {
                 .map(stated -> CertifyOption.judge(
                         stated,
                         plans.get(0),
-                        new Explainer(setups.get(0), choices, VisibleRange.of(light.direction()), MethodUse.COLOUR),
+                        new Explainer(
+                                setups.get(0), choices.get(0), VisibleRange.of(light.direction()), MethodUse.COLOUR),
                         out,
                         err))
                 .filter(code -> code != ExitCode.OK)
@@ -213,10 +217,10 @@ public final class BrdfMapCommand implements Callable<Integer> {
     }
 
     /** Printed before anything is computed. */
-    private List<MethodPlan> plans(List<DiffractionSetup> setups, Method chosen) {
+    private List<MethodPlan> plans(List<DiffractionSetup> setups, List<Method> chosen) {
         List<MethodPlan> plans = new ArrayList<>();
-        for (DiffractionSetup setup : setups) {
-            plans.add(chosen.plan(setup.surface(), VisibleRange.of(light.direction())));
+        for (int i = 0; i < setups.size(); i++) {
+            plans.add(chosen.get(i).plan(setups.get(i).surface(), VisibleRange.of(light.direction())));
             methodOptions.print(
                     plans.get(plans.size() - 1), specification.commandLine().getErr());
         }

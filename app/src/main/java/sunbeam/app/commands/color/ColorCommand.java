@@ -43,6 +43,7 @@ import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.DisplayColor;
 import sunbeam.precompute.method.Method;
 import sunbeam.precompute.method.Methods;
+import sunbeam.precompute.method.ScanLimit;
 import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.MethodSettings;
@@ -136,10 +137,11 @@ public final class ColorCommand implements Callable<Integer> {
         check();
         RefractiveIndex material = index.parse();
         ExposureOption.Exposure exposed = exposure.parse();
-        Method method = Methods.of(choices);
+        Methods.of(choices);
         PrintWriter err = specification.commandLine().getErr();
-        List<ColorStrips> strips = compared.load(patchOptions).stream()
-                .map(patch -> strips(new DiffractionSetup(patch, environment, err), method, material))
+        List<ColorStrips> strips = compared.load(patchOptions, choices).stream()
+                .map(patch -> new DiffractionSetup(patch, environment, err))
+                .map(setup -> strips(setup, Methods.of(setup.seen(choices, err)), material))
                 .toList();
         Path picture = output != null ? output : Path.of("color-" + names(strips) + ".png");
         List<Path> files = List.of(picture, sibling(picture, "csv"), sibling(picture, "json"));
@@ -159,7 +161,8 @@ public final class ColorCommand implements Callable<Integer> {
                 reports.add(report(context, strips.get(i), colours.get(i), factor, tolerance, material, cie));
             }
         }
-        Map<String, Object> settings = settings(choices, material, factor, tolerance, renderer);
+        Choices seen = ScanLimit.of(choices, strips.get(0).setup().patch()).choices();
+        Map<String, Object> settings = settings(seen, material, factor, tolerance, renderer);
         write(files, reports, settings, new ColorSheet(reports, factor, cie));
         PrintWriter out = specification.commandLine().getOut();
         reports.forEach(report -> out.println(summary(report)));

@@ -107,16 +107,18 @@ public final class EvaluateCommand implements Callable<Integer> {
         return choices.located(() -> evaluate(choices));
     }
 
-    private int evaluate(Choices choices) {
+    private int evaluate(Choices asked) {
         gratingOptions.request();
-        method.of(choices);
+        method.of(asked);
         if (positions < 0 || positions > MOST_POSITIONS) {
             throw new UsageException("--positions " + positions + " is out of range; give 0 to " + MOST_POSITIONS);
         }
         DiffractionSetup setup = new DiffractionSetup(
-                patchOptions, environment, specification.commandLine().getErr());
+                patchOptions, asked, environment, specification.commandLine().getErr());
         Overwrite overwrite = force.overwrite();
         OutputFiles files = OutputFiles.of(output, setup.patch().name() + "-evaluate", endings(), overwrite);
+        Choices choices =
+                setup.seen(method.in(asked), specification.commandLine().getErr());
         evaluate(setup, choices, files, overwrite, specification.commandLine().getOut());
         return ExitCode.OK.code();
     }
@@ -139,10 +141,13 @@ public final class EvaluateCommand implements Callable<Integer> {
                 planned -> methodOptions.print(planned, err));
         GratingTarget target = evaluation.target();
         Map<String, Object> report = describe(setup, choices, evaluation);
+        report.put("period", evaluation.answer().map(PeriodReport::tree).orElse(null));
         report.putAll(EvaluationReport.tree(evaluation.measurement()));
         String title = evaluation.title();
         out.println(title);
-        EvaluationReport.lines(evaluation.measurement()).forEach(out::println);
+        out.println(String.join(System.lineSeparator(), periodLines(evaluation)));
+        EvaluationReport.lines(evaluation.measurement(), Evaluation.area(choices))
+                .forEach(out::println);
         out.flush();
         List<Path> written = new ArrayList<>();
         if (positions > 0) {
@@ -182,6 +187,15 @@ public final class EvaluateCommand implements Callable<Integer> {
         PngWriter.write(files.path(".png"), overwrite, evaluation.plot(), text);
         List.of(".csv", ".npy", ".json", ".png").forEach(ending -> written.add(files.path(ending)));
         written.forEach(out::println);
+    }
+
+    private static List<String> periodLines(Evaluation evaluation) {
+        return evaluation
+                .answer()
+                .map(PeriodReport::lines)
+                .orElse(List.of(
+                        "period               not told: the heights show none near --period, so that its uncertainty is"
+                                + " unknown"));
     }
 
     private Map<String, Object> describe(DiffractionSetup setup, Choices choices, Evaluation evaluation) {

@@ -2,13 +2,21 @@ package sunbeam.app.commands.evaluate;
 
 import java.awt.image.BufferedImage;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.function.Consumer;
 import sunbeam.app.files.cache.DiffractionSetup;
+import sunbeam.precompute.analysis.PeriodEstimate;
+import sunbeam.precompute.evaluation.FadedRidge;
+import sunbeam.precompute.evaluation.FirstOrder;
 import sunbeam.precompute.evaluation.GratingMeasurement;
+import sunbeam.precompute.evaluation.GratingPlane;
+import sunbeam.precompute.evaluation.PeriodAnswer;
 import sunbeam.precompute.evaluation.ResponseGrid;
 import sunbeam.precompute.evaluation.ResponseMatrix;
 import sunbeam.precompute.method.MethodPlan;
 import sunbeam.precompute.optics.CoherenceWindow;
+import sunbeam.precompute.patch.Patch;
+import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.setting.Choices;
 
@@ -20,6 +28,7 @@ public final class Evaluation {
     private final ResponseMatrix response;
     private final GratingMeasurement measurement;
     private final String title;
+    private final Optional<PeriodAnswer> answer;
 
     private Evaluation(
             GratingTarget target,
@@ -27,13 +36,15 @@ public final class Evaluation {
             Quantity quantity,
             ResponseMatrix response,
             GratingMeasurement measurement,
-            String title) {
+            String title,
+            Optional<PeriodAnswer> answer) {
         this.target = target;
         this.responses = responses;
         this.quantity = quantity;
         this.response = response;
         this.measurement = measurement;
         this.title = title;
+        this.answer = answer;
     }
 
     /**
@@ -65,7 +76,49 @@ public final class Evaluation {
                         setup.patch().name(),
                         Degrees.text(grid.plane().thetaI()),
                         Degrees.text(grid.plane().azimuth()));
-        return new Evaluation(target, responses, quantity, response, target.measure(response, sigmaFrequency), title);
+        GratingMeasurement measurement = target.measure(response, sigmaFrequency);
+        Optional<PeriodAnswer> answer = target.estimate().map(told -> answer(told, setup, grating, responses, window));
+        return new Evaluation(target, responses, quantity, response, measurement, title, answer);
+    }
+
+    /**
+     * What the light shows near what the heights tell, metres: for a sharp line the scan alone, faded to zero at its border,
+     * so that no repetition draws it aside; for a broad one the mean power over all positions of the window, of few
+     * wavelengths, which agree.
+     */
+    private static PeriodAnswer answer(
+            PeriodEstimate told,
+            DiffractionSetup setup,
+            GratingRequest grating,
+            Responses responses,
+            CoherenceWindow window) {
+        GratingPlane plane = responses.grid().plane();
+        FirstOrder order = GratingTarget.near(told);
+        ResponseGrid grid = grating.fewWavelengths(plane, order, window);
+        boolean repeats = setup.patch().repetition() == Patch.Repetition.PERIODIC;
+        if (!repeats && FadedRidge.isSharp(told, setup.patch().scan(), plane)) {
+            OptionalDouble alone = new FadedRidge(setup.patch().scan(), plane).period(told, grid.wavelengths());
+            if (alone.isPresent()) {
+                return new PeriodAnswer(told, alone, PeriodAnswer.Light.SCAN_ALONE);
+            }
+        }
+        OptionalDouble mean = GratingMeasurement.of(
+                        responses.binSums(grid).ensemble(row -> {}), order, window.sigmaFrequency())
+                .map(found -> OptionalDouble.of(found.interpolated().mean()))
+                .orElse(OptionalDouble.empty());
+        return new PeriodAnswer(told, mean, PeriodAnswer.Light.ALL_POSITIONS);
+    }
+
+    /** What of the surface the ridge belongs to, in words. */
+    static String area(Choices choices) {
+        return GaussianArea.of(choices).average() == Average.ENSEMBLE
+                ? "the mean over all positions of the window"
+                : "one coherence area";
+    }
+
+    /** The period and how well it is known; empty where the user looked for one that the heights do not show. */
+    public Optional<PeriodAnswer> answer() {
+        return answer;
     }
 
     /** The patch, the light and the azimuth. */

@@ -100,8 +100,12 @@ final class EvaluationReport {
         return Double.isFinite(metres) ? metres * NANOMETRES : null;
     }
 
-    static List<String> lines(GratingMeasurement measurement) {
+    /** @param area whose ridge it is */
+    static List<String> lines(GratingMeasurement measurement, String area) {
         List<String> lines = new ArrayList<>();
+        lines.add(
+                "The ridge of " + area
+                        + ", wavelength by wavelength; the standard error says how straight it is, not how well the period is known:");
         lines.add("                        mean d     variance  standard error  wavelengths");
         lines.add(line("peaks interpolated", measurement.interpolated()));
         lines.add(line("peaks on samples", measurement.sampled()));
@@ -129,7 +133,7 @@ final class EvaluationReport {
     private static String line(String name, PeriodStatistics statistics) {
         return String.format(
                 Locale.ROOT,
-                "%-20s %9.2f nm  %7.3f nm2      %7.3f nm       %6d",
+                "%-20s %9.2f nm  %7.2g nm2      %7.1g nm       %6d",
                 name,
                 statistics.mean() * NANOMETRES,
                 statistics.variance() * NANOMETRES * NANOMETRES,

@@ -30,6 +30,7 @@ public record GratingRequest(
         Range wavelengths,
         OptionalDouble period) {
     // Angles that are taken where none are given, as many as the thesis takes.
+    private static final int FEW = 21;
     private static final int ANGLES = 1500;
     // 160 MB of doubles.
     private static final long MOST_DIRECTIONS = 20_000_000;
@@ -111,6 +112,16 @@ public record GratingRequest(
         ResponseGrid grid = new ResponseGrid(plane, lambdas, angles(plane, order, lambdas));
         requireFineAngles(grid, window);
         return grid;
+    }
+
+    /** Few of the wavelengths, and all angles at which they show an order: enough for one period. */
+    ResponseGrid fewWavelengths(GratingPlane plane, FirstOrder order, CoherenceWindow window) {
+        double[] all = wavelengths.values();
+        double[] few = new double[Math.min(FEW, all.length)];
+        for (int i = 0; i < few.length; i++) {
+            few[i] = all[(int) Math.round(i * (all.length - 1.0) / (few.length - 1))] * 1e-9;
+        }
+        return new ResponseGrid(plane, few, angles(plane, order, few));
     }
 
     private double[] angles(GratingPlane plane, FirstOrder order, double[] lambdas) {

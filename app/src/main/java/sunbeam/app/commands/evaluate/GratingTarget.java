@@ -1,7 +1,12 @@
 package sunbeam.app.commands.evaluate;
 
+import java.math.BigDecimal;
+import java.math.MathContext;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import sunbeam.precompute.analysis.HeightSpectrum;
+import sunbeam.precompute.analysis.PeriodEstimate;
+import sunbeam.precompute.analysis.PeriodEstimator;
 import sunbeam.precompute.analysis.PeriodFinder;
 import sunbeam.precompute.analysis.Periodicity;
 import sunbeam.precompute.analysis.SpectrumPeak;
@@ -19,13 +24,19 @@ import sunbeam.precompute.units.Lengths;
  * @param plane light and viewers
  * @param order where the first order is looked for
  * @param heights the regularities of the heights along the plane, or in all directions
+ * @param estimate what the heights tell of the period; empty where the user looks for one that they do not show
  */
-record GratingTarget(String patch, GratingPlane plane, FirstOrder order, Periodicity heights) {
+record GratingTarget(
+        String patch, GratingPlane plane, FirstOrder order, Periodicity heights, Optional<PeriodEstimate> estimate) {
     // A surface that repeats one small patch has its exact period; a grown one strays from the heights' mean period by
     // up to a quarter from one coherence area to the next.
     private static final double EXACT = 1.1;
     private static final double GROWN = 1.35;
     private static final double GIVEN = 1.2;
+    // From one end of the scan to the other; less goes into the interval.
+    private static final double LARGEST_DRIFT = 1.05;
+    // Ends of the interval: a period that may be half as large again is none.
+    private static final double VAGUEST = 1.5;
 
     /**
      * Aims.
@@ -33,7 +44,7 @@ record GratingTarget(String patch, GratingPlane plane, FirstOrder order, Periodi
      * @throws NoPeriodException where neither the user nor the heights name a period
      */
     static GratingTarget of(Patch patch, GratingRequest request, double sigmaFrequency) {
-        PeriodFinder finder = new PeriodFinder(patch.heights());
+        PeriodFinder finder = new PeriodFinder(patch.scan());
         OptionalDouble given = request.azimuth();
         Periodicity heights = given.isPresent() ? finder.along(given.getAsDouble(), sigmaFrequency) : finder.all();
         if (!heights.found() && (given.isEmpty() || request.period().isEmpty())) {
@@ -47,7 +58,60 @@ record GratingTarget(String patch, GratingPlane plane, FirstOrder order, Periodi
         FirstOrder order = request.period().isPresent()
                 ? FirstOrder.around(request.period().getAsDouble(), GIVEN)
                 : FirstOrder.around(heights.peaks().get(0).period(), spread(heights));
-        return new GratingTarget(patch.name(), request.plane(azimuth), order, heights);
+        Optional<PeriodEstimate> estimate = heights.peaks().stream()
+                .filter(peak -> peak.period() >= order.shortest() && peak.period() <= order.longest())
+                .findFirst()
+                .flatMap(peak -> estimate(patch, heights, peak));
+        if (request.period().isEmpty()) {
+            requireTold(patch.name(), estimate, heights.peaks().get(0));
+        }
+        return new GratingTarget(patch.name(), request.plane(azimuth), order, heights, estimate);
+    }
+
+    private static Optional<PeriodEstimate> estimate(Patch patch, Periodicity heights, SpectrumPeak peak) {
+        return heights.edges() == HeightSpectrum.Edges.PERIODIC
+                ? Optional.of(PeriodEstimate.exact(peak.period(), 1))
+                : PeriodEstimator.estimate(patch.scan(), peak);
+    }
+
+    /** A figure that nobody should quote is not given. */
+    private static void requireTold(String patch, Optional<PeriodEstimate> estimate, SpectrumPeak peak) {
+        String remedy = "; to look for a ridge all the same give --period";
+        if (estimate.isEmpty()) {
+            throw new NoPeriodException(
+                    "%s repeats itself after about %s, but too few of these periods fit into the scan along their direction to say how well that is known; take a larger scan%s"
+                            .formatted(patch, shortly(peak.period()), remedy));
+        }
+        PeriodEstimate told = estimate.get();
+        if (told.drift().isPresent() && told.drift().get().ratio() > LARGEST_DRIFT) {
+            PeriodEstimate.Drift drift = told.drift().get();
+            throw new NoPeriodException(
+                    "%s has no single period: it changes from about %s at one end of the scan to %s at the other; take a part of the scan%s"
+                            .formatted(patch, shortly(drift.first()), shortly(drift.last()), remedy));
+        }
+        if (!(told.high() <= VAGUEST * told.low())) {
+            throw new NoPeriodException(
+                    "%s repeats itself after about %s, but so unevenly that this scan does not tell the period (95 %% interval %s to %s); take a larger scan%s"
+                            .formatted(
+                                    patch,
+                                    shortly(told.period()),
+                                    shortly(told.low()),
+                                    Double.isFinite(told.high()) ? shortly(told.high()) : "any length",
+                                    remedy));
+        }
+    }
+
+    private static String shortly(double metres) {
+        return Lengths.format(new BigDecimal(metres).round(new MathContext(3)).doubleValue());
+    }
+
+    /**
+     * Where light is looked at to check what the heights tell: near their period.
+     *
+     * @param told by the heights
+     */
+    static FirstOrder near(PeriodEstimate told) {
+        return FirstOrder.around(told.period(), Math.max(EXACT, Math.min(GROWN, told.high() / told.low())));
     }
 
     private static double spread(Periodicity heights) {

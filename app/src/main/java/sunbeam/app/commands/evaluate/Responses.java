@@ -110,7 +110,16 @@ final class Responses {
 
     /** Sums over bins for any position of the window. */
     BinSums binSums() {
-        return BinSums.of(setup.surface().identity(), setup.surface().levels(), area.window(), grid);
+        return binSums(grid);
+    }
+
+    /** The same for other directions. */
+    BinSums binSums(ResponseGrid other) {
+        return BinSums.of(setup.surface().identity(), setup.surface().levels(), area.window(), other);
+    }
+
+    ResponseGrid grid() {
+        return grid;
     }
 
     private ResponseMatrix onGpu() {

@@ -5,20 +5,24 @@ import java.math.MathContext;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import sunbeam.app.terminal.OptionOrigin;
 import sunbeam.precompute.analysis.HeightSpectrum;
 import sunbeam.precompute.analysis.HeightStatistics;
+import sunbeam.precompute.analysis.PeriodEstimate;
+import sunbeam.precompute.analysis.PeriodEstimator;
 import sunbeam.precompute.analysis.PeriodFinder;
 import sunbeam.precompute.analysis.Periodicity;
 import sunbeam.precompute.analysis.SpectrumPeak;
 import sunbeam.precompute.method.FullMethod;
+import sunbeam.precompute.method.ScanLimit;
 import sunbeam.precompute.method.Surface;
 import sunbeam.precompute.patch.HeightMap;
 import sunbeam.precompute.patch.ModelError;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.patch.SamplingCheck;
-import sunbeam.precompute.plan.ErrorBudget;
 import sunbeam.precompute.plan.PlanReport;
 import sunbeam.precompute.plan.VisibleRange;
+import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.units.Lengths;
 
 /**
@@ -28,22 +32,46 @@ import sunbeam.precompute.units.Lengths;
  * @param statistics of its heights and slopes
  * @param periodicity what repeats in it
  * @param spectrum that the periodicity rests on
+ * @param estimates what the scan tells of the first of its periods, with the uncertainty; empty for a period of a surface
+ * @param limit what becomes of the coherence length
  * @param plan for the default tolerance and any pair of directions
  */
 record Inspection(
-        Patch patch, HeightStatistics statistics, Periodicity periodicity, HeightSpectrum spectrum, PlanReport plan) {
+        Patch patch,
+        HeightStatistics statistics,
+        Periodicity periodicity,
+        HeightSpectrum spectrum,
+        List<PeriodEstimate> estimates,
+        ScanLimit limit,
+        PlanReport plan) {
     /** Regularities that are told of. */
     static final int PEAKS = 6;
 
     static Inspection of(Patch patch) {
-        HeightMap map = patch.heights();
+        HeightMap map = patch.scan();
         PeriodFinder finder = new PeriodFinder(map);
         Periodicity periodicity = finder.all();
-        return new Inspection(patch, HeightStatistics.of(map), periodicity, finder.spectrum(periodicity), plan(patch));
+        ScanLimit limit = ScanLimit.of(Choices.none(), patch);
+        return new Inspection(
+                patch,
+                HeightStatistics.of(map),
+                periodicity,
+                finder.spectrum(periodicity),
+                estimates(map, periodicity),
+                limit,
+                plan(patch, FullMethod.of(limit.choices())));
     }
 
-    private static PlanReport plan(Patch patch) {
-        FullMethod standard = FullMethod.within(ErrorBudget.STANDARD);
+    private static List<PeriodEstimate> estimates(HeightMap map, Periodicity periodicity) {
+        return periodicity.edges() == HeightSpectrum.Edges.PERIODIC
+                ? List.of()
+                : periodicity.peaks().stream()
+                        .limit(1)
+                        .flatMap(peak -> PeriodEstimator.estimate(map, peak).stream())
+                        .toList();
+    }
+
+    private static PlanReport plan(Patch patch, FullMethod standard) {
         return new PlanReport(standard.tablePlan(Surface.of(patch), VisibleRange.all()));
     }
 
@@ -55,7 +83,7 @@ record Inspection(
 
     /** What to print: a name and a value per line, aligned. */
     List<String> lines() {
-        HeightMap map = patch.heights();
+        HeightMap map = patch.scan();
         List<String> lines = new ArrayList<>();
         lines.add(line("patch", patch.source()));
         for (String channel : patch.channels()) {
@@ -72,13 +100,14 @@ record Inspection(
         lines.add(line("slopes", slopes()));
         lines.add(line("model", ModelError.of(map).describe()));
         lines.addAll(periods());
+        limit.line().ifPresent(said -> lines.add(line("light", said.in(OptionOrigin.INSTANCE))));
         lines.add(line("plan", plan.summary()));
         lines.add(line("cost", plan.cost(map.rows())));
         return lines;
     }
 
     private String pitch() {
-        HeightMap map = patch.heights();
+        HeightMap map = patch.scan();
         String verdict = SamplingCheck.pitch(map)
                 .orElse("fine enough for light of " + Lengths.format(SamplingCheck.SHORTEST_WAVELENGTH)
                         + ", which needs " + Lengths.format(SamplingCheck.COARSEST_PITCH));
@@ -104,7 +133,8 @@ record Inspection(
         for (SpectrumPeak peak : peaks()) {
             lines.add(line(lines.isEmpty() ? "periods" : "", describe(peak)));
         }
-        int others = periodicity.peaks().size() - lines.size();
+        estimates.forEach(estimate -> lines.add(line("", describe(estimate))));
+        int others = periodicity.peaks().size() - peaks().size();
         if (others > 0) {
             lines.add(line("", "and %d weaker ones".formatted(others)));
         }
@@ -122,6 +152,18 @@ record Inspection(
                 Math.toDegrees(peak.direction()),
                 peak.rms() * 1e9,
                 figure);
+    }
+
+    private static String describe(PeriodEstimate estimate) {
+        String interval =
+                "the first is known to %s .. %s (95 %%)".formatted(rounded(estimate.low()), rounded(estimate.high()));
+        String second = estimate.second()
+                .map(other -> ", beside a second of " + rounded(other.period()))
+                .orElse("");
+        String drift = estimate.drift()
+                .map(ends -> ", drifting from %s to %s".formatted(rounded(ends.first()), rounded(ends.last())))
+                .orElse("");
+        return interval + second + drift;
     }
 
     /** Four digits: more would be noise. */

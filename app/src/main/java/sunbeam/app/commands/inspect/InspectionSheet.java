@@ -41,7 +41,7 @@ final class InspectionSheet {
 
     InspectionSheet(Inspection inspection) {
         this.inspection = inspection;
-        this.map = inspection.patch().heights();
+        this.map = inspection.patch().scan();
     }
 
     BufferedImage draw() {

@@ -60,12 +60,15 @@ public final class PrecomputeCommand implements Callable<Integer> {
     public Integer call() {
         Ending.HDF5.require("--output", output);
         Choices choices = methodOptions.choices();
-        return choices.located(() -> write(FullMethod.of(choices)));
+        return choices.located(() -> write(choices));
     }
 
-    private int write(FullMethod method) {
+    private int write(Choices choices) {
+        FullMethod.of(choices);
         DiffractionSetup setup = new DiffractionSetup(
-                patchOptions, environment, specification.commandLine().getErr());
+                patchOptions, choices, environment, specification.commandLine().getErr());
+        FullMethod method =
+                FullMethod.of(setup.seen(choices, specification.commandLine().getErr()));
         Path file = output != null ? output : Path.of(setup.patch().name() + ".h5");
         AtomicFile.checkWritable(file, force.overwrite(output));
         Plan plan = method.tablePlan(setup.surface(), VisibleRange.all());

@@ -81,15 +81,16 @@ public final class ReflectanceCommand implements Callable<Integer> {
         return choices.located(() -> tabulate(choices));
     }
 
-    private int tabulate(Choices choices) {
-        Method method = Methods.of(choices);
-        certify.check(method);
+    private int tabulate(Choices asked) {
+        certify.check(Methods.of(asked));
         Ending.CSV.require("--output", output);
         DirectionList list = DirectionList.read(directions);
         AtomicFile.checkWritable(output, force.overwrite());
         PrintWriter err = specification.commandLine().getErr();
         PrintWriter out = StandardOutput.reports(specification.commandLine().getOut(), err, output);
-        DiffractionSetup setup = new DiffractionSetup(patchOptions, environment, err);
+        DiffractionSetup setup = new DiffractionSetup(patchOptions, asked, environment, err);
+        Choices choices = setup.seen(asked, err);
+        Method method = Methods.of(choices);
         if (method instanceof ReferenceMethod) {
             write(list, new ReferenceDirections(setup.exact(method)).evaluate(list));
             out.println(output);

@@ -4,16 +4,19 @@ import java.io.PrintWriter;
 import java.util.function.Consumer;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.Messages;
+import sunbeam.app.terminal.OptionOrigin;
 import sunbeam.app.terminal.options.PatchOptions;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.colourtable.ColourSources;
 import sunbeam.precompute.method.Method;
 import sunbeam.precompute.method.MethodPlan;
 import sunbeam.precompute.method.Methods;
+import sunbeam.precompute.method.ScanLimit;
 import sunbeam.precompute.method.Surface;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.plan.Plan;
 import sunbeam.precompute.reference.ExactLight;
+import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.shader.MethodUse;
 import sunbeam.precompute.shader.ShaderTables;
@@ -25,9 +28,13 @@ public final class DiffractionSetup {
     private final Surface surface;
     private final TableStore store;
 
-    /** Loads the patch and says what the user should know of it. */
-    public DiffractionSetup(PatchOptions options, Environment environment, PrintWriter err) {
-        this(options.load(), environment, err);
+    /**
+     * Loads the patch and says what the user should know of it.
+     *
+     * @param method whose preset may take files as the thesis does
+     */
+    public DiffractionSetup(PatchOptions options, Choices method, Environment environment, PrintWriter err) {
+        this(options.load(method), environment, err);
     }
 
     /** Takes a loaded patch and says what the user should know of it. */
@@ -50,6 +57,20 @@ public final class DiffractionSetup {
         this.patch = patch;
         this.surface = Surface.of(patch);
         this.store = new TableStore(surface, environment, warning);
+    }
+
+    /**
+     * The choices that hold for this patch: no light sees farther than a scan reaches.
+     *
+     * @param err told in one line what becomes of the coherence length
+     */
+    public Choices seen(Choices choices, PrintWriter err) {
+        ScanLimit limit = ScanLimit.of(choices, patch);
+        limit.line().ifPresent(line -> {
+            err.println(Messages.warning(patch.name() + ": " + line.in(OptionOrigin.INSTANCE)));
+            err.flush();
+        });
+        return limit.choices();
     }
 
     public Patch patch() {

@@ -76,10 +76,11 @@ public final class BenchmarkCommand implements Callable<Integer> {
     @Override
     public Integer call() {
         Choices choices = methodOptions.choices();
-        return choices.located(() -> measure(Methods.of(choices), GaussianArea.of(choices)));
+        return choices.located(() -> measure(choices));
     }
 
-    private int measure(Method method, GaussianArea area) {
+    private int measure(Choices asked) {
+        Methods.of(asked);
         if (size < 16 || size > 2048) {
             throw new UsageException("--size " + size + " is out of range; give 16 to 2048");
         }
@@ -88,7 +89,10 @@ public final class BenchmarkCommand implements Callable<Integer> {
         }
         Direction wi = light.direction();
         DiffractionSetup setup = new DiffractionSetup(
-                patchOptions, environment, specification.commandLine().getErr());
+                patchOptions, asked, environment, specification.commandLine().getErr());
+        Choices choices = setup.seen(asked, specification.commandLine().getErr());
+        Method method = Methods.of(choices);
+        GaussianArea area = GaussianArea.of(choices);
         VisibleRange range = VisibleRange.of(wi);
         List<Contender> contenders = List.of(
                 new Contender("thesis", FullMethod.thesis().plan(setup.surface(), range)),

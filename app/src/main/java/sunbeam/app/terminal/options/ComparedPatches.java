@@ -5,6 +5,7 @@ import java.util.List;
 import picocli.CommandLine.Option;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.precompute.patch.Patch;
+import sunbeam.precompute.setting.Choices;
 
 /** Surfaces beside the first; to be used as a picocli mixin. */
 public final class ComparedPatches {
@@ -22,13 +23,13 @@ public final class ComparedPatches {
         return !others.isEmpty();
     }
 
-    /** The first surface and the others. */
-    public List<Patch> load(PatchOptions first) {
+    /** The first surface and the others, as a method's preset takes them. */
+    public List<Patch> load(PatchOptions first, Choices method) {
         if (others.size() > MOST) {
             throw new UsageException("--with is given " + others.size() + " times; give it " + MOST + " times at most");
         }
-        List<Patch> patches = new ArrayList<>(List.of(first.load()));
-        others.forEach(name -> patches.add(first.load(name)));
+        List<Patch> patches = new ArrayList<>(List.of(first.load(method)));
+        others.forEach(name -> patches.add(first.load(name, method)));
         return patches;
     }
 }

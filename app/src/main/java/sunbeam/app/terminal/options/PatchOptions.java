@@ -1,11 +1,15 @@
 package sunbeam.app.terminal.options;
 
+import static sunbeam.precompute.plan.MethodSettings.PRESET;
+
 import sunbeam.app.terminal.SettingOptions;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.patch.PatchLoader;
 import sunbeam.precompute.patch.PatchRequest;
 import sunbeam.precompute.patch.PatchSettings;
 import sunbeam.precompute.patch.builtin.BuiltInPatches;
+import sunbeam.precompute.plan.Preset;
+import sunbeam.precompute.setting.Choices;
 
 /** Which surface; to be used as a picocli mixin. */
 public final class PatchOptions extends SettingOptions {
@@ -16,6 +20,20 @@ public final class PatchOptions extends SettingOptions {
     /** Loads the patch; nothing else is read before it is known to be usable. */
     public Patch load() {
         return load(new PatchRequest(choices()));
+    }
+
+    /** As {@link #load()}, as a method's preset takes it. */
+    public Patch load(Choices method) {
+        return load(new PatchRequest(choices()).raw(isThesis(method)));
+    }
+
+    /** As {@link #load(String)}, as a method's preset takes it. */
+    public Patch load(String named, Choices method) {
+        return load(new PatchRequest(choices().with(PatchSettings.PATCH, named)).raw(isThesis(method)));
+    }
+
+    private static boolean isThesis(Choices method) {
+        return method.get(PRESET, Preset.NONE) == Preset.THESIS;
     }
 
     /** As {@link #load()}, with a patch named elsewhere than by the option. */

@@ -32,7 +32,8 @@ final class MethodProbe {
 
     MethodProbe(Path home, String... patchOptions) {
         PatchOptions patch = CommandLine.populateCommand(new PatchOptions(), patchOptions);
-        setup = new DiffractionSetup(patch, new Environment(Map.of(), home), new PrintWriter(new StringWriter(), true));
+        setup = new DiffractionSetup(
+                patch.load(), new Environment(Map.of(), home), new PrintWriter(new StringWriter(), true));
     }
 
     DiffractionSetup setup() {

@@ -49,7 +49,8 @@ final class ExplainerTest {
 
     private DiffractionSetup setup() {
         PatchOptions patch = CommandLine.populateCommand(new PatchOptions(), "--patch", "sinusoid");
-        return new DiffractionSetup(patch, new Environment(Map.of(), home), new PrintWriter(new StringWriter(), true));
+        return new DiffractionSetup(
+                patch.load(), new Environment(Map.of(), home), new PrintWriter(new StringWriter(), true));
     }
 
     private static Choices choices(String... words) {

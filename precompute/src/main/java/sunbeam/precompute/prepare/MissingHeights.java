@@ -1,4 +1,4 @@
-package sunbeam.precompute.patch;
+package sunbeam.precompute.prepare;
 
 import java.util.Arrays;
 
@@ -7,7 +7,7 @@ import java.util.Arrays;
  * every sample becomes the average of those of its up to eight neighbours that are known already. Samples of one ring
  * do not see each other, so the result does not depend on the order of the scan. Linear in the number of samples.
  */
-public final class MissingSamples {
+public final class MissingHeights {
     private static final byte KNOWN = 0;
     private static final byte MISSING = 1;
     private static final byte QUEUED = 2;
@@ -19,17 +19,17 @@ public final class MissingSamples {
     private final int count;
 
     /**
-     * A height map that misses nothing.
+     * Heights of which none is missing.
      *
-     * @param heights the height map without missing samples
+     * @param field the heights without missing samples
      * @param count how many samples were filled
      */
-    public record Filled(HeightMap heights, int count) {}
+    public record Filled(HeightField field, int count) {}
 
-    private MissingSamples(HeightMap map) {
-        columns = map.columns();
-        rows = map.rows();
-        heights = map.toArray();
+    private MissingHeights(HeightField field) {
+        columns = field.columns();
+        rows = field.rows();
+        heights = field.heights().clone();
         state = new byte[heights.length];
         int missing = 0;
         for (int i = 0; i < heights.length; i++) {
@@ -42,20 +42,20 @@ public final class MissingSamples {
     }
 
     /**
-     * The map with every missing sample filled.
+     * The heights with every missing sample filled.
      *
      * @throws IllegalArgumentException when all samples are missing
      */
-    public static Filled fill(HeightMap map) {
-        MissingSamples filling = new MissingSamples(map);
+    public static Filled fill(HeightField field) {
+        MissingHeights filling = new MissingHeights(field);
         if (filling.count == 0) {
-            return new Filled(map, 0);
+            return new Filled(field, 0);
         }
         if (filling.count == filling.heights.length) {
             throw new IllegalArgumentException("all " + filling.count + " samples are missing");
         }
         filling.fillRings();
-        return new Filled(map.withOwned(filling.heights), filling.count);
+        return new Filled(field.with(filling.heights), filling.count);
     }
 
     private void fillRings() {

@@ -1,4 +1,4 @@
-package sunbeam.precompute.patch;
+package sunbeam.precompute.prepare;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
@@ -7,51 +7,51 @@ import java.util.Arrays;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 
-class MissingSamplesTest {
+class MissingHeightsTest {
     private static final double NAN = Double.NaN;
 
-    private static HeightMap map(int columns, int rows, double... heights) {
-        return new HeightMap(columns, rows, 1e-9, 1e-9, heights);
+    private static HeightField map(int columns, int rows, double... heights) {
+        return new HeightField(columns, rows, 1e-9, 1e-9, heights);
     }
 
     @Test
     void leavesACompleteMapAlone() {
-        HeightMap map = map(2, 2, 1, 2, 3, 4);
+        HeightField map = map(2, 2, 1, 2, 3, 4);
 
-        MissingSamples.Filled filled = MissingSamples.fill(map);
+        MissingHeights.Filled filled = MissingHeights.fill(map);
 
         assertThat(filled.count()).isZero();
-        assertThat(filled.heights()).isSameAs(map);
+        assertThat(filled.field()).isSameAs(map);
     }
 
     @Test
     void fillsAHoleWithTheAverageOfItsNeighbours() {
-        MissingSamples.Filled filled = MissingSamples.fill(map(3, 3, 1, 2, 3, 4, NAN, 6, 7, 8, 9));
+        MissingHeights.Filled filled = MissingHeights.fill(map(3, 3, 1, 2, 3, 4, NAN, 6, 7, 8, 9));
 
         assertThat(filled.count()).isEqualTo(1);
-        assertThat(filled.heights().at(1, 1)).isEqualTo(5);
+        assertThat(filled.field().at(1, 1)).isEqualTo(5);
     }
 
     @Test
     void takesInfinitiesAsMissing() {
-        MissingSamples.Filled filled =
-                MissingSamples.fill(map(4, 1, Double.POSITIVE_INFINITY, 3, 5, Double.NEGATIVE_INFINITY));
+        MissingHeights.Filled filled =
+                MissingHeights.fill(map(4, 1, Double.POSITIVE_INFINITY, 3, 5, Double.NEGATIVE_INFINITY));
 
         assertThat(filled.count()).isEqualTo(2);
-        assertThat(filled.heights().toArray()).containsExactly(3, 3, 5, 5);
+        assertThat(filled.field().heights()).containsExactly(3, 3, 5, 5);
     }
 
     @Test
     void samplesOfOneRingDoNotSeeEachOther() {
-        HeightMap filled =
-                MissingSamples.fill(map(6, 1, 0, NAN, NAN, NAN, NAN, 8)).heights();
+        HeightField filled =
+                MissingHeights.fill(map(6, 1, 0, NAN, NAN, NAN, NAN, 8)).field();
 
-        assertThat(filled.toArray()).containsExactly(0, 0, 0, 8, 8, 8);
+        assertThat(filled.heights()).containsExactly(0, 0, 0, 8, 8, 8);
     }
 
     @Test
     void doesNotLookAcrossTheEdge() {
-        HeightMap filled = MissingSamples.fill(map(4, 1, NAN, 1, 50, 100)).heights();
+        HeightField filled = MissingHeights.fill(map(4, 1, NAN, 1, 50, 100)).field();
 
         assertThat(filled.at(0, 0)).isEqualTo(1);
     }
@@ -63,7 +63,7 @@ class MissingSamplesTest {
         for (int i = 0; i < heights.length; i++) {
             heights[i] = random.nextInt(10) == 0 ? 1e-3 + random.nextDouble() : NAN;
         }
-        double[] filled = MissingSamples.fill(map(61, 47, heights)).heights().toArray();
+        double[] filled = MissingHeights.fill(map(61, 47, heights)).field().heights();
 
         double least = Arrays.stream(heights).filter(Double::isFinite).min().orElseThrow();
         double most = Arrays.stream(heights).filter(Double::isFinite).max().orElseThrow();
@@ -80,16 +80,15 @@ class MissingSamplesTest {
         Arrays.fill(heights, NAN);
         heights[0] = 7;
 
-        MissingSamples.Filled filled = MissingSamples.fill(map(1000, 1000, heights));
+        MissingHeights.Filled filled = MissingHeights.fill(map(1000, 1000, heights));
 
         assertThat(filled.count()).isEqualTo(999_999);
-        assertThat(filled.heights().minimum()).isEqualTo(7);
-        assertThat(filled.heights().maximum()).isEqualTo(7);
+        assertThat(filled.field().heights()).containsOnly(7);
     }
 
     @Test
     void refusesAMapWithoutAnySample() {
-        assertThatThrownBy(() -> MissingSamples.fill(map(2, 2, NAN, NAN, NAN, NAN)))
+        assertThatThrownBy(() -> MissingHeights.fill(map(2, 2, NAN, NAN, NAN, NAN)))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessageContaining("all 4 samples are missing");
     }

@@ -1,0 +1,127 @@
+package sunbeam.app.commands.evaluate;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import sunbeam.precompute.analysis.PeriodEstimate;
+import sunbeam.precompute.analysis.PeriodEstimator;
+import sunbeam.precompute.evaluation.PeriodAnswer;
+
+/** The period and how well it is known: what is printed first. */
+final class PeriodReport {
+    private static final double NANOMETRES = 1e9;
+    // A drift or disagreement below this share of the period is not worth a line.
+    private static final double EXACT = 1e-4;
+    private static final double WORTH_SAYING = 2e-3;
+
+    private PeriodReport() {}
+
+    static List<String> lines(PeriodAnswer answer) {
+        List<String> lines = new ArrayList<>();
+        PeriodEstimate heights = answer.heights();
+        int digits = digits(0.5 * (answer.high() - answer.low()));
+        if (heights.halfWidth() > 0 || answer.high() - answer.low() > EXACT * answer.period()) {
+            lines.add(String.format(
+                    Locale.ROOT,
+                    "period               %s nm, 95 %% interval %s to %s nm",
+                    text(answer.period(), digits),
+                    text(answer.low(), digits),
+                    text(answer.high(), digits)));
+        } else {
+            lines.add(String.format(Locale.ROOT, "period               %s nm", text(answer.period(), 2)));
+        }
+        lines.add(String.format(
+                Locale.ROOT,
+                "of the heights       %s nm%s",
+                text(heights.period(), digits(heights.halfWidth())),
+                heights.halfWidth() > 0
+                        ? String.format(
+                                Locale.ROOT,
+                                ", interval %s to %s nm; %.1f periods were followed",
+                                text(heights.low(), digits(heights.halfWidth())),
+                                text(heights.high(), digits(heights.halfWidth())),
+                                heights.periods())
+                        : ", exact: the patch is one period of a surface that repeats"));
+        answer.light()
+                .ifPresentOrElse(
+                        light -> lines.add(String.format(
+                                Locale.ROOT,
+                                "of the light         %s nm, %s%s",
+                                text(light, Math.min(2, digits)),
+                                words(answer.of()),
+                                answer.disagree() && heights.halfWidth() > 0
+                                        ? "; the interval reaches from one to the other"
+                                        : "")),
+                        () -> lines.add("of the light         no ridge near that, " + words(answer.of())));
+        heights.second().ifPresent(second -> lines.add(second(second)));
+        heights.drift()
+                .filter(drift -> drift.ratio() - 1 > WORTH_SAYING)
+                .ifPresent(drift -> lines.add(String.format(
+                        Locale.ROOT,
+                        "the period drifts    from %.1f nm at one end of the scan to %.1f nm at the other; the interval holds"
+                                + " both",
+                        drift.first() * NANOMETRES,
+                        drift.last() * NANOMETRES)));
+        return lines;
+    }
+
+    private static String words(PeriodAnswer.Light light) {
+        return light == PeriodAnswer.Light.SCAN_ALONE
+                ? "the scan alone, faded at its border"
+                : "mean over all positions of the window";
+    }
+
+    private static String second(PeriodEstimate.Second second) {
+        int digits = digits(0.5 * (second.high() - second.low()));
+        return String.format(
+                Locale.ROOT,
+                "a second period      %s nm, 95 %% interval %s to %s nm, %.2g times as high as the first: the surface has two",
+                text(second.period(), digits),
+                text(second.low(), digits),
+                text(second.high(), digits),
+                second.strength());
+    }
+
+    /** Decimals that show two digits of an uncertainty in metres. */
+    private static int digits(double uncertainty) {
+        return uncertainty > 0
+                ? (int) Math.max(0, Math.min(2, 1 - Math.floor(Math.log10(uncertainty * NANOMETRES))))
+                : 2;
+    }
+
+    private static String text(double metres, int decimals) {
+        return String.format(Locale.ROOT, "%." + decimals + "f", metres * NANOMETRES);
+    }
+
+    static Map<String, Object> tree(PeriodAnswer answer) {
+        Map<String, Object> tree = interval(answer.period(), answer.low(), answer.high());
+        tree.put("probability", PeriodEstimator.PROBABILITY);
+        PeriodEstimate heights = answer.heights();
+        tree.put("of_the_heights", interval(heights.period(), heights.low(), heights.high()));
+        tree.put("of_the_light_nm", answer.light().isPresent() ? answer.light().getAsDouble() * NANOMETRES : null);
+        tree.put("light", answer.of().name().toLowerCase(Locale.ROOT));
+        tree.put("periods_followed", heights.periods());
+        heights.second().ifPresent(second -> {
+            Map<String, Object> beside = interval(second.period(), second.low(), second.high());
+            beside.put("relative_amplitude", second.strength());
+            tree.put("second", beside);
+        });
+        heights.drift().ifPresent(drift -> {
+            Map<String, Object> ends = new LinkedHashMap<>();
+            ends.put("from_nm", drift.first() * NANOMETRES);
+            ends.put("to_nm", drift.last() * NANOMETRES);
+            tree.put("drift", ends);
+        });
+        return tree;
+    }
+
+    private static Map<String, Object> interval(double period, double low, double high) {
+        Map<String, Object> tree = new LinkedHashMap<>();
+        tree.put("nm", period * NANOMETRES);
+        tree.put("low_nm", low * NANOMETRES);
+        tree.put("high_nm", Double.isFinite(high) ? high * NANOMETRES : null);
+        return tree;
+    }
+}

@@ -1,0 +1,210 @@
+package sunbeam.precompute.analysis;
+
+import org.apache.commons.math3.linear.Array2DRowRealMatrix;
+import org.apache.commons.math3.linear.ArrayRealVector;
+import org.apache.commons.math3.linear.RealVector;
+import org.apache.commons.math3.linear.SingularValueDecomposition;
+import sunbeam.precompute.patch.HeightMap;
+
+/**
+ * Heights times exp(-2 pi i f r), less their plane: a wave of frequency f stands still in it. Samples finer than an
+ * eighth of a period are averaged first. The plane is fitted together with the wave, because a plane fitted to a few
+ * periods alone would take some of the wave with it.
+ */
+final class DemodulatedHeights {
+    // Per period; the averages of that many damp the wave by less than 3 % and shift it by nothing.
+    private static final int FEWEST_SAMPLES = 8;
+    // The wave and its first overtones, which a sawtooth has, too.
+    private static final int OVERTONES = 3;
+    private static final int TERMS = 3 + 2 * OVERTONES;
+
+    private final int columns;
+    private final int rows;
+    private final double pitchX;
+    private final double pitchY;
+    private final double[] heights;
+    private final double[] real;
+    private final double[] imaginary;
+
+    private DemodulatedHeights(int columns, int rows, double pitchX, double pitchY, double[] heights) {
+        this.columns = columns;
+        this.rows = rows;
+        this.pitchX = pitchX;
+        this.pitchY = pitchY;
+        this.heights = heights;
+        this.real = new double[heights.length];
+        this.imaginary = new double[heights.length];
+    }
+
+    /**
+     * Demodulates a map without missing samples.
+     *
+     * @param frequencyX cycles per metre
+     * @param frequencyY cycles per metre, upwards
+     */
+    static DemodulatedHeights of(HeightMap map, double frequencyX, double frequencyY) {
+        double period = 1 / Math.hypot(frequencyX, frequencyY);
+        int acrossX = averaged(period, map.pitchX(), map.columns());
+        int acrossY = averaged(period, map.pitchY(), map.rows());
+        DemodulatedHeights result = new DemodulatedHeights(
+                map.columns() / acrossX,
+                map.rows() / acrossY,
+                map.pitchX() * acrossX,
+                map.pitchY() * acrossY,
+                averages(map, acrossX, acrossY));
+        result.subtractPlane(frequencyX, frequencyY);
+        result.demodulate(frequencyX, frequencyY);
+        return result;
+    }
+
+    private static int averaged(double period, double pitch, int count) {
+        return Math.max(1, Math.min(count, (int) Math.floor(period / (FEWEST_SAMPLES * pitch))));
+    }
+
+    private static double[] averages(HeightMap map, int acrossX, int acrossY) {
+        int columns = map.columns() / acrossX;
+        int rows = map.rows() / acrossY;
+        double[] averages = new double[columns * rows];
+        double offset = map.at(0, 0);
+        for (int row = 0; row < rows * acrossY; row++) {
+            for (int column = 0; column < columns * acrossX; column++) {
+                averages[row / acrossY * columns + column / acrossX] += map.at(column, row) - offset;
+            }
+        }
+        for (int i = 0; i < averages.length; i++) {
+            averages[i] /= (double) acrossX * acrossY;
+        }
+        return averages;
+    }
+
+    /**
+     * Least squares of a + b x + c y and the wave with its first overtones; the pseudo-inverse bears single rows and
+     * columns.
+     */
+    private void subtractPlane(double frequencyX, double frequencyY) {
+        double[][] normal = new double[TERMS][TERMS];
+        double[] right = new double[TERMS];
+        double[] terms = new double[TERMS];
+        for (int row = 0; row < rows; row++) {
+            for (int column = 0; column < columns; column++) {
+                double phase = 2 * Math.PI * (frequencyX * x(column) + frequencyY * y(row));
+                terms[0] = 1;
+                terms[1] = x(column) / width();
+                terms[2] = y(row) / height();
+                for (int overtone = 1; overtone <= OVERTONES; overtone++) {
+                    terms[2 * overtone + 1] = Math.cos(overtone * phase);
+                    terms[2 * overtone + 2] = Math.sin(overtone * phase);
+                }
+                double value = heights[row * columns + column];
+                for (int i = 0; i < TERMS; i++) {
+                    right[i] += terms[i] * value;
+                    for (int j = 0; j <= i; j++) {
+                        normal[i][j] += terms[i] * terms[j];
+                        normal[j][i] = normal[i][j];
+                    }
+                }
+            }
+        }
+        RealVector fitted = new SingularValueDecomposition(new Array2DRowRealMatrix(normal))
+                .getSolver()
+                .solve(new ArrayRealVector(right));
+        for (int i = 0; i < heights.length; i++) {
+            heights[i] -= fitted.getEntry(0)
+                    + fitted.getEntry(1) * x(i % columns) / width()
+                    + fitted.getEntry(2) * y(i / columns) / height();
+        }
+    }
+
+    private void demodulate(double frequencyX, double frequencyY) {
+        for (int i = 0; i < heights.length; i++) {
+            double phase = 2 * Math.PI * (frequencyX * x(i % columns) + frequencyY * y(i / columns));
+            real[i] = heights[i] * Math.cos(phase);
+            imaginary[i] = -heights[i] * Math.sin(phase);
+        }
+    }
+
+    /** Extent along x, metres. */
+    double width() {
+        return columns * pitchX;
+    }
+
+    /** Extent along y, metres. */
+    double height() {
+        return rows * pitchY;
+    }
+
+    /** Position of a column's middle from the patch's, metres. */
+    private double x(int column) {
+        return (column - 0.5 * (columns - 1)) * pitchX;
+    }
+
+    /** Position of a row's middle from the patch's, metres, upwards. */
+    private double y(int row) {
+        return (0.5 * (rows - 1) - row) * pitchY;
+    }
+
+    /**
+     * The wave's complex amplitude around a place: the mean under Hann windows along the wave and across it, which leave
+     * no trace of a constant, the mirror frequency and the overtones where the one along is whole periods long.
+     *
+     * @param s metres along the direction from the patch's middle
+     * @param t metres across it
+     * @param frame direction and windows
+     * @param amplitude overwritten with real and imaginary part
+     */
+    void amplitude(double s, double t, Frame frame, double[] amplitude) {
+        double centreX = s * frame.cosine() - t * frame.sine();
+        double centreY = s * frame.sine() + t * frame.cosine();
+        double reachX = 0.5 * (Math.abs(frame.cosine()) * frame.along() + Math.abs(frame.sine()) * frame.across());
+        double reachY = 0.5 * (Math.abs(frame.sine()) * frame.along() + Math.abs(frame.cosine()) * frame.across());
+        int firstColumn = Math.max(0, (int) Math.ceil((centreX - reachX) / pitchX + 0.5 * (columns - 1)));
+        int lastColumn = Math.min(columns - 1, (int) Math.floor((centreX + reachX) / pitchX + 0.5 * (columns - 1)));
+        int firstRow = Math.max(0, (int) Math.ceil(0.5 * (rows - 1) - (centreY + reachY) / pitchY));
+        int lastRow = Math.min(rows - 1, (int) Math.floor(0.5 * (rows - 1) - (centreY - reachY) / pitchY));
+        double sumReal = 0;
+        double sumImaginary = 0;
+        double weights = 0;
+        for (int row = firstRow; row <= lastRow; row++) {
+            double dy = y(row) - centreY;
+            for (int column = firstColumn; column <= lastColumn; column++) {
+                double dx = x(column) - centreX;
+                double weight = hann((dx * frame.cosine() + dy * frame.sine()) / frame.along())
+                        * hann((dy * frame.cosine() - dx * frame.sine()) / frame.across());
+                sumReal += weight * real[row * columns + column];
+                sumImaginary += weight * imaginary[row * columns + column];
+                weights += weight;
+            }
+        }
+        amplitude[0] = weights > 0 ? sumReal / weights : 0;
+        amplitude[1] = weights > 0 ? sumImaginary / weights : 0;
+    }
+
+    /** cos^2, 0 from half a window away. */
+    private static double hann(double windows) {
+        if (Math.abs(windows) >= 0.5) {
+            return 0;
+        }
+        double cosine = Math.cos(Math.PI * windows);
+        return cosine * cosine;
+    }
+
+    /** Whether a window's whole length, and half of its width, which has nine tenths of its weight, lie on the patch. */
+    boolean covers(double s, double t, Frame frame) {
+        double x = Math.abs(s * frame.cosine() - t * frame.sine());
+        double y = Math.abs(s * frame.sine() + t * frame.cosine());
+        double reachX = Math.abs(frame.cosine()) * 0.5 * frame.along() + Math.abs(frame.sine()) * 0.25 * frame.across();
+        double reachY = Math.abs(frame.sine()) * 0.5 * frame.along() + Math.abs(frame.cosine()) * 0.25 * frame.across();
+        double slack = 1e-9 * (width() + height());
+        return x + reachX <= 0.5 * width() + slack && y + reachY <= 0.5 * height() + slack;
+    }
+
+    /**
+     * A direction and the windows along and across it.
+     *
+     * @param cosine of the direction
+     * @param sine of the direction
+     * @param along full length of the window along it, metres
+     * @param across full length across, metres
+     */
+    record Frame(double cosine, double sine, double along, double across) {}
+}

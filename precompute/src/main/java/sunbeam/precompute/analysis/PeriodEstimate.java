@@ -1,0 +1,50 @@
+package sunbeam.precompute.analysis;
+
+import java.util.Optional;
+
+/**
+ * A period of a surface and how well a scan tells it.
+ *
+ * @param period metres
+ * @param low of the interval that holds it with a probability of 95 %, metres
+ * @param high of that interval, metres
+ * @param periods how many fit into the scan along their direction
+ * @param second another period beside it, of similar strength and direction, where there is one
+ * @param drift where the period changes across the scan: from one end to the other
+ */
+public record PeriodEstimate(
+        double period, double low, double high, double periods, Optional<Second> second, Optional<Drift> drift) {
+
+    /** Of one period, or few, of a surface that repeats without end: known exactly. */
+    public static PeriodEstimate exact(double period, double periods) {
+        return new PeriodEstimate(period, period, period, periods, Optional.empty(), Optional.empty());
+    }
+
+    /**
+     * Another period.
+     *
+     * @param period metres
+     * @param low of the interval that holds it with a probability of 95 %, metres
+     * @param high of that interval, metres
+     * @param strength amplitude over that of the first, 0..1
+     */
+    public record Second(double period, double low, double high, double strength) {}
+
+    /**
+     * A period that changes.
+     *
+     * @param first metres, at the end where the grating's direction starts
+     * @param last metres, at the other
+     */
+    public record Drift(double first, double last) {
+        /** Last over first, or its inverse: 1 or more. */
+        public double ratio() {
+            return Math.max(first / last, last / first);
+        }
+    }
+
+    /** The larger distance from the period to an end of its interval, metres. */
+    public double halfWidth() {
+        return Math.max(period - low, high - period);
+    }
+}

@@ -1,0 +1,118 @@
+package sunbeam.precompute.analysis;
+
+import java.util.Optional;
+import sunbeam.precompute.patch.HeightMap;
+
+/**
+ * How well a scan tells a period. The wave is followed through the scan place by place; noise, strayed lines, uneven
+ * gaps and the scan's few periods all leave their trace in its phase, and {@link PhaseFit} makes an interval of that.
+ */
+public final class PeriodEstimator {
+    /** Of the intervals. */
+    public static final double PROBABILITY = 0.95;
+
+    // Of a curvature that chance may leave in the phase of a grating that does not drift.
+    private static final double CERTAINTY = 0.99;
+    // A scan's resolution is 1 / its length; no frequency is claimed to better than this share of it.
+    private static final double FINEST = 1e-3;
+    private static final double FINEST_OF_TWO = 0.02;
+    // Strips of a grown surface count by their amplitudes, not alike, and fewer of them than there are are independent;
+    // measured on simulated ones.
+    private static final double UNEQUAL_STRIPS = 1.5;
+    private static final int ROUNDS = 3;
+
+    private PeriodEstimator() {}
+
+    /**
+     * The period near a peak of the heights' spectrum, along the peak's direction; empty where too few periods fit into
+     * the scan to tell.
+     *
+     * @param map without missing samples
+     */
+    public static Optional<PeriodEstimate> estimate(HeightMap map, SpectrumPeak peak) {
+        double direction = Math.atan2(peak.frequencyY(), peak.frequencyX());
+        double frequency = peak.frequency();
+        PhaseSeries series = null;
+        for (int round = 0; round < ROUNDS; round++) {
+            series = PhaseSeries.of(map, frequency * Math.cos(direction), frequency * Math.sin(direction));
+            if (series.size() < PhaseFit.FEWEST) {
+                return Optional.empty();
+            }
+            if (round + 1 < ROUNDS) {
+                double better = moved(frequency, series.roughSlope(), series);
+                // Phases of half a turn a place would be another wave's.
+                if (!(better > 0.7 * peak.frequency() && better < 1.4 * peak.frequency())) {
+                    break;
+                }
+                frequency = better;
+            }
+        }
+        return Optional.of(told(frequency, series));
+    }
+
+    private static double moved(double frequency, double slope, PhaseSeries series) {
+        return frequency + slope / (2 * Math.PI * series.step());
+    }
+
+    private static PeriodEstimate told(double frequency, PhaseSeries series) {
+        PhaseFit fit = new PhaseFit(series);
+        double length = (series.size() + 1) * series.step();
+        double finest = FINEST / length;
+        Optional<TwoWaves> two = series.isStraight() ? TwoWaves.in(series.straight()) : Optional.empty();
+        if (two.isPresent()) {
+            return ofTwo(frequency, series, two.get(), length);
+        }
+        PhaseFit.Interval slope = fit.slope(PROBABILITY);
+        double middle = moved(frequency, slope.median(), series);
+        double wider = series.isStraight() ? 1 : UNEQUAL_STRIPS;
+        double low = Math.min(middle + wider * (moved(frequency, slope.low(), series) - middle), middle - finest);
+        double high = Math.max(middle + wider * (moved(frequency, slope.high(), series) - middle), middle + finest);
+        Optional<PeriodEstimate.Drift> drift = drift(frequency, fit, series);
+        if (drift.isPresent()) {
+            // Which of its periods is meant is not known.
+            low = Math.min(low, 1 / Math.max(drift.get().first(), drift.get().last()));
+            high = Math.max(high, 1 / Math.min(drift.get().first(), drift.get().last()));
+        }
+        return new PeriodEstimate(
+                1 / middle,
+                1 / high,
+                low > 0 ? 1 / low : Double.POSITIVE_INFINITY,
+                length * middle,
+                Optional.empty(),
+                drift);
+    }
+
+    private static Optional<PeriodEstimate.Drift> drift(double frequency, PhaseFit fit, PhaseSeries series) {
+        PhaseFit.Interval curvature = fit.curvature(CERTAINTY);
+        if (series.size() <= PhaseFit.FEWEST || (curvature.low() <= 0 && curvature.high() >= 0)) {
+            return Optional.empty();
+        }
+        double middle = fit.slopeInTheMiddle(PROBABILITY).median();
+        double change = curvature.median() * series.size();
+        double first = moved(frequency, middle - change, series);
+        double last = moved(frequency, middle + change, series);
+        return first > 0 && last > 0 ? Optional.of(new PeriodEstimate.Drift(1 / first, 1 / last)) : Optional.empty();
+    }
+
+    /** Two waves' frequencies; each is known as well as the rest of the other allows (Rife and Boorstyn's bound). */
+    private static PeriodEstimate ofTwo(double frequency, PhaseSeries series, TwoWaves two, double length) {
+        double first = moved(frequency, two.first(), series);
+        double second = moved(frequency, two.second(), series);
+        // Variance of a frequency: 6 / (4 pi^2) noise over signal / (places length^2); the rest is never less than what
+        // the windows leave of each other's waves.
+        double noise = Math.max(two.rest(), 1e-6) * (1 + two.ratio() * two.ratio());
+        // Neighbouring places' windows overlap, so that only every so many-th counts.
+        double independent = series.size() / series.window();
+        double error = Math.sqrt(6 * noise / independent) / (2 * Math.PI * length);
+        double wide = Math.max(2.5 * error, FINEST_OF_TWO / length);
+        double wider = wide / two.ratio();
+        return new PeriodEstimate(
+                1 / first,
+                1 / (first + wide),
+                1 / (first - wide),
+                length * first,
+                Optional.of(
+                        new PeriodEstimate.Second(1 / second, 1 / (second + wider), 1 / (second - wider), two.ratio())),
+                Optional.empty());
+    }
+}

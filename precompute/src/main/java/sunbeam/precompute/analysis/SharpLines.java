@@ -1,0 +1,111 @@
+package sunbeam.precompute.analysis;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * The line of a grating in the spectrum of a piece of a surface, where that holds much of the heights' variance: as sharp
+ * as the piece allows, so that no average over bins is needed to see it and few periods are enough.
+ */
+final class SharpLines {
+    /** How many times the line's top exceeds the median of the bins around. The largest of 200 bins of noise does 10 times. */
+    static final double THRESHOLD = 100;
+
+    // Of the variance, in the line.
+    private static final double LEAST_SHARE = 0.25;
+    // A Hann window spreads one frequency over two bins on each side.
+    private static final int LINE_BINS = 2;
+    private static final int SURROUNDINGS = 8;
+    private static final double FEWEST_PERIODS = 3.7;
+
+    private final HeightSpectrum spectrum;
+
+    SharpLines(HeightSpectrum spectrum) {
+        this.spectrum = spectrum;
+    }
+
+    /**
+     * The strongest line, where there is one.
+     *
+     * @param variance of the heights less their plane, square metres
+     */
+    Optional<SpectrumPeak> strongest(double variance) {
+        List<int[]> tops = new ArrayList<>();
+        for (int jy = 0; jy <= spectrum.bandY().last(); jy++) {
+            int first = jy == 0 ? 1 : spectrum.bandX().first();
+            for (int jx = first; jx <= spectrum.bandX().last(); jx++) {
+                if (2 * sumAround(jx, jy, 0) > 0.05 * LEAST_SHARE * variance
+                        && Math.hypot(jx, jy) >= FEWEST_PERIODS
+                        && isTop(jx, jy)) {
+                    tops.add(new int[] {jx, jy});
+                }
+            }
+        }
+        return tops.stream()
+                .map(top -> peak(top[0], top[1]))
+                .filter(peak -> peak.figure() >= THRESHOLD && peak.rms() * peak.rms() >= LEAST_SHARE * variance)
+                .max(Comparator.comparingDouble(SpectrumPeak::rms));
+    }
+
+    private boolean isTop(int jx, int jy) {
+        double here = spectrum.at(jx, jy);
+        for (int dy = -LINE_BINS; dy <= LINE_BINS; dy++) {
+            for (int dx = -LINE_BINS; dx <= LINE_BINS; dx++) {
+                if (spectrum.at(jx + dx, jy + dy) > here) {
+                    return false;
+                }
+            }
+        }
+        return here > 0;
+    }
+
+    private double sumAround(int jx, int jy, int reach) {
+        double sum = 0;
+        for (int y = jy - reach; y <= jy + reach; y++) {
+            for (int x = jx - reach; x <= jx + reach; x++) {
+                sum += spectrum.at(x, y);
+            }
+        }
+        return sum;
+    }
+
+    private SpectrumPeak peak(int jx, int jy) {
+        double sum = 0;
+        double sumX = 0;
+        double sumY = 0;
+        for (int y = jy - LINE_BINS; y <= jy + LINE_BINS; y++) {
+            for (int x = jx - LINE_BINS; x <= jx + LINE_BINS; x++) {
+                sum += spectrum.at(x, y);
+                sumX += x * spectrum.at(x, y);
+                sumY += y * spectrum.at(x, y);
+            }
+        }
+        return new SpectrumPeak(
+                sumX / sum / spectrum.width(),
+                sumY / sum / spectrum.height(),
+                spectrum.at(jx, jy) / surroundings(jx, jy),
+                Math.sqrt(2 * sum));
+    }
+
+    /** The median of the bins around the line, without those around zero frequency and without the line's own. */
+    private double surroundings(int jx, int jy) {
+        double[] found = new double[(2 * SURROUNDINGS + 1) * (2 * SURROUNDINGS + 1)];
+        int count = 0;
+        for (int y = jy - SURROUNDINGS; y <= jy + SURROUNDINGS; y++) {
+            for (int x = jx - SURROUNDINGS; x <= jx + SURROUNDINGS; x++) {
+                boolean line = Math.max(Math.abs(x - jx), Math.abs(y - jy)) <= LINE_BINS;
+                boolean inside = Math.abs(x) <= spectrum.bandX().last()
+                        && Math.abs(y) <= spectrum.bandY().last();
+                if (!line && inside && Math.hypot(x, y) > LINE_BINS) {
+                    found[count++] = spectrum.at(x, y);
+                }
+            }
+        }
+        Arrays.sort(found, 0, count);
+        // Exact gratings leave nothing beside their lines.
+        return count == 0 ? Double.MIN_NORMAL : Math.max(found[count / 2], 1e-9 * spectrum.at(jx, jy));
+    }
+}

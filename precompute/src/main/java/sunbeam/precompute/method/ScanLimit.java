@@ -1,0 +1,59 @@
+package sunbeam.precompute.method;
+
+import static sunbeam.precompute.plan.MethodSettings.COHERENCE_LENGTH;
+import static sunbeam.precompute.plan.MethodSettings.PRESET;
+
+import java.util.Locale;
+import java.util.Optional;
+import sunbeam.precompute.optics.CoherenceWindow;
+import sunbeam.precompute.patch.Patch;
+import sunbeam.precompute.patch.PatchSettings;
+import sunbeam.precompute.plan.Preset;
+import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.setting.Sentence;
+import sunbeam.precompute.units.Lengths;
+
+/**
+ * A scan cannot tell more than its size: what its spectrum says between frequencies 1 / size apart is invented by its
+ * repetition. A patch that is no period of its surface is seen with a coherence length of at most its shorter side; where
+ * nobody has said whether it is one, the repetition stays, and is told of. The thesis's preset repeats whatever it is given.
+ *
+ * @param choices those that hold
+ * @param line what the user should know
+ */
+public record ScanLimit(Choices choices, Optional<Sentence> line) {
+    // Lengths are divided into samples and back.
+    private static final double SLACK = 1 + 1e-9;
+
+    /** The choices for a patch; others than those of a method with a window stay as they are. */
+    public static ScanLimit of(Choices choices, Patch patch) {
+        boolean windowed = choices.get(Methods.METHOD).has(COHERENCE_LENGTH);
+        boolean thesis = choices.get(PRESET, Preset.NONE) == Preset.THESIS;
+        double asked = choices.get(COHERENCE_LENGTH);
+        double side = patch.shorterSide();
+        if (!windowed || thesis || patch.repetition() == Patch.Repetition.PERIODIC || asked <= side * SLACK) {
+            return new ScanLimit(choices, Optional.empty());
+        }
+        if (patch.repetition() == Patch.Repetition.ASSUMED) {
+            return new ScanLimit(
+                    choices,
+                    Optional.of(Sentence.of(
+                            "the surface is taken to repeat itself every %s, and light of a coherence length of %s sees that: a comb of sharp orders that no scan of this size can tell; say whether it is "
+                                    .formatted(Lengths.format(side), Lengths.format(asked)),
+                            PatchSettings.PERIODIC)));
+        }
+        // A window that the samples cannot hold would be refused, as any other that is too short.
+        Choices limited = choices.with(COHERENCE_LENGTH, side, choices.origin(COHERENCE_LENGTH));
+        return new ScanLimit(
+                limited,
+                Optional.of(Sentence.of(
+                        String.format(
+                                Locale.ROOT,
+                                "coherence length %s (the scan's %s; %s asked): orders are drawn %.2g times as broad as in sunlight; a larger scan or ",
+                                Lengths.rounded(side, 4),
+                                patch.scan().width() <= side * SLACK ? "width" : "height",
+                                Lengths.format(asked),
+                                CoherenceWindow.SUNLIGHT_COHERENCE_LENGTH / side),
+                        PatchSettings.PERIODIC)));
+    }
+}

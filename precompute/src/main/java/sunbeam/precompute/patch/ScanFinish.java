@@ -1,0 +1,153 @@
+package sunbeam.precompute.patch;
+
+import static sunbeam.precompute.patch.PatchSettings.CROP;
+import static sunbeam.precompute.patch.PatchSettings.DESPIKE;
+import static sunbeam.precompute.patch.PatchSettings.EDGES;
+import static sunbeam.precompute.patch.PatchSettings.LEVEL;
+import static sunbeam.precompute.patch.PatchSettings.PERIODIC;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import sunbeam.precompute.prepare.Edges;
+import sunbeam.precompute.prepare.HeightField;
+import sunbeam.precompute.prepare.Levelling;
+import sunbeam.precompute.prepare.OnePeriod;
+import sunbeam.precompute.prepare.Preparation;
+import sunbeam.precompute.prepare.Seam;
+import sunbeam.precompute.prepare.Tilt;
+import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.setting.SettingException;
+import sunbeam.precompute.units.Lengths;
+
+/**
+ * From heights in metres to a patch: what holds where nothing was chosen, the preparing, and what the user should know.
+ *
+ * @param name of the patch
+ * @param file for messages
+ * @param choices of {@link PatchSettings#PREPARING}
+ * @param kind where the heights come from
+ */
+record ScanFinish(String name, String file, Choices choices, Kind kind) {
+    // Of the heights' variance, in their plane: less is no tilt that anybody sees.
+    private static final double TILTED = 0.1;
+    // How many times larger the step at the border is than between neighbours, before its streaks are seen.
+    private static final double TORN = 4;
+
+    /** Where heights come from. */
+    enum Kind {
+        /** Periodic by construction. */
+        BUILT_IN,
+        /** A descriptor, which keeps what it has always meant where it says nothing. */
+        DESCRIBED,
+        /** A file that somebody names, mostly a scan as an instrument wrote it. */
+        GIVEN_DIRECTLY
+    }
+
+    /**
+     * The patch.
+     *
+     * @throws PatchException when no sample is there
+     * @throws SettingException when a choice does not suit the heights
+     */
+    Patch patch(MeasuredHeights read) {
+        HeightMap measured = read.map();
+        Patch.Repetition repetition = repetition(measured);
+        boolean piece = repetition == Patch.Repetition.NONE && kind == Kind.GIVEN_DIRECTLY;
+        Levelling levelling = choices.get(LEVEL, piece ? Levelling.PLANE : Levelling.MEAN);
+        Edges edges = choices.get(EDGES, piece ? Edges.BLEND : Edges.REPEAT);
+        Preparation preparation = new Preparation(choices.find(CROP), levelling, choices.get(DESPIKE, false), edges);
+        Preparation.Prepared prepared = prepared(preparation, measured);
+        HeightMap scan = HeightMap.of(prepared.scan());
+        HeightMap heights = edges == Edges.REPEAT ? scan : HeightMap.of(prepared.surface());
+        List<String> warnings = new ArrayList<>(read.warnings());
+        if (prepared.missing() > 0) {
+            warnings.add("%d of %d samples are missing and were filled from their neighbours"
+                    .formatted(prepared.missing(), (long) scan.columns() * scan.rows()));
+        }
+        if (heights.relief() == 0) {
+            warnings.add("all heights are equal: the patch is a flat mirror");
+        } else if (repetition != Patch.Repetition.PERIODIC) {
+            warnOfRamp(measured, levelling, warnings);
+            warnOfSeam(prepared.scan(), levelling, edges, warnings);
+        }
+        SamplingCheck.pitch(heights).ifPresent(warnings::add);
+        SlopeCheck.slopes(heights).ifPresent(warnings::add);
+        return new Patch(
+                name,
+                heights,
+                scan,
+                read.source() + ", " + String.join(", ", prepared.steps()),
+                read.channels(),
+                read.notes(),
+                warnings,
+                repetition);
+    }
+
+    private Patch.Repetition repetition(HeightMap measured) {
+        if (choices.has(PERIODIC)) {
+            return choices.get(PERIODIC, false) ? Patch.Repetition.PERIODIC : Patch.Repetition.NONE;
+        }
+        if (kind == Kind.BUILT_IN && !choices.has(CROP)) {
+            return Patch.Repetition.PERIODIC;
+        }
+        boolean described = kind == Kind.DESCRIBED;
+        if (!choices.has(CROP) && !choices.has(EDGES)) {
+            // Who describes a ramp means a blazed grating; a ramp that an instrument wrote is a tilt.
+            HeightField field = measured.field();
+            if (OnePeriod.is(field) || (described && OnePeriod.isRamp(field))) {
+                return Patch.Repetition.PERIODIC;
+            }
+            return described ? Patch.Repetition.ASSUMED : Patch.Repetition.NONE;
+        }
+        return Patch.Repetition.NONE;
+    }
+
+    private Preparation.Prepared prepared(Preparation preparation, HeightMap measured) {
+        try {
+            preparation.cropped(measured.field());
+        } catch (IllegalArgumentException wrong) {
+            throw new SettingException(CROP, wrong.getMessage());
+        }
+        try {
+            return preparation.apply(measured.field());
+        } catch (IllegalArgumentException nothing) {
+            throw new PatchException(
+                    file + ": " + nothing.getMessage() + " (NaN, infinite or transparent); export the scan again",
+                    nothing);
+        }
+    }
+
+    private void warnOfRamp(HeightMap measured, Levelling levelling, List<String> warnings) {
+        boolean levelled = levelling != Levelling.NONE && levelling != Levelling.MEAN;
+        if (levelled && OnePeriod.isRamp(measured.field())) {
+            warnings.add(
+                    "the heights are one even ramp, of which levelling leaves nothing; if it is one period of a blazed"
+                            + " grating, say so (periodic)");
+        }
+    }
+
+    private static void warnOfSeam(HeightField scan, Levelling levelling, Edges edges, List<String> warnings) {
+        List<String> faults = new ArrayList<>();
+        List<String> remedies = new ArrayList<>();
+        Tilt tilt = Tilt.of(scan);
+        if ((levelling == Levelling.NONE || levelling == Levelling.MEAN) && tilt.share() > TILTED) {
+            faults.add(String.format(
+                    Locale.ROOT,
+                    "it is tilted by %s from corner to corner (%.0f %% of the heights' variance)",
+                    Lengths.rounded(tilt.rise(), 3),
+                    100 * tilt.share()));
+            remedies.add("level it by its plane");
+        }
+        Seam seam = Seam.of(scan);
+        if (edges == Edges.REPEAT && seam.ratio() > TORN) {
+            faults.add("opposite borders differ by %s rms (neighbours by %s)"
+                    .formatted(Lengths.rounded(seam.jump(), 2), Lengths.rounded(seam.inside(), 2)));
+            remedies.add("blend its edges");
+        }
+        if (!faults.isEmpty()) {
+            warnings.add("the scan's repetition has a step that draws a cross: " + String.join(", and ", faults) + "; "
+                    + String.join(" and ", remedies));
+        }
+    }
+}

@@ -1,0 +1,92 @@
+package sunbeam.precompute.prepare;
+
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import sunbeam.precompute.setting.Kinds;
+import sunbeam.precompute.setting.ValueKind;
+import sunbeam.precompute.text.Quoted;
+import sunbeam.precompute.units.Lengths;
+
+/**
+ * The part of a scan that counts, from its lower left corner, metres.
+ *
+ * @param left its least x
+ * @param right its largest x
+ * @param bottom its least y
+ * @param top its largest y
+ */
+public record Crop(double left, double right, double bottom, double top) {
+    /** As people write it. */
+    public static final ValueKind<Crop> KIND = Kinds.of(
+            "AREA",
+            ValueKind.Form.TEXT,
+            Crop::parse,
+            crop -> crop,
+            Crop::format,
+            "LEFT:RIGHT,BOTTOM:TOP, such as 5um:25um,0um:10um");
+
+    private static final Pattern FORM = Pattern.compile("([^:,]+):([^:,]+),([^:,]+):([^:,]+)");
+    // Rounding of lengths that were divided into samples.
+    private static final double SLACK = 1e-6;
+
+    public Crop {
+        if (!(left >= 0 && bottom >= 0 && right > left && top > bottom)) {
+            throw new IllegalArgumentException("%s:%s,%s:%s is no area: give LEFT:RIGHT,BOTTOM:TOP from 0 upwards"
+                    .formatted(
+                            Lengths.format(left), Lengths.format(right), Lengths.format(bottom), Lengths.format(top)));
+        }
+    }
+
+    private static Crop parse(String text) {
+        Matcher matcher = FORM.matcher(text.strip());
+        if (!matcher.matches()) {
+            throw new IllegalArgumentException(
+                    Quoted.of(text) + " is no area; give LEFT:RIGHT,BOTTOM:TOP, such as 5um:25um,0um:10um");
+        }
+        return new Crop(edge(matcher.group(1)), edge(matcher.group(2)), edge(matcher.group(3)), edge(matcher.group(4)));
+    }
+
+    /** 0 needs no unit. */
+    private static double edge(String text) {
+        return text.strip().equals("0") ? 0 : Lengths.parse(text.strip());
+    }
+
+    private String format() {
+        return "%s:%s,%s:%s"
+                .formatted(Lengths.exact(left), Lengths.exact(right), Lengths.exact(bottom), Lengths.exact(top));
+    }
+
+    /**
+     * The samples whose middles lie in the area.
+     *
+     * @throws IllegalArgumentException when the area leaves the scan or holds fewer than two samples; the message continues "--crop AREA"
+     */
+    HeightField apply(HeightField field) {
+        if (right > field.width() * (1 + SLACK) || top > field.height() * (1 + SLACK)) {
+            throw new IllegalArgumentException("leaves the scan, which is %s x %s"
+                    .formatted(Lengths.format(field.width()), Lengths.format(field.height())));
+        }
+        int firstColumn = first(left, field.pitchX());
+        int endColumn = Math.min(field.columns(), first(right, field.pitchX()));
+        // Rows run downwards, y upwards.
+        int firstRow = field.rows() - Math.min(field.rows(), first(top, field.pitchY()));
+        int endRow = field.rows() - first(bottom, field.pitchY());
+        int columns = Math.max(0, endColumn - firstColumn);
+        int rows = Math.max(0, endRow - firstRow);
+        if ((long) columns * rows < 2) {
+            throw new IllegalArgumentException("holds %d x %d samples, which lie %s x %s apart; give a larger area"
+                    .formatted(columns, rows, Lengths.format(field.pitchX()), Lengths.format(field.pitchY())));
+        }
+        double[] heights = new double[columns * rows];
+        for (int row = 0; row < rows; row++) {
+            System.arraycopy(
+                    field.heights(), (firstRow + row) * field.columns() + firstColumn, heights, row * columns, columns);
+        }
+        return new HeightField(columns, rows, field.pitchX(), field.pitchY(), heights);
+    }
+
+    /** Of the samples whose middles lie at or beyond a place. */
+    private static int first(double place, double pitch) {
+        return (int) Math.ceil(place / pitch - 0.5 - SLACK);
+    }
+}

@@ -1,0 +1,79 @@
+package sunbeam.precompute.prepare;
+
+import java.util.Arrays;
+import java.util.stream.IntStream;
+
+/**
+ * Samples that stand alone, far above or below all around them: dust, a slipping tip. A spike differs from the median of its
+ * 5 x 5 neighbourhood by more than eight robust deviations (1.4826 times the median of all such differences), and fewer than
+ * a quarter of that neighbourhood go even half as far: the corner of a line has a third on its side.
+ *
+ * @param field heights with the medians in place of spikes
+ * @param count how many samples were replaced
+ * @param largest difference that was taken away, metres
+ */
+record Spikes(HeightField field, int count, double largest) {
+    private static final double DEVIATIONS = 8;
+    private static final double GAUSSIAN = 1.4826;
+    private static final double ISOLATED = 0.25;
+    private static final int REACH = 2;
+
+    static Spikes removed(HeightField field) {
+        double[] medians = new double[field.heights().length];
+        IntStream.range(0, field.rows()).parallel().forEach(row -> {
+            double[] around = new double[(2 * REACH + 1) * (2 * REACH + 1)];
+            for (int column = 0; column < field.columns(); column++) {
+                int count = gather(field, column, row, around);
+                Arrays.sort(around, 0, count);
+                medians[row * field.columns() + column] = count == 0 ? Double.NaN : around[count / 2];
+            }
+        });
+        double limit = DEVIATIONS * GAUSSIAN * medianDifference(field, medians);
+        double[] heights = field.heights().clone();
+        double[] around = new double[(2 * REACH + 1) * (2 * REACH + 1)];
+        int count = 0;
+        double largest = 0;
+        for (int i = 0; i < heights.length; i++) {
+            double difference = field.heights()[i] - medians[i];
+            if (Math.abs(difference) > limit && isAlone(field, i, medians[i], difference, around)) {
+                heights[i] = medians[i];
+                count++;
+                largest = Math.max(largest, Math.abs(difference));
+            }
+        }
+        return new Spikes(field.with(heights), count, largest);
+    }
+
+    /** The samples that are there around a place. */
+    private static int gather(HeightField field, int column, int row, double[] around) {
+        int count = 0;
+        for (int r = Math.max(0, row - REACH); r <= Math.min(field.rows() - 1, row + REACH); r++) {
+            for (int c = Math.max(0, column - REACH); c <= Math.min(field.columns() - 1, column + REACH); c++) {
+                double height = field.at(c, r);
+                if (Double.isFinite(height)) {
+                    around[count++] = height;
+                }
+            }
+        }
+        return count;
+    }
+
+    private static boolean isAlone(HeightField field, int index, double median, double difference, double[] around) {
+        int count = gather(field, index % field.columns(), index / field.columns(), around);
+        int company = 0;
+        for (int i = 0; i < count; i++) {
+            company += (around[i] - median) / difference > 0.5 ? 1 : 0;
+        }
+        return company < ISOLATED * count;
+    }
+
+    /** Over the samples that differ at all: most of a coarsely stored, smooth surface equal their medians. */
+    private static double medianDifference(HeightField field, double[] medians) {
+        double[] differences = IntStream.range(0, medians.length)
+                .mapToDouble(i -> Math.abs(field.heights()[i] - medians[i]))
+                .filter(difference -> difference > 0 && Double.isFinite(difference))
+                .sorted()
+                .toArray();
+        return differences.length == 0 ? 0 : differences[differences.length / 2];
+    }
+}

@@ -1,0 +1,153 @@
+package sunbeam.precompute.analysis;
+
+import java.util.Arrays;
+import java.util.SplittableRandom;
+import sunbeam.precompute.patch.HeightMap;
+
+/**
+ * A scan of a grating that chance drew, with the period that it has.
+ *
+ * @param map heights
+ * @param kind what disturbs it
+ * @param truths metres: the period, or each of two
+ * @param words for messages
+ */
+record SimulatedGrating(HeightMap map, Kind kind, double[] truths, String words) {
+    enum Kind {
+        /** Nothing disturbs it. */
+        CLEAN,
+        /** Each line strays from its place by itself. */
+        STRAYED,
+        /** Each gap deviates by itself. */
+        GAPS,
+        /** The phase wanders smoothly. */
+        WARPED,
+        /** White noise as large as the relief. */
+        NOISY,
+        /** Another period of similar strength. */
+        TWO,
+        /** The period grows from one end to the other. */
+        CHIRPED,
+        /** Rows of lines that know nothing of each other. */
+        ROWS
+    }
+
+    boolean holdsTruth(PeriodEstimate estimate) {
+        return Arrays.stream(truths).anyMatch(truth -> truth >= estimate.low() && truth <= estimate.high());
+    }
+
+    static SimulatedGrating draw(Kind kind, long seed) {
+        SplittableRandom random = new SplittableRandom(seed * 7919 + kind.ordinal());
+        double width = 5e-6 * Math.pow(16, random.nextDouble());
+        double longest = Math.min(5e-6, width / 4.5);
+        double period = 0.6e-6 * Math.pow(longest / 0.6e-6, random.nextDouble());
+        double pitch = Math.max(period / (10 + 10 * random.nextDouble()), width / 700);
+        int columns = (int) Math.round(width / pitch);
+        int rows = Math.max(1, (int) (columns * (0.2 + 0.8 * random.nextDouble())));
+        double disorder = 0.15 * random.nextDouble();
+        int shape = random.nextInt(3);
+        double azimuth = random.nextBoolean() ? 0 : Math.toRadians(-80 + 160 * random.nextDouble());
+        double depth = 50e-9 + 200e-9 * random.nextDouble();
+        double tilt = random.nextBoolean() ? 0 : 0.2 * (random.nextDouble() - 0.5);
+        double noise = kind == Kind.NOISY ? depth * random.nextDouble() : 0.01 * depth;
+        double ratio = 1.08 + 0.4 * random.nextDouble();
+        double growth = 1.02 + 0.5 * random.nextDouble();
+        double[] lines = lines(kind, random, 3 * (int) Math.ceil(2 * width / period), disorder);
+        double[] heights = new double[columns * rows];
+        double start = random.nextDouble();
+        int bands = kind == Kind.ROWS ? Math.max(1, (int) Math.round(rows * pitch / (3 * period))) : 1;
+        double[][] bandLines = new double[bands][];
+        for (int i = 0; i < bands; i++) {
+            bandLines[i] = kind == Kind.ROWS ? lines(Kind.GAPS, random, lines.length, disorder) : lines;
+        }
+        double angle = kind == Kind.ROWS ? 0 : azimuth;
+        for (int row = 0; row < rows; row++) {
+            for (int column = 0; column < columns; column++) {
+                double x = (column - 0.5 * columns) * pitch;
+                double y = (0.5 * rows - row) * pitch;
+                double s = x * Math.cos(angle) + y * Math.sin(angle);
+                double[] of = bandLines[Math.min(bands - 1, row * bands / rows)];
+                double height;
+                if (kind == Kind.TWO) {
+                    height = 0.5
+                            * depth
+                            * (Math.cos(2 * Math.PI * s / period)
+                                    + (0.6 + 0.4 * disorder / 0.15)
+                                            * Math.cos(2 * Math.PI * (s / (period * ratio) + start)));
+                } else if (kind == Kind.CHIRPED) {
+                    double change = (1 / growth - 1) / width;
+                    height = depth * wave(s / period * (1 + 0.5 * change * s) + start, shape);
+                } else {
+                    height = depth * wave(phase(of, s / period) + start, shape);
+                }
+                heights[row * columns + column] = height + tilt * x + noise * gaussian(random);
+            }
+        }
+        String words =
+                "%s seed %d: period %.1f nm, %.1f x %.1f um, %.1f periods, azimuth %.0f, disorder %.3f, shape %d, tilt %.3f, ratio %.3f"
+                        .formatted(
+                                kind,
+                                seed,
+                                period * 1e9,
+                                columns * pitch * 1e6,
+                                rows * pitch * 1e6,
+                                width / period,
+                                Math.toDegrees(angle),
+                                disorder,
+                                shape,
+                                tilt,
+                                kind == Kind.CHIRPED ? growth : ratio);
+        double[] truths = kind == Kind.TWO ? new double[] {period, period * ratio} : new double[] {period};
+        return new SimulatedGrating(new HeightMap(columns, rows, pitch, pitch, heights), kind, truths, words);
+    }
+
+    private static double[] lines(Kind kind, SplittableRandom random, int count, double disorder) {
+        double[] lines = new double[count];
+        double walk = 0;
+        double velocity = 0;
+        for (int i = 0; i < count; i++) {
+            if (kind == Kind.GAPS) {
+                walk += disorder * gaussian(random);
+                lines[i] = i - 0.5 * count + walk;
+            } else if (kind == Kind.STRAYED) {
+                lines[i] = i - 0.5 * count + disorder * gaussian(random);
+            } else if (kind == Kind.WARPED) {
+                velocity = 0.6 * velocity + 0.4 * disorder * gaussian(random);
+                walk += velocity;
+                lines[i] = i - 0.5 * count + walk;
+            } else {
+                lines[i] = i - 0.5 * count;
+            }
+        }
+        Arrays.sort(lines);
+        return lines;
+    }
+
+    /** Lines passed, with the part of the gap. */
+    private static double phase(double[] lines, double place) {
+        int low = 0;
+        int high = lines.length - 1;
+        while (high - low > 1) {
+            int middle = (low + high) / 2;
+            if (lines[middle] <= place) {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+        return low + (place - lines[low]) / (lines[high] - lines[low]);
+    }
+
+    private static double wave(double turns, int shape) {
+        double part = turns - Math.floor(turns);
+        return switch (shape) {
+            case 0 -> 0.5 * Math.cos(2 * Math.PI * part);
+            case 1 -> part - 0.5;
+            default -> Math.exp(-Math.pow((part - 0.5) / 0.15, 2));
+        };
+    }
+
+    private static double gaussian(SplittableRandom random) {
+        return Math.sqrt(-2 * Math.log(1 - random.nextDouble())) * Math.cos(2 * Math.PI * random.nextDouble());
+    }
+}
