@@ -62,10 +62,8 @@ class PreparationTest {
 
     @Test
     void quadraticTakesTiltAndBow() {
-        HeightField bow = field(i -> 1e-3
-                + 2e-9 * (i % COLUMNS)
-                + 1e-12 * Math.pow(i % COLUMNS - 30, 2)
-                - 3e-12 * (i % COLUMNS) * row(i));
+        HeightField bow = field(i ->
+                1e-3 + 2e-9 * (i % COLUMNS) + 1e-12 * Math.pow(i % COLUMNS - 30, 2) - 3e-12 * (i % COLUMNS) * row(i));
         // Heights near 1 mm are doubles to 2.2e-19 m.
         assertThat(largest(Levelling.QUADRATIC.apply(bow))).isLessThan(1e-18);
         assertThat(largest(Levelling.PLANE.apply(bow))).isGreaterThan(1e-10);
