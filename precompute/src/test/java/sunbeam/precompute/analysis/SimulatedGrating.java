@@ -1,6 +1,7 @@
 package sunbeam.precompute.analysis;
 
 import java.util.Arrays;
+import java.util.List;
 import java.util.SplittableRandom;
 import sunbeam.precompute.patch.HeightMap;
 
@@ -37,7 +38,8 @@ record SimulatedGrating(HeightMap map, Kind kind, double[] truths, String words)
     }
 
     static SimulatedGrating draw(Kind kind, long seed) {
-        SplittableRandom random = new SplittableRandom(seed * 7919 + kind.ordinal());
+        SplittableRandom random =
+                new SplittableRandom(seed * 7919 + List.of(Kind.values()).indexOf(kind));
         double width = 5e-6 * Math.pow(16, random.nextDouble());
         double longest = Math.min(5e-6, width / 4.5);
         double period = 0.6e-6 * Math.pow(longest / 0.6e-6, random.nextDouble());
