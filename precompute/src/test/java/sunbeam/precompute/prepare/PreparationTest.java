@@ -20,7 +20,7 @@ class PreparationTest {
 
     private static HeightField field(IntToDoubleFunction height) {
         double[] heights = new double[COLUMNS * ROWS];
-        Arrays.setAll(heights, height::applyAsDouble);
+        Arrays.setAll(heights, height);
         return new HeightField(COLUMNS, ROWS, PITCH, PITCH, heights);
     }
 
