@@ -12,6 +12,7 @@ import jrtr.RenderContext;
 import jrtr.ShaderProgram;
 import jrtr.Tile;
 import jrtr.gl.RenderContexts;
+import sunbeam.app.gpu.CutLoops;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.terminal.progress.Progress;
 import sunbeam.precompute.colourtable.ColourSource;
@@ -85,7 +86,7 @@ public final class GpuColours implements ColourSource {
         // Tiles count rows from the top, texels from the bottom.
         Tile tile = new Tile(0, SIDE - used.height(), SIDE, used.height());
         context.drawFullScreen(program, bindings, target, tile);
-        float[] rgba = target.read(0, tile);
+        float[] rgba = CutLoops.checked(target.read(0, tile));
         for (int i = 0; i < count; i++) {
             int row = used.height() - 1 - i / SIDE;
             System.arraycopy(rgba, 4 * (row * SIDE + i % SIDE), xyz, 3 * (start + i), 3);
