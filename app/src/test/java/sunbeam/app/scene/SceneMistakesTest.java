@@ -58,7 +58,7 @@ class SceneMistakesTest {
                     {"file": "scan.png", "width": "1 um", "maxHeight": "1 mm"} | "full" | line 3 | patch.maxHeight | absurd
                     {"file": "scan.png", "width": "50 nm", "maxHeight": "1 nm"} | "full" | line 3 | patch.width | 100 nm
                     {"file": "blaze", "width": "65 um"}      | "full" | line 3 | patch.width | leave it out
-                    {"file": "blaze", "channel": "red"}      | "full" | line 3 | patch.channel | no image
+                    {"file": "blaze", "channel": "red"}      | "full" | line 3 | patch.channel | no scan or image
                     "elaphe-like"                            | "gem"  | line 7 | plan.spacing | is needed
                     "blaze"                                  | "full", "anchor": "floor" | line 8 | plan.anchor | radius
                     """)

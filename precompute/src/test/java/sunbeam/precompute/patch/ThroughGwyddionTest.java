@@ -60,8 +60,8 @@ class ThroughGwyddionTest {
                 .load(PatchRequests.parse(file.toString(), null, null, null, null, "none"));
 
         assertThat(patch.source()).contains("scan.bcr (through Gwyddion", "6 x 4 samples, 3 um x 2 um");
-        assertThat(patch.heights().at(1, 0)).isCloseTo(1e-9, within(1e-18));
-        assertThat(patch.heights().at(5, 3)).isCloseTo(23 * 23e-9, within(1e-18));
+        assertThat(patch.scan().at(1, 0)).isCloseTo(1e-9, within(1e-18));
+        assertThat(patch.scan().at(5, 3)).isCloseTo(23 * 23e-9, within(1e-18));
     }
 
     @Test

@@ -30,6 +30,8 @@ class NoOptionsTest {
                 named.addAll(options(Files.readString(file)));
             }
         }
+        // Gwyddion's, not ours.
+        named.remove("\"--convert-to-gwy=\"");
         assertThat(named).isEmpty();
     }
 
