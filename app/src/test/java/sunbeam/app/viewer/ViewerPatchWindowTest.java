@@ -64,7 +64,7 @@ final class ViewerPatchWindowTest extends ViewerInAWindow {
         refused("no.json", "{}", "heights");
         refused("words.json", "heights: none", "words.json");
         refused("gone.json", descriptor("gone.png", "3 um"), "gone.png");
-        refused("unit.json", descriptor("gone.png", "3 parsec"), "parsec");
+        refused("unit.json", descriptor("gone.png", "3 parsec"), "gone.png");
         refused("image.json", descriptor("image.json", "3 um"), "image.json");
         Path folderItself = Files.createDirectory(folder.resolve("folder.json"));
         drop(folderItself, viewer.window().picture());

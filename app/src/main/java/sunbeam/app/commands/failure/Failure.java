@@ -14,6 +14,7 @@ import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.precompute.json.JsonException;
 import sunbeam.precompute.patch.PatchException;
+import sunbeam.precompute.scan.ScanException;
 import sunbeam.precompute.setting.Origin;
 import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.table.TableException;
@@ -33,6 +34,7 @@ public record Failure(ExitCode code, String message, Throwable cause) {
             Map.entry(SettingException.class, ExitCode.USAGE),
             Map.entry(JsonException.class, ExitCode.UNUSABLE_INPUT),
             Map.entry(PatchException.class, ExitCode.UNUSABLE_INPUT),
+            Map.entry(ScanException.class, ExitCode.UNUSABLE_INPUT),
             Map.entry(TableException.class, ExitCode.UNUSABLE_INPUT),
             Map.entry(InputException.class, ExitCode.UNUSABLE_INPUT),
             Map.entry(MeshException.class, ExitCode.UNUSABLE_INPUT),
