@@ -9,6 +9,9 @@ import sunbeam.precompute.patch.Patch;
 
 /** Maps that can only be a mistake: of a mirror, or black all over. They are written, and said to be doubtful. */
 final class DoubtfulMap {
+    // A smaller map may pass between a grating's orders.
+    private static final int FEWEST_PIXELS = 32;
+
     private DoubtfulMap() {}
 
     /**
@@ -29,6 +32,9 @@ final class DoubtfulMap {
     }
 
     private static boolean isBlack(BufferedImage image) {
+        if (image.getWidth() < FEWEST_PIXELS) {
+            return false;
+        }
         for (int y = 0; y < image.getHeight(); y++) {
             for (int x = 0; x < image.getWidth(); x++) {
                 if ((image.getRGB(x, y) & 0xffffff) != 0) {
