@@ -12,7 +12,7 @@ import sunbeam.precompute.patch.HeightMap;
 import sunbeam.precompute.patch.Patch;
 
 class DoubtfulMapTest {
-    private static final BufferedImage BLACK = new BufferedImage(8, 8, BufferedImage.TYPE_INT_RGB);
+    private static final BufferedImage BLACK = new BufferedImage(32, 32, BufferedImage.TYPE_INT_RGB);
     private static final Patch MIRROR = patch(0);
     private static final Patch STEP = patch(1e-7);
 
@@ -21,7 +21,7 @@ class DoubtfulMapTest {
     }
 
     private static BufferedImage lit() {
-        BufferedImage image = new BufferedImage(8, 8, BufferedImage.TYPE_INT_RGB);
+        BufferedImage image = new BufferedImage(32, 32, BufferedImage.TYPE_INT_RGB);
         image.setRGB(3, 5, 0x000001);
         return image;
     }
