@@ -12,6 +12,7 @@ import java.util.Optional;
 import sunbeam.precompute.colourtable.ColourSource;
 import sunbeam.precompute.colourtable.TableBaking;
 import sunbeam.precompute.colourtable.TableDesign;
+import sunbeam.precompute.colourtable.TableLevels;
 import sunbeam.precompute.colourtable.TablePages;
 import sunbeam.precompute.colourtable.TableSpace;
 import sunbeam.precompute.files.Sha256;
@@ -81,15 +82,20 @@ public record TableMethod(double tolerance, GaussianArea area) implements Method
     @Override
     public MethodPlan plan(Surface surface, VisibleRange range) {
         double relief = surface.map().relief();
+        if (range.reach() instanceof Reach.Everything) {
+            return new LevelledTable(surface, TableLevels.within(tolerance, area, relief), sourceTolerance());
+        }
         TableDesign design = TableDesign.within(tolerance, area, relief);
         TablePages pages = pages(design, range.reach());
         TableBaking baking = new TableBaking(pages);
         requireRoom(surface, design, baking.memory());
-        FullMethod full = new FullMethod(
-                TableChoices.of(new Accuracy.ByTolerance(Math.max(ErrorBudget.FINEST, SOURCE_SHARE * tolerance))),
-                Optional.empty(),
-                area);
+        FullMethod full =
+                new FullMethod(TableChoices.of(new Accuracy.ByTolerance(sourceTolerance())), Optional.empty(), area);
         return new Planned(surface, pages, baking, full.plan(surface, pages.range()));
+    }
+
+    private double sourceTolerance() {
+        return Math.max(ErrorBudget.FINEST, SOURCE_SHARE * tolerance);
     }
 
     private void requireRoom(Surface surface, TableDesign design, MemoryNeed need) {
@@ -118,11 +124,7 @@ public record TableMethod(double tolerance, GaussianArea area) implements Method
         if (reach instanceof Reach.Pairs some) {
             return TablePages.of(design, some.pairs());
         }
-        throw new SettingException(
-                Methods.METHOD,
-                "tabulates BRDF maps and lists of directions; for a mesh use ",
-                Methods.METHOD,
-                " full");
+        throw new IllegalArgumentException("pages of " + reach);
     }
 
     private record Planned(Surface surface, TablePages pages, TableBaking baking, MethodPlan source)

@@ -151,9 +151,6 @@ class TableMethodTest {
         assertThatThrownBy(() -> probe.powers(pairs, 500e-9, with("--method", "table")))
                 .isInstanceOf(SettingException.class)
                 .hasMessageContaining("column wavelength");
-        assertThatThrownBy(() -> probe.plan(VisibleRange.all(), "--method", "table"))
-                .isInstanceOf(SettingException.class)
-                .hasMessageContaining("--method");
     }
 
     @Test
