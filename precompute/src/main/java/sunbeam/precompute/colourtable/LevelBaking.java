@@ -1,12 +1,12 @@
 package sunbeam.precompute.colourtable;
 
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.BitSet;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.stream.IntStream;
+import java.util.stream.LongStream;
 
 /**
  * Makes the pages of a level as they are asked for: coefficients of cubic B-splines through square roots of X, Y and Z, as
@@ -94,41 +94,59 @@ public final class LevelBaking {
     }
 
     private void evaluate(Map<Integer, BitSet> needed, ColourSource source) {
-        List<int[]> places = new ArrayList<>();
-        for (Map.Entry<Integer, BitSet> page : needed.entrySet()) {
-            page.getValue().stream().forEach(texel -> places.add(new int[] {page.getKey(), texel}));
-            if (places.size() >= BATCH) {
-                evaluate(places, source);
-                places.clear();
-            }
-        }
-        if (!places.isEmpty()) {
-            evaluate(places, source);
+        long[] texels = inOrder(needed);
+        for (int start = 0; start < texels.length; start += BATCH) {
+            evaluate(Arrays.copyOfRange(texels, start, Math.min(texels.length, start + BATCH)), source);
         }
     }
 
-    private void evaluate(List<int[]> places, ColourSource source) {
-        float[] uvw = new float[3 * places.size()];
-        IntStream.range(0, places.size()).parallel().forEach(i -> {
-            int[] page = grid.place(places.get(i)[0]);
-            int texel = places.get(i)[1];
-            int texelRow = texel / SIDE;
-            double[] place = grid.uvw(page[0] * SIDE + texel % SIDE, page[1] * SIDE + texelRow, page[2]);
+    /** Slice after slice in {@link MortonOrder}: neighbours, which read nearly the same, are asked for together. */
+    private long[] inOrder(Map<Integer, BitSet> needed) {
+        LongStream.Builder texels = LongStream.builder();
+        needed.forEach((page, inPage) -> {
+            int[] place = grid.place(page);
+            inPage.stream().forEach(texel -> {
+                int row = texel / SIDE;
+                long number = MortonOrder.number(place[0] * SIDE + texel % SIDE, place[1] * SIDE + row);
+                texels.add((long) place[2] << Integer.SIZE | number);
+            });
+        });
+        return texels.build().parallel().sorted().toArray();
+    }
+
+    private void evaluate(long[] texels, ColourSource source) {
+        float[] uvw = new float[3 * texels.length];
+        IntStream.range(0, texels.length).parallel().forEach(i -> {
+            int number = (int) texels[i];
+            int slice = (int) (texels[i] >> Integer.SIZE);
+            double[] place = grid.uvw(MortonOrder.x(number), MortonOrder.y(number), slice);
             for (int axis = 0; axis < 3; axis++) {
                 uvw[3 * i + axis] = (float) place[axis];
             }
         });
         float[] xyz = source.xyz(uvw);
-        for (int i = 0; i < places.size(); i++) {
-            int page = places.get(i)[0];
-            int texel = places.get(i)[1];
-            float[] roots = samples.computeIfAbsent(page, number -> new float[SIDE * SIDE * COLOURS]);
-            for (int c = 0; c < COLOURS; c++) {
-                // A sum of the expansion's terms may leave a dark direction a little below nothing.
-                roots[COLOURS * texel + c] = (float) Math.sqrt(Math.max(0, xyz[COLOURS * i + c]));
-            }
-            known.computeIfAbsent(page, number -> new BitSet()).set(texel);
+        for (int i = 0; i < texels.length; i++) {
+            keep(texels[i], xyz, COLOURS * i);
         }
+    }
+
+    private void keep(long texel, float[] xyz, int from) {
+        int column = MortonOrder.x((int) texel);
+        int row = MortonOrder.y((int) texel);
+        int page = page(column, row, (int) (texel >> Integer.SIZE));
+        int inPage = row % SIDE * SIDE + column % SIDE;
+        float[] roots = samples.computeIfAbsent(page, number -> new float[SIDE * SIDE * COLOURS]);
+        for (int c = 0; c < COLOURS; c++) {
+            // A sum of the expansion's terms may leave a dark direction a little below nothing.
+            roots[COLOURS * inPage + c] = (float) Math.sqrt(Math.max(0, xyz[from + c]));
+        }
+        known.computeIfAbsent(page, number -> new BitSet()).set(inPage);
+    }
+
+    /** The page of a texel. */
+    private int page(int column, int row, int slice) {
+        int pageRow = row / SIDE;
+        return (slice * grid.columns() + pageRow) * grid.columns() + column / SIDE;
     }
 
     private float[] coefficients(int page) {
@@ -153,8 +171,7 @@ public final class LevelBaking {
 
     /** Copies a texel of the grid into the planes. */
     private void put(float[][] planes, int to, int column, int row, int slice) {
-        int pageRow = row / SIDE;
-        float[] roots = samples.get((slice * grid.columns() + pageRow) * grid.columns() + column / SIDE);
+        float[] roots = samples.get(page(column, row, slice));
         for (int c = 0; c < COLOURS; c++) {
             planes[c][to] = roots[COLOURS * (row % SIDE * SIDE + column % SIDE) + c];
         }

@@ -1,5 +1,7 @@
 package sunbeam.precompute.colourtable;
 
+import sunbeam.precompute.shader.ArrayLayout;
+
 /**
  * The texels of a level: a square grid over all (u, v) that two directions can have, in slices of |w|, divided into pages.
  * Pages are numbered row by row, slice after slice.
@@ -35,6 +37,14 @@ public record LevelGrid(TableDesign design) {
     /** u and v of texel (0, 0). */
     public double origin() {
         return -0.5 * columns() * SIDE * design.step();
+    }
+
+    /**
+     * Shape of the list of pages of some levels that begin with this one: for each that there could be its place among those that
+     * there are.
+     */
+    public ArrayLayout pageList(int levels) {
+        return ArrayLayout.layered("colourPages", columns(), columns(), levels * design.slices(), 1);
     }
 
     /** Pages of all slices. */

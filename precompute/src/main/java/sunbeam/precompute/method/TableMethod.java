@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import sunbeam.precompute.colourtable.ColourSource;
+import sunbeam.precompute.colourtable.LevelGrid;
 import sunbeam.precompute.colourtable.TableBaking;
 import sunbeam.precompute.colourtable.TableDesign;
 import sunbeam.precompute.colourtable.TableLevels;
@@ -28,6 +29,7 @@ import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Sentence;
 import sunbeam.precompute.setting.SettingException;
+import sunbeam.precompute.shader.ArrayLayout;
 import sunbeam.precompute.shader.MethodUse;
 import sunbeam.precompute.shader.ShaderTables;
 
@@ -83,7 +85,12 @@ public record TableMethod(double tolerance, GaussianArea area) implements Method
     public MethodPlan plan(Surface surface, VisibleRange range) {
         double relief = surface.map().relief();
         if (range.reach() instanceof Reach.Everything) {
-            return new LevelledTable(surface, TableLevels.within(tolerance, area, relief), sourceTolerance());
+            TableLevels levels = TableLevels.within(tolerance, area, relief);
+            TableDesign finest = levels.levels().get(0).design();
+            // Of a table whose list of pages fits, there may be room for the pages of a picture; who draws it knows.
+            ArrayLayout list = new LevelGrid(finest).pageList(levels.levels().size());
+            requireRoom(surface, finest, MemoryNeed.of(list.bytes(), List.of(list)));
+            return new LevelledTable(surface, levels, sourceTolerance());
         }
         TableDesign design = TableDesign.within(tolerance, area, relief);
         TablePages pages = pages(design, range.reach());
