@@ -47,6 +47,8 @@ final class PageCells implements AutoCloseable {
         this.slices = levels.slices();
         this.columns = grids.get(0).columns();
         this.numbers = new float[grids.size() * slices][columns * columns];
+        // A mesh that turns its back to the light looks into nothing, but its shader reads textures.
+        addLayer();
     }
 
     /** Bytes of the layers that some pages fill, on the card and once more in Java's heap. */
@@ -58,7 +60,7 @@ final class PageCells implements AutoCloseable {
     void add(int level, int page, float[] coefficients) {
         int layer = cells / PER_LAYER;
         if (layer == layers.size()) {
-            layers.add(new float[LAYER_FLOATS]);
+            addLayer();
         }
         int inLayer = cells % PER_LAYER;
         int left = inLayer % ACROSS * CELL;
@@ -77,6 +79,11 @@ final class PageCells implements AutoCloseable {
         int perSlice = across * across;
         int inSlice = page % perSlice;
         numbers[level * slices + page / perSlice][inSlice / across * columns + inSlice % across] = cells;
+    }
+
+    private void addLayer() {
+        changed.set(layers.size());
+        layers.add(new float[LAYER_FLOATS]);
     }
 
     /** The textures, by the names of their samplers; valid until a page is added. */

@@ -129,6 +129,17 @@ class SceneTableTest {
     }
 
     @Test
+    void aMeshThatTurnsItsBackToTheLightIsDark() {
+        Scene scene = plane(EYE, new Vector3f(0.2f, 0, -0.9f), 10, DIFFRACTION_ONLY, TableMethod.TYPE);
+        try (RenderContext context = RenderContexts.offscreen();
+                SceneSession session = new SceneSession(context, load(scene))) {
+            float[] drawn = session.draw(8, 6).rgba();
+            assertThat(xyz(drawn, 27)).containsExactly(0, 0, 0);
+            assertThat(drawn[4 * 27 + 3]).as("covered").isOne();
+        }
+    }
+
+    @Test
     void aPictureIsTheSameHoweverItIsPreparedAndDivided() {
         int width = 24;
         int height = 18;
