@@ -37,8 +37,9 @@ record PerformancePage(String machine, Scale scale, String folder, List<PatchFig
             Biological Nanostructures" (Computer Graphics Forum 33, 2014) tabulates over (u, v) the 2 N + 1 coefficients of a Taylor
             series of the colour in w. The rows take the N out of 5, 10, ... 60 that does best, heights centred on the middle of their
             range, and evaluate the coefficients at each view's own (u, v), so that no grid errs: what is left is the basis. Its terms grow up to
-            exp(k |w| relief) before they cancel: float32 has no digits left for dark directions of the shallower scan, double none for those
-            of the deeper. `table` has four slices around w in its place, whose coefficients are at most 1.
+            exp(k |w| relief) before they cancel, so that the deeper the relief and the darker the view, the fewer digits are left, of float32 first,
+            then of double; on shallow gratings it is as good as exact. `table` has four slices around w in its place, whose coefficients are at
+            most 1.
             """;
 
     private static final String BAKING = """
@@ -197,6 +198,7 @@ record PerformancePage(String machine, Scale scale, String folder, List<PatchFig
         if (Double.isNaN(value)) {
             return "";
         }
-        return String.format(Locale.ROOT, value < 1000 ? "%.3g" : "%.0f", value);
+        boolean whole = value >= 1000 || value == Math.rint(value);
+        return String.format(Locale.ROOT, whole ? "%.0f" : "%.3g", value);
     }
 }
