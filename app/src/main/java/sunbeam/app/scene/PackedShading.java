@@ -35,23 +35,44 @@ final class PackedShading implements AutoCloseable {
     }
 
     /**
-     * Lights a part of a block.
+     * Lights a part of a block. Where the skin's colours are made as they are looked at, those that are missing are.
      *
-     * @param buffer the block, with that part drawn
+     * @param buffer the block, with that part drawn, and its neighbours for what its pixels see of colours
      * @param part counted from the block's corner
+     * @param samplesAcross of the mesh along a side of a pixel
      * @return linear XYZ and coverage, 4 values a pixel, the part's top row first; zeros where there is no skin
      */
-    float[] shade(SkinSurface skin, Scene scene, GeometryBuffer buffer, Tile part) {
+    float[] shade(SkinSurface skin, Scene scene, GeometryBuffer buffer, Tile part, int samplesAcross) {
         int[] covered = covered(buffer.views(part), part);
         float[] lit = new float[Math.toIntExact(CHANNELS * part.pixels())];
         for (int first = 0; first < covered.length; first += Packing.MOST) {
             Packing packing = new Packing(Math.min(Packing.MOST, covered.length - first));
             upload(packing, covered, first, buffer, part);
-            Tile used = new Tile(0, Packing.ROWS - packing.rows(), packing.columns(), packing.rows());
+            Tile used = used(packing);
+            if (skin.looks().isPresent()) {
+                SkinLooks looks = skin.looks().get();
+                looks.find(scene, buffer, samplesAcross, sources, packing, used);
+                looks.make();
+            }
             skin.shade(context, scene, buffer, sources, target, used);
-            unpack(packing, CutLoops.checked(target.read(0, used)), covered, first, lit);
+            unpack(packing, SkinLooks.checked(CutLoops.checked(target.read(0, used))), covered, first, lit);
         }
         return lit;
+    }
+
+    /** Notes what a part of a block looks into; as {@link #shade}, which makes it at once. */
+    void look(SkinLooks looks, Scene scene, GeometryBuffer buffer, Tile part, int samplesAcross) {
+        int[] covered = covered(buffer.views(part), part);
+        for (int first = 0; first < covered.length; first += Packing.MOST) {
+            Packing packing = new Packing(Math.min(Packing.MOST, covered.length - first));
+            upload(packing, covered, first, buffer, part);
+            looks.find(scene, buffer, samplesAcross, sources, packing, used(packing));
+        }
+    }
+
+    /** The part of the target that is drawn to. */
+    private static Tile used(Packing packing) {
+        return new Tile(0, Packing.ROWS - packing.rows(), packing.columns(), packing.rows());
     }
 
     /** Numbers of the pixels that show skin, counted row by row from the part's top left; neighbours together. */

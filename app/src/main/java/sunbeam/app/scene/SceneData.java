@@ -1,5 +1,7 @@
 package sunbeam.app.scene;
 
+import java.util.Optional;
+import sunbeam.app.gpu.colours.LevelSources;
 import sunbeam.app.scene.mesh.Mesh;
 import sunbeam.app.scene.texture.BodyTexture;
 import sunbeam.precompute.method.MethodPlan;
@@ -15,9 +17,17 @@ import sunbeam.precompute.shader.ShaderTables;
  * @param patch its nanostructure
  * @param method how that is evaluated, for every pair of directions
  * @param tables what its shader reads
+ * @param levels by what its colours are made as pixels look into them, where the method's are
  * @param body its texture
  */
-public record SceneData(Scene scene, Mesh mesh, Patch patch, MethodPlan method, ShaderTables tables, BodyTexture body) {
+public record SceneData(
+        Scene scene,
+        Mesh mesh,
+        Patch patch,
+        MethodPlan method,
+        ShaderTables tables,
+        Optional<LevelSources> levels,
+        BodyTexture body) {
 
     /** Whether another scene can be drawn with these parts: only light, camera, weights and the like differ. */
     public boolean suits(Scene other) {
@@ -37,7 +47,7 @@ public record SceneData(Scene scene, Mesh mesh, Patch patch, MethodPlan method, 
             throw new IllegalArgumentException(
                     "a scene with another mesh, patch, texture or method must be loaded by a SceneLoader");
         }
-        return new SceneData(other, mesh, patch, method, tables, body);
+        return new SceneData(other, mesh, patch, method, tables, levels, body);
     }
 
     // The same object, not an equal one: comparing the values would take as long as loading them.

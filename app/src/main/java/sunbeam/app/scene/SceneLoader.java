@@ -3,9 +3,11 @@ package sunbeam.app.scene;
 import static sunbeam.precompute.plan.MethodSettings.COHERENCE_LENGTH;
 
 import java.nio.file.Path;
+import java.util.Optional;
 import java.util.function.Consumer;
 import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.gpu.colours.GpuColours;
+import sunbeam.app.gpu.colours.LevelSources;
 import sunbeam.app.scene.mesh.Mesh;
 import sunbeam.app.scene.mesh.MeshSource;
 import sunbeam.app.scene.mesh.ReadMesh;
@@ -13,12 +15,16 @@ import sunbeam.app.scene.texture.BodyTexture;
 import sunbeam.app.scene.texture.BodyTextures;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.options.PatchOptions;
+import sunbeam.precompute.colourtable.ColourSource;
+import sunbeam.precompute.colourtable.TableLevels;
+import sunbeam.precompute.method.LevelledPlan;
 import sunbeam.precompute.method.MethodPlan;
 import sunbeam.precompute.method.ScanLimit;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.shader.MethodUse;
+import sunbeam.precompute.shader.ShaderTables;
 
 /** Loads what a scene names. Needs no OpenGL and may run on any thread; may take seconds. */
 public final class SceneLoader {
@@ -59,7 +65,8 @@ public final class SceneLoader {
                 && before.method().isThesis() == scene.method().isThesis();
         boolean sameMethod = before.method().method().equals(scene.method().method());
         if (samePatch && sameMethod) {
-            return new SceneData(scene, mesh, previous.patch(), previous.method(), previous.tables(), body);
+            return new SceneData(
+                    scene, mesh, previous.patch(), previous.method(), previous.tables(), previous.levels(), body);
         }
         Patch patch = samePatch ? previous.patch() : patch(scene);
         tellLimit(scene, patch);
@@ -97,6 +104,23 @@ public final class SceneLoader {
         Choices choices = scene.method().choices();
         MethodPlan method =
                 choices.located(() -> scene.method().seeing(patch).method().plan(setup.surface(), VisibleRange.all()));
-        return new SceneData(scene, mesh, patch, method, setup.tables(method, MethodUse.COLOUR, GpuColours::of), body);
+        Optional<LevelSources> levels = method.levelled().map(plan -> new SetupSources(setup, plan));
+        ShaderTables tables = levels.isPresent()
+                ? setup.freshTables(method, MethodUse.COLOUR, GpuColours::of)
+                : setup.tables(method, MethodUse.COLOUR, GpuColours::of);
+        return new SceneData(scene, mesh, patch, method, tables, levels, body);
+    }
+
+    /** Levels by the tables of their methods, which are made, or read from the cache, when one is asked for. */
+    private record SetupSources(DiffractionSetup setup, LevelledPlan plan) implements LevelSources {
+        @Override
+        public TableLevels levels() {
+            return plan.levels();
+        }
+
+        @Override
+        public ColourSource open(int level, long places) {
+            return GpuColours.of(setup.tables(plan.source(level), MethodUse.COLOUR, GpuColours::of), places);
+        }
     }
 }

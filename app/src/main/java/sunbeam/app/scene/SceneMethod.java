@@ -12,7 +12,6 @@ import sunbeam.precompute.method.MethodType;
 import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.method.ReferenceMethod;
 import sunbeam.precompute.method.ScanLimit;
-import sunbeam.precompute.method.TableMethod;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.GaussianArea;
@@ -36,7 +35,7 @@ public record SceneMethod(Choices choices) {
         choices = choices.only(Methods.SETTINGS);
         if (!draws(choices.get(Methods.METHOD))) {
             throw choices.complaint(
-                    Methods.METHOD, "is for maps and lists of directions; for a mesh use full, nmm, pq or gem");
+                    Methods.METHOD, "is for maps and lists of directions; for a mesh use full, table, nmm, pq or gem");
         }
         choices = choices.over(standard(choices));
         create(choices);
@@ -44,7 +43,7 @@ public record SceneMethod(Choices choices) {
 
     /** Whether a method can draw meshes. */
     public static boolean draws(MethodType type) {
-        return type != ReferenceMethod.TYPE && type != TableMethod.TYPE;
+        return type != ReferenceMethod.TYPE;
     }
 
     /** What holds on a mesh unless chosen otherwise; it is written down with the scene. */

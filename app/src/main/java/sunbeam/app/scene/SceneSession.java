@@ -38,6 +38,7 @@ public final class SceneSession implements AutoCloseable {
     private ImageTexture body;
     private SkinSurface skin;
     private BodyShading bodyShading;
+    private int samplesAcross = 1;
     private long meshNanoseconds;
     private long pixelNanoseconds;
 
@@ -152,7 +153,7 @@ public final class SceneSession implements AutoCloseable {
             Tile inBlock = piece.inBlock();
             GeometryBuffer buffer = drawn(geometry, piece);
             long start = System.nanoTime();
-            float[] pixels = shading.shade(skin, lit, buffer, inBlock);
+            float[] pixels = shading.shade(skin, lit, buffer, inBlock, samplesAcross);
             pixelNanoseconds += System.nanoTime() - start;
             part.put(new ScenePicture(inBlock.width(), inBlock.height(), pixels), piece.x(), piece.y());
         }
@@ -161,9 +162,43 @@ public final class SceneSession implements AutoCloseable {
 
     private GeometryBuffer drawn(SkinGeometry geometry, SceneBlocks.Piece piece) {
         long start = System.nanoTime();
-        GeometryBuffer buffer = buffers.of(geometry, piece.block(), piece.inBlock());
+        Tile part = skin.looks().isPresent() ? withNeighbours(piece) : piece.inBlock();
+        GeometryBuffer buffer = buffers.of(geometry, piece.block(), part);
         meshNanoseconds += System.nanoTime() - start;
         return buffer;
+    }
+
+    /** What a pixel sees of colours shows by the pixels beside it. */
+    private static Tile withNeighbours(SceneBlocks.Piece piece) {
+        Tile part = piece.inBlock();
+        int left = Math.max(0, part.x() - 1);
+        int top = Math.max(0, part.y() - 1);
+        int right = Math.min(piece.block().width(), part.x() + part.width() + 1);
+        int bottom = Math.min(piece.block().height(), part.y() + part.height() + 1);
+        return new Tile(left, top, right - left, bottom - top);
+    }
+
+    /**
+     * Makes all that parts of a picture look into, where the method's colours are made so: at once for all of them, which is
+     * faster than when they are drawn. Without effect otherwise.
+     *
+     * @param width pixels per row of the whole picture
+     * @param height rows of the whole picture
+     * @param parts inside the picture
+     * @param samples along a side of what will be one pixel in the end; holds for all that is drawn from now on
+     */
+    public void prepare(int width, int height, List<Tile> parts, int samples) {
+        samplesAcross = samples;
+        if (skin.looks().isEmpty()) {
+            return;
+        }
+        SkinGeometry geometry = SkinGeometry.of(scene(), mesh, body, width, height);
+        for (Tile part : parts) {
+            for (SceneBlocks.Piece piece : SceneBlocks.split(width, height, part)) {
+                shading.look(skin.looks().get(), scene(), drawn(geometry, piece), piece.inBlock(), samples);
+            }
+        }
+        skin.looks().get().make();
     }
 
     /** Time that has gone to the mesh so far; the rest goes to pixels. */

@@ -2,6 +2,7 @@ package sunbeam.app.scene;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import jrtr.Binding;
 import jrtr.FloatTarget;
 import jrtr.FloatTexture;
@@ -14,17 +15,22 @@ import sunbeam.app.gpu.UploadedTables;
 final class SkinSurface implements AutoCloseable {
     private final UploadedTables method;
     private final ShaderProgram program;
+    private final Optional<SkinLooks> looks;
 
-    private SkinSurface(UploadedTables method, ShaderProgram program) {
+    private SkinSurface(UploadedTables method, ShaderProgram program, Optional<SkinLooks> looks) {
         this.method = method;
         this.program = program;
+        this.looks = looks;
     }
 
     /** Uploads the tables and compiles. */
     static SkinSurface create(RenderContext context, SceneData data) {
         UploadedTables method = UploadedTables.upload(context, data.tables());
         try {
-            return new SkinSurface(method, method.program("skin.frag"));
+            ShaderProgram program = method.program("skin.frag");
+            Optional<SkinLooks> looks = data.levels().map(sources -> new SkinLooks(context, sources));
+            looks.ifPresent(found -> found.prepare(program));
+            return new SkinSurface(method, program, looks);
         } catch (RuntimeException | OutOfMemoryError failure) {
             method.close();
             throw failure;
@@ -34,6 +40,11 @@ final class SkinSurface implements AutoCloseable {
     /** The tables, which others in this context may draw with for as long as the surface is there. */
     UploadedTables method() {
         return method;
+    }
+
+    /** Where its colours are made as pixels look into them: how they do. */
+    Optional<SkinLooks> looks() {
+        return looks;
     }
 
     /**
@@ -53,12 +64,14 @@ final class SkinSurface implements AutoCloseable {
         SceneUniforms.set(program, scene);
         List<Binding> textures = new ArrayList<>(method.bindings());
         textures.addAll(buffer.bindings());
+        looks.ifPresent(found -> textures.addAll(found.bindings()));
         textures.add(new Binding("sources", sources));
         context.drawFullScreen(program, textures, target, tile);
     }
 
     @Override
     public void close() {
+        looks.ifPresent(SkinLooks::close);
         program.close();
         method.close();
     }

@@ -5,6 +5,9 @@ import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneData;
 import sunbeam.app.scene.SceneLoader;
 import sunbeam.app.scene.SceneMethod;
+import sunbeam.precompute.method.MethodType;
+import sunbeam.precompute.method.Methods;
+import sunbeam.precompute.method.TableMethod;
 import sunbeam.precompute.patch.Patch;
 
 /**
@@ -17,11 +20,32 @@ record LoadedScene(SceneData fine, SceneData coarse) {
 
     /** Loads all, or what differs from the previous one. May take seconds. */
     static LoadedScene load(SceneLoader loader, Scene scene, LoadedScene previous) {
+        requirePreviews(scene);
         SceneData fine = previous == null ? loader.load(scene) : loader.load(scene, previous.fine);
         Scene preview = coarse(scene, fine.patch());
         boolean kept = previous != null && previous.coarse.suits(preview);
         SceneData coarse = kept ? previous.coarse.with(preview) : loader.preview(preview, fine);
         return new LoadedScene(fine, coarse);
+    }
+
+    /**
+     * Tables of colours are made as a picture's pixels look into them, which takes too long for one that moves.
+     *
+     * @throws sunbeam.precompute.setting.SettingException in the words of the place where the method was chosen
+     */
+    static void requirePreviews(Scene scene) {
+        if (!hasPreviews(scene.method().type())) {
+            throw scene.method()
+                    .choices()
+                    .complaint(
+                            Methods.METHOD,
+                            "is for pictures without a window; for the viewer use full, nmm, pq or gem");
+        }
+    }
+
+    /** Whether the viewer draws with a method. */
+    static boolean hasPreviews(MethodType type) {
+        return SceneMethod.draws(type) && type != TableMethod.TYPE;
     }
 
     /** Whether another scene needs no loading. */

@@ -21,11 +21,11 @@ import sunbeam.precompute.resample.PeriodInterpolation;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
 
-/** A method that the viewer offers: each that can draw a mesh, and its forms that look different. */
+/** A method that the viewer offers: each that can draw a moving mesh, and its forms that look different. */
 final class MethodChoice {
     /** All of them. */
     static final List<MethodChoice> ALL = Methods.ALL.stream()
-            .filter(SceneMethod::draws)
+            .filter(LoadedScene::hasPreviews)
             .flatMap(type -> forms(type).stream())
             .toList();
 

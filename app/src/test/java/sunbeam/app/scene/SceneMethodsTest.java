@@ -136,7 +136,7 @@ class SceneMethodsTest {
         assertThatThrownBy(() -> PlaneScenes.load(skin, folder)).hasMessageContaining("spacing");
         assertThatThrownBy(() -> with(ReferenceMethod.TYPE))
                 .isInstanceOf(SettingException.class)
-                .hasMessageContaining("full, nmm, pq or gem");
+                .hasMessageContaining("full, table, nmm, pq or gem");
     }
 
     @Test

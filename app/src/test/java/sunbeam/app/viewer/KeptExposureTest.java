@@ -2,6 +2,7 @@ package sunbeam.app.viewer;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.Optional;
 import java.util.OptionalDouble;
 import org.joml.Vector3f;
 import org.junit.jupiter.api.Test;
@@ -18,7 +19,7 @@ class KeptExposureTest {
     private final Scene automatic = ViewerInAWindow.scene().withExposure(OptionalDouble.empty());
 
     private static SceneData data(Scene scene, BodyTexture body) {
-        return new SceneData(scene, null, null, null, null, body);
+        return new SceneData(scene, null, null, null, null, Optional.empty(), body);
     }
 
     private double ofPreview(Scene scene, BodyTexture texture) {

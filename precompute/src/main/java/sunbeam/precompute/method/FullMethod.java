@@ -86,6 +86,11 @@ public record FullMethod(TableChoices table, Optional<Neighbourhood> neighbourho
         return new Planned(surface, tablePlan(surface, range));
     }
 
+    /** A plan of its tables that is made already. */
+    static MethodPlan planned(Surface surface, Plan plan) {
+        return new Planned(surface, plan);
+    }
+
     /** The plan of its Fourier table. */
     public Plan tablePlan(Surface surface, VisibleRange range) {
         return surface.planner().plan(table, neighbourhood, area, range);

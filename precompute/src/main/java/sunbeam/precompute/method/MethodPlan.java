@@ -32,6 +32,11 @@ public interface MethodPlan {
         return Optional.empty();
     }
 
+    /** The same where its tables are made as they are looked at: what it gives at once are settings without texels. */
+    default Optional<LevelledPlan> levelled() {
+        return Optional.empty();
+    }
+
     /** What the tables take, at most. */
     MemoryNeed memory();
 

@@ -10,8 +10,10 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import sunbeam.precompute.colourtable.ColourSource;
+import sunbeam.precompute.colourtable.LevelGrid;
 import sunbeam.precompute.colourtable.TableBaking;
 import sunbeam.precompute.colourtable.TableDesign;
+import sunbeam.precompute.colourtable.TableLevels;
 import sunbeam.precompute.colourtable.TablePages;
 import sunbeam.precompute.colourtable.TableSpace;
 import sunbeam.precompute.files.Sha256;
@@ -27,6 +29,7 @@ import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Sentence;
 import sunbeam.precompute.setting.SettingException;
+import sunbeam.precompute.shader.ArrayLayout;
 import sunbeam.precompute.shader.MethodUse;
 import sunbeam.precompute.shader.ShaderTables;
 
@@ -81,15 +84,25 @@ public record TableMethod(double tolerance, GaussianArea area) implements Method
     @Override
     public MethodPlan plan(Surface surface, VisibleRange range) {
         double relief = surface.map().relief();
+        if (range.reach() instanceof Reach.Everything) {
+            TableLevels levels = TableLevels.within(tolerance, area, relief);
+            TableDesign finest = levels.levels().get(0).design();
+            // Of a table whose list of pages fits, there may be room for the pages of a picture; who draws it knows.
+            ArrayLayout list = new LevelGrid(finest).pageList(levels.levels().size());
+            requireRoom(surface, finest, MemoryNeed.of(list.bytes(), List.of(list)));
+            return new LevelledTable(surface, levels, sourceTolerance());
+        }
         TableDesign design = TableDesign.within(tolerance, area, relief);
         TablePages pages = pages(design, range.reach());
         TableBaking baking = new TableBaking(pages);
         requireRoom(surface, design, baking.memory());
-        FullMethod full = new FullMethod(
-                TableChoices.of(new Accuracy.ByTolerance(Math.max(ErrorBudget.FINEST, SOURCE_SHARE * tolerance))),
-                Optional.empty(),
-                area);
+        FullMethod full =
+                new FullMethod(TableChoices.of(new Accuracy.ByTolerance(sourceTolerance())), Optional.empty(), area);
         return new Planned(surface, pages, baking, full.plan(surface, pages.range()));
+    }
+
+    private double sourceTolerance() {
+        return Math.max(ErrorBudget.FINEST, SOURCE_SHARE * tolerance);
     }
 
     private void requireRoom(Surface surface, TableDesign design, MemoryNeed need) {
@@ -118,11 +131,7 @@ public record TableMethod(double tolerance, GaussianArea area) implements Method
         if (reach instanceof Reach.Pairs some) {
             return TablePages.of(design, some.pairs());
         }
-        throw new SettingException(
-                Methods.METHOD,
-                "tabulates BRDF maps and lists of directions; for a mesh use ",
-                Methods.METHOD,
-                " full");
+        throw new IllegalArgumentException("pages of " + reach);
     }
 
     private record Planned(Surface surface, TablePages pages, TableBaking baking, MethodPlan source)

@@ -60,8 +60,32 @@ public final class Planner {
      * @throws SettingException when none does, or when what is fixed makes no sense for the patch
      */
     public Plan plan(TableChoices table, Optional<Neighbourhood> neighbourhood, GaussianArea area, VisibleRange range) {
+        return plan(table, neighbourhood, area, range, budget(table, neighbourhood, area, range));
+    }
+
+    /**
+     * The plan of colours under a shorter window than another's whose roughness is known, which takes seconds to measure.
+     *
+     * @param roughness of the patch under the longer window
+     * @throws SettingException as {@link #plan(TableChoices, Optional, GaussianArea, VisibleRange)}
+     */
+    public Plan plan(TableChoices table, GaussianArea area, VisibleRange range, Roughness roughness) {
+        ErrorBudget budget = new ErrorBudget(budget(table).tolerance(), roughness.under(area.window(), range));
+        return plan(table, Optional.empty(), area, range, budget);
+    }
+
+    /** How rough the patch is, where that tells between two plans. */
+    public Roughness roughness(TableChoices table, GaussianArea area, VisibleRange range) {
+        return budget(table, Optional.empty(), area, range).roughness();
+    }
+
+    private Plan plan(
+            TableChoices table,
+            Optional<Neighbourhood> neighbourhood,
+            GaussianArea area,
+            VisibleRange range,
+            ErrorBudget budget) {
         PlanChecks.check(area.window(), map);
-        ErrorBudget budget = budget(table, neighbourhood, area, range);
         Expansion expansion = expansion(table, range, budget);
         Plan plan = null;
         for (Sampling sampling : samplings(table, neighbourhood, area, range, budget)) {

@@ -50,19 +50,27 @@ public record Roughness(double bright, double mean, double dark, double deviatio
                 .filter(power -> power >= ErrorBudget.DARKEST_POWER)
                 .sorted()
                 .toArray();
-        double across = Math.max(range.maximumU() - range.minimumU(), range.maximumV() - range.minimumV())
-                / CieTable.MAXIMUM_WAVELENGTH;
         return powers.length == 0
                 ? NONE
                 : new Roughness(
                         (double) powers.length / DIRECTIONS,
                         Arrays.stream(powers).average().orElseThrow(),
                         powers[powers.length / 10],
-                        across / window.sigmaFrequency(),
+                        deviations(window, range),
                         seen.stream()
                                 .mapToDouble(sample -> Math.max(0, 1 - sample.specular()))
                                 .average()
                                 .orElseThrow());
+    }
+
+    private static double deviations(CoherenceWindow window, VisibleRange range) {
+        double across = Math.max(range.maximumU() - range.minimumU(), range.maximumV() - range.minimumV());
+        return across / CieTable.MAXIMUM_WAVELENGTH / window.sigmaFrequency();
+    }
+
+    /** The same patch under a shorter window, which evens out what is bright and dark. */
+    Roughness under(CoherenceWindow window, VisibleRange range) {
+        return new Roughness(bright, mean, dark, deviations(window, range), diffracted);
     }
 
     private record Query(DirectionPair pair, double wavelength) {}

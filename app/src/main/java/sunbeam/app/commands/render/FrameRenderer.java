@@ -25,6 +25,9 @@ final class FrameRenderer {
      */
     ScenePicture render(Scene scene, LongConsumer progress) {
         session.update(scene);
+        int width = supersample * size.width();
+        int height = supersample * size.height();
+        session.prepare(width, height, SceneSession.tiles(width, height, 1), supersample);
         ScenePicture picture = ScenePicture.empty(size.width(), size.height());
         for (Tile tile : SceneSession.tiles(size.width(), size.height(), supersample)) {
             Tile fine = new Tile(
@@ -32,7 +35,7 @@ final class FrameRenderer {
                     supersample * tile.y(),
                     supersample * tile.width(),
                     supersample * tile.height());
-            ScenePicture part = session.draw(supersample * size.width(), supersample * size.height(), fine);
+            ScenePicture part = session.draw(width, height, fine);
             picture.put(part.reduced(supersample), tile.x(), tile.y());
             progress.accept(tile.pixels());
         }

@@ -11,6 +11,9 @@ import sunbeam.app.files.input.PngText;
 import sunbeam.app.files.output.NpyWriter;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.files.output.PngWriter;
+import sunbeam.app.measure.errors.CertifyOption;
+import sunbeam.app.measure.errors.SceneCertificate;
+import sunbeam.app.measure.errors.SceneCertifier;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneData;
 import sunbeam.app.scene.SceneDisplay;
@@ -28,6 +31,7 @@ final class FrameSequence implements AutoCloseable {
     private final FrameIdentity identity;
     private final SceneDisplay display;
     private final SceneSession session;
+    private double lastExposure = 1;
 
     FrameSequence(RenderContext context, SceneData data, PictureSize size, int supersample) {
         this.data = data;
@@ -65,6 +69,7 @@ final class FrameSequence implements AutoCloseable {
                 ScenePicture picture = frameRenderer.render(scene, progress::step);
                 double factor = exposure.isPresent() ? exposure.getAsDouble() : SceneDisplay.exposure(scene, picture);
                 exposure = OptionalDouble.of(factor);
+                lastExposure = factor;
                 if (missing.get(i)) {
                     places.set(i, write(files.get(i), overwrite, scene, picture, factor));
                 }
@@ -74,6 +79,24 @@ final class FrameSequence implements AutoCloseable {
             }
         }
         return places;
+    }
+
+    /**
+     * Compares pixels of the scene that was drawn last.
+     *
+     * @param exact the same scene by a method that draws points
+     * @param exposure that the picture has
+     */
+    SceneCertificate certify(RenderContext context, SceneData exact, double exposure, int count) {
+        try (SceneSession points = new SceneSession(context, exact)) {
+            return new SceneCertifier(size.width(), size.height())
+                    .certify(session, points, supersample, exposure, count, CertifyOption.SEED);
+        }
+    }
+
+    /** The exposure of what was drawn last. */
+    double exposure() {
+        return lastExposure;
     }
 
     private static OptionalDouble recordedExposure(Path frame) {

@@ -151,9 +151,6 @@ class TableMethodTest {
         assertThatThrownBy(() -> probe.powers(pairs, 500e-9, with("--method", "table")))
                 .isInstanceOf(SettingException.class)
                 .hasMessageContaining("column wavelength");
-        assertThatThrownBy(() -> probe.plan(VisibleRange.all(), "--method", "table"))
-                .isInstanceOf(SettingException.class)
-                .hasMessageContaining("--method");
     }
 
     @Test
@@ -167,5 +164,9 @@ class TableMethodTest {
         assertThatThrownBy(() -> probe.plan(map, "--method", "table", "--coherence-length", "600um"))
                 .isInstanceOf(SettingException.class)
                 .hasMessageMatching("(?s).*need [0-9.]+ [GM]B of .*");
+        assertThatThrownBy(() -> probe.plan(VisibleRange.all(), "--method", "table", "--coherence-length", "10mm"))
+                .as("on a mesh")
+                .isInstanceOf(SettingException.class)
+                .hasMessageContaining("texels along a side");
     }
 }

@@ -80,6 +80,18 @@ class RenderCommandTest {
     }
 
     @Test
+    void aCertificateComparesAPictureWithPointsOfIt() {
+        Path picture = folder.resolve("a.png");
+        assertThat(render(picture, "--method", "table", "--certify", "6"))
+                .as(err.toString())
+                .isZero();
+        assertThat(render(picture, "--certify", "6", "--turntable", "3")).isEqualTo(ExitCode.USAGE.code());
+        assertThat(render(picture, "--certify", "0")).isEqualTo(ExitCode.USAGE.code());
+        assertThat(render(picture, "--certify", "6", "--method", "nmm")).isEqualTo(ExitCode.USAGE.code());
+        assertThat(err.toString()).contains("single pictures", "--certify 0 is out of range", "method nmm");
+    }
+
+    @Test
     void resumeDrawsWhatIsMissingOnly() throws IOException {
         Path frames = folder.resolve("turn");
         assertThat(render(frames, "--turntable", "3")).as(err.toString()).isZero();

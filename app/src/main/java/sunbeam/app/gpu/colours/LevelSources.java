@@ -1,0 +1,19 @@
+package sunbeam.app.gpu.colours;
+
+import sunbeam.precompute.colourtable.ColourSource;
+import sunbeam.precompute.colourtable.TableLevels;
+
+/** By what levels of colours are made. */
+public interface LevelSources {
+
+    /** The levels. */
+    TableLevels levels();
+
+    /**
+     * A source of a level's colours, to be closed by the caller.
+     *
+     * @param level its number
+     * @param places that will be asked for in all
+     */
+    ColourSource open(int level, long places);
+}

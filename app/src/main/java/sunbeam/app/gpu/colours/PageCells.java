@@ -1,0 +1,126 @@
+package sunbeam.app.gpu.colours;
+
+import java.nio.FloatBuffer;
+import java.util.ArrayList;
+import java.util.BitSet;
+import java.util.List;
+import jrtr.Binding;
+import jrtr.Filter;
+import jrtr.FloatFormat;
+import jrtr.FloatTexture;
+import jrtr.FloatTextureSpec;
+import jrtr.RenderContext;
+import sunbeam.precompute.colourtable.LevelGrid;
+import sunbeam.precompute.colourtable.TableLevels;
+
+/**
+ * The pages of levels on the graphics card: cells beside each other in layers of texels, in the order in which they came, and
+ * for each page that there could be the number of its cell (shaders/method/table_levels.glsl).
+ */
+final class PageCells implements AutoCloseable {
+    private static final int CELL = LevelGrid.STORED_SIDE;
+    // A power of two: places in it are exact (table_levels.glsl).
+    private static final int LAYER_SIDE = 512;
+
+    /** Cells along a layer's side. */
+    static final int ACROSS = LAYER_SIDE / CELL;
+
+    private static final int CHANNELS = 4;
+    private static final int PER_LAYER = ACROSS * ACROSS;
+    private static final int LAYER_FLOATS = CHANNELS * LAYER_SIDE * LAYER_SIDE;
+
+    private final RenderContext context;
+    private final List<LevelGrid> grids;
+    private final int slices;
+    private final int columns;
+    private final List<float[]> layers = new ArrayList<>();
+    private final BitSet changed = new BitSet();
+    // Of each slice of each level: cell of each page plus one.
+    private final float[][] numbers;
+    private FloatTexture texels;
+    private FloatTexture pages;
+    private int cells;
+
+    PageCells(RenderContext context, TableLevels levels, List<LevelGrid> grids) {
+        this.context = context;
+        this.grids = grids;
+        this.slices = levels.slices();
+        this.columns = grids.get(0).columns();
+        this.numbers = new float[grids.size() * slices][columns * columns];
+        // A mesh that turns its back to the light looks into nothing, but its shader reads textures.
+        addLayer();
+    }
+
+    /** Bytes of the layers that some pages fill, on the card and once more in Java's heap. */
+    static long bytes(long pages) {
+        return (pages + PER_LAYER - 1) / PER_LAYER * LAYER_FLOATS * Float.BYTES;
+    }
+
+    /** Adds a page; it is on the card from the next {@link #bindings()} on. */
+    void add(int level, int page, float[] coefficients) {
+        int layer = cells / PER_LAYER;
+        if (layer == layers.size()) {
+            addLayer();
+        }
+        int inLayer = cells % PER_LAYER;
+        int left = inLayer % ACROSS * CELL;
+        int top = inLayer / ACROSS * CELL;
+        for (int row = 0; row < CELL; row++) {
+            System.arraycopy(
+                    coefficients,
+                    CHANNELS * row * CELL,
+                    layers.get(layer),
+                    CHANNELS * ((top + row) * LAYER_SIDE + left),
+                    CHANNELS * CELL);
+        }
+        changed.set(layer);
+        cells++;
+        int across = grids.get(level).columns();
+        int perSlice = across * across;
+        int inSlice = page % perSlice;
+        numbers[level * slices + page / perSlice][inSlice / across * columns + inSlice % across] = cells;
+    }
+
+    private void addLayer() {
+        changed.set(layers.size());
+        layers.add(new float[LAYER_FLOATS]);
+    }
+
+    /** The textures, by the names of their samplers; valid until a page is added. */
+    List<Binding> bindings() {
+        if (!changed.isEmpty()) {
+            upload();
+        }
+        return List.of(new Binding("colourTexels", texels), new Binding("colourPages", pages));
+    }
+
+    private void upload() {
+        if (texels == null || texels.spec().layers() < layers.size()) {
+            close();
+            FloatTextureSpec spec = FloatTextureSpec.array(LAYER_SIDE, LAYER_SIDE, layers.size(), FloatFormat.RGBA32F);
+            texels = context.createFloatTexture("colours", spec.with(Filter.LINEAR));
+            changed.set(0, layers.size());
+        }
+        changed.stream().forEach(layer -> texels.uploadLayer(layer, FloatBuffer.wrap(layers.get(layer))));
+        changed.clear();
+        if (pages == null) {
+            pages = context.createFloatTexture(
+                    "colour pages", FloatTextureSpec.array(columns, columns, numbers.length, FloatFormat.R32F));
+        }
+        for (int layer = 0; layer < numbers.length; layer++) {
+            pages.uploadLayer(layer, FloatBuffer.wrap(numbers[layer]));
+        }
+    }
+
+    @Override
+    public void close() {
+        if (texels != null) {
+            texels.close();
+            texels = null;
+        }
+        if (pages != null) {
+            pages.close();
+            pages = null;
+        }
+    }
+}

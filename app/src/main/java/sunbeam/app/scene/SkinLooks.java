@@ -1,0 +1,102 @@
+package sunbeam.app.scene;
+
+import java.util.ArrayList;
+import java.util.List;
+import jrtr.Binding;
+import jrtr.FloatTarget;
+import jrtr.FloatTargetSpec;
+import jrtr.FloatTexture;
+import jrtr.RenderContext;
+import jrtr.ShaderProgram;
+import jrtr.Tile;
+import jrtr.scene.LightUniforms;
+import sunbeam.app.gpu.Shaders;
+import sunbeam.app.gpu.colours.LevelPages;
+import sunbeam.app.gpu.colours.LevelSources;
+
+/** How a skin's pixels look into levels of colours (shaders/looks.frag), and the pages that they look into. */
+final class SkinLooks implements AutoCloseable {
+    private static final List<String> SAMPLERS = List.of("lookPlaces", "lookAcross", "lookAlong");
+    private static final int CHANNELS = 4;
+    // MISSING in table_levels.glsl is 1e30; weights and gains leave it far above anything that light does.
+    private static final float MISSING = 1e20f;
+
+    private final RenderContext context;
+    private final LevelPages pages;
+    private final ShaderProgram program;
+    private final FloatTarget target;
+
+    SkinLooks(RenderContext context, LevelSources sources) {
+        this.context = context;
+        this.pages = new LevelPages(context, sources);
+        this.program = context.createFullScreenProgram(Shaders.library().load("looks.frag"));
+        this.target = context.createFloatTarget(
+                "looks", new FloatTargetSpec(Packing.COLUMNS, Packing.ROWS, SAMPLERS.size(), false));
+        program.set("finestSigma", (float) sources.levels().sigma());
+        program.set("levels", sources.levels().levels().size());
+    }
+
+    /**
+     * Finds how some texels of a block look, and notes into which pages.
+     *
+     * @param samplesAcross of the mesh along a side of a pixel
+     * @param sources which, as {@link SkinSurface#shade} has them
+     * @param packing how many
+     * @param used part of the target that they take
+     */
+    void find(Scene scene, GeometryBuffer buffer, int samplesAcross, FloatTexture sources, Packing packing, Tile used) {
+        LightUniforms.of(List.of(SceneGraphs.light(scene)).iterator()).applyTo(program);
+        program.set("samplesAcross", (float) samplesAcross);
+        List<Binding> textures = new ArrayList<>(buffer.bindings());
+        textures.add(new Binding("sources", sources));
+        context.drawFullScreen(program, textures, target, used);
+        float[] places = target.read(0, used);
+        float[] across = target.read(1, used);
+        float[] along = target.read(2, used);
+        for (int i = 0; i < packing.count(); i++) {
+            // Rows are read from the top.
+            int row = packing.rows() - 1 - packing.row(i);
+            pages.note(places, across, along, CHANNELS * (row * packing.columns() + packing.column(i)));
+        }
+    }
+
+    /** Makes the pages that were noted and are missing. */
+    void make() {
+        pages.make();
+    }
+
+    /** What shaders/method/table_levels.glsl reads beside the levels' settings, for the texels that were found last. */
+    List<Binding> bindings() {
+        List<Binding> bindings = new ArrayList<>(pages.bindings());
+        for (int i = 0; i < SAMPLERS.size(); i++) {
+            bindings.add(new Binding(SAMPLERS.get(i), target.texture(i)));
+        }
+        return bindings;
+    }
+
+    /**
+     * Lets lit texels through that were looked up in pages that exist.
+     *
+     * @throws IllegalStateException where one was not
+     */
+    static float[] checked(float[] lit) {
+        for (float value : lit) {
+            if (value > MISSING) {
+                throw new IllegalStateException("a pixel looks into colours that were not noted for it");
+            }
+        }
+        return lit;
+    }
+
+    /** Tells the program that lights the skin how texels lie. */
+    void prepare(ShaderProgram skin) {
+        skin.set("colourCellsAcross", pages.cellsAcross());
+    }
+
+    @Override
+    public void close() {
+        target.close();
+        program.close();
+        pages.close();
+    }
+}

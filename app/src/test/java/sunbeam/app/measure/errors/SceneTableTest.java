@@ -1,0 +1,161 @@
+package sunbeam.app.measure.errors;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Map;
+import java.util.OptionalDouble;
+import java.util.function.Function;
+import java.util.stream.IntStream;
+import jrtr.RenderContext;
+import jrtr.Tile;
+import jrtr.gl.RenderContexts;
+import jrtr.scene.Camera;
+import org.joml.Quaternionf;
+import org.joml.Vector3f;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import sunbeam.app.gpu.NeedsDisplay;
+import sunbeam.app.scene.Blend;
+import sunbeam.app.scene.Scene;
+import sunbeam.app.scene.SceneColor;
+import sunbeam.app.scene.SceneData;
+import sunbeam.app.scene.SceneLight;
+import sunbeam.app.scene.SceneLoader;
+import sunbeam.app.scene.SceneMethod;
+import sunbeam.app.scene.SceneSession;
+import sunbeam.app.scene.Viewpoint;
+import sunbeam.app.terminal.Environment;
+import sunbeam.precompute.method.FullMethod;
+import sunbeam.precompute.method.MethodType;
+import sunbeam.precompute.method.Methods;
+import sunbeam.precompute.method.TableMethod;
+import sunbeam.precompute.patch.PatchRequest;
+import sunbeam.precompute.plan.MethodSettings;
+import sunbeam.precompute.setting.Choices;
+
+/** Method table on meshes, beside full: a point where pixels see points, the mean where they see more. */
+@NeedsDisplay
+class SceneTableTest {
+    private static final double TOLERANCE = 1e-2;
+    private static final Blend DIFFRACTION_ONLY = new Blend(1, 0, 0, 0);
+    // Orders as bright as the body, as on a skin.
+    private static final Blend ON_A_BODY = new Blend(30, 0.3, 1, 0.1);
+    private static final Vector3f EYE = new Vector3f(-0.05f, -0.1f, 0.4f);
+    // Across the lines it lies opposite to the eye, so that orders go through the picture's middle.
+    private static final Vector3f LIGHT = new Vector3f(-0.2f, 0.242f, 0.949f);
+
+    @TempDir
+    private Path folder;
+
+    /** The blazed grating, which sends orders to the camera. */
+    private static Scene plane(Vector3f eye, Vector3f light, double fieldOfView, Blend blend, MethodType type) {
+        Choices method = Choices.none().with(Methods.METHOD, type).with(MethodSettings.TOLERANCE, TOLERANCE);
+        return new Scene(
+                "plane",
+                "plane",
+                PatchRequest.of("blaze"),
+                new Viewpoint(
+                        new Camera(eye, new Vector3f(), new Vector3f(0, 0.8f, 0.6f)), Math.toRadians(fieldOfView)),
+                new Quaternionf(),
+                new SceneLight(light, 1),
+                "none",
+                new SceneMethod(method),
+                0,
+                OptionalDouble.of(1),
+                blend,
+                new SceneColor(0));
+    }
+
+    private SceneData load(Scene scene) {
+        return new SceneLoader(new Environment(Map.of(), folder), warning -> {}).load(scene);
+    }
+
+    @Test
+    void pixelsThatSeePointsHaveTheColoursOfFull() {
+        int width = 24;
+        int height = 18;
+        try (RenderContext context = RenderContexts.offscreen();
+                SceneSession full =
+                        new SceneSession(context, load(plane(EYE, LIGHT, 1, DIFFRACTION_ONLY, FullMethod.TYPE)));
+                SceneSession table =
+                        new SceneSession(context, load(plane(EYE, LIGHT, 1, DIFFRACTION_ONLY, TableMethod.TYPE)))) {
+            float[] exact = full.draw(width, height).rgba();
+            float[] drawn = table.draw(width, height).rgba();
+            List<Comparison> compared = IntStream.range(0, width * height)
+                    .mapToObj(i -> new Comparison(xyz(drawn, i), xyz(exact, i), 1))
+                    .toList();
+            ErrorStatistics errors = Comparison.relative(compared);
+            assertThat(errors.count()).as("bright pixels").isGreaterThan(200);
+            // Both keep the tolerance to the truth, and a pixel's side of 7e-4 in (u, v) is a tenth of what orders are
+            // wide.
+            assertThat(errors.meets(2 * TOLERANCE)).as("%s", errors).isTrue();
+        }
+    }
+
+    private static double[] xyz(float[] rgba, int pixel) {
+        return new double[] {rgba[4 * pixel], rgba[4 * pixel + 1], rgba[4 * pixel + 2]};
+    }
+
+    @Test
+    void widePixelsHaveTheMeanOfTheirPoints() {
+        certify(type -> plane(EYE, LIGHT, 20, ON_A_BODY, type));
+    }
+
+    @Test
+    void aPlaneSeenAt80DegreesHasTheMeanOfItsPoints() {
+        // Lines across the line of sight send the green of their first order there.
+        Vector3f eye = new Vector3f(0, -0.394f, 0.0695f);
+        Vector3f light = new Vector3f(0, 0.765f, 0.644f);
+        certify(type -> plane(eye, light, 20, ON_A_BODY, type).withRotatePatch(Math.PI / 2));
+    }
+
+    /** Pixels are 0.02 wide in (u, v), several times an order's width, as those of a whole snake are. */
+    private void certify(Function<MethodType, Scene> scene) {
+        SceneCertifier certifier = new SceneCertifier(24, 18);
+        try (RenderContext context = RenderContexts.offscreen();
+                SceneSession full = new SceneSession(context, load(scene.apply(FullMethod.TYPE)));
+                SceneSession table = new SceneSession(context, load(scene.apply(TableMethod.TYPE)))) {
+            SceneCertificate certificate = certifier.certify(table, full, 1, 1, 40, 1);
+            SceneCertificate points = certifier.certify(full, full, 1, 1, 40, 1);
+            assertThat(certificate.missed()).as(certificate.summary()).isFalse();
+            // What it is there for: single points are far off where orders pass.
+            assertThat(points.meanDifference())
+                    .as("points: %s; table: %s", points.summary(), certificate.summary())
+                    .isGreaterThan(3 * certificate.meanDifference());
+        }
+    }
+
+    @Test
+    void aMeshThatTurnsItsBackToTheLightIsDark() {
+        Scene scene = plane(EYE, new Vector3f(0.2f, 0, -0.9f), 10, DIFFRACTION_ONLY, TableMethod.TYPE);
+        try (RenderContext context = RenderContexts.offscreen();
+                SceneSession session = new SceneSession(context, load(scene))) {
+            float[] drawn = session.draw(8, 6).rgba();
+            assertThat(xyz(drawn, 27)).containsExactly(0, 0, 0);
+            assertThat(drawn[4 * 27 + 3]).as("covered").isOne();
+        }
+    }
+
+    @Test
+    void aPictureIsTheSameHoweverItIsPreparedAndDivided() {
+        int width = 24;
+        int height = 18;
+        try (RenderContext context = RenderContexts.offscreen();
+                SceneSession one = new SceneSession(context, load(plane(EYE, LIGHT, 10, ON_A_BODY, TableMethod.TYPE)));
+                SceneSession other =
+                        new SceneSession(context, load(plane(EYE, LIGHT, 10, ON_A_BODY, TableMethod.TYPE)))) {
+            one.prepare(width, height, SceneSession.tiles(width, height, 1), 1);
+            float[] whole = one.draw(width, height).rgba();
+            for (Tile tile : Tile.cover(width, height, 7)) {
+                float[] part = other.draw(width, height, tile).rgba();
+                int row = tile.y() * width + tile.x();
+                assertThat(Arrays.copyOf(part, 4 * tile.width()))
+                        .as("%s", tile)
+                        .isEqualTo(Arrays.copyOfRange(whole, 4 * row, 4 * (row + tile.width())));
+            }
+        }
+    }
+}

@@ -1,0 +1,188 @@
+package sunbeam.precompute.colourtable;
+
+import java.util.Arrays;
+import java.util.BitSet;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.stream.IntStream;
+import java.util.stream.LongStream;
+
+/**
+ * Makes the pages of a level as they are asked for: coefficients of cubic B-splines through square roots of X, Y and Z, as
+ * {@link TableBaking} does. Samples are kept, since a page's prefilter sees those of its neighbours; each is evaluated once.
+ * Belongs to one thread.
+ */
+public final class LevelBaking {
+    // Texels around a page that its prefilter sees: of a step at their rim POLE^8 is left, 3e-5.
+    private static final int MARGIN = 8;
+    private static final int SEEN_SIDE = LevelGrid.STORED_SIDE + 2 * MARGIN;
+    private static final int SIDE = LevelGrid.SIDE;
+    private static final int COLOURS = 3;
+    private static final int CHANNELS = 4;
+    // Places that are evaluated at once: 3 MB each way.
+    private static final int BATCH = 1 << 18;
+
+    /** A page as the shader has it: {@link LevelGrid#STORED_SIDE} rows of as many texels, 4 values each. */
+    public static final int PAGE_FLOATS = LevelGrid.STORED_SIDE * LevelGrid.STORED_SIDE * CHANNELS;
+
+    private final LevelGrid grid;
+    // Of each page's own texels: square roots of X, Y, Z, and which of them are known.
+    private final Map<Integer, float[]> samples = new TreeMap<>();
+    private final Map<Integer, BitSet> known = new TreeMap<>();
+
+    /** @param grid of the level */
+    public LevelBaking(LevelGrid grid) {
+        this.grid = grid;
+    }
+
+    /** Bytes of the samples of pages in Java's heap. */
+    public static long sampleBytes(long pages) {
+        return pages * SIDE * SIDE * COLOURS * Float.BYTES;
+    }
+
+    /** How many places must be evaluated for some pages. */
+    public long missing(BitSet pages) {
+        return needed(pages).values().stream().mapToLong(BitSet::cardinality).sum();
+    }
+
+    /**
+     * Makes pages.
+     *
+     * @param pages their numbers
+     * @return {@link #PAGE_FLOATS} values each, in the order of their numbers
+     */
+    public List<float[]> bake(BitSet pages, ColourSource source) {
+        evaluate(needed(pages), source);
+        return Arrays.stream(pages.stream().toArray())
+                .parallel()
+                .mapToObj(this::coefficients)
+                .toList();
+    }
+
+    /** Of all pages whose texels some pages' prefilters see, those texels that are not known yet. */
+    private Map<Integer, BitSet> needed(BitSet pages) {
+        Map<Integer, BitSet> needed = new TreeMap<>();
+        pages.stream().forEach(page -> {
+            int[] place = grid.place(page);
+            for (int row = -1; row <= 1; row++) {
+                for (int column = -1; column <= 1; column++) {
+                    int neighbour = page + row * grid.columns() + column;
+                    BitSet texels = needed.computeIfAbsent(neighbour, number -> new BitSet());
+                    mark(texels, place[0] + column, place[1] + row, place);
+                }
+            }
+        });
+        needed.forEach((page, texels) -> texels.andNot(known.getOrDefault(page, new BitSet())));
+        return needed;
+    }
+
+    /** Marks those texels of the page at a column and row that the prefilter of another page sees. */
+    private static void mark(BitSet texels, int column, int row, int[] seeing) {
+        int left = Math.max(0, seenFrom(seeing[0]) - column * SIDE);
+        int right = Math.min(SIDE, seenFrom(seeing[0]) + SEEN_SIDE - column * SIDE);
+        int top = Math.max(0, seenFrom(seeing[1]) - row * SIDE);
+        int bottom = Math.min(SIDE, seenFrom(seeing[1]) + SEEN_SIDE - row * SIDE);
+        for (int y = top; y < bottom; y++) {
+            texels.set(y * SIDE + left, y * SIDE + right);
+        }
+    }
+
+    /** First texel that the prefilter of a page in a column or row sees. */
+    private static int seenFrom(int page) {
+        return page * SIDE - 1 - MARGIN;
+    }
+
+    private void evaluate(Map<Integer, BitSet> needed, ColourSource source) {
+        long[] texels = inOrder(needed);
+        for (int start = 0; start < texels.length; start += BATCH) {
+            evaluate(Arrays.copyOfRange(texels, start, Math.min(texels.length, start + BATCH)), source);
+        }
+    }
+
+    /** Slice after slice in {@link MortonOrder}: neighbours, which read nearly the same, are asked for together. */
+    private long[] inOrder(Map<Integer, BitSet> needed) {
+        LongStream.Builder texels = LongStream.builder();
+        needed.forEach((page, inPage) -> {
+            int[] place = grid.place(page);
+            inPage.stream().forEach(texel -> {
+                int row = texel / SIDE;
+                long number = MortonOrder.number(place[0] * SIDE + texel % SIDE, place[1] * SIDE + row);
+                texels.add((long) place[2] << Integer.SIZE | number);
+            });
+        });
+        return texels.build().parallel().sorted().toArray();
+    }
+
+    private void evaluate(long[] texels, ColourSource source) {
+        float[] uvw = new float[3 * texels.length];
+        IntStream.range(0, texels.length).parallel().forEach(i -> {
+            int number = (int) texels[i];
+            int slice = (int) (texels[i] >> Integer.SIZE);
+            double[] place = grid.uvw(MortonOrder.x(number), MortonOrder.y(number), slice);
+            for (int axis = 0; axis < 3; axis++) {
+                uvw[3 * i + axis] = (float) place[axis];
+            }
+        });
+        float[] xyz = source.xyz(uvw);
+        for (int i = 0; i < texels.length; i++) {
+            keep(texels[i], xyz, COLOURS * i);
+        }
+    }
+
+    private void keep(long texel, float[] xyz, int from) {
+        int column = MortonOrder.x((int) texel);
+        int row = MortonOrder.y((int) texel);
+        int page = page(column, row, (int) (texel >> Integer.SIZE));
+        int inPage = row % SIDE * SIDE + column % SIDE;
+        float[] roots = samples.computeIfAbsent(page, number -> new float[SIDE * SIDE * COLOURS]);
+        for (int c = 0; c < COLOURS; c++) {
+            // A sum of the expansion's terms may leave a dark direction a little below nothing.
+            roots[COLOURS * inPage + c] = (float) Math.sqrt(Math.max(0, xyz[from + c]));
+        }
+        known.computeIfAbsent(page, number -> new BitSet()).set(inPage);
+    }
+
+    /** The page of a texel. */
+    private int page(int column, int row, int slice) {
+        int pageRow = row / SIDE;
+        return (slice * grid.columns() + pageRow) * grid.columns() + column / SIDE;
+    }
+
+    private float[] coefficients(int page) {
+        int[] place = grid.place(page);
+        float[][] planes = new float[COLOURS][SEEN_SIDE * SEEN_SIDE];
+        for (int row = 0; row < SEEN_SIDE; row++) {
+            for (int column = 0; column < SEEN_SIDE; column++) {
+                put(planes, row * SEEN_SIDE + column, seenFrom(place[0]) + column, seenFrom(place[1]) + row, place[2]);
+            }
+        }
+        float[] stored = new float[PAGE_FLOATS];
+        for (int c = 0; c < COLOURS; c++) {
+            filter(planes[c]);
+            for (int i = 0; i < PAGE_FLOATS / CHANNELS; i++) {
+                int row = i / LevelGrid.STORED_SIDE + MARGIN;
+                int column = i % LevelGrid.STORED_SIDE + MARGIN;
+                stored[CHANNELS * i + c] = planes[c][row * SEEN_SIDE + column];
+            }
+        }
+        return stored;
+    }
+
+    /** Copies a texel of the grid into the planes. */
+    private void put(float[][] planes, int to, int column, int row, int slice) {
+        float[] roots = samples.get(page(column, row, slice));
+        for (int c = 0; c < COLOURS; c++) {
+            planes[c][to] = roots[COLOURS * (row % SIDE * SIDE + column % SIDE) + c];
+        }
+    }
+
+    private static void filter(float[] plane) {
+        for (int line = 0; line < SEEN_SIDE; line++) {
+            CubicSpline.toCoefficients(plane, line * SEEN_SIDE, 1, SEEN_SIDE);
+        }
+        for (int line = 0; line < SEEN_SIDE; line++) {
+            CubicSpline.toCoefficients(plane, line, SEEN_SIDE, SEEN_SIDE);
+        }
+    }
+}

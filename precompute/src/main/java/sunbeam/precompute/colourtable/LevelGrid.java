@@ -1,0 +1,94 @@
+package sunbeam.precompute.colourtable;
+
+import sunbeam.precompute.shader.ArrayLayout;
+
+/**
+ * The texels of a level: a square grid over all (u, v) that two directions can have, in slices of |w|, divided into pages.
+ * Pages are numbered row by row, slice after slice.
+ *
+ * @param design step and slices
+ */
+public record LevelGrid(TableDesign design) {
+    /** Texels along a page's side between which look-ups of its own fall. */
+    public static final int SIDE = 16;
+
+    /** Texels along a side of a page as the shader has it: one before, two behind, so that a cubic B-spline stays inside. */
+    public static final int STORED_SIDE = SIDE + TablePages.BORDER;
+
+    /** Length of (u, v) that no two directions exceed. */
+    static final double REACH = 2;
+
+    // Of a texel and of a slice: processor and card may see a place on different sides of an edge.
+    private static final double ROUNDING = 0.02;
+
+    /** What is told of pages. */
+    @FunctionalInterface
+    public interface PageVisitor {
+        /** @param page its number */
+        void visit(int page);
+    }
+
+    /** Pages along u, and along v. */
+    public int columns() {
+        // Beside the outermost look-ups there is a page, for what their splines reach.
+        return 2 * (2 + (int) Math.ceil(REACH / design.step() / SIDE));
+    }
+
+    /** u and v of texel (0, 0). */
+    public double origin() {
+        return -0.5 * columns() * SIDE * design.step();
+    }
+
+    /**
+     * Shape of the list of pages of some levels that begin with this one: for each that there could be its place among those that
+     * there are.
+     */
+    public ArrayLayout pageList(int levels) {
+        return ArrayLayout.layered("colourPages", columns(), columns(), levels * design.slices(), 1);
+    }
+
+    /** Pages of all slices. */
+    public int pages() {
+        return Math.multiplyExact(Math.multiplyExact(columns(), columns()), design.slices());
+    }
+
+    /** Column, row and slice of a page. */
+    int[] place(int page) {
+        int perSlice = columns() * columns();
+        return new int[] {page % columns(), page % perSlice / columns(), page / perSlice};
+    }
+
+    /** Tells of all pages that a look-up reads; of some beside them too, where it falls close to their edges. */
+    public void visit(double u, double v, double w, PageVisitor visitor) {
+        double x = (u - origin()) / design.step();
+        double y = (v - origin()) / design.step();
+        double slice = -w / design.sliceStep();
+        int low = firstSlice(slice - ROUNDING);
+        int high = firstSlice(slice + ROUNDING) + TableDesign.TAPS;
+        for (int row = page(y - ROUNDING); row <= page(y + ROUNDING); row++) {
+            for (int column = page(x - ROUNDING); column <= page(x + ROUNDING); column++) {
+                for (int i = low; i < high; i++) {
+                    visitor.visit((i * columns() + row) * columns() + column);
+                }
+            }
+        }
+    }
+
+    /** What lies beyond all (u, v), as a wide pixel's rim may, is looked up at the edge; so does the shader. */
+    private int page(double texel) {
+        return Math.max(1, Math.min(columns() - 2, (int) Math.floor(texel / SIDE)));
+    }
+
+    /** At both ends of the range all slices lie on one side. */
+    private int firstSlice(double slice) {
+        return Math.max(0, Math.min((int) Math.floor(slice) - 1, design.slices() - TableDesign.TAPS));
+    }
+
+    /** u, v and w of a texel; beyond what two directions can have colours stay as they are at its edge. */
+    double[] uvw(int column, int row, int slice) {
+        double u = origin() + column * design.step();
+        double v = origin() + row * design.step();
+        double inside = Math.min(1, REACH / Math.max(REACH, Math.hypot(u, v)));
+        return new double[] {inside * u, inside * v, -slice * design.sliceStep()};
+    }
+}

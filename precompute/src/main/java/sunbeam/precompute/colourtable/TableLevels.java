@@ -1,0 +1,77 @@
+package sunbeam.precompute.colourtable;
+
+import java.util.ArrayList;
+import java.util.List;
+import sunbeam.precompute.optics.CoherenceWindow;
+import sunbeam.precompute.plan.Average;
+import sunbeam.precompute.plan.GaussianArea;
+
+/**
+ * Tables of the same colours, each averaged over wider surroundings of (u, v): for pixels that see more than a point. The
+ * ensemble average under a Gaussian window is a sum of Gaussians in frequency (design, section 3); its mean with Gaussian
+ * weights around a place is the same sum with wider ones, which is what a shorter window gives. So a coarse level is
+ * evaluated as such, at its few texels, and never averaged from the many of a fine one (docs/colour-tables.md).
+ *
+ * <p>A shorter window's Gaussians are wider by a certain width in frequency, so in (u, v) by a width that grows with the
+ * wavelength: {@link #sigma()} is that at {@link #MIDDLE_WAVELENGTH}.
+ *
+ * @param area the window that is seen at a point, and its average
+ * @param levels their tables, the finest first, which is that of the area itself
+ */
+public record TableLevels(GaussianArea area, List<Level> levels) {
+    /** Where an eye sees most, metres. */
+    public static final double MIDDLE_WAVELENGTH = 550e-9;
+
+    // A level's Gaussians are so many times as wide as those of the level before it.
+    private static final double RATIO = Math.sqrt(2);
+    // Beyond, a level is a colour for a fifth of the hemisphere. In (u, v).
+    private static final double WIDEST = 0.06;
+
+    /**
+     * One table.
+     *
+     * @param area its window
+     * @param scale what its power counts: the mean of a Gaussian of height 1 is lower as much as it is wider
+     * @param design its step and slices
+     */
+    public record Level(GaussianArea area, double scale, TableDesign design) {}
+
+    /** Copies. */
+    public TableLevels {
+        levels = List.copyOf(levels);
+    }
+
+    /**
+     * Levels whose tables keep a tolerance.
+     *
+     * @param area what is seen at a point; of a coherent average, which is no sum of Gaussians, there is one level
+     * @param relief peak to valley, metres
+     */
+    public static TableLevels within(double tolerance, GaussianArea area, double relief) {
+        List<Level> levels = new ArrayList<>();
+        double finest = sigma(area.window());
+        for (double widening = 1; widening == 1 || finest * widening <= WIDEST; widening *= RATIO) {
+            GaussianArea wider = area.with(new CoherenceWindow(area.window().sigmaMetres() / widening));
+            levels.add(new Level(wider, 1 / (widening * widening), TableDesign.within(tolerance, wider, relief)));
+            if (area.average() == Average.COHERENT) {
+                break;
+            }
+        }
+        return new TableLevels(area, levels);
+    }
+
+    /** Standard deviation in (u, v) of what the finest level shows of a sharp order. */
+    public double sigma() {
+        return sigma(area.window());
+    }
+
+    private static double sigma(CoherenceWindow window) {
+        // Power is the square of an amplitude.
+        return MIDDLE_WAVELENGTH * window.sigmaFrequency() / Math.sqrt(2);
+    }
+
+    /** Slices, of which all levels have as many. */
+    public int slices() {
+        return levels.get(0).design().slices();
+    }
+}

@@ -1,0 +1,151 @@
+package sunbeam.precompute.method;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.stream.IntStream;
+import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.colourtable.LevelGrid;
+import sunbeam.precompute.colourtable.TableLevels;
+import sunbeam.precompute.plan.Accuracy;
+import sunbeam.precompute.plan.MemoryNeed;
+import sunbeam.precompute.plan.Plan;
+import sunbeam.precompute.plan.Roughness;
+import sunbeam.precompute.plan.TableChoices;
+import sunbeam.precompute.plan.VisibleRange;
+import sunbeam.precompute.setting.Sentence;
+import sunbeam.precompute.shader.ArrayLayout;
+import sunbeam.precompute.shader.MethodUse;
+import sunbeam.precompute.shader.ShaderTables;
+import sunbeam.precompute.shader.TableArray;
+
+/**
+ * {@link TableMethod} on a mesh: which (u, v, w) are looked at shows once its pixels are known. Its tables have the levels'
+ * settings; pages are made by who draws. A coarse level is planned when it is asked for.
+ */
+final class LevelledTable implements LevelledPlan {
+    private static final int CHANNELS = 4;
+
+    private final Surface surface;
+    private final TableLevels levels;
+    private final TableChoices table;
+    private final Roughness roughness;
+    private final MethodPlan finest;
+
+    /**
+     * Plans the finest level.
+     *
+     * @param tolerance of what is tabulated
+     */
+    LevelledTable(Surface surface, TableLevels levels, double tolerance) {
+        this.surface = surface;
+        this.levels = levels;
+        this.table = TableChoices.of(new Accuracy.ByTolerance(tolerance));
+        this.roughness = surface.planner().roughness(table, levels.area(), VisibleRange.all());
+        this.finest = planned(0);
+    }
+
+    private MethodPlan planned(int level) {
+        Plan plan = surface.planner().plan(table, levels.levels().get(level).area(), VisibleRange.all(), roughness);
+        return FullMethod.planned(surface, plan);
+    }
+
+    @Override
+    public TableLevels levels() {
+        return levels;
+    }
+
+    @Override
+    public MethodPlan source(int level) {
+        return level == 0 ? finest : planned(level);
+    }
+
+    @Override
+    public Optional<LevelledPlan> levelled() {
+        return Optional.of(this);
+    }
+
+    private String step() {
+        return String.format(
+                Locale.ROOT, "%.2g", levels.levels().get(0).design().step());
+    }
+
+    @Override
+    public String summary() {
+        return String.format(
+                Locale.ROOT,
+                "table: %d level%s from step %s in (u, v), %d slices in w; of %s",
+                levels.levels().size(),
+                levels.levels().size() == 1 ? "" : "s",
+                step(),
+                levels.slices(),
+                finest.summary());
+    }
+
+    @Override
+    public List<String> reasons() {
+        List<String> reasons = new ArrayList<>();
+        reasons.add(
+                "step %s in (u, v): cubic B-splines through square roots of X, Y, Z err by the tolerance (docs/colour-tables.md)"
+                        .formatted(step()));
+        reasons.add(
+                levels.levels().size() == 1
+                        ? "one level: a coherent average of wide surroundings is no narrower window's"
+                        : "%d levels, each 1.4 times as wide as the one before, for pixels that see so much"
+                                .formatted(levels.levels().size()));
+        reasons.add("evaluated by full for half of the tolerance:");
+        reasons.addAll(finest.reasons());
+        return reasons;
+    }
+
+    @Override
+    public List<Sentence> warnings() {
+        return finest.warnings();
+    }
+
+    @Override
+    public List<Sentence> shortfalls() {
+        return finest.shortfalls();
+    }
+
+    /** Pages come on top, as they are looked at. */
+    @Override
+    public MemoryNeed memory() {
+        return finest.memory();
+    }
+
+    @Override
+    public boolean answers(MethodUse use) {
+        return use == MethodUse.COLOUR;
+    }
+
+    @Override
+    public String key(MethodUse use) {
+        return String.join("|", "levelled table", levels.toString(), finest.key(use));
+    }
+
+    /** One texel a level: u and v of its first texel, texels per unit, pages across, scale of its power. */
+    @Override
+    public ShaderTables tables(MethodUse use, TableSources unused) {
+        int count = levels.levels().size();
+        float[] texels = new float[CHANNELS * count];
+        IntStream.range(0, count).forEach(i -> {
+            TableLevels.Level level = levels.levels().get(i);
+            LevelGrid grid = new LevelGrid(level.design());
+            texels[CHANNELS * i] = (float) grid.origin();
+            texels[CHANNELS * i + 1] = (float) (1 / level.design().step());
+            texels[CHANNELS * i + 2] = grid.columns();
+            texels[CHANNELS * i + 3] = (float) level.scale();
+        });
+        double slicesPerUnit = 1 / levels.levels().get(0).design().sliceStep();
+        return new ShaderTables.Builder("table_levels")
+                .array(TableArray.of(ArrayLayout.flat("colourLevels", count, 1, CHANNELS), texels))
+                .define("COLOUR_SLICES", levels.slices())
+                .reals("colourSlicesPerUnit", slicesPerUnit)
+                .reals("colourPageSide", LevelGrid.SIDE)
+                .build(
+                        levels.area().window().sigmaMetres(),
+                        levels.area().window().specularReach(CieTable.MAXIMUM_WAVELENGTH));
+    }
+}

@@ -1,0 +1,127 @@
+package sunbeam.precompute.colourtable;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.Arrays;
+import java.util.BitSet;
+import java.util.List;
+import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
+
+class LevelBakingTest {
+    private static final TableDesign DESIGN = new TableDesign(0.02, 5);
+    private static final LevelGrid GRID = new LevelGrid(DESIGN);
+    private static final ColourSource WAVES = LevelBakingTest::waves;
+
+    /** Colours whose roots are waves of 12 texels. */
+    private static float[] waves(float[] uvw) {
+        float[] xyz = new float[uvw.length];
+        for (int i = 0; i < uvw.length; i += 3) {
+            for (int c = 0; c < 3; c++) {
+                xyz[i + c] = (float) Math.pow(root(uvw[i], uvw[i + 1], c) - uvw[i + 2], 2);
+            }
+        }
+        return xyz;
+    }
+
+    private static double root(double u, double v, int colour) {
+        double wave = 2 * Math.PI / 0.24;
+        return 3 + colour + Math.sin(wave * u) * Math.cos(wave * v);
+    }
+
+    private static BitSet pagesOf(double u, double v, double w) {
+        BitSet pages = new BitSet();
+        GRID.visit(u, v, w, pages::set);
+        return pages;
+    }
+
+    /** The spline through a page's coefficients, by its definition. */
+    private static double spline(float[] page, double x, double y, int colour) {
+        double sum = 0;
+        for (int row = (int) Math.floor(y) - 1; row <= Math.floor(y) + 2; row++) {
+            for (int column = (int) Math.floor(x) - 1; column <= Math.floor(x) + 2; column++) {
+                int texel = (row + 1) * LevelGrid.STORED_SIDE + column + 1;
+                sum += page[4 * texel + colour] * basis(x - column) * basis(y - row);
+            }
+        }
+        return sum;
+    }
+
+    private static double basis(double distance) {
+        double d = Math.abs(distance);
+        return d >= 2 ? 0 : d >= 1 ? Math.pow(2 - d, 3) / 6 : 2.0 / 3 - d * d + d * d * d / 2;
+    }
+
+    @Test
+    void aPageIsASplineThroughRootsOfItsColours() {
+        SplittableRandom random = new SplittableRandom(5);
+        for (int i = 0; i < 30; i++) {
+            double u = random.nextDouble(-1.4, 1.4);
+            double v = random.nextDouble(-1.4, 1.4);
+            BitSet one = new BitSet();
+            one.set(pagesOf(u, v, -0.5).nextSetBit(0));
+            List<float[]> baked = new LevelBaking(GRID).bake(one, WAVES);
+            int[] place = GRID.place(one.nextSetBit(0));
+            double x = (u - GRID.origin()) / DESIGN.step() - place[0] * LevelGrid.SIDE;
+            double y = (v - GRID.origin()) / DESIGN.step() - place[1] * LevelGrid.SIDE;
+            if (x < 0 || y < 0 || x >= LevelGrid.SIDE || y >= LevelGrid.SIDE) {
+                continue; // the page beside its own, of a place close to the edge
+            }
+            double slice = place[2] * DESIGN.sliceStep();
+            // A cubic spline errs by (2 pi / 12)^4 / 384 = 2e-4 of a wave of 12 texels, each way.
+            assertThat(spline(baked.get(0), x, y, 1)).isCloseTo(root(u, v, 1) + slice, within(6e-4));
+        }
+    }
+
+    @Test
+    void eachSampleIsEvaluatedOnceAndPagesAreTheSameInAnyOrder() {
+        BitSet left = pagesOf(0.11, 0.3, -1.1);
+        BitSet right = pagesOf(0.11 + LevelGrid.SIDE * DESIGN.step(), 0.3, -1.1);
+        BitSet both = new BitSet();
+        both.or(left);
+        both.or(right);
+        LevelBaking together = new LevelBaking(GRID);
+        long all = together.missing(both);
+        List<float[]> made = together.bake(both, WAVES);
+        assertThat(together.missing(both)).isZero();
+        LevelBaking apart = new LevelBaking(GRID);
+        long first = apart.missing(left);
+        apart.bake(left, WAVES);
+        assertThat(first + apart.missing(right)).as("samples in all").isEqualTo(all);
+        List<float[]> later = apart.bake(right, WAVES);
+        int[] numbers = both.stream().toArray();
+        int[] ofRight = right.stream().toArray();
+        for (int i = 0; i < ofRight.length; i++) {
+            int at = Arrays.binarySearch(numbers, ofRight[i]);
+            assertThat(later.get(i)).isEqualTo(made.get(at));
+        }
+    }
+
+    @Test
+    void aLookUpReadsFourSlicesAndBothPagesAtAnEdge() {
+        double middle = GRID.origin() + (GRID.columns() / 2 + 0.5) * LevelGrid.SIDE * DESIGN.step();
+        assertThat(pagesOf(middle, middle, -0.6).cardinality()).isEqualTo(TableDesign.TAPS);
+        double edge = GRID.origin() + GRID.columns() / 2 * LevelGrid.SIDE * DESIGN.step();
+        assertThat(pagesOf(edge, middle, -0.6).cardinality()).isEqualTo(2 * TableDesign.TAPS);
+        assertThat(pagesOf(edge, edge, -0.6).cardinality()).isEqualTo(4 * TableDesign.TAPS);
+    }
+
+    @Test
+    void noPairOfDirectionsNorAPixelsRimBeyondThemLeavesTheGrid() {
+        for (double angle = 0; angle < 6.3; angle += 0.1) {
+            for (double length : new double[] {2, 2.5, 40}) {
+                for (double w : new double[] {0.3, 0, -2, -2.4}) {
+                    BitSet pages = pagesOf(length * Math.cos(angle), length * Math.sin(angle), w);
+                    assertThat(pages.length()).isLessThanOrEqualTo(GRID.pages());
+                    // Their neighbours, which prefilters see, exist too.
+                    pages.stream().forEach(page -> {
+                        int[] place = GRID.place(page);
+                        assertThat(place[0]).isBetween(1, GRID.columns() - 2);
+                        assertThat(place[1]).isBetween(1, GRID.columns() - 2);
+                    });
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,129 @@
+#version 330 core
+#include "jrtr/lights.glsl"
+#include "include/frame.glsl"
+#include "include/geometry.glsl"
+
+// How each pixel of a skin looks into levels of colours (method/table_levels.glsl) under the first light: what of (u, v, w) it
+// sees, by the differences to its neighbours, in which level, and in how many places.
+
+// Number of the texel of geometry.frag's images that each pixel lights, counted row by row; negative for none.
+uniform sampler2D sources;
+// Samples of the mesh along a side of a pixel, whose mean it will be.
+uniform float samplesAcross;
+// Standard deviation in (u, v) of what the finest level shows of a sharp order; each further level's is sqrt(2) times as large.
+uniform float finestSigma;
+uniform int levels;
+
+// (u, v, w) in the middle; w is the level, or -1 where nothing is diffracted.
+layout(location = 0) out vec4 place;
+// By how much (u, v, w) changes across the pixel and along it; w is in how many places it looks.
+layout(location = 1) out vec4 across;
+layout(location = 2) out vec4 along;
+
+// A level may blur by this share of the variance of what is seen along the narrow side; the places lie so much closer that the
+// variance stays. Three quarters make a Gaussian's bell of the even mean over a pixel.
+const float BLUR = 0.75;
+// Of what a pixel of several samples sees, a level may blur by this share: their places are not moved.
+const float PIXEL_BLUR = 0.2;
+// Distance of the places that are looked at, in standard deviations of what the level shows of a sharp order: at 1.6 of them a row
+// of Gaussians is even within 2 exp(-2 pi^2 / 1.6^2) = 9e-4.
+const float SPACING = 1.6;
+// Beyond so many places along a side a coarser level blurs the narrow side, too.
+const float MOST_PLACES = 32.0;
+
+bool isSkin(ivec2 pixel, ivec2 size) {
+    return all(greaterThanEqual(pixel, ivec2(0))) && all(lessThan(pixel, size)) && texelFetch(views, pixel, 0).w > 0.0;
+}
+
+mat3 frameAt(ivec2 pixel) {
+    vec4 normal = texelFetch(normals, pixel, 0);
+    vec3 tangent = texelFetch(tangents, pixel, 0).xyz;
+    return mat3(tangent, normal.w * cross(normal.xyz, tangent), normal.xyz);
+}
+
+vec3 uvwAt(ivec2 pixel) {
+    return diffractionVector(lightDirection(frameAt(pixel), 0), texelFetch(views, pixel, 0).xyz);
+}
+
+// Change of (u, v, w) from one pixel to the next: the mean of those on both sides, or the smaller where the other leads over an
+// edge to another part of the skin.
+vec3 change(ivec2 pixel, ivec2 step, vec3 uvw) {
+    ivec2 size = textureSize(views, 0);
+    bool hasNext = isSkin(pixel + step, size);
+    bool hasLast = isSkin(pixel - step, size);
+    vec3 next = hasNext ? uvwAt(pixel + step) - uvw : vec3(0.0);
+    vec3 last = hasLast ? uvw - uvwAt(pixel - step) : vec3(0.0);
+    if (!hasNext || !hasLast) {
+        return next + last;
+    }
+    float nextLength = dot(next, next);
+    float lastLength = dot(last, last);
+    if (nextLength > 9.0 * lastLength) {
+        return last;
+    }
+    return lastLength > 9.0 * nextLength ? next : 0.5 * (next + last);
+}
+
+// Twelve times the variances of an evenly filled parallelogram along its narrow and its wide side.
+vec2 variances(vec2 a, vec2 b) {
+    float trace = dot(a, a) + dot(b, b);
+    float determinant = a.x * b.y - a.y * b.x;
+    determinant *= determinant;
+    float wide = 0.5 * trace + sqrt(max(0.25 * trace * trace - determinant, 0.0));
+    // The smaller root of a quadratic equation, without its cancellation.
+    return trace > 0.0 ? vec2(determinant / wide, wide) : vec2(0.0);
+}
+
+// A vector, narrower across and along the wide side of the parallelogram of a and b.
+vec3 narrowed(vec3 vector, vec2 side, vec2 factors) {
+    vec2 onSide = dot(vector.xy, side) * side;
+    return vec3(factors.x * (vector.xy - onSide) + factors.y * onSide, factors.y * vector.z);
+}
+
+// Unit vector along the wide side of a parallelogram: the eigenvector of a a^T + b b^T.
+vec2 wideSide(vec2 a, vec2 b, float wide) {
+    float mixed = a.x * a.y + b.x * b.y;
+    vec2 one = vec2(wide - a.y * a.y - b.y * b.y, mixed);
+    vec2 other = vec2(mixed, wide - a.x * a.x - b.x * b.x);
+    vec2 side = dot(one, one) > dot(other, other) ? one : other;
+    return dot(side, side) > 0.0 ? normalize(side) : vec2(1.0, 0.0);
+}
+
+void main() {
+    int source = int(texelFetch(sources, ivec2(gl_FragCoord.xy), 0).r);
+    if (source < 0) {
+        discard;
+    }
+    int width = textureSize(views, 0).x;
+    ivec2 pixel = ivec2(source % width, source / width);
+    mat3 frame = frameAt(pixel);
+    vec3 wi = lightDirection(frame, 0);
+    vec3 wr = texelFetch(views, pixel, 0).xyz;
+    if (wi.z <= 0.0 || wr.z <= 0.0) {
+        place = vec4(0.0, 0.0, 0.0, -1.0);
+        across = vec4(0.0);
+        along = vec4(0.0);
+        return;
+    }
+    vec3 uvw = diffractionVector(wi, wr);
+    vec3 a = change(pixel, ivec2(1, 0), uvw);
+    vec3 b = change(pixel, ivec2(0, 1), uvw);
+    vec2 seen = variances(a.xy, b.xy) / 12.0;
+    float variance = finestSigma * finestSigma;
+    float blur = max(BLUR, samplesAcross > 1.0 ? PIXEL_BLUR * samplesAcross * samplesAcross : 0.0) * seen.x;
+    float narrow = log2(1.0 + blur / variance);
+    float longest = max(length(a.xy), length(b.xy));
+    float wide = 2.0 * log2(max(longest / (MOST_PLACES * SPACING * finestSigma), 1.0));
+    int level = clamp(int(max(floor(narrow), ceil(wide))), 0, levels - 1);
+    // Level l blurs by (2^l - 1) of the finest level's variance.
+    float blurred = (exp2(float(level)) - 1.0) * variance;
+    vec2 factors = sqrt(max(1.0 - blurred / max(seen, vec2(1e-30)), 0.0));
+    vec2 side = wideSide(a.xy, b.xy, 12.0 * seen.y);
+    a = narrowed(a, side, factors);
+    b = narrowed(b, side, factors);
+    float spacing = SPACING * finestSigma * exp2(0.5 * float(level));
+    vec2 places = clamp(ceil(vec2(length(a.xy), length(b.xy)) / spacing), 1.0, MOST_PLACES);
+    place = vec4(uvw, float(level));
+    across = vec4(a, places.x);
+    along = vec4(b, places.y);
+}

@@ -1,0 +1,77 @@
+#include "include/colour_spline.glsl"
+
+// Colours of power, tabulated over (u, v) and slices of w in levels of ever wider averages, page by page as pixels need them; for
+// pixels that see more than a point (docs/colour-tables.md).
+
+// How the pixel of each fragment looks into them (looks.frag): (u, v, w) in the middle, and the level, or -1 where nothing is
+// diffracted; by how much (u, v, w) changes across the pixel and along it, and in how many places it looks.
+uniform sampler2D lookPlaces;
+uniform sampler2D lookAcross;
+uniform sampler2D lookAlong;
+
+// Number of each page's cell among the texels, plus one; 0 for those that do not exist. Slices of one level, then of the next.
+uniform sampler2DArray colourPages;
+// One texel a level: u and v of its first texel, texels per unit, pages across, and what its power counts.
+uniform sampler2D colourLevels;
+// Texels along a page's side between which look-ups of its own fall, and cells along a layer's side.
+uniform float colourPageSide;
+uniform int colourCellsAcross;
+
+// What is looked up between texels is rounded to this share of one, so that a sum with a page's place is exact, and a colour the same
+// wherever its page lies; layers' sides are powers of two.
+const float GRAINS = 8192.0;
+
+// What a page gives that does not exist, far above anything that light does; sunbeam.app.scene.SkinLooks knows it by its size.
+const float MISSING = 1e30;
+
+// X, Y, Z at a place of a level.
+vec3 levelXyz(vec3 uvw, int level, vec4 grid) {
+    vec2 texel = clamp((uvw.xy - grid.x) * grid.y, colourPageSide, colourPageSide * (grid.z - 1.0) - 0.01);
+    vec2 page = floor(texel / colourPageSide);
+    vec2 inPage = texel - page * colourPageSide;
+    float storedSide = colourPageSide + 3.0;
+    vec2 size = vec2(textureSize(colourTexels, 0).xy);
+    SplinePlace place = splinePlace(inPage, vec2(1.0));
+    vec4 corners = round(place.corners * GRAINS) / GRAINS;
+    SlicePlace slices = slicePlace(uvw.z, COLOUR_SLICES);
+    vec3 xyz = vec3(0.0);
+    for (int i = 0; i < 4; ++i) {
+        int layer = level * COLOUR_SLICES + slices.first + i;
+        int cell = int(texelFetch(colourPages, ivec3(ivec2(page), layer), 0).r) - 1;
+        if (cell < 0) {
+            return vec3(MISSING);
+        }
+        int row = cell / colourCellsAcross;
+        vec2 corner = storedSide * vec2(cell - row * colourCellsAcross, row % colourCellsAcross);
+        // A page begins a texel before its own.
+        place.corners = (corners + (corner + 1.0).xyxy) / size.xyxy;
+        xyz += slices.weights[i] * splineXyz(place, float(row / colourCellsAcross));
+    }
+    return xyz;
+}
+
+// The mean over what the pixel of this fragment sees.
+vec3 diffractedXyz(vec3 uvw) {
+    ivec2 slot = ivec2(gl_FragCoord.xy);
+    vec4 place = texelFetch(lookPlaces, slot, 0);
+    if (place.w < 0.0) {
+        return vec3(0.0);
+    }
+    vec4 across = texelFetch(lookAcross, slot, 0);
+    vec4 along = texelFetch(lookAlong, slot, 0);
+    int level = int(place.w);
+    vec4 grid = texelFetch(colourLevels, ivec2(level, 0), 0);
+    vec3 sum = vec3(0.0);
+    for (float i = 0.5; i < across.w; i += 1.0) {
+        for (float j = 0.5; j < along.w; j += 1.0) {
+            vec3 seen = place.xyz + (i / across.w - 0.5) * across.xyz + (j / along.w - 0.5) * along.xyz;
+            vec3 xyz = levelXyz(seen, level, grid);
+            if (xyz.y == MISSING) {
+                return xyz;
+            }
+            sum += xyz;
+        }
+    }
+    // Polynomials along w may pass below nothing where all is dark.
+    return max(grid.w / (across.w * along.w) * sum, vec3(0.0));
+}
