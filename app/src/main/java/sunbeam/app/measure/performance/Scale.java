@@ -30,13 +30,13 @@ record Scale(
         List<Double> reliefs,
         List<Double> lengths,
         double budgetSeconds) {
-    /** Some ten minutes on two processors. */
+    /** Some ten minutes on two processors. Exact colours of a scan take most of it: seconds of a processor each. */
     static final Scale USUAL = new Scale(
             GaussianArea.STANDARD,
             List.of(3e-2, 1e-2, 3e-3, 1e-3),
             256,
             2,
-            40,
+            24,
             1e-2,
             List.of(128, 256, 512, 1024, 2048),
             List.of(256, 512, 1024, 2048),
@@ -50,7 +50,7 @@ record Scale(
             List.of(3e-2, 1e-2),
             128,
             1,
-            12,
+            6,
             3e-2,
             List.of(128, 512, 1024),
             List.of(256, 1024),
