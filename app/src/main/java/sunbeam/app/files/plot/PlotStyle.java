@@ -178,7 +178,8 @@ final class PlotStyle {
             return "1e" + whole;
         }
         return new BigDecimal(value)
-                .round(new MathContext(2))
+                // Enough for 2048; a logarithm's rounding is far below.
+                .round(new MathContext(5))
                 .stripTrailingZeros()
                 .toPlainString();
     }

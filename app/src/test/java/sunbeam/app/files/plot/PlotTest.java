@@ -116,5 +116,8 @@ final class PlotTest {
         assertThat(PlotStyle.powerOfTen(1)).isEqualTo("1");
         assertThat(PlotStyle.powerOfTen(100)).isEqualTo("100");
         assertThat(PlotStyle.powerOfTen(1e6)).isEqualTo("1e6");
+        assertThat(PlotStyle.powerOfTen(256)).isEqualTo("256");
+        assertThat(PlotStyle.powerOfTen(2048)).isEqualTo("2048");
+        assertThat(PlotStyle.powerOfTen(Math.pow(10, Math.log10(2e-2)))).isEqualTo("0.02");
     }
 }
