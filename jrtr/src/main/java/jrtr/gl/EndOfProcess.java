@@ -8,7 +8,8 @@ import java.util.concurrent.TimeUnit;
 /**
  * Brings drawing to rest before the process ends. The C library's exit runs the driver's destructors, and LLVM's,
  * beside a thread that still compiles or draws: that crashes the virtual machine now and then after Ctrl-C. So a hook
- * waits until each thread that draws is between two operations, where it stays.
+ * waits until each thread that draws is between two operations, where it stays. Making a context is one, too: JOGL's own
+ * hook would wait for ever for a thread of JOGL's that is being started.
  */
 final class EndOfProcess {
     /** A driver that compiles a long shader takes seconds; one that hangs must not keep the process. */
@@ -33,12 +34,12 @@ final class EndOfProcess {
         }
     }
 
-    /** The calling thread is about to draw, until {@link #forget}. */
+    /** The calling thread is about to make a context and to draw, until {@link #forget}. */
     static void watch() {
         OWNERS.add(Thread.currentThread());
     }
 
-    /** One context of the calling thread has been closed. */
+    /** One context of the calling thread has been closed, or could not be made. */
     static void forget() {
         OWNERS.remove(Thread.currentThread());
     }
@@ -62,7 +63,8 @@ final class EndOfProcess {
         }
     }
 
-    private static void awaitRest() {
+    /** Waits, on the threads that end the process, until no thread draws. */
+    static void awaitRest() {
         near = true;
         long start = System.nanoTime();
         while (OWNERS.stream().anyMatch(EndOfProcess::isAtWork) && System.nanoTime() - start < PATIENCE_NANOSECONDS) {

@@ -22,7 +22,6 @@ final class GlDevice {
 
     GlDevice(GlSurface surface, ContextOptions options) {
         this.surface = surface;
-        EndOfProcess.watch();
         GL3 gl = surface.makeCurrent();
         this.messages = new GlMessages();
         boolean active = options.debugOutput() && messages.listenTo(surface.context(), gl);
@@ -124,7 +123,6 @@ final class GlDevice {
         } finally {
             closed = true;
             surface.destroy();
-            EndOfProcess.forget();
         }
     }
 }

@@ -21,6 +21,8 @@ final class OffscreenSurface implements GlSurface {
     private static final VersionNumber OLDEST = new VersionNumber(3, 3, 0);
 
     static {
+        // JOGL's own end waits for ever for a thread that is still being started.
+        NativeWindowFactory.addCustomShutdownHook(true, EndOfProcess::awaitRest);
         JoglNoise.muteShutdown();
     }
 
@@ -33,6 +35,16 @@ final class OffscreenSurface implements GlSurface {
     }
 
     static OffscreenSurface create(ContextOptions options) {
+        EndOfProcess.watch();
+        try {
+            return connect(options);
+        } catch (RuntimeException | Error failure) {
+            EndOfProcess.forget();
+            throw failure;
+        }
+    }
+
+    private static OffscreenSurface connect(ContextOptions options) {
         connectToDisplay();
         try (JoglNoise noise = JoglNoise.divert()) {
             OffscreenSurface surface = open(options);
@@ -85,7 +97,7 @@ final class OffscreenSurface implements GlSurface {
             surface.start(options);
             return surface;
         } catch (RuntimeException failure) {
-            surface.destroy();
+            surface.release();
             throw failure;
         }
     }
@@ -115,6 +127,14 @@ final class OffscreenSurface implements GlSurface {
 
     @Override
     public void destroy() {
+        try {
+            release();
+        } finally {
+            EndOfProcess.forget();
+        }
+    }
+
+    private void release() {
         try {
             context.destroy();
         } finally {
