@@ -25,6 +25,7 @@ import sunbeam.app.files.output.OutputException;
 import sunbeam.app.measure.accuracy.ReferenceSamples.SampleCounts;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;
+import sunbeam.app.terminal.JsonOption;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.app.terminal.options.PatchOptions;
 import sunbeam.app.terminal.progress.Progress;
@@ -111,6 +112,9 @@ public final class AccuracyCommand implements Callable<Integer> {
     @Mixin
     private ForceOption force;
 
+    @Mixin
+    private JsonOption json;
+
     @Spec
     private CommandSpec specification;
 
@@ -167,6 +171,9 @@ public final class AccuracyCommand implements Callable<Integer> {
         if (cases == null && !tolerances.isEmpty()) {
             throw new UsageException("--tolerance belongs to --cases; leave it out");
         }
+        if (cases == null && json.isAsked()) {
+            throw new UsageException("--json belongs to --cases; leave it out: the tables of a run are CSV files");
+        }
         if (random == null && seed != null) {
             throw new UsageException("--seed " + seed + " belongs to --random; leave it out, or add --random");
         }
@@ -191,24 +198,36 @@ public final class AccuracyCommand implements Callable<Integer> {
         List<AccuracyCase> all = AccuracyCase.readAll(cases);
         PrintWriter out = specification.commandLine().getOut();
         PrintWriter err = specification.commandLine().getErr();
-        int missed = 0;
-        int tried = 0;
+        List<CaseRunner.Outcome> outcomes = new ArrayList<>();
         try (RenderContext context = RenderContexts.offscreen()) {
             CaseRunner runner = new CaseRunner(context);
             for (AccuracyCase surface : all) {
                 DiffractionSetup setup = new DiffractionSetup(surface.patch(), environment, err);
                 for (double tolerance : tolerances.isEmpty() ? CASE_TOLERANCES : tolerances) {
                     for (CaseRunner.Outcome outcome : runner.run(surface, setup, tolerance)) {
-                        out.println(outcome.line());
-                        out.flush();
-                        missed += outcome.verdict() == CaseRunner.Verdict.KEPT ? 0 : 1;
-                        tried++;
+                        if (!json.isAsked()) {
+                            out.println(outcome.line());
+                            out.flush();
+                        }
+                        outcomes.add(outcome);
                     }
                 }
             }
         }
-        out.printf("%d of %d kept%n", tried - missed, tried);
-        return missed == 0 ? ExitCode.OK : ExitCode.TOLERANCE_MISSED;
+        long kept = outcomes.stream()
+                .filter(outcome -> outcome.verdict() == CaseRunner.Verdict.KEPT)
+                .count();
+        if (json.isAsked()) {
+            Map<String, Object> report = new LinkedHashMap<>();
+            report.put("tried", outcomes.size());
+            report.put("kept", kept);
+            report.put(
+                    "cases", outcomes.stream().map(CaseRunner.Outcome::fields).toList());
+            JsonOption.print(out, report);
+        } else {
+            out.println(kept + " of " + outcomes.size() + " kept");
+        }
+        return kept == outcomes.size() ? ExitCode.OK : ExitCode.TOLERANCE_MISSED;
     }
 
     /** By names that differ, as files are named after them. */

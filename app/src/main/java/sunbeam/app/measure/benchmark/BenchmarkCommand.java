@@ -2,8 +2,10 @@ package sunbeam.app.measure.benchmark;
 
 import java.io.PrintWriter;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.concurrent.Callable;
 import jrtr.RenderContext;
 import jrtr.gl.RenderContexts;
@@ -17,6 +19,7 @@ import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.gpu.colours.GpuColours;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;
+import sunbeam.app.terminal.JsonOption;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.app.terminal.options.LightOptions;
 import sunbeam.app.terminal.options.MethodOptions;
@@ -66,6 +69,9 @@ public final class BenchmarkCommand implements Callable<Integer> {
             description = "Frames that are timed, 1 to 100. Default: ${DEFAULT-VALUE}.")
     private int frames;
 
+    @Mixin
+    private JsonOption json;
+
     @Spec
     private CommandSpec specification;
 
@@ -97,20 +103,43 @@ public final class BenchmarkCommand implements Callable<Integer> {
         List<Contender> contenders = List.of(
                 new Contender("thesis", FullMethod.thesis().plan(setup.surface(), range)),
                 new Contender("asked for", method.plan(setup.surface(), range)));
+        List<FrameTime> times = new ArrayList<>();
+        String renderer;
         try (RenderContext context = RenderContexts.offscreen()) {
-            List<FrameTime> times = new ArrayList<>();
             for (Contender contender : contenders) {
                 times.add(time(context, setup, contender, wi));
             }
-            report(specification.commandLine().getOut(), context, setup, times);
+            renderer = context.info().renderer();
+        }
+        PrintWriter out = specification.commandLine().getOut();
+        if (!json.isAsked()) {
+            report(out, renderer, setup, times);
         }
         double rate =
                 ReferenceRate.measure(new ReferenceEvaluator(setup.patch().heights(), area.window(), area.origin()));
-        specification
-                .commandLine()
-                .getOut()
-                .printf(Locale.ROOT, "%n  reference: %.0f directions x wavelengths per second%n", rate);
+        if (json.isAsked()) {
+            JsonOption.print(out, fields(renderer, setup, times, rate));
+        } else {
+            out.printf(Locale.ROOT, "%n  reference: %.0f directions x wavelengths per second%n", rate);
+        }
         return ExitCode.OK.code();
+    }
+
+    private Map<String, Object> fields(String renderer, DiffractionSetup setup, List<FrameTime> times, double rate) {
+        Map<String, Object> fields = new LinkedHashMap<>();
+        fields.put("patch", setup.patch().name());
+        fields.put("size", size);
+        fields.put("coveredPixels", times.get(0).coveredPixels());
+        fields.put("light", light.describe());
+        fields.put("renderer", renderer);
+        fields.put("processors", Runtime.getRuntime().availableProcessors());
+        fields.put("clock", times.get(0).clock());
+        fields.put("frames", frames);
+        double thesisSeconds = times.get(0).frameSeconds();
+        fields.put(
+                "plans", times.stream().map(time -> time.fields(thesisSeconds)).toList());
+        fields.put("referenceDirectionsTimesWavelengthsPerSecond", rate);
+        return fields;
     }
 
     private FrameTime time(RenderContext context, DiffractionSetup setup, Contender contender, Direction wi) {
@@ -130,7 +159,7 @@ public final class BenchmarkCommand implements Callable<Integer> {
         }
     }
 
-    private void report(PrintWriter out, RenderContext context, DiffractionSetup setup, List<FrameTime> times) {
+    private void report(PrintWriter out, String renderer, DiffractionSetup setup, List<FrameTime> times) {
         FrameTime thesis = times.get(0);
         out.printf(
                 Locale.ROOT,
@@ -140,7 +169,7 @@ public final class BenchmarkCommand implements Callable<Integer> {
                 size,
                 thesis.coveredPixels(),
                 light.describe(),
-                context.info().renderer(),
+                renderer,
                 Runtime.getRuntime().availableProcessors(),
                 thesis.clock(),
                 frames);
