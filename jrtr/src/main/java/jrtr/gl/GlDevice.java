@@ -22,6 +22,7 @@ final class GlDevice {
 
     GlDevice(GlSurface surface, ContextOptions options) {
         this.surface = surface;
+        EndOfProcess.watch();
         GL3 gl = surface.makeCurrent();
         this.messages = new GlMessages();
         boolean active = options.debugOutput() && messages.listenTo(surface.context(), gl);
@@ -31,7 +32,9 @@ final class GlDevice {
     /** The functions, with the context current. */
     GL3 gl() {
         requireUsable();
-        return surface.makeCurrent();
+        GL3 gl = surface.makeCurrent();
+        EndOfProcess.pass(gl);
+        return gl;
     }
 
     /** Throws unless the context is open and this is its thread. */
@@ -121,6 +124,7 @@ final class GlDevice {
         } finally {
             closed = true;
             surface.destroy();
+            EndOfProcess.forget();
         }
     }
 }

@@ -1,11 +1,14 @@
 package sunbeam.app.measure.benchmark;
 
+import static sunbeam.precompute.plan.MethodSettings.AVERAGE;
+import static sunbeam.precompute.plan.MethodSettings.PRESET;
+
 import java.io.PrintWriter;
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.Callable;
 import jrtr.RenderContext;
 import jrtr.gl.RenderContexts;
@@ -28,26 +31,40 @@ import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.method.Method;
 import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.optics.Direction;
+import sunbeam.precompute.patch.Patch;
+import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.GaussianArea;
+import sunbeam.precompute.plan.Preset;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.reference.ReferenceEvaluator;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.shader.MethodUse;
 import sunbeam.precompute.shader.ShaderTables;
 
-/** {@code sunbeam benchmark}: time per frame of a BRDF map, as a ratio to the thesis's shader in the same run. */
+/** {@code sunbeam benchmark}: time and error of BRDF maps, as a ratio to the thesis's shader in the same run. */
 @Command(
         name = "benchmark",
         header = "Time a BRDF map against the thesis's shader.",
         description =
                 "Time the drawing of a BRDF map and give it as a ratio to the thesis's shader (full --preset thesis),"
                         + " timed in the same run: an absolute time on a shared machine means nothing. The median of some frames"
-                        + " after one for warming up.")
+                        + " after one for warming up. Without --average, both averages. Beside each time stand the error of"
+                        + " X, Y, Z against the exact reference, on random views of the same light, half of them aimed at"
+                        + " orders, and what it takes to make the tables (of method table: to bake the colours).")
 public final class BenchmarkCommand implements Callable<Integer> {
+    private static final int MOST_SAMPLES = 10_000;
+    private static final int MOST_PATCHES = 24;
+
     private final Environment environment;
 
     @Mixin
     private PatchOptions patchOptions;
+
+    @Option(
+            names = "--with",
+            paramLabel = "PATCH",
+            description = "Another surface to measure in the same run, with the same options; may be repeated.")
+    private List<String> others = new ArrayList<>();
 
     @Mixin
     private LightOptions light;
@@ -59,7 +76,7 @@ public final class BenchmarkCommand implements Callable<Integer> {
             names = "--size",
             paramLabel = "PIXELS",
             defaultValue = "256",
-            description = "Width and height of the map. Default: ${DEFAULT-VALUE}.")
+            description = "Width and height of the map, 16 to 2048. Default: ${DEFAULT-VALUE}.")
     private int size;
 
     @Option(
@@ -68,6 +85,21 @@ public final class BenchmarkCommand implements Callable<Integer> {
             defaultValue = "3",
             description = "Frames that are timed, 1 to 100. Default: ${DEFAULT-VALUE}.")
     private int frames;
+
+    @Option(
+            names = "--samples",
+            paramLabel = "N",
+            defaultValue = "40",
+            description = "Views at which the error is measured, 0 (not at all) to " + MOST_SAMPLES
+                    + ". Default: ${DEFAULT-VALUE}.")
+    private int samples;
+
+    @Option(
+            names = "--seed",
+            paramLabel = "SEED",
+            defaultValue = "3",
+            description = "The same seed gives the same views. Default: ${DEFAULT-VALUE}.")
+    private long seed;
 
     @Mixin
     private JsonOption json;
@@ -87,104 +119,108 @@ public final class BenchmarkCommand implements Callable<Integer> {
 
     private int measure(Choices asked) {
         Methods.of(asked);
-        if (size < 16 || size > 2048) {
-            throw new UsageException("--size " + size + " is out of range; give 16 to 2048");
-        }
-        if (frames < 1 || frames > 100) {
-            throw new UsageException("--frames " + frames + " is out of range; give 1 to 100");
-        }
+        requireWithin("--size", size, 16, 2048);
+        requireWithin("--frames", frames, 1, 100);
+        requireWithin("--samples", samples, 0, MOST_SAMPLES);
         Direction wi = light.direction();
-        DiffractionSetup setup = new DiffractionSetup(
-                patchOptions, asked, environment, specification.commandLine().getErr());
-        Choices choices = setup.seen(asked, specification.commandLine().getErr());
-        Method method = Methods.of(choices);
-        GaussianArea area = GaussianArea.of(choices);
-        VisibleRange range = VisibleRange.of(wi);
-        List<Contender> contenders = List.of(
-                new Contender("thesis", FullMethod.thesis().plan(setup.surface(), range)),
-                new Contender("asked for", method.plan(setup.surface(), range)));
-        List<FrameTime> times = new ArrayList<>();
-        String renderer;
-        try (RenderContext context = RenderContexts.offscreen()) {
-            for (Contender contender : contenders) {
-                times.add(time(context, setup, contender, wi));
-            }
-            renderer = context.info().renderer();
+        if (others.size() > MOST_PATCHES) {
+            throw new UsageException(
+                    "--with is given " + others.size() + " times; give it " + MOST_PATCHES + " at most");
         }
+        // All are read, and what is wrong with one is told, before minutes are spent on the first.
+        List<Patch> patches = new ArrayList<>(List.of(patchOptions.load(asked)));
+        others.forEach(name -> patches.add(patchOptions.load(name, asked)));
         PrintWriter out = specification.commandLine().getOut();
-        if (!json.isAsked()) {
-            report(out, renderer, setup, times);
+        List<Map<String, Object>> surfaces = new ArrayList<>();
+        try (RenderContext context = RenderContexts.offscreen()) {
+            for (Patch patch : patches) {
+                DiffractionSetup setup = new DiffractionSetup(
+                        patch, environment, specification.commandLine().getErr());
+                surfaces.add(measure(context, setup, asked, wi, out));
+                out.flush();
+            }
         }
-        double rate =
-                ReferenceRate.measure(new ReferenceEvaluator(setup.patch().heights(), area.window(), area.origin()));
         if (json.isAsked()) {
-            JsonOption.print(out, fields(renderer, setup, times, rate));
-        } else {
-            out.printf(Locale.ROOT, "%n  reference: %.0f directions x wavelengths per second%n", rate);
+            JsonOption.print(out, Map.of("surfaces", surfaces));
         }
         return ExitCode.OK.code();
     }
 
-    private Map<String, Object> fields(String renderer, DiffractionSetup setup, List<FrameTime> times, double rate) {
-        Map<String, Object> fields = new LinkedHashMap<>();
-        fields.put("patch", setup.patch().name());
-        fields.put("size", size);
-        fields.put("coveredPixels", times.get(0).coveredPixels());
-        fields.put("light", light.describe());
-        fields.put("renderer", renderer);
-        fields.put("processors", Runtime.getRuntime().availableProcessors());
-        fields.put("clock", times.get(0).clock());
-        fields.put("frames", frames);
-        double thesisSeconds = times.get(0).frameSeconds();
-        fields.put(
-                "plans", times.stream().map(time -> time.fields(thesisSeconds)).toList());
-        fields.put("referenceDirectionsTimesWavelengthsPerSecond", rate);
-        return fields;
+    private static void requireWithin(String option, int value, int least, int most) {
+        if (value < least || value > most) {
+            throw new UsageException(option + " " + value + " is out of range; give %d to %d".formatted(least, most));
+        }
     }
 
-    private FrameTime time(RenderContext context, DiffractionSetup setup, Contender contender, Direction wi) {
+    /** Prints the report for people, unless that for programs is asked for; returns the latter. */
+    private Map<String, Object> measure(
+            RenderContext context, DiffractionSetup setup, Choices asked, Direction wi, PrintWriter out) {
+        Choices choices = setup.seen(asked, specification.commandLine().getErr());
+        MapSamples exact = new MapSamples(setup, wi, samples, seed);
+        List<FrameTime> times = new ArrayList<>();
+        for (Contender contender : contenders(setup, choices, wi)) {
+            times.add(time(context, setup, contender, wi, exact));
+        }
+        String renderer = context.info().renderer();
+        BenchmarkReport report =
+                new BenchmarkReport(setup.patch().name(), size, frames, light.describe(), samples, seed);
+        if (!json.isAsked()) {
+            report.print(out, renderer, times);
+        }
+        GaussianArea area = GaussianArea.of(choices);
+        double rate =
+                ReferenceRate.measure(new ReferenceEvaluator(setup.patch().heights(), area.window(), area.origin()));
+        if (!json.isAsked()) {
+            out.printf(Locale.ROOT, "%n  reference: %.0f directions x wavelengths per second%n%n", rate);
+        }
+        return report.fields(renderer, times, rate);
+    }
+
+    /** The thesis's shader, then the method, with both averages where it has them and none was chosen. */
+    private static List<Contender> contenders(DiffractionSetup setup, Choices choices, Direction wi) {
+        VisibleRange range = VisibleRange.of(wi);
+        Method thesis = FullMethod.thesis();
+        List<Contender> all = new ArrayList<>(List.of(new Contender(
+                "full, thesis", Optional.of(word(Average.COHERENT)), thesis, thesis.plan(setup.surface(), range))));
+        for (Choices each : averages(choices)) {
+            Method method = Methods.of(each);
+            Optional<String> average =
+                    method.type().has(AVERAGE) ? Optional.of(word(each.get(AVERAGE))) : Optional.empty();
+            all.add(new Contender(method.type().label(), average, method, method.plan(setup.surface(), range)));
+        }
+        return all;
+    }
+
+    private static String word(Average average) {
+        return average.name().toLowerCase(Locale.ROOT);
+    }
+
+    private static List<Choices> averages(Choices choices) {
+        boolean both = choices.get(Methods.METHOD).has(AVERAGE)
+                && !choices.has(AVERAGE)
+                && choices.get(PRESET, Preset.NONE) == Preset.NONE;
+        return both
+                ? List.of(choices.with(AVERAGE, Average.COHERENT), choices.with(AVERAGE, Average.ENSEMBLE))
+                : List.of(choices);
+    }
+
+    private FrameTime time(
+            RenderContext context, DiffractionSetup setup, Contender contender, Direction wi, MapSamples exact) {
         long start = System.nanoTime();
-        ShaderTables tables = setup.freshTables(contender.method(), MethodUse.COLOUR, GpuColours::of);
+        ShaderTables tables = setup.freshTables(contender.plan(), MethodUse.COLOUR, GpuColours::of);
         long tableReady = System.nanoTime();
-        try (UploadedTables method = UploadedTables.upload(context, tables)) {
+        try (UploadedTables drawn = UploadedTables.upload(context, tables)) {
             double uploadSeconds = (System.nanoTime() - tableReady) * 1e-9;
-            FrameTimer.Timing timing = new FrameTimer(context, size, frames).time(method, wi);
+            FrameTimer.Timing timing = new FrameTimer(context, size, frames).time(drawn, wi);
+            boolean comparable = samples > 0 && contender.method().brightness() == Method.Brightness.OF_A_MIRROR;
             return new FrameTime(
                     contender,
                     (tableReady - start) * 1e-9,
                     uploadSeconds + timing.setupSeconds(),
                     timing.seconds(),
                     timing.coveredPixels(),
-                    timing.clock());
-        }
-    }
-
-    private void report(PrintWriter out, String renderer, DiffractionSetup setup, List<FrameTime> times) {
-        FrameTime thesis = times.get(0);
-        out.printf(
-                Locale.ROOT,
-                "BRDF map of %s, %d x %d, %d covered pixels, light at %s%n%s, %d processors, %s, median of %d frames%n%n",
-                setup.patch().name(),
-                size,
-                size,
-                thesis.coveredPixels(),
-                light.describe(),
-                renderer,
-                Runtime.getRuntime().availableProcessors(),
-                thesis.clock(),
-                frames);
-        out.println("  plan        tables  upload     frame  per pixel  times faster");
-        for (FrameTime time : times) {
-            out.printf(
-                    Locale.ROOT,
-                    "  %-10s %6.2f s %5.2f s %7.3f s %7.2f us %9.1f     %s%n",
-                    time.contender().label(),
-                    time.tableSeconds(),
-                    time.uploadSeconds(),
-                    time.frameSeconds(),
-                    time.microsecondsPerPixel(),
-                    thesis.frameSeconds() / time.frameSeconds(),
-                    time.contender().description());
+                    timing.clock(),
+                    comparable ? Optional.of(exact.errors(context, contender.method(), drawn)) : Optional.empty());
         }
     }
 }

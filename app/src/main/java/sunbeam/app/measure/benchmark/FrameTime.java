@@ -1,17 +1,18 @@
 package sunbeam.app.measure.benchmark;
 
-import java.util.LinkedHashMap;
-import java.util.Map;
+import java.util.Optional;
+import sunbeam.app.measure.errors.ErrorStatistics;
 
 /**
- * What a contender took.
+ * What a contender took, and how far off it was.
  *
  * @param contender who
- * @param tableSeconds Fourier tables, made anew
- * @param uploadSeconds resampling, shader compilation and upload
+ * @param tableSeconds making what its shader reads anew: Fourier tables, and the baking of colours where it tabulates them
+ * @param uploadSeconds upload and compilation of the shader
  * @param frameSeconds median over the frames
  * @param coveredPixels pixels of the disc
  * @param clock which clock said so
+ * @param errors relative errors of X, Y, Z of power against the reference; nothing where they were not measured
  */
 record FrameTime(
         Contender contender,
@@ -19,22 +20,15 @@ record FrameTime(
         double uploadSeconds,
         double frameSeconds,
         int coveredPixels,
-        String clock) {
-
-    /** For programs. */
-    Map<String, Object> fields(double thesisSeconds) {
-        Map<String, Object> fields = new LinkedHashMap<>();
-        fields.put("label", contender.label());
-        fields.put("plan", contender.description());
-        fields.put("tableSeconds", tableSeconds);
-        fields.put("uploadSeconds", uploadSeconds);
-        fields.put("frameSeconds", frameSeconds);
-        fields.put("microsecondsPerPixel", microsecondsPerPixel());
-        fields.put("timesFasterThanThesis", thesisSeconds / frameSeconds);
-        return fields;
-    }
+        String clock,
+        Optional<ErrorStatistics> errors) {
 
     double microsecondsPerPixel() {
         return 1e6 * frameSeconds / coveredPixels;
+    }
+
+    /** From the patch's heights to the first picture. */
+    double firstFrameSeconds() {
+        return tableSeconds + uploadSeconds + frameSeconds;
     }
 }

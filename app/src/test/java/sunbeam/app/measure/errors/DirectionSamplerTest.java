@@ -1,4 +1,4 @@
-package sunbeam.app.measure.accuracy;
+package sunbeam.app.measure.errors;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
@@ -71,6 +71,20 @@ final class DirectionSamplerTest {
             // Six standard deviations of a normal deviate; orders lie 41 and 51 of them apart.
             assertThat(Math.abs(fx - Math.rint(fx * 2.5e-6) / 2.5e-6)).isLessThan(6 * sigma);
             assertThat(Math.abs(fy - Math.rint(fy * 2e-6) / 2e-6)).isLessThan(6 * sigma);
+        }
+    }
+
+    @Test
+    void viewsOfALightKeepTheLightEvenWhereItSendsNoOrderUpwards() {
+        Direction grazing = Direction.ofDegrees(89.9, 30);
+        // Narrower than half a wavelength: there is the specular order alone, which grazes, too.
+        HeightMap narrow = new HeightMap(2, 2, 50e-9, 50e-9, new double[4]);
+        DirectionSampler sampler = new DirectionSampler(narrow, WINDOW, 5);
+        for (int i = 0; i < 20; i++) {
+            for (Query query : List.of(sampler.uniform(grazing), sampler.aimed(grazing))) {
+                assertThat(query.pair().wi()).isEqualTo(grazing);
+                assertThat(query.pair().wr().z()).isPositive();
+            }
         }
     }
 }

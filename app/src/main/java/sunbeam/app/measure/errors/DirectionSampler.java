@@ -1,6 +1,7 @@
-package sunbeam.app.measure.accuracy;
+package sunbeam.app.measure.errors;
 
 import java.util.SplittableRandom;
+import java.util.function.Supplier;
 import sunbeam.app.gpu.directions.DirectionsRenderer.Query;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.optics.CoherenceWindow;
@@ -12,6 +13,7 @@ import sunbeam.precompute.patch.HeightMap;
 public final class DirectionSampler {
     // Closer to the horizon no radiance is left to divide by.
     private static final double LOWEST_COSINE = 0.01;
+    private static final int MOST_TRIES = 10_000;
 
     private final double width;
     private final double height;
@@ -28,17 +30,31 @@ public final class DirectionSampler {
 
     /** Both directions uniform on the hemisphere, the wavelength uniform in 380..780 nm. */
     public Query uniform() {
-        return new Query(new DirectionPair(hemisphere(), hemisphere()), wavelength());
+        return uniform(hemisphere());
+    }
+
+    /** A view uniform on the hemisphere, of a light. */
+    public Query uniform(Direction light) {
+        return new Query(new DirectionPair(light, hemisphere()), wavelength());
     }
 
     /**
      * Aimed at a diffraction order of the patch, and within the width that the window gives it: along x, along y (as
-     * gratings have them) or anywhere, in equal parts.
+     * gratings have them) or anywhere, in equal parts; uniform where no order can be seen.
      */
     public Query aimed() {
+        return aimed(this::hemisphere);
+    }
+
+    /** As {@link #aimed()}, a view of a light. */
+    public Query aimed(Direction light) {
+        return aimed(() -> light);
+    }
+
+    private Query aimed(Supplier<Direction> lights) {
         int kind = random.nextInt(3);
-        while (true) {
-            Direction light = hemisphere();
+        for (int i = 0; i < MOST_TRIES; i++) {
+            Direction light = lights.get();
             double wavelength = wavelength();
             double fx = kind == 1 ? 0 : order(width, wavelength);
             double fy = kind == 0 ? 0 : order(height, wavelength);
@@ -49,6 +65,8 @@ public final class DirectionSampler {
                 return new Query(new DirectionPair(light, view), wavelength);
             }
         }
+        // A grazing light of which a narrow patch sends no order upwards.
+        return uniform(lights.get());
     }
 
     /** Frequency of one of the orders that a pair of directions can see, cycles per metre. */

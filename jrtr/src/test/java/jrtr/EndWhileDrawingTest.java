@@ -1,0 +1,86 @@
+package jrtr;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import jrtr.gl.NeedsDisplay;
+import jrtr.gl.RenderContexts;
+import jrtr.glsl.ShaderTexts;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** The process ends, by Ctrl-C for instance, while a thread draws: that draws to the end first, and no more. */
+@NeedsDisplay
+class EndWhileDrawingTest {
+    @TempDir
+    private Path folder;
+
+    /** One thread draws and reads for about a second, then reads on; the other ends the process with 7 in the first. */
+    static final class Program {
+        private Program() {}
+
+        public static void main(String[] arguments) throws InterruptedException {
+            CountDownLatch drawing = new CountDownLatch(1);
+            Thread artist = new Thread(() -> draw(drawing));
+            artist.setDaemon(true);
+            artist.start();
+            drawing.await();
+            // Until the thread is in the middle of reading, which waits for the picture: a second of a software
+            // renderer.
+            Thread.sleep(200);
+            System.out.println("ending");
+            System.exit(7);
+        }
+
+        private static void draw(CountDownLatch drawing) {
+            String code = """
+                    #version 330 core
+                    out vec4 color;
+                    void main() {
+                        float sum = 0.0;
+                        for (int step = 0; step < 60000; step++) { sum += sin(gl_FragCoord.x + sum); }
+                        color = vec4(sum);
+                    }
+                    """;
+            try (RenderContext context = RenderContexts.offscreen();
+                    FloatTarget target = context.createFloatTarget("pixels", FloatTargetSpec.color(64, 64))) {
+                ShaderProgram program = context.createFullScreenProgram(
+                        ShaderTexts.of(Map.of("sum.frag", code)).load("sum.frag"));
+                context.drawFullScreen(program, List.of(), target, Tile.whole(64, 64));
+                drawing.countDown();
+                while (true) {
+                    target.read(0);
+                    System.out.println("read");
+                }
+            }
+        }
+    }
+
+    @Test
+    void theOperationUnderWayIsFinishedAndNoOtherBegins() throws Exception {
+        Path output = folder.resolve("output");
+        Path errors = folder.resolve("errors");
+        Process process = new ProcessBuilder(
+                        Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                        "-Djava.awt.headless=true",
+                        "-cp",
+                        System.getProperty("java.class.path"),
+                        Program.class.getName())
+                .redirectOutput(output.toFile())
+                .redirectError(errors.toFile())
+                .start();
+
+        // Two seconds of work; a deadlock of the hook and the thread that it waits for would last ten and more.
+        boolean ended = process.waitFor(60, TimeUnit.SECONDS);
+        process.destroyForcibly();
+        assertThat(ended).isTrue();
+        assertThat(process.exitValue()).isEqualTo(7);
+        assertThat(Files.readString(errors)).isEmpty();
+        assertThat(Files.readString(output).lines()).containsExactly("ending", "read");
+    }
+}
