@@ -7,6 +7,7 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.ParseResult;
 import picocli.CommandLine.RunLast;
 import sunbeam.app.commands.brdfmap.BrdfMapCommand;
+import sunbeam.app.commands.cache.CacheCommand;
 import sunbeam.app.commands.color.ColorCommand;
 import sunbeam.app.commands.doctor.DoctorCommand;
 import sunbeam.app.commands.doctor.RendererProbe;
@@ -108,6 +109,7 @@ public final class Sunbeam {
         root.addSubcommand(new MeshCommand());
         root.addSubcommand(new AccuracyCommand(environment));
         root.addSubcommand(new ViewCommand(environment));
+        root.addSubcommand(new CacheCommand(environment));
         root.addSubcommand(new DoctorCommand(environment, new RendererProbe()));
         root.addSubcommand(new HelpCommand());
         root.setOut(out);

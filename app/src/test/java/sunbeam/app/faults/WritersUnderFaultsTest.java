@@ -44,6 +44,7 @@ import sunbeam.precompute.table.FourierTable;
 import sunbeam.precompute.table.PatchIdentity;
 import sunbeam.precompute.table.TableBuilder;
 import sunbeam.precompute.table.TableFile;
+import sunbeam.precompute.table.TableLabel;
 
 /**
  * Every writer on a file system in memory of which one call fails, for every call: what stands under the output's name
@@ -77,7 +78,7 @@ final class WritersUnderFaultsTest {
                 (target, overwrite) -> SceneWriter.write(target, overwrite, scene),
                 "shader tables",
                 (target, overwrite) -> AtomicFile.writeFile(
-                        target, overwrite, file -> ShaderTablesFile.write(file, "key", shaderTables)),
+                        target, overwrite, file -> ShaderTablesFile.write(file, "key", TableLabel.NONE, shaderTables)),
                 "HDF5",
                 (target, overwrite) ->
                         AtomicFile.writeFile(target, overwrite, file -> TableFile.write(file, fourierTable)));

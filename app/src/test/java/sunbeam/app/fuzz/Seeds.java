@@ -24,6 +24,7 @@ import sunbeam.precompute.shader.TableArray;
 import sunbeam.precompute.table.PatchIdentity;
 import sunbeam.precompute.table.TableBuilder;
 import sunbeam.precompute.table.TableFile;
+import sunbeam.precompute.table.TableLabel;
 
 /** Small good files of every kind. */
 final class Seeds {
@@ -99,7 +100,7 @@ final class Seeds {
                 .integers("first", -7, 9)
                 .array(TableArray.computed(layout, number -> new float[layout.floatsPerLayer()]))
                 .build(16e-6, 0.04);
-        return written(file -> ShaderTablesFile.write(file, KEY, tables));
+        return written(file -> ShaderTablesFile.write(file, KEY, TableLabel.NONE, tables));
     }
 
     private interface FileWriter {

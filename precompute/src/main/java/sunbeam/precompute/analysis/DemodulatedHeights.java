@@ -4,6 +4,7 @@ import org.apache.commons.math3.linear.Array2DRowRealMatrix;
 import org.apache.commons.math3.linear.ArrayRealVector;
 import org.apache.commons.math3.linear.RealVector;
 import org.apache.commons.math3.linear.SingularValueDecomposition;
+import sunbeam.precompute.numerics.UnitCircle;
 import sunbeam.precompute.patch.HeightMap;
 
 /**
@@ -85,24 +86,32 @@ final class DemodulatedHeights {
         double[][] normal = new double[TERMS][TERMS];
         double[] right = new double[TERMS];
         double[] terms = new double[TERMS];
+        double[] cosines = new double[columns];
+        double[] sines = new double[columns];
         for (int row = 0; row < rows; row++) {
+            wave(frequencyX, frequencyY, row, cosines, sines);
             for (int column = 0; column < columns; column++) {
-                double phase = 2 * Math.PI * (frequencyX * x(column) + frequencyY * y(row));
                 terms[0] = 1;
                 terms[1] = x(column) / width();
                 terms[2] = y(row) / height();
-                for (int overtone = 1; overtone <= OVERTONES; overtone++) {
-                    terms[2 * overtone + 1] = Math.cos(overtone * phase);
-                    terms[2 * overtone + 2] = Math.sin(overtone * phase);
+                terms[3] = cosines[column];
+                terms[4] = sines[column];
+                for (int i = 5; i < TERMS; i += 2) {
+                    terms[i] = terms[i - 2] * cosines[column] - terms[i - 1] * sines[column];
+                    terms[i + 1] = terms[i - 1] * cosines[column] + terms[i - 2] * sines[column];
                 }
                 double value = heights[row * columns + column];
                 for (int i = 0; i < TERMS; i++) {
                     right[i] += terms[i] * value;
                     for (int j = 0; j <= i; j++) {
                         normal[i][j] += terms[i] * terms[j];
-                        normal[j][i] = normal[i][j];
                     }
                 }
+            }
+        }
+        for (int i = 0; i < TERMS; i++) {
+            for (int j = 0; j < i; j++) {
+                normal[j][i] = normal[i][j];
             }
         }
         RealVector fitted = new SingularValueDecomposition(new Array2DRowRealMatrix(normal))
@@ -116,11 +125,23 @@ final class DemodulatedHeights {
     }
 
     private void demodulate(double frequencyX, double frequencyY) {
-        for (int i = 0; i < heights.length; i++) {
-            double phase = 2 * Math.PI * (frequencyX * x(i % columns) + frequencyY * y(i / columns));
-            real[i] = heights[i] * Math.cos(phase);
-            imaginary[i] = -heights[i] * Math.sin(phase);
+        double[] cosines = new double[columns];
+        double[] sines = new double[columns];
+        for (int row = 0; row < rows; row++) {
+            wave(frequencyX, frequencyY, row, cosines, sines);
+            for (int column = 0, i = row * columns; column < columns; column++, i++) {
+                real[i] = heights[i] * cosines[column];
+                imaginary[i] = -heights[i] * sines[column];
+            }
         }
+    }
+
+    /** exp(2 pi i f r) along a row. */
+    private void wave(double frequencyX, double frequencyY, int row, double[] cosines, double[] sines) {
+        for (int column = 0; column < columns; column++) {
+            sines[column] = 2 * Math.PI * (frequencyX * x(column) + frequencyY * y(row));
+        }
+        UnitCircle.points(sines, cosines);
     }
 
     /** Extent along x, metres. */

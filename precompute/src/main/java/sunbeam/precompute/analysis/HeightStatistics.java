@@ -1,5 +1,7 @@
 package sunbeam.precompute.analysis;
 
+import java.util.List;
+import java.util.stream.IntStream;
 import sunbeam.precompute.patch.HeightMap;
 import sunbeam.precompute.patch.SlopeCheck;
 
@@ -22,31 +24,29 @@ public record HeightStatistics(double relief, double rms, double largestSlope, d
 
     /** Measures a map without missing samples. */
     public static HeightStatistics of(HeightMap map) {
-        double[] slopes = squaredSlopes(map);
-        double steep = Math.pow(Math.tan(Math.toRadians(STEEP_DEGREES)), 2);
-        double sum = 0;
-        double largest = 0;
-        int steeper = 0;
-        for (double slope : slopes) {
-            sum += slope;
-            largest = Math.max(largest, slope);
-            // 1e-9: a slope of exactly so many degrees is not steeper for its rounding.
-            steeper += slope > steep * (1 + 1e-9) ? 1 : 0;
-        }
+        int columns = Math.max(1, map.columns() - 1);
+        int rows = Math.max(1, map.rows() - 1);
+        List<Slopes> each = IntStream.range(0, rows)
+                .parallel()
+                .mapToObj(row -> Slopes.of(map, row, columns))
+                .toList();
+        double count = (double) columns * rows;
         return new HeightStatistics(
                 map.relief(),
                 rms(map.toArray()),
-                Math.sqrt(largest),
-                Math.sqrt(sum / slopes.length),
-                (double) steeper / slopes.length);
+                Math.sqrt(each.stream().mapToDouble(Slopes::largest).max().orElseThrow()),
+                Math.sqrt(each.stream().mapToDouble(Slopes::sum).sum() / count),
+                each.stream().mapToInt(Slopes::steeper).sum() / count);
     }
 
     /** Root mean square about the mean. */
     static double rms(double[] heights) {
-        double mean = 0;
-        for (int i = 0; i < heights.length; i++) {
-            mean += (heights[i] - mean) / (i + 1);
+        // Relative to one of them, so that a large common offset costs no digits.
+        double offset = 0;
+        for (double height : heights) {
+            offset += height - heights[0];
         }
+        double mean = heights[0] + offset / heights.length;
         double sum = 0;
         for (double height : heights) {
             sum += (height - mean) * (height - mean);
@@ -54,18 +54,23 @@ public record HeightStatistics(double relief, double rms, double largestSlope, d
         return Math.sqrt(sum / heights.length);
     }
 
-    /** |gradient|^2 between neighbours inside the patch: its seam is no slope of the surface. */
-    private static double[] squaredSlopes(HeightMap map) {
-        int columns = Math.max(1, map.columns() - 1);
-        int rows = Math.max(1, map.rows() - 1);
-        double[] slopes = new double[Math.multiplyExact(columns, rows)];
-        for (int row = 0, i = 0; row < rows; row++) {
-            for (int column = 0; column < columns; column++, i++) {
+    /** |gradient|^2 between the neighbours of a row and the next, inside the patch: its seam is no slope of the surface. */
+    private record Slopes(double sum, double largest, int steeper) {
+        static Slopes of(HeightMap map, int row, int columns) {
+            double steep = Math.pow(Math.tan(Math.toRadians(STEEP_DEGREES)), 2);
+            double sum = 0;
+            double largest = 0;
+            int steeper = 0;
+            for (int column = 0; column < columns; column++) {
                 double along = map.columns() == 1 ? 0 : (map.at(column + 1, row) - map.at(column, row)) / map.pitchX();
                 double down = map.rows() == 1 ? 0 : (map.at(column, row + 1) - map.at(column, row)) / map.pitchY();
-                slopes[i] = along * along + down * down;
+                double slope = along * along + down * down;
+                sum += slope;
+                largest = Math.max(largest, slope);
+                // 1e-9: a slope of exactly so many degrees is not steeper for its rounding.
+                steeper += slope > steep * (1 + 1e-9) ? 1 : 0;
             }
+            return new Slopes(sum, largest, steeper);
         }
-        return slopes;
     }
 }

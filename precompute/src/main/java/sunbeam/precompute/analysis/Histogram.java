@@ -15,6 +15,7 @@ public record Histogram(double minimum, double width, double[] shares) {
     private static final double FLAT_BIN = 1e-12;
     // More than these, and a bin holds so many that one more or less does not show.
     private static final int MOST_LEVELS = 5000;
+    private static final int FIRST_LOOK = 1 << 16;
 
     /**
      * Counts a map's heights in at most so many equal bins from the lowest to the highest. A map with few distinct
@@ -22,14 +23,12 @@ public record Histogram(double minimum, double width, double[] shares) {
      */
     public static Histogram of(HeightMap map, int mostBins) {
         double[] heights = map.toArray();
-        double[] sorted = heights.clone();
-        Arrays.parallelSort(sorted);
-        double lowest = sorted[0];
-        double relief = sorted[sorted.length - 1] - lowest;
+        double lowest = map.minimum();
+        double relief = map.maximum() - lowest;
         if (relief == 0) {
             return new Histogram(lowest - 0.5 * FLAT_BIN, FLAT_BIN, new double[] {1});
         }
-        double step = step(sorted);
+        double step = step(heights, relief);
         double intervals = relief / step;
         boolean quantised = intervals < MOST_LEVELS;
         double width = quantised ? step * Math.ceil((intervals + 1) / mostBins) : relief / mostBins;
@@ -45,9 +44,21 @@ public record Histogram(double minimum, double width, double[] shares) {
         return new Histogram(minimum, width, shares);
     }
 
-    /** The smallest distance of heights in ascending order, beyond rounding. */
-    private static double step(double[] levels) {
-        double rounding = 1e-6 * (levels[levels.length - 1] - levels[0]);
+    /** The smallest distance of two heights, beyond rounding; of some of them where these are too many levels already. */
+    private static double step(double[] heights, double relief) {
+        double[] some = Arrays.copyOf(heights, Math.min(heights.length, FIRST_LOOK));
+        Arrays.sort(some);
+        double step = smallestDistance(some, relief);
+        if (some.length == heights.length || relief / step >= MOST_LEVELS) {
+            return step;
+        }
+        double[] sorted = heights.clone();
+        Arrays.parallelSort(sorted);
+        return smallestDistance(sorted, relief);
+    }
+
+    private static double smallestDistance(double[] levels, double relief) {
+        double rounding = 1e-6 * relief;
         double step = Double.POSITIVE_INFINITY;
         for (int i = 1; i < levels.length; i++) {
             double distance = levels[i] - levels[i - 1];

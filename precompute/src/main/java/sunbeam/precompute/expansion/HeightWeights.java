@@ -2,6 +2,7 @@ package sunbeam.precompute.expansion;
 
 import java.util.Arrays;
 import sunbeam.precompute.patch.HeightLevels;
+import sunbeam.precompute.patch.HeightMap;
 
 /**
  * The heights of a patch by a few that stand for all.
@@ -13,21 +14,23 @@ record HeightWeights(double[] heights, double[] shares) {
 
     /** The lowest, the mean and the highest of each bin of a histogram that is not empty. */
     static HeightWeights of(HeightLevels levels, HeightScale scale, int bins) {
-        int[] counts = levels.histogram();
+        HeightMap map = levels.map();
         double[] share = new double[bins];
         double[] lowest = new double[bins];
         double[] highest = new double[bins];
         double[] sum = new double[bins];
         Arrays.fill(lowest, Double.MAX_VALUE);
         Arrays.fill(highest, -Double.MAX_VALUE);
-        double samples = levels.index().length;
-        for (int i = 0; i < counts.length; i++) {
-            double height = scale.scaled(levels.levels()[i]);
-            int bin = (int) Math.min(bins - 1.0, Math.max(0, Math.floor((height + 1) / 2 * bins)));
-            share[bin] += counts[i] / samples;
-            sum[bin] += counts[i] / samples * height;
-            lowest[bin] = Math.min(lowest[bin], height);
-            highest[bin] = Math.max(highest[bin], height);
+        double samples = (double) map.columns() * map.rows();
+        for (int row = 0; row < map.rows(); row++) {
+            for (int column = 0; column < map.columns(); column++) {
+                double height = scale.scaled(map.at(column, row));
+                int bin = (int) Math.min(bins - 1.0, Math.max(0, Math.floor((height + 1) / 2 * bins)));
+                share[bin]++;
+                sum[bin] += height;
+                lowest[bin] = Math.min(lowest[bin], height);
+                highest[bin] = Math.max(highest[bin], height);
+            }
         }
         double[] heights = new double[3 * bins];
         double[] shares = new double[3 * bins];
@@ -38,7 +41,7 @@ record HeightWeights(double[] heights, double[] shares) {
                 int distinct = lowest[bin] == highest[bin] ? 1 : 3;
                 for (int i = 0; i < distinct; i++) {
                     heights[used] = three[i];
-                    shares[used++] = share[bin] / distinct;
+                    shares[used++] = share[bin] / samples / distinct;
                 }
             }
         }

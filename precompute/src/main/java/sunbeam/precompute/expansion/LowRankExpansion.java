@@ -16,14 +16,14 @@ public final class LowRankExpansion implements Expansion {
     private final PhaseBasis phases;
     private final int terms;
     private final double[][] series;
-    private final double[] occurring;
+    private final HeightLevels heights;
 
-    private LowRankExpansion(HeightScale scale, PhaseBasis phases, int terms, double[] occurring) {
+    private LowRankExpansion(HeightScale scale, PhaseBasis phases, int terms, HeightLevels heights) {
         this.scale = scale;
         this.phases = phases;
         this.terms = terms;
         this.series = phases.chebyshevSeries(terms);
-        this.occurring = occurring;
+        this.heights = heights;
     }
 
     /**
@@ -38,17 +38,18 @@ public final class LowRankExpansion implements Expansion {
         while (terms < phases.size() && phases.rootMeanSquareError(terms) > tolerance) {
             terms++;
         }
-        return new LowRankExpansion(scale, phases, terms, sampled(heights, scale));
+        return new LowRankExpansion(scale, phases, terms, heights);
     }
 
     /** The best expansion of a given number of terms. */
     public static LowRankExpansion ofTerms(
             HeightLevels heights, HeightScale scale, double minimumPhase, double maximumPhase, int terms) {
         PhaseBasis phases = PhaseBasis.of(heights, scale, minimumPhase, maximumPhase);
-        return new LowRankExpansion(scale, phases, Math.min(terms, phases.size()), sampled(heights, scale));
+        return new LowRankExpansion(scale, phases, Math.min(terms, phases.size()), heights);
     }
 
-    private static double[] sampled(HeightLevels heights, HeightScale scale) {
+    /** Some of the heights that occur, scaled. */
+    private double[] occurring() {
         int count = Math.min(BOUND_SAMPLES, heights.count());
         double[] result = new double[count];
         for (int i = 0; i < count; i++) {
@@ -121,7 +122,7 @@ public final class LowRankExpansion implements Expansion {
     @Override
     public double errorBound(double zeta) {
         double worst = 0;
-        for (double s : occurring) {
+        for (double s : occurring()) {
             Complex exact = new Complex(Math.cos(zeta * s), -Math.sin(zeta * s));
             worst = Math.max(worst, exact.subtract(sum(zeta, s)).abs());
         }

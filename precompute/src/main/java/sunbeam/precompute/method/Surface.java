@@ -25,6 +25,13 @@ public record Surface(HeightMap map, HeightLevels levels, PatchIdentity identity
         return new Surface(map, HeightLevels.of(map), identity, CieTable.load());
     }
 
+    /** A loaded patch under D65 that is planned for alone: nobody asks whose its tables are, which takes a look at all heights. */
+    public static Surface withoutIdentity(Patch patch) {
+        HeightMap map = patch.heights();
+        PatchIdentity none = new PatchIdentity(patch.name(), map.columns(), map.rows(), map.pitchX(), map.pitchY(), "");
+        return new Surface(map, HeightLevels.of(map), none, CieTable.load());
+    }
+
     /** The same in other light. */
     public Surface under(CieTable light) {
         return new Surface(map, levels, identity, light);

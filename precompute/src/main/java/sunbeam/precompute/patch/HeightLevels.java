@@ -1,47 +1,102 @@
 package sunbeam.precompute.patch;
 
 import java.util.Arrays;
+import java.util.stream.IntStream;
 
 /**
  * The distinct heights of a patch and which of them each sample has. A scan of 8 bits has 256 levels, so that functions
  * of the height are evaluated 256 times instead of once per sample; a scan of floats may have as many levels as samples.
- *
- * @param levels distinct heights in metres, ascending
- * @param index for every sample, row by row, the index of its level
+ * They are looked for when they are first asked for: plans need the lowest and the highest alone, and sorting 16 million
+ * heights takes seconds. Immutable, safe for several threads.
  */
-public record HeightLevels(double[] levels, int[] index) {
+public final class HeightLevels {
+    private final HeightMap map;
+    private final double minimum;
+    private final double maximum;
+    private Distinct distinct;
+    private int[] index;
+
+    /** Distinct heights, ascending, and how many samples have each. */
+    private record Distinct(double[] levels, int[] counts) {
+        /** @param sorted heights; overwritten */
+        static Distinct of(double[] sorted) {
+            Arrays.parallelSort(sorted);
+            int[] counts = new int[sorted.length];
+            int count = 0;
+            for (double height : sorted) {
+                if (count == 0 || sorted[count - 1] != height) {
+                    sorted[count++] = height;
+                }
+                counts[count - 1]++;
+            }
+            return count == sorted.length
+                    ? new Distinct(sorted, counts)
+                    : new Distinct(Arrays.copyOf(sorted, count), Arrays.copyOf(counts, count));
+        }
+    }
+
+    private HeightLevels(HeightMap map) {
+        this.map = map;
+        this.minimum = map.minimum() + 0.0;
+        this.maximum = map.maximum() + 0.0;
+    }
 
     /**
-     * Finds the distinct heights of a map.
+     * The levels of a map.
      *
      * @throws IllegalArgumentException when a sample is missing: fill it first
      */
     public static HeightLevels of(HeightMap map) {
+        for (int row = 0; row < map.rows(); row++) {
+            for (int column = 0; column < map.columns(); column++) {
+                if (Double.isNaN(map.at(column, row))) {
+                    throw new IllegalArgumentException("missing samples must be filled first");
+                }
+            }
+        }
+        return new HeightLevels(map);
+    }
+
+    /** -0 becomes 0: they are one height, but sorting and searching tell them apart. */
+    private double[] heights() {
         double[] heights = map.toArray();
         for (int i = 0; i < heights.length; i++) {
-            // -0 becomes 0: they are one height, but sorting and searching tell them apart.
             heights[i] += 0.0;
         }
-        double[] sorted = heights.clone();
-        Arrays.parallelSort(sorted);
-        int count = 0;
-        for (double height : sorted) {
-            if (Double.isNaN(height)) {
-                throw new IllegalArgumentException("missing samples must be filled first");
-            }
-            if (count == 0 || sorted[count - 1] != height) {
-                sorted[count++] = height;
-            }
+        return heights;
+    }
+
+    private synchronized Distinct distinct() {
+        if (distinct == null) {
+            distinct = Distinct.of(heights());
         }
-        double[] levels = Arrays.copyOf(sorted, count);
-        return new HeightLevels(levels, index(heights, levels));
+        return distinct;
+    }
+
+    /** The heights themselves. */
+    public HeightMap map() {
+        return map;
+    }
+
+    /** Distinct heights in metres, ascending; not to be written to. */
+    public double[] levels() {
+        return distinct().levels();
+    }
+
+    /** For every sample, row by row, the index of its level; not to be written to. */
+    public synchronized int[] index() {
+        if (index == null) {
+            index = indexed();
+        }
+        return index;
     }
 
     /**
      * The level of each height. Levels are looked for among those in the same of as many equal steps from the lowest to the
      * highest: a float scan of 4096 x 4096 has 16 million levels, through which a search alone would take a minute.
      */
-    private static int[] index(double[] heights, double[] levels) {
+    private int[] indexed() {
+        double[] levels = levels();
         double lowest = levels[0];
         double steps = levels.length / Math.max(levels[levels.length - 1] - lowest, Double.MIN_NORMAL);
         double perMetre = Double.isFinite(steps) ? steps : 0;
@@ -54,12 +109,15 @@ public record HeightLevels(double[] levels, int[] index) {
             }
         }
         Arrays.fill(first, step + 1, first.length, levels.length);
-        int[] index = new int[heights.length];
-        Arrays.parallelSetAll(index, i -> {
-            int from = step(heights[i], lowest, perMetre, levels.length);
-            return Arrays.binarySearch(levels, first[from], first[from + 1], heights[i]);
+        int[] found = new int[map.columns() * map.rows()];
+        IntStream.range(0, map.rows()).parallel().forEach(row -> {
+            for (int column = 0, i = row * map.columns(); column < map.columns(); column++, i++) {
+                double height = map.at(column, row) + 0.0;
+                int from = step(height, lowest, perMetre, levels.length);
+                found[i] = Arrays.binarySearch(levels, first[from], first[from + 1], height);
+            }
         });
-        return index;
+        return found;
     }
 
     /** Grows with the height, whatever the rounding: a height and its level are in the same step. */
@@ -68,23 +126,19 @@ public record HeightLevels(double[] levels, int[] index) {
     }
 
     public int count() {
-        return levels.length;
+        return levels().length;
     }
 
     public double minimum() {
-        return levels[0];
+        return minimum;
     }
 
     public double maximum() {
-        return levels[levels.length - 1];
+        return maximum;
     }
 
-    /** How many samples have each level. */
+    /** How many samples have each level; not to be written to. */
     public int[] histogram() {
-        int[] counts = new int[levels.length];
-        for (int i : index) {
-            counts[i]++;
-        }
-        return counts;
+        return distinct().counts();
     }
 }

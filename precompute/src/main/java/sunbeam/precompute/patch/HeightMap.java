@@ -18,6 +18,7 @@ public final class HeightMap {
     private final double pitchX;
     private final double pitchY;
     private final double[] heights;
+    private Range range;
 
     /**
      * @param columns number of samples along x, at least 1
@@ -109,17 +110,45 @@ public final class HeightMap {
 
     /** Lowest height in metres, ignoring missing samples; NaN when all are missing. */
     public double minimum() {
-        return Arrays.stream(heights).filter(Double::isFinite).min().orElse(Double.NaN);
+        return range().low();
     }
 
     /** Highest height in metres, ignoring missing samples; NaN when all are missing. */
     public double maximum() {
-        return Arrays.stream(heights).filter(Double::isFinite).max().orElse(Double.NaN);
+        return range().high();
+    }
+
+    /** Lowest and highest height; NaN when all are missing. */
+    private record Range(double low, double high) {
+        static Range of(double[] heights) {
+            double low = Double.POSITIVE_INFINITY;
+            double high = Double.NEGATIVE_INFINITY;
+            for (double height : heights) {
+                // False for NaN.
+                if (height < low && height > Double.NEGATIVE_INFINITY) {
+                    low = height;
+                }
+                if (height > high && height < Double.POSITIVE_INFINITY) {
+                    high = height;
+                }
+            }
+            return low <= high ? new Range(low, high) : new Range(Double.NaN, Double.NaN);
+        }
+    }
+
+    /** Found once; threads that look at the same time find the same. */
+    private Range range() {
+        Range known = range;
+        if (known == null) {
+            known = Range.of(heights);
+            range = known;
+        }
+        return known;
     }
 
     /** Peak to valley, metres. */
     public double relief() {
-        return maximum() - minimum();
+        return range().high() - range().low();
     }
 
     /** For people: "512 x 256 samples, 20 um x 10 um". */

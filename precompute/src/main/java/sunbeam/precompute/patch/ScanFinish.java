@@ -130,8 +130,9 @@ record ScanFinish(String name, String file, Choices choices, Kind kind) {
     private static void warnOfSeam(HeightField scan, Levelling levelling, Edges edges, List<String> warnings) {
         List<String> faults = new ArrayList<>();
         List<String> remedies = new ArrayList<>();
-        Tilt tilt = Tilt.of(scan);
-        if ((levelling == Levelling.NONE || levelling == Levelling.MEAN) && tilt.share() > TILTED) {
+        boolean tiltStays = levelling == Levelling.NONE || levelling == Levelling.MEAN;
+        Tilt tilt = tiltStays ? Tilt.of(scan) : Tilt.NONE;
+        if (tilt.share() > TILTED) {
             faults.add(String.format(
                     Locale.ROOT,
                     "it is tilted by %s from corner to corner (%.0f %% of the heights' variance)",
@@ -139,8 +140,8 @@ record ScanFinish(String name, String file, Choices choices, Kind kind) {
                     100 * tilt.share()));
             remedies.add("level it by its plane");
         }
-        Seam seam = Seam.of(scan);
-        if (edges == Edges.REPEAT && seam.ratio() > TORN) {
+        Seam seam = edges == Edges.REPEAT ? Seam.of(scan) : Seam.NONE;
+        if (seam.ratio() > TORN) {
             faults.add("opposite borders differ by %s rms (neighbours by %s)"
                     .formatted(Lengths.rounded(seam.jump(), 2), Lengths.rounded(seam.inside(), 2)));
             remedies.add("blend its edges");

@@ -47,7 +47,7 @@ public final class SlopeCheck {
         double here = map.at(column, row);
         double alongX = map.columns() > 1 ? (map.at(column + 1, row) - here) / map.pitchX() : 0;
         double alongY = map.rows() > 1 ? (map.at(column, row + 1) - here) / map.pitchY() : 0;
-        return Math.hypot(alongX, alongY);
+        return Math.sqrt(alongX * alongX + alongY * alongY);
     }
 
     private static String warning(double share, double steepest, ModelError error) {

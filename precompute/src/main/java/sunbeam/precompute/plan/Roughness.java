@@ -1,6 +1,7 @@
 package sunbeam.precompute.plan;
 
 import java.util.Arrays;
+import java.util.List;
 import java.util.SplittableRandom;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.optics.CoherenceWindow;
@@ -8,7 +9,7 @@ import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.WindowOrigin;
 import sunbeam.precompute.patch.HeightMap;
-import sunbeam.precompute.reference.ReferenceEvaluator;
+import sunbeam.precompute.reference.CoherentSamples;
 
 /**
  * How dark a patch is where it is dark: measured on a few directions with the exact reference. A rough patch, whose light
@@ -34,13 +35,16 @@ public record Roughness(double bright, double mean, double dark, double deviatio
     public static final Roughness NONE = new Roughness(0, 1, 0, 0, 0);
 
     static Roughness measure(HeightMap map, CoherenceWindow window, WindowOrigin origin, VisibleRange range) {
-        ReferenceEvaluator evaluator = new ReferenceEvaluator(map, window, origin);
+        CoherentSamples samples = new CoherentSamples(map, window, origin);
         SplittableRandom random = new SplittableRandom(SEED);
         Query[] drawn = new Query[DIRECTIONS];
         Arrays.setAll(drawn, i -> draw(random, range));
-        double[] powers = Arrays.stream(drawn)
+        List<CoherentSamples.Sample> seen = Arrays.stream(drawn)
                 .parallel()
-                .mapToDouble(query -> evaluator.coherent(query.pair(), query.wavelength()))
+                .map(query -> samples.at(query.pair(), query.wavelength()))
+                .toList();
+        double[] powers = seen.stream()
+                .mapToDouble(CoherentSamples.Sample::coherent)
                 .filter(power -> power >= ErrorBudget.DARKEST_POWER)
                 .sorted()
                 .toArray();
@@ -53,26 +57,10 @@ public record Roughness(double bright, double mean, double dark, double deviatio
                         Arrays.stream(powers).average().orElseThrow(),
                         powers[powers.length / 10],
                         across / window.sigmaFrequency(),
-                        Arrays.stream(drawn)
-                                .mapToDouble(query -> diffracted(map, query))
+                        seen.stream()
+                                .mapToDouble(sample -> Math.max(0, 1 - sample.specular()))
                                 .average()
                                 .orElseThrow());
-    }
-
-    /** 1 less the power of the mean over the surface. */
-    private static double diffracted(HeightMap map, Query query) {
-        double phase = 2 * Math.PI / query.wavelength() * query.pair().w();
-        double cosine = 0;
-        double sine = 0;
-        int samples = map.columns() * map.rows();
-        for (int row = 0; row < map.rows(); row++) {
-            for (int column = 0; column < map.columns(); column++) {
-                double angle = phase * map.at(column, row);
-                cosine += Math.cos(angle) / samples;
-                sine += Math.sin(angle) / samples;
-            }
-        }
-        return Math.max(0, 1 - cosine * cosine - sine * sine);
     }
 
     private record Query(DirectionPair pair, double wavelength) {}

@@ -47,25 +47,44 @@ public final class OnePeriod {
             variance += height * height / heights.length;
         }
         double largest = 0;
-        for (int jy = 0; jy <= MOST_PERIODS; jy++) {
-            for (int jx = jy == 0 ? 1 : -MOST_PERIODS; jx <= MOST_PERIODS; jx++) {
-                largest = Math.max(largest, power(field, heights, jx, jy));
+        for (int jx = -MOST_PERIODS; jx <= MOST_PERIODS; jx++) {
+            double[][] ofRows = alongX(field, heights, jx);
+            for (int jy = jx > 0 ? 0 : 1; jy <= MOST_PERIODS; jy++) {
+                largest = Math.max(largest, power(field, ofRows, jy));
             }
         }
         // A bin and its mirror image make one wave.
         return variance > 0 ? 2 * largest / variance : 0;
     }
 
-    private static double power(HeightField field, double[] heights, int jx, int jy) {
+    /** A bin of each row: real parts, imaginary parts. */
+    private static double[][] alongX(HeightField field, double[] heights, int jx) {
+        double[] cosines = new double[field.columns()];
+        double[] sines = new double[field.columns()];
+        for (int column = 0; column < field.columns(); column++) {
+            double angle = 2 * Math.PI * jx * column / field.columns();
+            cosines[column] = Math.cos(angle);
+            sines[column] = Math.sin(angle);
+        }
+        double[][] bins = new double[2][field.rows()];
+        for (int row = 0; row < field.rows(); row++) {
+            for (int column = 0, i = row * field.columns(); column < field.columns(); column++, i++) {
+                bins[0][row] += heights[i] * cosines[column];
+                bins[1][row] += heights[i] * sines[column];
+            }
+        }
+        return bins;
+    }
+
+    private static double power(HeightField field, double[][] ofRows, int jy) {
         double real = 0;
         double imaginary = 0;
-        for (int i = 0; i < heights.length; i++) {
-            int column = i % field.columns();
-            int row = i / field.columns();
-            double turns = (double) jx * column / field.columns() + (double) jy * row / field.rows();
-            real += heights[i] * Math.cos(2 * Math.PI * turns);
-            imaginary += heights[i] * Math.sin(2 * Math.PI * turns);
+        for (int row = 0; row < field.rows(); row++) {
+            double angle = 2 * Math.PI * jy * row / field.rows();
+            real += ofRows[0][row] * Math.cos(angle) - ofRows[1][row] * Math.sin(angle);
+            imaginary += ofRows[0][row] * Math.sin(angle) + ofRows[1][row] * Math.cos(angle);
         }
-        return (real * real + imaginary * imaginary) / ((double) heights.length * heights.length);
+        double samples = (double) field.columns() * field.rows();
+        return (real * real + imaginary * imaginary) / (samples * samples);
     }
 }

@@ -1,5 +1,8 @@
 package sunbeam.precompute.prepare;
 
+import java.util.Arrays;
+import java.util.List;
+import java.util.stream.IntStream;
 import org.apache.commons.math3.linear.Array2DRowRealMatrix;
 import org.apache.commons.math3.linear.ArrayRealVector;
 import org.apache.commons.math3.linear.RealVector;
@@ -11,6 +14,11 @@ import org.apache.commons.math3.linear.SingularValueDecomposition;
  * samples take no part.
  */
 final class Polynomial {
+    // Of 1, x, y, x^2, x y, y^2.
+    private static final int[] POWERS_OF_X = {0, 1, 0, 2, 1, 0};
+    private static final int[] POWERS_OF_Y = {0, 0, 1, 0, 1, 2};
+    private static final int HIGHEST = 2;
+
     private final HeightField field;
     private final double offset;
     private final double centreX;
@@ -31,81 +39,134 @@ final class Polynomial {
      * @param terms 1 for the mean, 3 for a plane, 6 for a quadratic surface
      */
     static Polynomial fit(HeightField field, int terms) {
+        // Relative to one of them, so that a large common offset costs no digits.
+        double offset = Arrays.stream(field.heights())
+                .filter(Double::isFinite)
+                .findFirst()
+                .orElse(0);
+        List<Moments> aboutMiddle = moments(field, offset, 0);
+        double count = 0;
         double sumX = 0;
         double sumY = 0;
-        double first = Double.NaN;
-        long count = 0;
-        for (int i = 0; i < field.heights().length; i++) {
-            if (Double.isFinite(field.heights()[i])) {
-                first = count == 0 ? field.heights()[i] : first;
-                sumX += field.relativeX(i % field.columns());
-                sumY += field.relativeY(i / field.columns());
-                count++;
-            }
+        for (Moments row : aboutMiddle) {
+            count += row.places[0];
+            sumX += row.places[1];
+            sumY += row.places[0] * row.y;
         }
-        double centreX = count == 0 ? 0 : sumX / count;
-        double centreY = count == 0 ? 0 : sumY / count;
+        if (count == 0) {
+            return new Polynomial(field, 0, 0, 0, new ArrayRealVector(terms));
+        }
+        // Where none is missing the middle is the centre.
+        boolean whole = count == field.heights().length;
+        double centreX = whole ? 0 : sumX / count;
+        double centreY = whole ? 0 : sumY / count;
         double[][] normal = new double[terms][terms];
         double[] right = new double[terms];
-        double[] values = new double[terms];
-        for (int i = 0; i < field.heights().length; i++) {
-            if (Double.isFinite(field.heights()[i])) {
-                fill(
-                        values,
-                        field.relativeX(i % field.columns()) - centreX,
-                        field.relativeY(i / field.columns()) - centreY);
-                // Relative to one of them, so that a large common offset costs no digits.
-                double height = field.heights()[i] - first;
-                for (int j = 0; j < terms; j++) {
-                    right[j] += values[j] * height;
-                    for (int k = 0; k <= j; k++) {
-                        normal[j][k] += values[j] * values[k];
-                    }
+        for (Moments row : whole ? aboutMiddle : moments(field, offset, centreX)) {
+            double y = row.y - centreY;
+            for (int j = 0; j < terms; j++) {
+                right[j] += row.heights[POWERS_OF_X[j]] * Math.pow(y, POWERS_OF_Y[j]);
+                for (int k = 0; k < terms; k++) {
+                    normal[j][k] += row.places[POWERS_OF_X[j] + POWERS_OF_X[k]]
+                            * Math.pow(y, (double) POWERS_OF_Y[j] + POWERS_OF_Y[k]);
                 }
             }
         }
-        for (int j = 0; j < terms; j++) {
-            for (int k = 0; k < j; k++) {
-                normal[k][j] = normal[j][k];
-            }
-        }
-        RealVector fitted = new ArrayRealVector(terms);
-        if (count > 0) {
-            fitted = new SingularValueDecomposition(new Array2DRowRealMatrix(normal))
-                    .getSolver()
-                    .solve(new ArrayRealVector(right));
-        }
-        return new Polynomial(field, count == 0 ? 0 : first, centreX, centreY, fitted);
+        RealVector fitted = new SingularValueDecomposition(new Array2DRowRealMatrix(normal))
+                .getSolver()
+                .solve(new ArrayRealVector(right));
+        return new Polynomial(field, offset, centreX, centreY, fitted);
     }
 
-    private static void fill(double[] values, double x, double y) {
-        values[0] = 1;
-        if (values.length > 1) {
-            values[1] = x;
-            values[2] = y;
+    /**
+     * Sums over a row's samples that are there.
+     *
+     * @param y of the row
+     * @param places of the powers of x from 0 on
+     * @param heights of the heights times the powers of x from 0 on
+     */
+    private record Moments(double y, double[] places, double[] heights) {
+        static Moments of(HeightField field, int row, double offset, double centreX) {
+            double[] places = new double[2 * HIGHEST + 1];
+            double[] heights = new double[HIGHEST + 1];
+            for (int column = 0; column < field.columns(); column++) {
+                double height = field.at(column, row);
+                if (Double.isFinite(height)) {
+                    double x = field.relativeX(column) - centreX;
+                    double square = x * x;
+                    places[0]++;
+                    places[1] += x;
+                    places[2] += square;
+                    places[3] += square * x;
+                    places[4] += square * square;
+                    heights[0] += height - offset;
+                    heights[1] += (height - offset) * x;
+                    heights[2] += (height - offset) * square;
+                }
+            }
+            return new Moments(field.relativeY(row), places, heights);
         }
-        if (values.length > 3) {
-            values[3] = x * x;
-            values[4] = x * y;
-            values[5] = y * y;
+    }
+
+    /** Of all rows, in their order. */
+    private static List<Moments> moments(HeightField field, double offset, double centreX) {
+        return IntStream.range(0, field.rows())
+                .parallel()
+                .mapToObj(row -> Moments.of(field, row, offset, centreX))
+                .toList();
+    }
+
+    /** Mean square of the heights less the polynomial; 0 where none is there. */
+    double variance() {
+        double[] sums = new double[2];
+        IntStream.range(0, field.rows())
+                .parallel()
+                .mapToObj(this::squares)
+                .toList()
+                .forEach(row -> {
+                    sums[0] += row[0];
+                    sums[1] += row[1];
+                });
+        return sums[1] == 0 ? 0 : sums[0] / sums[1];
+    }
+
+    /** Sum over a row, and of how many samples. */
+    private double[] squares(int row) {
+        double[] ofX = ofX(row);
+        double sum = 0;
+        int count = 0;
+        for (int column = 0; column < field.columns(); column++) {
+            double height = field.at(column, row);
+            if (Double.isFinite(height)) {
+                double x = field.relativeX(column) - centreX;
+                double rest = height - offset - (ofX[0] + x * (ofX[1] + x * ofX[2]));
+                sum += rest * rest;
+                count++;
+            }
         }
+        return new double[] {sum, count};
+    }
+
+    /** The polynomial along a row: coefficients of the powers of x. */
+    private double[] ofX(int row) {
+        double y = field.relativeY(row) - centreY;
+        double[] ofX = new double[HIGHEST + 1];
+        for (int j = 0; j < coefficients.getDimension(); j++) {
+            ofX[POWERS_OF_X[j]] += coefficients.getEntry(j) * Math.pow(y, POWERS_OF_Y[j]);
+        }
+        return ofX;
     }
 
     /** The heights less the polynomial. */
     HeightField subtracted() {
-        double[] values = new double[coefficients.getDimension()];
         double[] heights = field.heights().clone();
-        for (int i = 0; i < heights.length; i++) {
-            fill(
-                    values,
-                    field.relativeX(i % field.columns()) - centreX,
-                    field.relativeY(i / field.columns()) - centreY);
-            double polynomial = 0;
-            for (int j = 0; j < values.length; j++) {
-                polynomial += coefficients.getEntry(j) * values[j];
+        IntStream.range(0, field.rows()).parallel().forEach(row -> {
+            double[] ofX = ofX(row);
+            for (int column = 0, i = row * field.columns(); column < field.columns(); column++, i++) {
+                double x = field.relativeX(column) - centreX;
+                heights[i] = heights[i] - offset - (ofX[0] + x * (ofX[1] + x * ofX[2]));
             }
-            heights[i] = heights[i] - offset - polynomial;
-        }
+        });
         return field.with(heights);
     }
 

@@ -8,6 +8,9 @@ package sunbeam.precompute.prepare;
  * @param steepest the same between the two neighbouring columns, or rows, that differ most
  */
 public record Seam(double jump, double inside, double steepest) {
+    /** Of a scan without border. */
+    public static final Seam NONE = new Seam(0, 0, 0);
+
     // Neighbours inside differ by chance less or more than their mean.
     private static final double FITTING = 2;
     // A grating's walls are alike.
@@ -15,40 +18,48 @@ public record Seam(double jump, double inside, double steepest) {
 
     /** Of heights of which none is missing. */
     public static Seam of(HeightField field) {
-        Seam alongX = along(field.columns(), field.rows(), field::at);
-        Seam alongY = along(field.rows(), field.columns(), (place, line) -> field.at(line, place));
+        Seam alongX = of(betweenColumns(field), field.rows());
+        Seam alongY = of(betweenRows(field), field.columns());
         return alongX.ratio() >= alongY.ratio() ? alongX : alongY;
     }
 
-    @FunctionalInterface
-    private interface Heights {
-        double at(int place, int line);
-    }
-
-    private static Seam along(int places, int lines, Heights heights) {
-        if (places == 1) {
-            return new Seam(0, 0, 0);
+    /** @param squares sums over lines of the squared steps from each place to the next, the last to the first */
+    private static Seam of(double[] squares, int lines) {
+        int inside = squares.length - 1;
+        if (inside == 0) {
+            return NONE;
         }
         double sum = 0;
         double steepest = 0;
-        for (int place = 0; place + 1 < places; place++) {
-            double squares = meanSquare(place, place + 1, lines, heights);
-            sum += squares;
-            steepest = Math.max(steepest, squares);
+        for (int place = 0; place < inside; place++) {
+            sum += squares[place] / lines;
+            steepest = Math.max(steepest, squares[place] / lines);
         }
-        return new Seam(
-                Math.sqrt(meanSquare(places - 1, 0, lines, heights)),
-                Math.sqrt(sum / (places - 1)),
-                Math.sqrt(steepest));
+        return new Seam(Math.sqrt(squares[inside] / lines), Math.sqrt(sum / inside), Math.sqrt(steepest));
     }
 
-    private static double meanSquare(int from, int to, int lines, Heights heights) {
-        double sum = 0;
-        for (int line = 0; line < lines; line++) {
-            double step = heights.at(to, line) - heights.at(from, line);
-            sum += step * step;
+    private static double[] betweenColumns(HeightField field) {
+        int columns = field.columns();
+        double[] squares = new double[columns];
+        for (int row = 0; row < field.rows(); row++) {
+            for (int column = 0; column < columns; column++) {
+                double step = field.at(column + 1 == columns ? 0 : column + 1, row) - field.at(column, row);
+                squares[column] += step * step;
+            }
         }
-        return sum / lines;
+        return squares;
+    }
+
+    private static double[] betweenRows(HeightField field) {
+        double[] squares = new double[field.rows()];
+        for (int row = 0; row < field.rows(); row++) {
+            int next = row + 1 == field.rows() ? 0 : row + 1;
+            for (int column = 0; column < field.columns(); column++) {
+                double step = field.at(column, next) - field.at(column, row);
+                squares[row] += step * step;
+            }
+        }
+        return squares;
     }
 
     /** The step over that between neighbours; 0 where there is none. */

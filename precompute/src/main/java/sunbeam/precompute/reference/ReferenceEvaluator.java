@@ -22,7 +22,7 @@ import sunbeam.precompute.patch.HeightMap;
  */
 public final class ReferenceEvaluator {
     // Where the Gaussian's tails end: exp(-9^2 / 2) = 3e-18 in amplitude, exp(-6.8^2) = 8e-21 in power.
-    private static final double AMPLITUDE_REACH = 9;
+    static final double AMPLITUDE_REACH = 9;
     private static final double POWER_REACH = 6.8;
 
     private final SurfaceSums surface;

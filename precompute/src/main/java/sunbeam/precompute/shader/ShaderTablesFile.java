@@ -13,13 +13,14 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.zip.CRC32C;
 import sunbeam.precompute.table.TableException;
+import sunbeam.precompute.table.TableLabel;
 
 /**
  * {@link ShaderTables} as a file that is read without being computed on: the arrays lie in it as the shader reads them.
  *
  * <pre>
  * 16 bytes   "SUNBEAM1", version and length of the header (int32, big-endian)
- * header     key, shader, defines, uniforms, shapes of the arrays
+ * header     key, label, shader, defines, uniforms, shapes of the arrays
  * arrays     layer by layer, float32, little-endian
  * 8 bytes    CRC-32C of all that comes before (int64, big-endian)
  * </pre>
@@ -31,7 +32,7 @@ public final class ShaderTablesFile {
      * Part of every file and of every key. To be raised with any change of what the same plan puts into its tables, so
      * that files from before are not taken for new ones.
      */
-    public static final int VERSION = 3;
+    public static final int VERSION = 4;
 
     private static final long MAGIC = 0x53554e4245414d31L;
     private static final int PREFIX = Long.BYTES + 2 * Integer.BYTES;
@@ -43,12 +44,13 @@ public final class ShaderTablesFile {
      * Writes tables to a new file, making layers one by one; the caller sees to it that nobody reads it half-written.
      *
      * @param key all that determines the tables
+     * @param label what they are, for people
      * @throws UncheckedIOException when the file cannot be written
      */
-    public static void write(Path file, String key, ShaderTables tables) {
+    public static void write(Path file, String key, TableLabel label, ShaderTables tables) {
         CRC32C checksum = new CRC32C();
         ByteBuffer block = ByteBuffer.allocateDirect(BLOCK).order(ByteOrder.LITTLE_ENDIAN);
-        byte[] header = TablesHeader.of(key, tables).encoded();
+        byte[] header = TablesHeader.of(key, label, tables).encoded();
         try (FileChannel channel = FileChannel.open(
                 file, StandardOpenOption.WRITE, StandardOpenOption.CREATE, StandardOpenOption.TRUNCATE_EXISTING)) {
             ByteBuffer start = ByteBuffer.allocate(PREFIX + header.length);
@@ -108,7 +110,24 @@ public final class ShaderTablesFile {
         }
     }
 
-    private static ShaderTables read(FileChannel channel, String key) throws IOException {
+    /**
+     * What the tables of a file are. Nothing else of it is read or checked.
+     *
+     * @throws TableException when the file does not say it; says what is wrong, without a remedy
+     */
+    public static TableLabel label(Path file) {
+        try (FileChannel channel = FileChannel.open(file, StandardOpenOption.READ)) {
+            return TablesHeader.decoded(map(channel, PREFIX, headerBytes(channel)))
+                    .label();
+        } catch (TableException e) {
+            throw new TableException(file + ": " + e.getMessage());
+        } catch (IOException e) {
+            throw new TableException(file + ": cannot be read: " + e.getMessage());
+        }
+    }
+
+    /** Length of the header of a file of this version. */
+    private static int headerBytes(FileChannel channel) throws IOException {
         long size = channel.size();
         if (size < PREFIX + Long.BYTES) {
             throw new TableException("truncated: " + size + " bytes are no tables");
@@ -125,6 +144,12 @@ public final class ShaderTablesFile {
         if (!TablesHeader.isPlausible(headerBytes) || headerBytes > size - PREFIX - Long.BYTES) {
             throw new TableException("its header cannot be read");
         }
+        return headerBytes;
+    }
+
+    private static ShaderTables read(FileChannel channel, String key) throws IOException {
+        long size = channel.size();
+        int headerBytes = headerBytes(channel);
         TablesHeader header = TablesHeader.decoded(map(channel, PREFIX, headerBytes));
         requireSize(size, header, headerBytes);
         if (!header.key().equals(key)) {

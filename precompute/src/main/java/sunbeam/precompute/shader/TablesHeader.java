@@ -10,22 +10,27 @@ import java.util.TreeMap;
 import sunbeam.precompute.shader.ArrayLayout.Kind;
 import sunbeam.precompute.shader.ArrayLayout.Reading;
 import sunbeam.precompute.table.TableException;
+import sunbeam.precompute.table.TableLabel;
 
 /**
  * All of {@link ShaderTables} but the arrays' floats, as bytes, big-endian.
  *
  * @param key all that determines the tables
+ * @param label what they are, for people
  * @param tables without arrays
  * @param layouts of the arrays, in their order
  */
-record TablesHeader(String key, ShaderTables tables, List<ArrayLayout> layouts) {
+record TablesHeader(String key, TableLabel label, ShaderTables tables, List<ArrayLayout> layouts) {
     // Far more than any method has; a header that claims more is damaged.
     private static final int MOST_BYTES = 1 << 20;
     private static final int ALIGNMENT = 16;
 
-    static TablesHeader of(String key, ShaderTables tables) {
+    static TablesHeader of(String key, TableLabel label, ShaderTables tables) {
         return new TablesHeader(
-                key, tables, tables.arrays().stream().map(TableArray::layout).toList());
+                key,
+                label,
+                tables,
+                tables.arrays().stream().map(TableArray::layout).toList());
     }
 
     /** Bytes of all arrays; fails where they are more than a number can count. */
@@ -41,6 +46,8 @@ record TablesHeader(String key, ShaderTables tables, List<ArrayLayout> layouts) 
     byte[] encoded() {
         ByteBuffer out = ByteBuffer.allocate(MOST_BYTES);
         put(out, key);
+        put(out, label.patch());
+        put(out, label.what());
         put(out, tables.shader());
         out.putInt(tables.defines().size());
         tables.defines().forEach((name, value) -> {
@@ -90,6 +97,7 @@ record TablesHeader(String key, ShaderTables tables, List<ArrayLayout> layouts) 
     static TablesHeader decoded(ByteBuffer in) {
         try {
             String key = text(in);
+            TableLabel label = new TableLabel(text(in), text(in));
             String shader = text(in);
             Map<String, String> defines = new TreeMap<>();
             for (int left = in.getInt(); left > 0; left--) {
@@ -105,7 +113,7 @@ record TablesHeader(String key, ShaderTables tables, List<ArrayLayout> layouts) 
             for (int left = in.getInt(); left > 0; left--) {
                 layouts.add(layout(in));
             }
-            return new TablesHeader(key, tables, layouts);
+            return new TablesHeader(key, label, tables, layouts);
         } catch (BufferUnderflowException | IllegalArgumentException | ArithmeticException e) {
             throw new TableException("its header cannot be read");
         }

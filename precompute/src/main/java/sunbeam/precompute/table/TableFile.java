@@ -11,6 +11,7 @@ import java.nio.file.Path;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
+import java.util.function.BiFunction;
 import sunbeam.precompute.expansion.CoefficientTable;
 import sunbeam.precompute.files.Sha256;
 import sunbeam.precompute.fourier.Band;
@@ -51,6 +52,26 @@ public final class TableFile {
      * @throws TableException when the file is missing, truncated, altered or of another version
      */
     public static FourierTable read(Path file) {
+        return opened(file, TableFile::read);
+    }
+
+    /**
+     * What a file says of its table. Nothing else of it is read or checked.
+     *
+     * @throws TableException as {@link #read}
+     */
+    public static TableLabel label(Path file) {
+        return opened(file, (hdf, bytes) -> {
+            TableAttributes attributes = attributes(hdf, bytes);
+            int terms = dataset(hdf, TERMS, 4, bytes).getDimensions()[0];
+            return new TableLabel(
+                    attributes.text("patch_name"),
+                    "Fourier table, %d %s terms"
+                            .formatted(terms, attributes.kind().label()));
+        });
+    }
+
+    private static <T> T opened(Path file, BiFunction<HdfFile, Long, T> reader) {
         if (!Files.isRegularFile(file)) {
             throw new TableException(file + ": no such table; make it with 'sunbeam precompute'");
         }
@@ -59,7 +80,7 @@ public final class TableFile {
             if (bytes < endOfFileAddress(hdf)) {
                 throw new TableException("truncated: " + bytes + " bytes left of " + endOfFileAddress(hdf));
             }
-            return read(hdf, bytes);
+            return reader.apply(hdf, bytes);
         } catch (TableException e) {
             throw unusable(file, e.getMessage(), e);
         } catch (IOException | RuntimeException e) {
@@ -94,7 +115,7 @@ public final class TableFile {
         return new TableException(file + ": " + reason, "make it again with 'sunbeam precompute'", cause);
     }
 
-    private static FourierTable read(HdfFile hdf, long fileBytes) {
+    private static TableAttributes attributes(HdfFile hdf, long fileBytes) {
         Map<String, Object> values = new TreeMap<>();
         hdf.getAttributes().forEach((name, attribute) -> {
             if (attribute.getSizeInBytes() > fileBytes) {
@@ -111,6 +132,11 @@ public final class TableFile {
             throw new TableException(
                     "table of version " + version + ", this Sunbeam reads version " + TableAttributes.VERSION);
         }
+        return attributes;
+    }
+
+    private static FourierTable read(HdfFile hdf, long fileBytes) {
+        TableAttributes attributes = attributes(hdf, fileBytes);
         Dataset terms = dataset(hdf, TERMS, 4, fileBytes);
         int[] shape = terms.getDimensions();
         if (shape[1] != 2) {

@@ -14,10 +14,12 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import sunbeam.precompute.table.TableException;
+import sunbeam.precompute.table.TableLabel;
 
 /** Tables come back from a file bit by bit, and no other file is taken for them. */
 class ShaderTablesFileTest {
     private static final String KEY = "full|a surface|a plan";
+    private static final TableLabel LABEL = new TableLabel("gr\u00fcn", "3 terms");
     private static final ArrayLayout FLAT = ArrayLayout.flat("weights", 3, 2, 4).linear();
     private static final ArrayLayout LAYERED = ArrayLayout.layered("terms", 5, 7, 3, 2);
 
@@ -52,7 +54,7 @@ class ShaderTablesFileTest {
     @BeforeEach
     void write() throws IOException {
         file = folder.resolve("kept.tables");
-        ShaderTablesFile.write(file, KEY, tables());
+        ShaderTablesFile.write(file, KEY, LABEL, tables());
         good = Files.readAllBytes(file);
     }
 
@@ -78,6 +80,16 @@ class ShaderTablesFileTest {
         int[] bits = new int[values.length];
         Arrays.setAll(bits, i -> Float.floatToRawIntBits(values[i]));
         return bits;
+    }
+
+    @Test
+    void sayWhatTheyAreWhereNothingElseIsRead() throws IOException {
+        assertThat(ShaderTablesFile.label(file)).isEqualTo(LABEL);
+        // Whoever lists files does not read gigabytes.
+        Files.write(file, Arrays.copyOf(good, good.length / 2));
+        assertThat(ShaderTablesFile.label(file)).isEqualTo(LABEL);
+        Files.write(file, Arrays.copyOf(good, 40));
+        assertThatThrownBy(() -> ShaderTablesFile.label(file)).isInstanceOf(TableException.class);
     }
 
     @Test
@@ -136,7 +148,7 @@ class ShaderTablesFileTest {
     @Test
     void anArrayLargerThanTheFileTakesNoMemory() {
         ArrayLayout huge = ArrayLayout.layered("huge", 8192, 8192, Integer.MAX_VALUE, 4);
-        byte[] header = new TablesHeader(KEY, tables(), List.of(huge)).encoded();
+        byte[] header = new TablesHeader(KEY, LABEL, tables(), List.of(huge)).encoded();
         ByteBuffer claims = ByteBuffer.allocate(16 + header.length + 8);
         claims.put(good, 0, Long.BYTES + Integer.BYTES).putInt(header.length).put(header);
 

@@ -72,7 +72,7 @@ record Inspection(
     }
 
     private static PlanReport plan(Patch patch, FullMethod standard) {
-        return new PlanReport(standard.tablePlan(Surface.of(patch), VisibleRange.all()));
+        return new PlanReport(standard.tablePlan(Surface.withoutIdentity(patch), VisibleRange.all()));
     }
 
     /** The strongest regularities. */

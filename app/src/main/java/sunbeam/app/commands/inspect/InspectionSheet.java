@@ -5,6 +5,7 @@ import java.awt.Font;
 import java.awt.Graphics2D;
 import java.awt.RenderingHints;
 import java.awt.image.BufferedImage;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
@@ -24,6 +25,9 @@ final class InspectionSheet {
     private static final int PLOT_HEIGHT = 420;
     private static final int TEXT_LINE = 24;
     private static final int MARGIN = 24;
+    // Of a monospaced font of 16 pixels, 9.7 each.
+    private static final int MOST_CHARACTERS = 165;
+    private static final int VALUES_FROM = 10;
     private static final int HISTOGRAM_BINS = 100;
     private static final int FINE_BINS = 2000;
     private static final double DUST = 0.001;
@@ -45,7 +49,9 @@ final class InspectionSheet {
     }
 
     BufferedImage draw() {
-        List<String> lines = inspection.lines();
+        List<String> lines = inspection.lines().stream()
+                .flatMap(line -> wrapped(line).stream())
+                .toList();
         int textHeight = 2 * MARGIN + (lines.size() + 2) * TEXT_LINE;
         BufferedImage sheet = new BufferedImage(
                 2 * PANEL_WIDTH, textHeight + PICTURE_HEIGHT + PLOT_HEIGHT, BufferedImage.TYPE_INT_RGB);
@@ -63,6 +69,20 @@ final class InspectionSheet {
             graphics.dispose();
         }
         return sheet;
+    }
+
+    /** Long lines are broken at blanks; what follows stands below the values. */
+    private static List<String> wrapped(String line) {
+        List<String> parts = new ArrayList<>();
+        String rest = line;
+        while (rest.length() > MOST_CHARACTERS) {
+            int blank = rest.lastIndexOf(' ', MOST_CHARACTERS);
+            int end = blank > VALUES_FROM ? blank : MOST_CHARACTERS;
+            parts.add(rest.substring(0, end));
+            rest = " ".repeat(VALUES_FROM) + rest.substring(end).strip();
+        }
+        parts.add(rest);
+        return parts;
     }
 
     private void drawText(Graphics2D graphics, List<String> lines) {

@@ -1,14 +1,20 @@
 package sunbeam.app.files.cache;
 
-import java.io.File;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
+import java.nio.file.LinkOption;
 import java.nio.file.Path;
+import java.nio.file.attribute.BasicFileAttributes;
+import java.nio.file.attribute.FileTime;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.Collections;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.function.Predicate;
 import java.util.stream.Stream;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.OutputException;
@@ -60,27 +66,107 @@ public final class CacheFolder {
     }
 
     /**
-     * Deletes files, those first that were written longest ago, until the rest is no larger than a limit. A file that
-     * cannot be deleted stays.
+     * The tables, those first that were used last; none when the folder does not exist. What another process deletes
+     * meanwhile is left out.
      *
-     * @param newest stays in any case
+     * @throws UncheckedIOException when the folder cannot be listed
      */
-    public void shrink(long limitBytes, Path newest) {
-        try (Stream<Path> listed = Files.list(path)) {
-            List<File> files = listed.map(Path::toFile)
-                    .filter(File::isFile)
-                    .sorted(Comparator.comparingLong(File::lastModified))
-                    .toList();
-            long bytes = files.stream().mapToLong(File::length).sum();
-            for (File file : files) {
-                if (bytes > limitBytes && !file.toPath().equals(newest)) {
-                    long length = file.length();
-                    bytes -= file.delete() ? length : 0;
+    public List<CacheEntry> entries() {
+        List<CacheEntry> entries = new ArrayList<>();
+        for (Path file : files(CacheEntry::isOne)) {
+            try {
+                BasicFileAttributes attributes =
+                        Files.readAttributes(file, BasicFileAttributes.class, LinkOption.NOFOLLOW_LINKS);
+                if (attributes.isRegularFile()) {
+                    Instant used = attributes.lastModifiedTime().toInstant();
+                    entries.add(new CacheEntry(file, attributes.size(), used));
                 }
+            } catch (IOException gone) {
+                continue;
             }
+        }
+        entries.sort(Comparator.comparing(CacheEntry::lastUsed)
+                .reversed()
+                .thenComparing(entry -> entry.file().toString()));
+        return entries;
+    }
+
+    private List<Path> files(Predicate<Path> wanted) {
+        if (!Files.isDirectory(path)) {
+            return List.of();
+        }
+        try (Stream<Path> listed = Files.list(path)) {
+            return listed.filter(wanted).toList();
         } catch (IOException failure) {
             throw new UncheckedIOException("cannot list " + path, failure);
         }
+    }
+
+    /** Notes that a table was read: what was used last goes last. */
+    void used(Path file) {
+        try {
+            Files.setLastModifiedTime(file, FileTime.from(Instant.now()));
+        } catch (IOException deletedOrReadOnly) {
+            return;
+        }
+    }
+
+    /** Bytes that the tables may take together. */
+    public long limit(Consumer<String> warning) {
+        return CacheLimit.of(path, warning);
+    }
+
+    /**
+     * Sets what the tables may take together, from now on.
+     *
+     * @param bytes at least 0
+     * @throws OutputException when it cannot be written
+     */
+    public void setLimit(long bytes) {
+        try {
+            Files.createDirectories(path);
+        } catch (IOException failure) {
+            throw new OutputException(
+                    "cannot make the folder " + path + ": " + failure.getMessage()
+                            + "; set XDG_CACHE_HOME to a folder that takes files",
+                    failure);
+        }
+        CacheLimit.set(path, bytes);
+    }
+
+    /**
+     * Deletes tables, those first that were used longest ago, until the rest is no larger than a limit. Whoever has one open
+     * goes on reading it. A table that cannot be deleted stays.
+     *
+     * @param kept stays in any case; nothing else does
+     * @return those that were deleted
+     */
+    public List<CacheEntry> shrink(long limitBytes, Optional<Path> kept) {
+        List<CacheEntry> oldestFirst = new ArrayList<>(entries());
+        Collections.reverse(oldestFirst);
+        long bytes = oldestFirst.stream().mapToLong(CacheEntry::bytes).sum();
+        List<CacheEntry> deleted = new ArrayList<>();
+        for (CacheEntry entry : oldestFirst) {
+            boolean goes = bytes > limitBytes && !kept.equals(Optional.of(entry.file()));
+            if (goes && entry.file().toFile().delete()) {
+                bytes -= entry.bytes();
+                deleted.add(entry);
+            }
+        }
+        return deleted;
+    }
+
+    /**
+     * Deletes all tables that can be deleted, and the locks that nobody holds.
+     *
+     * @return those that were deleted
+     */
+    public List<CacheEntry> clear() {
+        List<CacheEntry> deleted = entries().stream()
+                .filter(entry -> entry.file().toFile().delete())
+                .toList();
+        files(CacheLock::isOne).forEach(CacheLock::deleteUnheld);
+        return deleted;
     }
 
     /**

@@ -26,15 +26,13 @@ import sunbeam.precompute.table.FourierTable;
 import sunbeam.precompute.table.TableBuilder;
 import sunbeam.precompute.table.TableException;
 import sunbeam.precompute.table.TableFile;
+import sunbeam.precompute.table.TableLabel;
 
 /**
  * Tables of one surface in the cache folder, each under a hash of all that determines it; made where they are missing. A
  * file that is damaged or of something else is made again, with a word about it.
  */
 public final class TableStore {
-    // Room for a dozen surfaces. Tables of one that any pair of directions may see take some hundred megabytes.
-    private static final long MOST_BYTES = 8L << 30;
-
     private final Surface surface;
     private final CacheFolder folder;
     private final Consumer<String> warning;
@@ -55,14 +53,15 @@ public final class TableStore {
     public ShaderTables tables(MethodPlan plan, MethodUse use, ColourSources colours) {
         String key = "shader tables " + ShaderTablesFile.VERSION + "|" + plan.key(use);
         Supplier<ShaderTables> make = () -> freshTables(plan, use, colours);
-        Optional<Path> file = file(key, "tables");
+        Optional<Path> file = file(key, CacheEntry.SHADER);
         if (file.isEmpty()) {
             return make.get();
         }
         Function<Path, ShaderTables> reader = path -> ShaderTablesFile.read(path, key);
         return keptOr(file.get(), reader, () -> {
             ShaderTables made = make.get();
-            save(file.get(), path -> ShaderTablesFile.write(path, key, made));
+            TableLabel label = new TableLabel(surface.identity().name(), plan.summary());
+            save(file.get(), path -> ShaderTablesFile.write(path, key, label, made));
             // Again from the file, so that no more than one layer at a time need be in memory.
             return read(file.get(), reader).orElse(made);
         });
@@ -97,7 +96,8 @@ public final class TableStore {
 
     /** The Fourier table for a plan. */
     public FourierTable table(Plan plan) {
-        Optional<Path> file = file("table 1|" + surface.identity().digest() + "|" + plan.tableKey(), "h5");
+        Optional<Path> file =
+                file("table 1|" + surface.identity().digest() + "|" + plan.tableKey(), CacheEntry.FOURIER);
         if (file.isEmpty()) {
             return freshTable(plan);
         }
@@ -146,9 +146,14 @@ public final class TableStore {
             return Optional.empty();
         }
         try {
-            return Optional.of(reader.apply(file));
+            T kept = reader.apply(file);
+            folder.used(file);
+            return Optional.of(kept);
         } catch (TableException failure) {
-            warning.accept("cached table is made again: " + failure.problem());
+            // Cleared by another process a moment ago: as if it had never been there.
+            if (Files.exists(file)) {
+                warning.accept("cached table is made again: " + failure.problem());
+            }
             return Optional.empty();
         }
     }
@@ -156,7 +161,7 @@ public final class TableStore {
     private void save(Path file, Consumer<Path> writer) {
         try {
             AtomicFile.writeFile(file, Overwrite.REPLACE, writer::accept);
-            folder.shrink(MOST_BYTES, file);
+            folder.shrink(folder.limit(warning), Optional.of(file));
         } catch (OutputException failure) {
             warning.accept("the table is not kept: " + failure.getMessage());
         }

@@ -9,6 +9,7 @@ import java.nio.file.attribute.FileTime;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import sunbeam.app.terminal.Environment;
@@ -46,19 +47,33 @@ final class CacheFolderTest {
     }
 
     @Test
-    void whatWasWrittenLongestAgoGoesFirst() throws IOException {
+    void whatWasUsedLongestAgoGoesFirstAndLocksStay() throws IOException {
         CacheFolder cache = cache(Map.of());
         Path path = cache.open(warnings::add).orElseThrow();
         for (int i = 0; i < 4; i++) {
-            Path file = Files.write(path.resolve("written" + i), new byte[100]);
+            Path file = Files.write(path.resolve(i + ".tables"), new byte[100]);
             Files.setLastModifiedTime(file, FileTime.fromMillis(1_000_000L + 1000L * i));
+            Files.createFile(path.resolve(i + ".tables.lock"));
         }
+        cache.used(path.resolve("0.tables"));
 
-        cache.shrink(250, path.resolve("written3"));
-        assertThat(path.toFile().list()).containsExactlyInAnyOrder("written2", "written3");
+        assertThat(cache.shrink(250, Optional.of(path.resolve("3.tables"))))
+                .extracting(entry -> entry.file().getFileName().toString())
+                .containsExactly("1.tables", "2.tables");
+        assertThat(cache.shrink(50, Optional.of(path.resolve("3.tables")))).hasSize(1);
+        assertThat(cache.entries())
+                .as("the newest stays")
+                .extracting(CacheEntry::file)
+                .containsExactly(path.resolve("3.tables"));
+        assertThat(path.toFile().list()).hasSize(5);
+    }
 
-        cache.shrink(50, path.resolve("written3"));
-        assertThat(path.toFile().list()).as("the newest stays").containsExactly("written3");
+    @Test
+    void theLimitStaysForTheNextProcess() {
+        assertThat(cache(Map.of()).limit(warnings::add)).isEqualTo(8L << 30);
+        cache(Map.of()).setLimit(12_345);
+        assertThat(cache(Map.of()).limit(warnings::add)).isEqualTo(12_345);
+        assertThat(warnings).isEmpty();
     }
 
     @Test

@@ -5,6 +5,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.nio.FloatBuffer;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.attribute.FileTime;
+import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -32,6 +34,7 @@ import sunbeam.precompute.shader.ShaderTables;
 import sunbeam.precompute.shader.TableArray;
 import sunbeam.precompute.table.FourierTable;
 import sunbeam.precompute.table.PatchIdentity;
+import sunbeam.precompute.table.TableLabel;
 
 /** Tables are made once, and come back as they were made. */
 class TableStoreTest {
@@ -96,7 +99,9 @@ class TableStoreTest {
     private List<Path> kept() throws Exception {
         try (Stream<Path> files = Files.list(home.resolve(".cache/sunbeam"))) {
             // Locks stay beside the tables.
-            return files.filter(file -> !file.toString().endsWith(".lock")).toList();
+            return files.filter(file -> !file.toString().endsWith(".lock"))
+                    .filter(file -> !file.endsWith("limit"))
+                    .toList();
         }
     }
 
@@ -119,6 +124,32 @@ class TableStoreTest {
         assertThat(numbers(second)).containsExactly(1, 2, 3);
         store("a").tables(plan, MethodUse.SPECTRAL, NO_COLOURS);
         assertThat(plan.made).as("another use").isEqualTo(2);
+        assertThat(warnings).isEmpty();
+    }
+
+    @Test
+    void whatIsReadCountsAsUsedAndSaysWhatItIs() throws Exception {
+        store("a").tables(new Counted("plan"), MethodUse.COLOUR, NO_COLOURS);
+        Path file = kept().get(0);
+        Files.setLastModifiedTime(file, FileTime.fromMillis(0));
+        store("a").tables(new Counted("plan"), MethodUse.COLOUR, NO_COLOURS);
+        CacheFolder folder = CacheFolder.of(new Environment(Map.of(), home));
+        assertThat(folder.entries()).hasSize(1);
+        CacheEntry entry = folder.entries().get(0);
+        assertThat(entry.lastUsed()).isAfter(Instant.now().minusSeconds(600));
+        assertThat(entry.label()).isEqualTo(new TableLabel("a", "counted"));
+    }
+
+    @Test
+    void aNewTableStaysHoweverSmallTheLimit() throws Exception {
+        store("a").tables(new Counted("plan"), MethodUse.COLOUR, NO_COLOURS);
+        CacheFolder.of(new Environment(Map.of(), home)).setLimit(0);
+        Counted other = new Counted("other");
+        assertThat(numbers(store("a").tables(other, MethodUse.COLOUR, NO_COLOURS)))
+                .containsExactly(1, 2, 3);
+        store("a").tables(other, MethodUse.COLOUR, NO_COLOURS);
+        assertThat(other.made).isOne();
+        assertThat(CacheFolder.of(new Environment(Map.of(), home)).entries()).hasSize(1);
         assertThat(warnings).isEmpty();
     }
 

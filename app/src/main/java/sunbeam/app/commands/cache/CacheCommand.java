@@ -1,0 +1,157 @@
+package sunbeam.app.commands.cache;
+
+import java.io.PrintWriter;
+import java.time.ZoneId;
+import java.time.format.DateTimeFormatter;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
+import sunbeam.app.files.cache.CacheEntry;
+import sunbeam.app.files.cache.CacheFolder;
+import sunbeam.app.files.output.OutputException;
+import sunbeam.app.terminal.ByteSize;
+import sunbeam.app.terminal.Environment;
+import sunbeam.app.terminal.ExitCode;
+import sunbeam.app.terminal.Messages;
+import sunbeam.app.terminal.UsageException;
+import sunbeam.precompute.table.TableException;
+import sunbeam.precompute.table.TableLabel;
+
+/** {@code sunbeam cache}: the tables that are kept between runs. */
+@Command(
+        name = "cache",
+        header = "List, limit or clear the tables that are kept.",
+        description = "Tables that took time to make are kept in a folder, $XDG_CACHE_HOME/sunbeam or else"
+                + " ~/.cache/sunbeam, and read again by whoever needs the same. Without an option, lists them, those used last"
+                + " first: size, when it was last used, for which surface it was made, and what it is. Removing them costs time"
+                + " only; other processes that use one go on with it.")
+public final class CacheCommand implements Callable<Integer> {
+    private static final DateTimeFormatter TIME = DateTimeFormatter.ofPattern("yyyy-MM-dd HH:mm", Locale.ROOT);
+    private static final int LONGEST_NAME = 24;
+    private static final int LONGEST_TEXT = 110;
+
+    private final Environment environment;
+
+    @Option(
+            names = "--limit",
+            paramLabel = "SIZE",
+            description =
+                    "From now on, let the tables take this much, for example 2GB; those used longest ago are removed"
+                            + " at once and whenever a new one would exceed it. Default: 8.6GB.")
+    private String limit;
+
+    @Option(names = "--clear", description = "Remove all tables; the limit stays.")
+    private boolean clear;
+
+    @Spec
+    private CommandSpec specification;
+
+    public CacheCommand(Environment environment) {
+        this.environment = environment;
+    }
+
+    @Override
+    public Integer call() {
+        if (clear && limit != null) {
+            throw new UsageException("--limit and --clear are two tasks; leave one of them out");
+        }
+        CacheFolder folder = CacheFolder.of(environment);
+        PrintWriter out = specification.commandLine().getOut();
+        if (limit != null) {
+            limit(folder, parsedLimit(), out);
+        } else if (clear) {
+            clear(folder, out);
+        } else {
+            list(folder, out);
+        }
+        return ExitCode.OK.code();
+    }
+
+    private long parsedLimit() {
+        try {
+            return ByteSize.parse(limit);
+        } catch (IllegalArgumentException wrong) {
+            throw new UsageException("--limit " + wrong.getMessage());
+        }
+    }
+
+    private static void limit(CacheFolder folder, long bytes, PrintWriter out) {
+        folder.setLimit(bytes);
+        List<CacheEntry> removed = folder.shrink(bytes, Optional.empty());
+        List<CacheEntry> left = folder.entries();
+        out.println("%s: at most %s; removed %s; left %s"
+                .formatted(folder.path(), ByteSize.format(bytes), count(removed), count(left)));
+        if (sum(left) > bytes) {
+            throw unremovable(folder, left);
+        }
+    }
+
+    private static void clear(CacheFolder folder, PrintWriter out) {
+        List<CacheEntry> before = folder.entries();
+        List<CacheEntry> removed = folder.clear();
+        out.println("%s: removed %s".formatted(folder.path(), count(removed)));
+        // What others have made meanwhile is none of those.
+        List<CacheEntry> left = folder.entries().stream()
+                .filter(entry -> before.stream().anyMatch(old -> old.file().equals(entry.file())))
+                .filter(entry -> removed.stream().noneMatch(gone -> gone.file().equals(entry.file())))
+                .toList();
+        if (!left.isEmpty()) {
+            throw unremovable(folder, left);
+        }
+    }
+
+    private static OutputException unremovable(CacheFolder folder, List<CacheEntry> left) {
+        return new OutputException("cannot remove " + count(left) + " from " + folder.path()
+                + ": the folder is not yours to write to, or another program has them open; change its permissions, or try"
+                + " again later");
+    }
+
+    private void list(CacheFolder folder, PrintWriter out) {
+        PrintWriter err = specification.commandLine().getErr();
+        List<CacheEntry> entries = folder.entries();
+        long most = folder.limit(warning -> err.println(Messages.warning(warning)));
+        out.println("%s: %s of at most %s".formatted(folder.path(), count(entries), ByteSize.format(most)));
+        if (entries.isEmpty()) {
+            return;
+        }
+        out.println();
+        out.println("      size  last used         for                       what");
+        for (CacheEntry entry : entries) {
+            TableLabel label = label(entry);
+            out.println("  %8s  %s  %-24s  %s"
+                    .formatted(
+                            ByteSize.format(entry.bytes()),
+                            TIME.format(entry.lastUsed().atZone(ZoneId.systemDefault())),
+                            cut(label.patch(), LONGEST_NAME),
+                            cut(label.what(), LONGEST_TEXT)));
+        }
+    }
+
+    private static TableLabel label(CacheEntry entry) {
+        try {
+            return entry.label();
+        } catch (TableException unusable) {
+            // The folder stands above the list.
+            String why = unusable.problem().replace(entry.file() + ": ", "");
+            return new TableLabel("?", "not usable, will be made again or removed: " + why);
+        }
+    }
+
+    private static String cut(String text, int longest) {
+        return text.length() <= longest ? text : text.substring(0, longest - 3) + "...";
+    }
+
+    private static String count(List<CacheEntry> entries) {
+        return "%d table%s, %s"
+                .formatted(entries.size(), entries.size() == 1 ? "" : "s", ByteSize.format(sum(entries)));
+    }
+
+    private static long sum(List<CacheEntry> entries) {
+        return entries.stream().mapToLong(CacheEntry::bytes).sum();
+    }
+}

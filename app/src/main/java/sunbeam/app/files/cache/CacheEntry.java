@@ -1,0 +1,37 @@
+package sunbeam.app.files.cache;
+
+import java.nio.file.Path;
+import java.time.Instant;
+import sunbeam.precompute.shader.ShaderTablesFile;
+import sunbeam.precompute.table.TableException;
+import sunbeam.precompute.table.TableFile;
+import sunbeam.precompute.table.TableLabel;
+
+/**
+ * A table in the cache folder.
+ *
+ * @param file where it lies
+ * @param bytes its length
+ * @param lastUsed when it was read or, before that, made
+ */
+public record CacheEntry(Path file, long bytes, Instant lastUsed) {
+    static final String FOURIER = "h5";
+    static final String SHADER = "tables";
+
+    /** Whether a file's name is one of a table. */
+    static boolean isOne(Path file) {
+        String name = file.getFileName().toString();
+        return name.endsWith("." + FOURIER) || name.endsWith("." + SHADER);
+    }
+
+    /**
+     * What it is and for which surface it was made, read from the file, of which no more is checked.
+     *
+     * @throws TableException when the file does not say it: damaged, of another version, or gone
+     */
+    public TableLabel label() {
+        return file.getFileName().toString().endsWith("." + FOURIER)
+                ? TableFile.label(file)
+                : ShaderTablesFile.label(file);
+    }
+}
