@@ -62,7 +62,8 @@ final class EndOfProcess {
         }
     }
 
-    private static void awaitRest() {
+    /** Returns when each thread that draws is between two operations, where it stays, or after a time. */
+    static void awaitRest() {
         near = true;
         long start = System.nanoTime();
         while (OWNERS.stream().anyMatch(EndOfProcess::isAtWork) && System.nanoTime() - start < PATIENCE_NANOSECONDS) {

@@ -116,7 +116,7 @@ final class GlDevice {
             return;
         }
         try {
-            surface.makeCurrent();
+            EndOfProcess.pass(surface.makeCurrent());
             List<GlResource> open = new ArrayList<>(resources);
             for (int index = open.size() - 1; index >= 0; index--) {
                 open.get(index).close();
