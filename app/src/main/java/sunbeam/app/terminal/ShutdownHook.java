@@ -7,6 +7,7 @@ import java.util.concurrent.ConcurrentHashMap;
 public final class ShutdownHook implements AutoCloseable {
     private static final Set<ShutdownHook> OPEN = ConcurrentHashMap.newKeySet();
 
+    private final Runnable action;
     private final Thread thread;
 
     /**
@@ -14,6 +15,7 @@ public final class ShutdownHook implements AutoCloseable {
      * @throws CancelledException when the process is being ended already
      */
     public ShutdownHook(Runnable action) {
+        this.action = action;
         thread = new Thread(action, "sunbeam-shutdown");
         try {
             Runtime.getRuntime().addShutdownHook(thread);
@@ -27,7 +29,7 @@ public final class ShutdownHook implements AutoCloseable {
 
     /** Does what all that are open would do, now and on this thread: for an end of the process that runs no hooks. */
     public static void runAll() {
-        OPEN.forEach(hook -> hook.thread.run());
+        OPEN.forEach(hook -> hook.action.run());
     }
 
     /** Whether the process is being ended, so that failures of the work that goes on mean nothing. */
