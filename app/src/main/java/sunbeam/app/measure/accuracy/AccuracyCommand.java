@@ -43,11 +43,13 @@ import sunbeam.precompute.units.Lengths;
                 + " of each expansion, the neighbourhood, the wavelength step, and the tolerance, on random directions,"
                 + " half of them aimed at diffraction orders; and of all methods over their time per pixel. Writes"
                 + " tables (CSV), plots (PNG) and a page that shows them (README.md) into a folder. Takes some minutes"
-                + " a patch; --quick, one. With --cases, holds method full to its tolerance on given surfaces and"
+                + " a patch; --quick, one. Exact values are kept in the folder (exact-values.txt): a run that was stopped goes"
+                + " on with them, given --force. With --cases, holds method full to its tolerance on given surfaces and"
                 + " directions instead: prints a line for each; exit code 3 when one is missed.")
 public final class AccuracyCommand implements Callable<Integer> {
     private static final List<String> DEFAULT_PATCHES = List.of("blaze", "elaphe-like", "xenopeltis-like");
     private static final List<Double> CASE_TOLERANCES = List.of(1e-2, 1e-3, 1e-4);
+    private static final String JOURNAL = "exact-values.txt";
     private static final long FIRST_SEED = 1;
     private static final SampleCounts USUAL = new SampleCounts(300, 100, 3);
     private static final SampleCounts QUICK = new SampleCounts(120, 10, 3);
@@ -138,6 +140,7 @@ public final class AccuracyCommand implements Callable<Integer> {
         makeFolder();
         report.checkWritable();
         List<Experiment> experiments = Experiments.all();
+        ExactJournal journal = ExactJournal.of(output.resolve(JOURNAL));
         int costEach = Subject.cost(counts)
                 + experiments.stream().mapToInt(Experiment::cost).sum();
         try (RenderContext context = RenderContexts.offscreen();
@@ -146,7 +149,7 @@ public final class AccuracyCommand implements Callable<Integer> {
                 PrintWriter err = specification.commandLine().getErr();
                 DiffractionSetup setup = new DiffractionSetup(patch, environment, err);
                 Subject subject =
-                        new Subject(name, context, setup, counts, quick ? QUICK_MAP : USUAL_MAP, progress::step);
+                        new Subject(name, context, setup, counts, journal, quick ? QUICK_MAP : USUAL_MAP, progress::step);
                 for (Experiment experiment : experiments) {
                     report.add(name, experiment.run(subject));
                     progress.step(experiment.cost());
