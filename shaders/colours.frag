@@ -4,14 +4,19 @@
 
 // Colours of a list of (u, v, w), one a fragment: what tables of colours are made of.
 
-// (u, v, w) of each fragment, from double precision.
+// (u, v, w) of each fragment, from double precision, and 1; 0 where nothing is asked for.
 uniform sampler2D places;
 
 // CIE XYZ of power.
 layout(location = 0) out vec4 colour;
 
 void main() {
-    colour = vec4(diffractedXyz(texelFetch(places, ivec2(gl_FragCoord.xy), 0).xyz), 1.0);
+    vec4 place = texelFetch(places, ivec2(gl_FragCoord.xy), 0);
+    if (place.w == 0.0) {
+        colour = vec4(0.0);
+        return;
+    }
+    colour = vec4(diffractedXyz(place.xyz), 1.0);
     if (loopsWereCut()) {
         colour = vec4(LOOPS_CUT);
     }

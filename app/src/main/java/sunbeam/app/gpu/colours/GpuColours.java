@@ -16,6 +16,7 @@ import sunbeam.app.gpu.CutLoops;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.terminal.progress.Progress;
 import sunbeam.precompute.colourtable.ColourSource;
+import sunbeam.precompute.colourtable.MortonOrder;
 import sunbeam.precompute.shader.ShaderTables;
 
 /** Colours by a method's shader (shaders/colours.frag), in a context of its own, so that any thread may ask for them. */
@@ -24,6 +25,9 @@ public final class GpuColours implements ColourSource {
     // slow
     // drivers.
     private static final int SIDE = 128;
+
+    // Fourth component of places that are asked for; of others it is 0.
+    private static final float ASKED = 1;
 
     private final RenderContext context;
     private final Progress progress;
@@ -76,21 +80,28 @@ public final class GpuColours implements ColourSource {
         return xyz;
     }
 
+    /** Places that follow each other lie beside each other: fragments that are drawn together read nearly the same. */
     private void batch(float[] uvw, float[] xyz, int start, int count) {
         float[] texels = new float[4 * SIDE * SIDE];
+        int rows = 0;
         for (int i = 0; i < count; i++) {
-            System.arraycopy(uvw, 3 * (start + i), texels, 4 * i, 3);
+            System.arraycopy(uvw, 3 * (start + i), texels, 4 * texel(i), 3);
+            texels[4 * texel(i) + 3] = ASKED;
+            rows = Math.max(rows, MortonOrder.y(i) + 1);
         }
         places.upload(texels);
-        Tile used = new Tile(0, 0, SIDE, (count + SIDE - 1) / SIDE);
         // Tiles count rows from the top, texels from the bottom.
-        Tile tile = new Tile(0, SIDE - used.height(), SIDE, used.height());
+        Tile tile = new Tile(0, SIDE - rows, SIDE, rows);
         context.drawFullScreen(program, bindings, target, tile);
         float[] rgba = CutLoops.checked(target.read(0, tile));
         for (int i = 0; i < count; i++) {
-            int row = used.height() - 1 - i / SIDE;
-            System.arraycopy(rgba, 4 * (row * SIDE + i % SIDE), xyz, 3 * (start + i), 3);
+            int row = rows - 1 - MortonOrder.y(i);
+            System.arraycopy(rgba, 4 * (row * SIDE + MortonOrder.x(i)), xyz, 3 * (start + i), 3);
         }
+    }
+
+    private static int texel(int number) {
+        return MortonOrder.y(number) * SIDE + MortonOrder.x(number);
     }
 
     @Override
