@@ -54,9 +54,11 @@ class BrdfMapInterruptionTest {
 
             assertThat(result.exitCode()).as("%s", result).isEqualTo(Complaint.NO_GRAPHICS);
             assertThat(result.stdout()).isEmpty();
-            assertThat(result.stderr().lines().skip(1)).singleElement().satisfies(line -> assertThat(line)
-                    .startsWith("sunbeam: the X server of DISPLAY=:")
-                    .contains("has ended"));
+            assertThat(result.stderr().lines().skip(1))
+                    .singleElement()
+                    .satisfies(line -> assertThat(line)
+                            .startsWith("sunbeam: the X server of DISPLAY=:")
+                            .contains("has ended"));
         }
         assertThat(workplace.files()).isEmpty();
     }

@@ -47,7 +47,11 @@ class DisplayWatchTest {
 
     private Thread watch() {
         return DisplayWatch.watch(
-                Map.of("DISPLAY", "localhost:" + display() + ".0", "XAUTHORITY", folder.resolve("keys").toString()),
+                Map.of(
+                        "DISPLAY",
+                        "localhost:" + display() + ".0",
+                        "XAUTHORITY",
+                        folder.resolve("keys").toString()),
                 lost::countDown);
     }
 

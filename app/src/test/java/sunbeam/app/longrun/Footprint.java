@@ -115,7 +115,12 @@ public final class Footprint implements AutoCloseable {
             try (CsvWriter csv = new CsvWriter(
                     stream, List.of("seconds", "resident_mebibytes", "heap_mebibytes", "gl_resources", "open_files"))) {
                 for (Look look : all) {
-                    csv.row(look.seconds(), look.residentMebibytes(), look.heapMebibytes(), look.resources(), look.files());
+                    csv.row(
+                            look.seconds(),
+                            look.residentMebibytes(),
+                            look.heapMebibytes(),
+                            look.resources(),
+                            look.files());
                 }
             }
         });

@@ -34,20 +34,39 @@ final class LongRenderRun {
         int before = OpenResources.count();
         try (Footprint footprint = new Footprint(1000)) {
             int code = sunbeam.run(
-                    "render", "elaphe", "--turntable", "" + frames, "--size", "48x36", "--output", output.toString(),
-                    "--tolerance", "0.01", "--mesh", "cylinder", "--texture", "none");
+                    "render",
+                    "elaphe",
+                    "--turntable",
+                    "" + frames,
+                    "--size",
+                    "48x36",
+                    "--output",
+                    output.toString(),
+                    "--tolerance",
+                    "0.01",
+                    "--mesh",
+                    "cylinder",
+                    "--texture",
+                    "none");
             footprint.write(Path.of("target", "long-run"), "render-" + frames + "-frames");
 
             assertThat(code).as(err.toString()).isZero();
             try (Stream<Path> files = Files.list(output)) {
-                assertThat(files.filter(file -> file.toString().endsWith(".png"))).hasSize(frames);
+                assertThat(files.filter(file -> file.toString().endsWith(".png")))
+                        .hasSize(frames);
             }
-            // A collector of garbage may wait, so the heap says little; what leaks with each frame is far more than this.
+            // A collector of garbage may wait, so the heap says little; what leaks with each frame is far more than
+            // this.
             assertThat(footprint.growth(Footprint.Look::residentMebibytes))
                     .as("growth of memory / MiB")
                     .isLessThan(100 + 0.05 * frames);
-            assertThat(footprint.growth(Footprint.Look::files)).as("growth of open files").isLessThan(3);
-            assertThat(footprint.looks().stream().mapToInt(Footprint.Look::resources).max().orElseThrow())
+            assertThat(footprint.growth(Footprint.Look::files))
+                    .as("growth of open files")
+                    .isLessThan(3);
+            assertThat(footprint.looks().stream()
+                            .mapToInt(Footprint.Look::resources)
+                            .max()
+                            .orElseThrow())
                     .as("most resources at once")
                     .isLessThan(before + 60);
         }

@@ -44,8 +44,12 @@ final class LongViewerRun extends ViewerInAWindow {
                     .as("growth of memory / MiB")
                     .isLessThan(200);
             // Scenes differ in what they hold, by a few resources.
-            assertThat(footprint.growth(Footprint.Look::resources)).as("growth of resources").isLessThan(10);
-            assertThat(footprint.growth(Footprint.Look::files)).as("growth of open files").isLessThan(10);
+            assertThat(footprint.growth(Footprint.Look::resources))
+                    .as("growth of resources")
+                    .isLessThan(10);
+            assertThat(footprint.growth(Footprint.Look::files))
+                    .as("growth of open files")
+                    .isLessThan(10);
         }
     }
 

@@ -148,8 +148,8 @@ public final class AccuracyCommand implements Callable<Integer> {
             named.forEach((name, patch) -> {
                 PrintWriter err = specification.commandLine().getErr();
                 DiffractionSetup setup = new DiffractionSetup(patch, environment, err);
-                Subject subject =
-                        new Subject(name, context, setup, counts, journal, quick ? QUICK_MAP : USUAL_MAP, progress::step);
+                Subject subject = new Subject(
+                        name, context, setup, counts, journal, quick ? QUICK_MAP : USUAL_MAP, progress::step);
                 for (Experiment experiment : experiments) {
                     report.add(name, experiment.run(subject));
                     progress.step(experiment.cost());

@@ -68,9 +68,10 @@ final class ReferenceSamples {
                 .map(exact -> new Power(exact.query(), exact.values()[0]))
                 .toList();
         ReferenceColor color = new ReferenceColor(evaluator, window, cie, Quadrature.INTEGRATED);
-        this.colors = draw("colours", counts.colors(), counts.seed() + 1, query -> color(color, query), progress).stream()
-                .map(exact -> new Color(exact.query(), exact.values()))
-                .toList();
+        this.colors =
+                draw("colours", counts.colors(), counts.seed() + 1, query -> color(color, query), progress).stream()
+                        .map(exact -> new Color(exact.query(), exact.values()))
+                        .toList();
     }
 
     public ReferenceEvaluator evaluator() {
@@ -104,7 +105,8 @@ final class ReferenceSamples {
     private List<Exact> draw(
             String what, int count, long seed, Function<Query, double[]> evaluate, LongConsumer progress) {
         DirectionSampler sampler = new DirectionSampler(map, window, seed);
-        List<Exact> results = new ArrayList<>(bright(what + " uniform", sampler::uniform, count / 2, evaluate, progress));
+        List<Exact> results =
+                new ArrayList<>(bright(what + " uniform", sampler::uniform, count / 2, evaluate, progress));
         results.addAll(bright(what + " aimed", sampler::aimed, count - count / 2, evaluate, progress));
         return List.copyOf(results);
     }

@@ -62,7 +62,9 @@ final class ExactJournalTest {
             computed = 0;
             batch("a");
             batch("b");
-            assertThat(computed).as("batches computed after a cut at byte %s", length).isEqualTo(1);
+            assertThat(computed)
+                    .as("batches computed after a cut at byte %s", length)
+                    .isEqualTo(1);
             batch("b");
             assertThat(computed).isEqualTo(1);
         }

@@ -11,9 +11,9 @@ import sunbeam.app.measure.errors.ErrorStatistics;
 final class OutcomeTest {
     @Test
     void programsReadTheErrorsAndTheVerdict() {
-        Map<String, Object> fields =
-                new Outcome("step", "power", 1e-3, ErrorStatistics.of(1e-5, 3e-5, 2e-3), Verdict.MISSED_AS_SAID, "plan")
-                        .fields();
+        Map<String, Object> fields = new Outcome(
+                        "step", "power", 1e-3, ErrorStatistics.of(1e-5, 3e-5, 2e-3), Verdict.MISSED_AS_SAID, "plan")
+                .fields();
 
         assertThat(fields)
                 .containsEntry("case", "step")

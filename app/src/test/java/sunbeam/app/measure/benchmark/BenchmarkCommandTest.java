@@ -98,8 +98,18 @@ final class BenchmarkCommandTest {
     @Test
     void programsReadTheReportAsJson() throws IOException {
         assertThat(run(
-                        "benchmark", "--json", "--patch", "lamellar", "--method", "gem", "--size", "16", "--frames", "1",
-                        "--samples", "0"))
+                        "benchmark",
+                        "--json",
+                        "--patch",
+                        "lamellar",
+                        "--method",
+                        "gem",
+                        "--size",
+                        "16",
+                        "--frames",
+                        "1",
+                        "--samples",
+                        "0"))
                 .as("%s", err)
                 .isZero();
         JsonNode surface = new ObjectMapper().readTree(out.toString()).at("/surfaces/0");
