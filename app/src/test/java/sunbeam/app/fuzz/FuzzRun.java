@@ -67,6 +67,7 @@ final class FuzzRun {
                 "-print_final_stats=1",
                 // Of the clock, for inputs that wait; the budget of the processor's time is asserted.
                 "-timeout=60",
+                "-report_slow_units=3600",
                 corpus.toString()));
         Path kept = KEPT.resolve(reader.corpus());
         if (Files.isDirectory(kept)) {
