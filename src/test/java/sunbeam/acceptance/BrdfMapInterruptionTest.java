@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.file.Path;
 import java.time.Duration;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -31,6 +32,35 @@ class BrdfMapInterruptionTest {
         }
         assertThat(workplace.files()).isEmpty();
         assertThat(workplace.tables()).allMatch(table -> table.toString().endsWith(".tables"));
+    }
+
+    /** Xlib would crash Java at the next call, after hours of drawing for nothing. */
+    @Test
+    void aScreenThatEndsIsOneLine() throws Exception {
+        Workplace workplace = Workplace.in(root);
+        Sunbeam hours = workplace
+                .command("brdf-map", "--patch", "blaze", "--size", "8192", "--output", "a.png")
+                .without("DISPLAY");
+
+        try (RunningSunbeam running = hours.start()) {
+            awaitDrawing(workplace);
+            ProcessHandle screen = running.process()
+                    .descendants()
+                    .filter(process -> process.info().command().orElse("").endsWith("/Xvfb"))
+                    .findFirst()
+                    .orElseThrow();
+            assertThat(screen.destroyForcibly()).isTrue();
+            SunbeamResult result = running.end(Duration.ofSeconds(60));
+
+            assertThat(result.exitCode()).as("%s", result).isEqualTo(Complaint.NO_GRAPHICS);
+            assertThat(result.stdout()).isEmpty();
+            assertThat(result.stderr().lines().skip(1))
+                    .singleElement()
+                    .satisfies(line -> assertThat(line)
+                            .startsWith("sunbeam: the X server of DISPLAY=:")
+                            .contains("has ended"));
+        }
+        assertThat(workplace.files()).isEmpty();
     }
 
     /** Tables are in the cache before the drawing begins, which lasts for hours. */

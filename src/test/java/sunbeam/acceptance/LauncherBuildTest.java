@@ -6,6 +6,8 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
+import java.util.List;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -79,6 +81,50 @@ class LauncherBuildTest {
         assertThat(library).doesNotExist();
         assertThat(jar).doesNotExist();
         assertThat(target.resolve("app-0.1.0.jar")).exists();
+    }
+
+    @Test
+    void aBuildLeavesRunningProgramsTheirLibraries() throws Exception {
+        Path signal = folder.resolve("end now");
+        sandbox.installJava("jdk", "17.0.1", "until [ -e '" + signal + "' ]; do sleep 0.05; done");
+        try (RunningSunbeam early = sandbox.command("inspect").start()) {
+            early.firstLine(Duration.ofMinutes(1));
+            sandbox.installJava("jdk", "17.0.1");
+
+            Path ofEarly = onlyCopy();
+            rebuild();
+
+            assertThat(ofEarly.resolve("app-0.1.0.jar")).exists();
+            assertThat(ofEarly.resolve("lib")).isDirectory();
+            assertThat(copies()).hasSize(2);
+            Files.createFile(signal);
+            SunbeamResult result = early.end(Duration.ofMinutes(1));
+            assertThat(result.exitCode()).as("%s", result).isZero();
+            assertThat(result.stdout())
+                    .contains("\n" + ofEarly.toRealPath() + "/*:" + ofEarly.toRealPath() + "/lib/*\n");
+        }
+        // Nobody runs from the first copy any more, nor from the second once there is a third.
+        rebuild();
+        assertThat(copies()).hasSize(1);
+    }
+
+    private void rebuild() throws Exception {
+        int before = sandbox.builds();
+        Files.writeString(sandbox.repository().resolve("pom.xml"), "change " + before);
+        assertThat(sandbox.command("inspect").run().exitCode()).isZero();
+        assertThat(sandbox.builds()).isEqualTo(before + 1);
+    }
+
+    private Path onlyCopy() throws IOException {
+        assertThat(copies()).hasSize(1);
+        return copies().get(0);
+    }
+
+    /** What programs run from. */
+    private List<Path> copies() throws IOException {
+        try (Stream<Path> files = Files.list(sandbox.repository().resolve("app/target/run"))) {
+            return files.filter(Files::isDirectory).toList();
+        }
     }
 
     @Test

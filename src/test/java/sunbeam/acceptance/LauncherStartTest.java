@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.regex.Pattern;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -55,7 +56,8 @@ class LauncherStartTest {
         assertThat(result.exitCode()).as("%s", result).isZero();
         assertThat(result.stdout().lines())
                 .contains("-Dsunbeam.home=" + repository)
-                .contains(repository + "/app/target/*:" + repository + "/app/target/lib/*");
+                .anyMatch(line -> line.matches(Pattern.quote(repository + "/app/target/run/") + "([-0-9]+)/\\*:"
+                        + Pattern.quote(repository + "/app/target/run/") + "\\1/lib/\\*"));
     }
 
     @Test
@@ -118,13 +120,22 @@ class LauncherStartTest {
         assertThat(result.stdout().lines())
                 .as("%s", result)
                 .contains("-Djogamp.gluegen.UseTempJarCache=false")
-                .anyMatch(line -> line.startsWith("-Djava.library.path=" + repository + "/app/target/natives/linux-"));
+                .anyMatch(line -> line.matches(Pattern.quote("-Djava.library.path=" + repository + "/app/target/run/")
+                        + "[-0-9]+/natives/linux-.*"));
     }
 
+    /** Mesa maps its cache of shaders into memory: on a full disk that would kill Java. */
     @Test
-    void aDeadJavaLeavesNoFilesInTheUsersFolder() throws Exception {
-        assertThat(sandbox.command("inspect").run().stdout().lines())
-                .contains("-XX:ErrorFile=/dev/null", "-XX:-CreateCoredumpOnCrash");
+    void aFullDiskNeitherKillsJavaNorDoesADeadJavaLeaveFilesInTheUsersFolder() throws Exception {
+        sandbox.installJava("jdk", "17.0.1", "echo \"Mesa $MESA_SHADER_CACHE_DISABLE $MESA_GLSL_CACHE_DISABLE\"");
+
+        assertThat(sandbox.command("brdf-map")
+                        .with("DISPLAY", "elsewhere:0")
+                        .run()
+                        .stdout()
+                        .lines())
+                .contains(
+                        "-XX:ErrorFile=/dev/null", "-XX:-CreateCoredumpOnCrash", "-XX:-UsePerfData", "Mesa true true");
     }
 
     @Test

@@ -63,7 +63,7 @@ final class RootCommand implements Callable<Integer> {
     @Option(
             names = "--quiet",
             scope = ScopeType.INHERIT,
-            description = "Say nothing but failures on standard error: no plan, no warning.")
+            description = "Say nothing but failures on standard error: no plan, no warning, no progress.")
     private boolean quiet;
 
     @Spec

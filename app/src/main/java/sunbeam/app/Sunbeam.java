@@ -27,6 +27,7 @@ import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.HarmlessWriter;
 import sunbeam.app.terminal.QuietWriter;
 import sunbeam.app.terminal.UsageException;
+import sunbeam.app.terminal.progress.Progress;
 import sunbeam.app.viewer.ViewCommand;
 
 /** The program: its commands put together, run, and their failures turned into messages and exit codes. */
@@ -68,6 +69,7 @@ public final class Sunbeam {
         }
         root.setOut(HarmlessWriter.around(out));
         root.setErr(quiet ? QuietWriter.around(err) : err);
+        Progress.setQuiet(quiet);
         return new RunLast().execute(parsed);
     }
 

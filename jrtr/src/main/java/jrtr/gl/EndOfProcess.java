@@ -63,7 +63,7 @@ final class EndOfProcess {
         }
     }
 
-    /** Waits, on the threads that end the process, until no thread draws. */
+    /** Returns when each thread that draws is between two operations, where it stays, or after a time. */
     static void awaitRest() {
         near = true;
         long start = System.nanoTime();

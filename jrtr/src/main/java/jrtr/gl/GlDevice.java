@@ -115,11 +115,15 @@ final class GlDevice {
             return;
         }
         try {
-            surface.makeCurrent();
+            GL3 gl = surface.makeCurrent();
+            EndOfProcess.pass(gl);
             List<GlResource> open = new ArrayList<>(resources);
             for (int index = open.size() - 1; index >= 0; index--) {
                 open.get(index).close();
             }
+            // The program in use would live on after it was deleted.
+            gl.glUseProgram(0);
+            assert LivingObjects.of(gl).isEmpty() : "left in OpenGL: " + LivingObjects.of(gl);
         } finally {
             closed = true;
             surface.destroy();

@@ -49,6 +49,7 @@ final class OffscreenSurface implements GlSurface {
         try (JoglNoise noise = JoglNoise.divert()) {
             OffscreenSurface surface = open(options);
             noise.discard();
+            DisplayWatch.start(System.getenv());
             return surface;
         } catch (RuntimeException | LinkageError failure) {
             throw new GraphicsException(

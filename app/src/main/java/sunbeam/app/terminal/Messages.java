@@ -7,18 +7,20 @@ public final class Messages {
     /** A name of a file may take 4096 bytes; whatever is longer is no message. */
     private static final int LONGEST = 6000;
 
-    private static final String WARNING = "sunbeam: warning: ";
+    private static final String ERROR = "sunbeam: ";
+    private static final String WARNING = ERROR + "warning: ";
+    private static final String NOTE = ERROR + "note: ";
 
     private Messages() {}
 
-    /** Whether a line is one of {@link #warning}. */
-    static boolean isWarning(String line) {
-        return line.startsWith(WARNING);
+    /** Whether a line is one of {@link #error}. */
+    static boolean isError(String line) {
+        return line.startsWith(ERROR) && !line.startsWith(WARNING) && !line.startsWith(NOTE);
     }
 
     /** {@code sunbeam: message}, with line breaks in the message turned into blanks. */
     public static String error(String message) {
-        return "sunbeam: " + oneLine(message);
+        return ERROR + oneLine(message);
     }
 
     /** {@code sunbeam: warning: message}, with line breaks in the message turned into blanks. */
@@ -28,7 +30,7 @@ public final class Messages {
 
     /** {@code sunbeam: note: message}, with line breaks in the message turned into blanks. */
     public static String note(String message) {
-        return "sunbeam: note: " + oneLine(message);
+        return NOTE + oneLine(message);
     }
 
     private static String oneLine(String message) {

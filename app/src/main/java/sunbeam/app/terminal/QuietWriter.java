@@ -5,7 +5,7 @@ import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.Writer;
 
-/** Lines on their way to standard error without plans and warnings: failures are left. */
+/** Lines on their way to standard error of which failures alone are left: no plans, warnings, notes or reports. */
 public final class QuietWriter extends FilterWriter {
     private final StringBuilder line = new StringBuilder();
 
@@ -24,7 +24,7 @@ public final class QuietWriter extends FilterWriter {
         if (character == '\n') {
             String whole = line.toString();
             line.setLength(0);
-            if (!whole.startsWith("plan: ") && !Messages.isWarning(whole)) {
+            if (Messages.isError(whole)) {
                 out.write(whole);
             }
         }

@@ -9,8 +9,8 @@ import java.util.Random;
 import java.util.stream.Stream;
 
 /**
- * Runs the inputs that are kept (corpora and every input that was ever a finding), and as many random mutations of good
- * files as asked for, through all readers; a process of its own, so that its memory is the budget.
+ * Runs the inputs that are kept (corpora and every input that was ever a finding), and as many random mutations of each as
+ * asked for, through all readers; a process of its own, so that its memory is the budget.
  */
 public final class FuzzRegression {
     private FuzzRegression() {}
@@ -18,7 +18,7 @@ public final class FuzzRegression {
     /**
      * Runs all readers and ends the process with the number of findings told.
      *
-     * @param arguments folder of the kept inputs, number of mutations for each seed
+     * @param arguments folder of the kept inputs, number of mutations for each of them and of the seeds
      */
     public static void main(String[] arguments) throws IOException {
         Path kept = Path.of(arguments[0]);
@@ -51,20 +51,21 @@ public final class FuzzRegression {
     }
 
     private static List<byte[]> inputs(FuzzedReader reader, Path kept, int mutations) throws IOException {
-        List<byte[]> inputs = new ArrayList<>(List.of(new byte[0]));
+        List<byte[]> sources = new ArrayList<>(reader.seeds());
         Path folder = kept.resolve(reader.corpus());
         if (Files.isDirectory(folder)) {
             try (Stream<Path> files = Files.list(folder)) {
                 for (Path file : files.sorted().toList()) {
-                    inputs.add(Files.readAllBytes(file));
+                    sources.add(Files.readAllBytes(file));
                 }
             }
         }
         Random random = new Random(13);
-        for (byte[] seed : reader.seeds()) {
-            inputs.add(seed);
+        List<byte[]> inputs = new ArrayList<>(List.of(new byte[0]));
+        for (byte[] source : sources) {
+            inputs.add(source);
             for (int mutation = 0; mutation < mutations; mutation++) {
-                inputs.add(mutated(seed, random));
+                inputs.add(mutated(source, random));
             }
         }
         return inputs;

@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 
@@ -16,6 +17,9 @@ import org.junit.jupiter.api.Test;
  */
 final class FuzzRun {
     private static final Path KEPT = Path.of("src/test/resources/sunbeam/app/fuzz");
+
+    /** For the start, the last input, which may take a minute, and the figures at the end. */
+    private static final int PATIENCE_SECONDS = 300;
 
     @Test
     void run() throws Exception {
@@ -28,14 +32,20 @@ final class FuzzRun {
         for (byte[] seed : reader.seeds()) {
             Files.write(corpus.resolve("seed-" + number++), seed);
         }
-        Process process = new ProcessBuilder(command(reader, minutes, corpus, findings))
-                .inheritIO()
-                .start();
-        int status = process.waitFor();
+        ProcessBuilder builder = new ProcessBuilder(command(reader, minutes, corpus, findings)).inheritIO();
+        FuzzTarget.hidePrograms(builder);
+        Process process = builder.start();
+        boolean ended;
+        try {
+            ended = process.waitFor(Math.round(60 * minutes) + PATIENCE_SECONDS, TimeUnit.SECONDS);
+        } finally {
+            process.destroyForcibly();
+        }
         assertThat(files(findings))
                 .as("findings, to be kept in %s", KEPT.resolve(reader.corpus()))
                 .isEmpty();
-        assertThat(status).isZero();
+        assertThat(ended).as("the run ended by itself").isTrue();
+        assertThat(process.waitFor()).isZero();
     }
 
     private static List<String> command(FuzzedReader reader, double minutes, Path corpus, Path findings) {
@@ -57,6 +67,7 @@ final class FuzzRun {
                 "-print_final_stats=1",
                 // Of the clock, for inputs that wait; the budget of the processor's time is asserted.
                 "-timeout=60",
+                "-report_slow_units=3600",
                 corpus.toString()));
         Path kept = KEPT.resolve(reader.corpus());
         if (Files.isDirectory(kept)) {

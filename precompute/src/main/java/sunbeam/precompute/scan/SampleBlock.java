@@ -25,6 +25,9 @@ public record SampleBlock(long offset, long count, SampleType type, ByteOrder or
      * @throws ScanException otherwise
      */
     public SampleBlock requireIn(ScanBytes file) {
+        if (count < 0 || count > Long.MAX_VALUE / type.size()) {
+            throw new ScanException("claims %d samples; the file is damaged, export it again".formatted(count));
+        }
         file.requireInside(offset, bytes());
         return this;
     }

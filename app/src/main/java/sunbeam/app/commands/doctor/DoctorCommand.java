@@ -2,14 +2,18 @@ package sunbeam.app.commands.doctor;
 
 import java.io.PrintWriter;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.concurrent.Callable;
 import jrtr.GraphicsException;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Spec;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;
+import sunbeam.app.terminal.JsonOption;
 
 /** {@code sunbeam doctor}: says whether rendering works here, and what to do where it does not. */
 @Command(
@@ -21,6 +25,9 @@ import sunbeam.app.terminal.ExitCode;
 public final class DoctorCommand implements Callable<Integer> {
     private final Environment environment;
     private final GraphicsProbe graphics;
+
+    @Mixin
+    private JsonOption json;
 
     @Spec
     private CommandSpec specification;
@@ -35,8 +42,13 @@ public final class DoctorCommand implements Callable<Integer> {
         List<Check> checks = new ArrayList<>(Machine.examine(environment));
         List<Check> rendering = examineGraphics();
         checks.addAll(rendering);
-        print(checks, specification.commandLine().getOut());
-        return rendering.stream().allMatch(Check::isOk) ? ExitCode.OK.code() : ExitCode.NO_GRAPHICS.code();
+        boolean renders = rendering.stream().allMatch(Check::isOk);
+        if (json.isAsked()) {
+            JsonOption.print(specification.commandLine().getOut(), report(renders, checks));
+        } else {
+            print(checks, specification.commandLine().getOut());
+        }
+        return renders ? ExitCode.OK.code() : ExitCode.NO_GRAPHICS.code();
     }
 
     private List<Check> examineGraphics() {
@@ -45,6 +57,22 @@ public final class DoctorCommand implements Callable<Integer> {
         } catch (GraphicsException failure) {
             return List.of(Check.failed("Graphics", "not usable", failure.getMessage()));
         }
+    }
+
+    private static Map<String, Object> report(boolean renders, List<Check> checks) {
+        Map<String, Object> report = new LinkedHashMap<>();
+        report.put("renders", renders);
+        report.put("checks", checks.stream().map(DoctorCommand::report).toList());
+        return report;
+    }
+
+    private static Map<String, Object> report(Check check) {
+        Map<String, Object> report = new LinkedHashMap<>();
+        report.put("name", check.name());
+        report.put("ok", check.isOk());
+        report.put("value", check.value());
+        check.remedy().ifPresent(remedy -> report.put("remedy", remedy));
+        return report;
     }
 
     private static void print(List<Check> checks, PrintWriter out) {

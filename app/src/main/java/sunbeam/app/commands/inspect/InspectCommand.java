@@ -17,6 +17,7 @@ import sunbeam.app.files.output.ForceOption;
 import sunbeam.app.files.output.PngWriter;
 import sunbeam.app.files.output.StandardOutput;
 import sunbeam.app.terminal.ExitCode;
+import sunbeam.app.terminal.JsonOption;
 import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.app.terminal.options.PatchOptions;
@@ -50,12 +51,18 @@ public final class InspectCommand implements Callable<Integer> {
             description = "The picture. Default: a name made of the patch.")
     private Path output;
 
+    @Mixin
+    private JsonOption json;
+
     @Spec
     private CommandSpec specification;
 
     @Override
     public Integer call() {
         Ending.PNG.require("--output", output);
+        if (json.isAsked() && StandardOutput.isMeant(output)) {
+            throw new UsageException("--json and --output - both want standard output; name a file for the picture");
+        }
         PrintWriter err = specification.commandLine().getErr();
         PrintWriter out = StandardOutput.reports(specification.commandLine().getOut(), err, output);
         Patch loaded = load();
@@ -65,13 +72,20 @@ public final class InspectCommand implements Callable<Integer> {
         Path picture = output != null ? output : Path.of("inspect-" + loaded.name() + ".png");
         AtomicFile.checkWritable(picture, force.overwrite(output));
         Inspection inspection = Inspection.of(loaded);
-        inspection.lines().forEach(out::println);
-        out.flush();
+        if (!json.isAsked()) {
+            inspection.lines().forEach(out::println);
+            out.flush();
+        }
         Map<String, String> text = new LinkedHashMap<>();
         text.put("Title", "Inspection of " + loaded.name());
         text.put("Patch", loaded.source());
         text.put("Plan", inspection.plan().summary());
-        out.println(PngWriter.write(picture, force.overwrite(output), new InspectionSheet(inspection).draw(), text));
+        Path place = PngWriter.write(picture, force.overwrite(output), new InspectionSheet(inspection).draw(), text);
+        if (json.isAsked()) {
+            JsonOption.print(out, new InspectionReport(inspection, place).fields());
+        } else {
+            out.println(place);
+        }
         return ExitCode.OK.code();
     }
 

@@ -82,7 +82,7 @@ public final class CacheFolder {
                     entries.add(new CacheEntry(file, attributes.size(), used));
                 }
             } catch (IOException gone) {
-                continue;
+                // Another process has removed it meanwhile.
             }
         }
         entries.sort(Comparator.comparing(CacheEntry::lastUsed)

@@ -25,6 +25,7 @@ import sunbeam.app.files.output.OutputException;
 import sunbeam.app.measure.accuracy.ReferenceSamples.SampleCounts;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;
+import sunbeam.app.terminal.JsonOption;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.app.terminal.options.PatchOptions;
 import sunbeam.app.terminal.progress.Progress;
@@ -42,11 +43,13 @@ import sunbeam.precompute.units.Lengths;
                 + " of each expansion, the neighbourhood, the wavelength step, and the tolerance, on random directions,"
                 + " half of them aimed at diffraction orders; and of all methods over their time per pixel. Writes"
                 + " tables (CSV), plots (PNG) and a page that shows them (README.md) into a folder. Takes some minutes"
-                + " a patch; --quick, one. With --cases, holds method full to its tolerance on given surfaces and"
+                + " a patch; --quick, one. Exact values are kept in the folder (exact-values.txt): a run that was stopped goes"
+                + " on with them, given --force. With --cases, holds method full to its tolerance on given surfaces and"
                 + " directions instead: prints a line for each; exit code 3 when one is missed.")
 public final class AccuracyCommand implements Callable<Integer> {
     private static final List<String> DEFAULT_PATCHES = List.of("blaze", "elaphe-like", "xenopeltis-like");
     private static final List<Double> CASE_TOLERANCES = List.of(1e-2, 1e-3, 1e-4);
+    private static final String JOURNAL = "exact-values.txt";
     private static final long FIRST_SEED = 1;
     private static final SampleCounts USUAL = new SampleCounts(300, 100, 3);
     private static final SampleCounts QUICK = new SampleCounts(120, 10, 3);
@@ -119,6 +122,9 @@ public final class AccuracyCommand implements Callable<Integer> {
     @Mixin
     private ForceOption force;
 
+    @Mixin
+    private JsonOption json;
+
     @Spec
     private CommandSpec specification;
 
@@ -145,6 +151,7 @@ public final class AccuracyCommand implements Callable<Integer> {
         makeFolder();
         report.checkWritable();
         List<Experiment> experiments = Experiments.all();
+        ExactJournal journal = ExactJournal.of(output.resolve(JOURNAL));
         int costEach = Subject.cost(counts)
                 + experiments.stream().mapToInt(Experiment::cost).sum();
         try (RenderContext context = RenderContexts.offscreen();
@@ -152,8 +159,8 @@ public final class AccuracyCommand implements Callable<Integer> {
             named.forEach((name, patch) -> {
                 PrintWriter err = specification.commandLine().getErr();
                 DiffractionSetup setup = new DiffractionSetup(patch, environment, err);
-                Subject subject =
-                        new Subject(name, context, setup, counts, quick ? QUICK_MAP : USUAL_MAP, progress::step);
+                Subject subject = new Subject(
+                        name, context, setup, counts, journal, quick ? QUICK_MAP : USUAL_MAP, progress::step);
                 for (Experiment experiment : experiments) {
                     report.add(name, experiment.run(subject));
                     progress.step(experiment.cost());
@@ -188,6 +195,9 @@ public final class AccuracyCommand implements Callable<Integer> {
         if (cases == null && !tolerances.isEmpty()) {
             throw new UsageException("--tolerance belongs to --cases; leave it out");
         }
+        if (cases == null && json.isAsked()) {
+            throw new UsageException("--json belongs to --cases; leave it out: the tables of a run are CSV files");
+        }
         if (random == null && seed != null) {
             throw new UsageException("--seed " + seed + " belongs to --random; leave it out, or add --random");
         }
@@ -219,24 +229,36 @@ public final class AccuracyCommand implements Callable<Integer> {
         List<AccuracyCase> all = AccuracyCase.readAll(cases);
         PrintWriter out = specification.commandLine().getOut();
         PrintWriter err = specification.commandLine().getErr();
-        int missed = 0;
-        int tried = 0;
+        List<CaseRunner.Outcome> outcomes = new ArrayList<>();
         try (RenderContext context = RenderContexts.offscreen()) {
             CaseRunner runner = new CaseRunner(context);
             for (AccuracyCase surface : all) {
                 DiffractionSetup setup = new DiffractionSetup(surface.patch(), environment, err);
                 for (double tolerance : tolerances.isEmpty() ? CASE_TOLERANCES : tolerances) {
                     for (CaseRunner.Outcome outcome : runner.run(surface, setup, tolerance)) {
-                        out.println(outcome.line());
-                        out.flush();
-                        missed += outcome.verdict() == CaseRunner.Verdict.KEPT ? 0 : 1;
-                        tried++;
+                        if (!json.isAsked()) {
+                            out.println(outcome.line());
+                            out.flush();
+                        }
+                        outcomes.add(outcome);
                     }
                 }
             }
         }
-        out.printf("%d of %d kept%n", tried - missed, tried);
-        return missed == 0 ? ExitCode.OK : ExitCode.TOLERANCE_MISSED;
+        long kept = outcomes.stream()
+                .filter(outcome -> outcome.verdict() == CaseRunner.Verdict.KEPT)
+                .count();
+        if (json.isAsked()) {
+            Map<String, Object> report = new LinkedHashMap<>();
+            report.put("tried", outcomes.size());
+            report.put("kept", kept);
+            report.put(
+                    "cases", outcomes.stream().map(CaseRunner.Outcome::fields).toList());
+            JsonOption.print(out, report);
+        } else {
+            out.println(kept + " of " + outcomes.size() + " kept");
+        }
+        return kept == outcomes.size() ? ExitCode.OK : ExitCode.TOLERANCE_MISSED;
     }
 
     /** By names that differ, as files are named after them. */

@@ -1,8 +1,10 @@
 package sunbeam.app.measure.accuracy;
 
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import jrtr.RenderContext;
 import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.files.input.DirectionList;
@@ -44,6 +46,27 @@ final class CaseRunner {
     record Outcome(
             String name, String quantity, double tolerance, ErrorStatistics errors, Verdict verdict, String plan) {
 
+        private String verdictInWords() {
+            return verdict.toString().toLowerCase(Locale.ROOT).replace('_', ' ');
+        }
+
+        /** For programs. */
+        Map<String, Object> fields() {
+            Map<String, Object> fields = new LinkedHashMap<>();
+            fields.put("case", name);
+            fields.put("quantity", quantity);
+            fields.put("tolerance", tolerance);
+            fields.put("verdict", verdictInWords());
+            fields.put("plan", plan);
+            if (verdict != Verdict.REFUSED) {
+                fields.put("rows", errors.count());
+                fields.put("median", errors.median());
+                fields.put("percentile95", errors.percentile95());
+                fields.put("maximum", errors.maximum());
+            }
+            return fields;
+        }
+
         /** One line. */
         String line() {
             return verdict == Verdict.REFUSED
@@ -58,7 +81,7 @@ final class CaseRunner {
                             errors.percentile95(),
                             errors.maximum(),
                             errors.count(),
-                            verdict.toString().toLowerCase(Locale.ROOT).replace('_', ' '),
+                            verdictInWords(),
                             plan);
         }
     }

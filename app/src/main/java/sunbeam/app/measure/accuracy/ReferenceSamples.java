@@ -21,11 +21,13 @@ import sunbeam.precompute.reference.ReferenceEvaluator;
  * Random directions of one patch with their exact coherent power and colour: half uniform on the hemisphere, half aimed
  * at orders. Directions that are too dark for a relative error to mean anything are left out.
  */
-public final class ReferenceSamples {
+final class ReferenceSamples {
     // Of a grating nearly all directions are dark; a patch that is dark everywhere must come to an end.
     private static final int MOST_TRIES_PER_SAMPLE = 2000;
     private static final int BATCH = 64;
 
+    private final ExactJournal journal;
+    private final String subject;
     private final HeightMap map;
     private final CoherenceWindow window;
     private final ReferenceEvaluator evaluator;
@@ -44,6 +46,8 @@ public final class ReferenceSamples {
     /**
      * Computes samples of a patch whose window has its maximum at the given place.
      *
+     * @param journal that has the exact values of a run before this one, and gets those of this
+     * @param subject all that determines the values beside the counts, for the journal
      * @param progress told how many colours are done
      */
     public ReferenceSamples(
@@ -52,13 +56,22 @@ public final class ReferenceSamples {
             WindowOrigin origin,
             CieTable cie,
             SampleCounts counts,
+            ExactJournal journal,
+            String subject,
             LongConsumer progress) {
+        this.journal = journal;
+        this.subject = String.join("|", subject, window.toString(), origin.toString(), counts.toString());
         this.map = map;
         this.window = window;
         this.evaluator = new ReferenceEvaluator(map, window, origin);
-        this.powers = draw(counts.powers(), counts.seed(), this::power, done -> {});
+        this.powers = draw("powers", counts.powers(), counts.seed(), this::power, done -> {}).stream()
+                .map(exact -> new Power(exact.query(), exact.values()[0]))
+                .toList();
         ReferenceColor color = new ReferenceColor(evaluator, window, cie, Quadrature.INTEGRATED);
-        this.colors = draw(counts.colors(), counts.seed() + 1, query -> color(color, query), progress);
+        this.colors =
+                draw("colours", counts.colors(), counts.seed() + 1, query -> color(color, query), progress).stream()
+                        .map(exact -> new Color(exact.query(), exact.values()))
+                        .toList();
     }
 
     public ReferenceEvaluator evaluator() {
@@ -75,37 +88,50 @@ public final class ReferenceSamples {
         return colors;
     }
 
-    private Power power(Query query) {
+    /** What was computed of a direction that is bright enough. */
+    private record Exact(Query query, double[] values) {}
+
+    /** Nothing where it is too dark. */
+    private double[] power(Query query) {
         double power = evaluator.coherent(query.pair(), query.wavelength());
-        return power > RelativeError.FLOOR ? new Power(query, power) : null;
+        return power > RelativeError.FLOOR ? new double[] {power} : new double[0];
     }
 
-    private static Color color(ReferenceColor color, Query query) {
+    private static double[] color(ReferenceColor color, Query query) {
         double[] xyz = color.xyz(query.pair(), false);
-        return RelativeError.largest(xyz) > RelativeError.FLOOR ? new Color(query, xyz) : null;
+        return RelativeError.largest(xyz) > RelativeError.FLOOR ? xyz : new double[0];
     }
 
-    private <T> List<T> draw(int count, long seed, Function<Query, T> evaluate, LongConsumer progress) {
+    private List<Exact> draw(
+            String what, int count, long seed, Function<Query, double[]> evaluate, LongConsumer progress) {
         DirectionSampler sampler = new DirectionSampler(map, window, seed);
-        List<T> results = new ArrayList<>(bright(sampler::uniform, count / 2, evaluate, progress));
-        results.addAll(bright(sampler::aimed, count - count / 2, evaluate, progress));
+        List<Exact> results =
+                new ArrayList<>(bright(what + " uniform", sampler::uniform, count / 2, evaluate, progress));
+        results.addAll(bright(what + " aimed", sampler::aimed, count - count / 2, evaluate, progress));
         return List.copyOf(results);
     }
 
     /** The first so many that are bright enough; the same whatever the number of processors. */
-    private static <T> List<T> bright(
-            Supplier<Query> directions, int count, Function<Query, T> evaluate, LongConsumer progress) {
-        List<T> results = new ArrayList<>();
+    private List<Exact> bright(
+            String what,
+            Supplier<Query> directions,
+            int count,
+            Function<Query, double[]> evaluate,
+            LongConsumer progress) {
+        List<Exact> results = new ArrayList<>();
         for (long tried = 0; results.size() < count && tried < (long) count * MOST_TRIES_PER_SAMPLE; ) {
             int batch = Math.min(BATCH, 2 * (count - results.size()));
             List<Query> queries = Stream.generate(directions).limit(batch).toList();
-            List<T> found = queries.parallelStream()
-                    .map(evaluate)
-                    .filter(result -> result != null)
-                    .toList();
-            List<T> taken = found.subList(0, Math.min(found.size(), count - results.size()));
-            results.addAll(taken);
-            progress.accept(taken.size());
+            List<double[]> values = journal.batch(
+                    subject + "|" + what + "|" + tried,
+                    () -> queries.parallelStream().map(evaluate).toList());
+            int before = results.size();
+            for (int i = 0; i < batch && results.size() < count; i++) {
+                if (values.get(i).length > 0) {
+                    results.add(new Exact(queries.get(i), values.get(i)));
+                }
+            }
+            progress.accept(results.size() - before);
             tried += batch;
         }
         return results;

@@ -10,6 +10,7 @@ import sunbeam.app.gpu.directions.DirectionsRenderer;
 import sunbeam.app.gpu.directions.DirectionsRenderer.Query;
 import sunbeam.app.measure.accuracy.ReferenceSamples.SampleCounts;
 import sunbeam.app.measure.errors.RelativeError;
+import sunbeam.app.terminal.Version;
 import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.method.Method;
 import sunbeam.precompute.optics.CoherenceWindow;
@@ -38,6 +39,7 @@ final class Subject {
     /**
      * Computes the exact samples, which takes its time.
      *
+     * @param journal of the exact values
      * @param mapSize width and height of maps that are timed, pixels
      * @param progress told how many exact colours are done, of {@link #cost}
      */
@@ -46,15 +48,16 @@ final class Subject {
             RenderContext context,
             DiffractionSetup setup,
             SampleCounts counts,
+            ExactJournal journal,
             int mapSize,
             LongConsumer progress) {
         this.name = name;
         this.context = context;
         this.setup = setup;
         this.methods = new MethodMeter(context, this, mapSize);
-        this.centred = samples(WindowOrigin.CENTRE, counts, progress);
+        this.centred = samples(WindowOrigin.CENTRE, counts, journal, progress);
         // For one plan only, the thesis's, whose errors are large enough to be seen in fewer directions.
-        this.cornered = samples(WindowOrigin.CORNER, half(counts), progress);
+        this.cornered = samples(WindowOrigin.CORNER, half(counts), journal, progress);
     }
 
     /** Exact colours that a subject computes. */
@@ -66,8 +69,11 @@ final class Subject {
         return new SampleCounts(counts.powers() / 2, counts.colors() / 2, counts.seed());
     }
 
-    private ReferenceSamples samples(WindowOrigin origin, SampleCounts counts, LongConsumer progress) {
-        return new ReferenceSamples(setup.patch().heights(), WINDOW, origin, setup.cie(), counts, progress);
+    private ReferenceSamples samples(
+            WindowOrigin origin, SampleCounts counts, ExactJournal journal, LongConsumer progress) {
+        String subject = Version.number() + "|" + setup.patch().digest();
+        return new ReferenceSamples(
+                setup.patch().heights(), WINDOW, origin, setup.cie(), counts, journal, subject, progress);
     }
 
     String name() {

@@ -7,6 +7,7 @@ import java.io.PrintWriter;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import jrtr.RenderContext;
@@ -21,6 +22,7 @@ import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.gpu.colours.GpuColours;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;
+import sunbeam.app.terminal.JsonOption;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.app.terminal.options.LightOptions;
 import sunbeam.app.terminal.options.MethodOptions;
@@ -99,6 +101,9 @@ public final class BenchmarkCommand implements Callable<Integer> {
             description = "The same seed gives the same views. Default: ${DEFAULT-VALUE}.")
     private long seed;
 
+    @Mixin
+    private JsonOption json;
+
     @Spec
     private CommandSpec specification;
 
@@ -126,13 +131,17 @@ public final class BenchmarkCommand implements Callable<Integer> {
         List<Patch> patches = new ArrayList<>(List.of(patchOptions.load(asked)));
         others.forEach(name -> patches.add(patchOptions.load(name, asked)));
         PrintWriter out = specification.commandLine().getOut();
+        List<Map<String, Object>> surfaces = new ArrayList<>();
         try (RenderContext context = RenderContexts.offscreen()) {
             for (Patch patch : patches) {
                 DiffractionSetup setup = new DiffractionSetup(
                         patch, environment, specification.commandLine().getErr());
-                measure(context, setup, asked, wi, out);
+                surfaces.add(measure(context, setup, asked, wi, out));
                 out.flush();
             }
+        }
+        if (json.isAsked()) {
+            JsonOption.print(out, Map.of("surfaces", surfaces));
         }
         return ExitCode.OK.code();
     }
@@ -143,19 +152,28 @@ public final class BenchmarkCommand implements Callable<Integer> {
         }
     }
 
-    private void measure(RenderContext context, DiffractionSetup setup, Choices asked, Direction wi, PrintWriter out) {
+    /** Prints the report for people, unless that for programs is asked for; returns the latter. */
+    private Map<String, Object> measure(
+            RenderContext context, DiffractionSetup setup, Choices asked, Direction wi, PrintWriter out) {
         Choices choices = setup.seen(asked, specification.commandLine().getErr());
         MapSamples exact = new MapSamples(setup, wi, samples, seed);
         List<FrameTime> times = new ArrayList<>();
         for (Contender contender : contenders(setup, choices, wi)) {
             times.add(time(context, setup, contender, wi, exact));
         }
-        new BenchmarkReport(setup.patch().name(), size, frames, light.describe(), samples, seed)
-                .print(out, context.info().renderer(), times);
+        String renderer = context.info().renderer();
+        BenchmarkReport report =
+                new BenchmarkReport(setup.patch().name(), size, frames, light.describe(), samples, seed);
+        if (!json.isAsked()) {
+            report.print(out, renderer, times);
+        }
         GaussianArea area = GaussianArea.of(choices);
         double rate =
                 ReferenceRate.measure(new ReferenceEvaluator(setup.patch().heights(), area.window(), area.origin()));
-        out.printf(Locale.ROOT, "%n  reference: %.0f directions x wavelengths per second%n%n", rate);
+        if (!json.isAsked()) {
+            out.printf(Locale.ROOT, "%n  reference: %.0f directions x wavelengths per second%n%n", rate);
+        }
+        return report.fields(renderer, times, rate);
     }
 
     /** The thesis's shader, then the method, with both averages where it has them and none was chosen. */

@@ -1,8 +1,10 @@
 package sunbeam.app.measure.benchmark;
 
 import java.io.PrintWriter;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import sunbeam.app.measure.errors.ErrorStatistics;
 
 /**
@@ -49,6 +51,48 @@ record BenchmarkReport(String patch, int size, int frames, String light, int sam
         out.println();
         times.forEach(time -> out.println(
                 "  " + time.contender().name() + ": " + time.contender().description()));
+    }
+
+    /**
+     * The same for programs.
+     *
+     * @param rate directions times wavelengths that the reference computes in a second
+     */
+    Map<String, Object> fields(String renderer, List<FrameTime> times, double rate) {
+        Map<String, Object> fields = new LinkedHashMap<>();
+        fields.put("patch", patch);
+        fields.put("size", size);
+        fields.put("coveredPixels", times.get(0).coveredPixels());
+        fields.put("light", light);
+        fields.put("renderer", renderer);
+        fields.put("processors", Runtime.getRuntime().availableProcessors());
+        fields.put("clock", times.get(0).clock());
+        fields.put("frames", frames);
+        fields.put("seed", seed);
+        fields.put(
+                "methods",
+                times.stream().map(time -> fields(time, times.get(0))).toList());
+        fields.put("referenceDirectionsTimesWavelengthsPerSecond", rate);
+        return fields;
+    }
+
+    private static Map<String, Object> fields(FrameTime time, FrameTime thesis) {
+        Map<String, Object> fields = new LinkedHashMap<>();
+        fields.put("method", time.contender().label());
+        time.contender().average().ifPresent(average -> fields.put("average", average));
+        fields.put("plan", time.contender().description());
+        fields.put("tableSeconds", time.tableSeconds());
+        fields.put("uploadSeconds", time.uploadSeconds());
+        fields.put("frameSeconds", time.frameSeconds());
+        fields.put("microsecondsPerPixel", time.microsecondsPerPixel());
+        fields.put("timesFasterDrawing", thesis.frameSeconds() / time.frameSeconds());
+        fields.put("timesFasterToTheFirstFrame", thesis.firstFrameSeconds() / time.firstFrameSeconds());
+        time.errors().filter(errors -> errors.count() > 0).ifPresent(errors -> {
+            fields.put("views", errors.count());
+            fields.put("medianErrorOfXyz", errors.median());
+            fields.put("percentile95ErrorOfXyz", errors.percentile95());
+        });
+        return fields;
     }
 
     private static void line(PrintWriter out, FrameTime time, FrameTime thesis) {

@@ -14,6 +14,9 @@ public final class Progress implements AutoCloseable {
     static final Duration DELAY = Duration.ofSeconds(2);
     private static final int REDRAW_MILLISECONDS = 200;
 
+    /** Of the process, as its standard error is. */
+    private static volatile boolean quiet;
+
     private final ProgressLine line;
     private final ProgressBar bar;
     private final ShutdownHook hook;
@@ -22,6 +25,11 @@ public final class Progress implements AutoCloseable {
         this.line = line;
         this.bar = bar;
         this.hook = hook;
+    }
+
+    /** Whether the user wants to see none ({@code --quiet}); concerns tasks that start later. */
+    public static void setQuiet(boolean wanted) {
+        quiet = wanted;
     }
 
     /**
@@ -35,7 +43,7 @@ public final class Progress implements AutoCloseable {
     }
 
     static Progress start(String label, long total, Terminal terminal, LongSupplier nanoseconds) {
-        if (!terminal.interactive()) {
+        if (quiet || !terminal.interactive()) {
             return new Progress(null, null, null);
         }
         ProgressLine line = new ProgressLine(terminal, nanoseconds);

@@ -2,6 +2,9 @@ package sunbeam.app.commands.doctor;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.nio.file.Path;
@@ -19,10 +22,10 @@ final class DoctorCommandTest {
 
     private final StringWriter out = new StringWriter();
 
-    private int run(Map<String, String> variables, GraphicsProbe graphics) {
+    private int run(Map<String, String> variables, GraphicsProbe graphics, String... arguments) {
         CommandLine commandLine = new CommandLine(new DoctorCommand(new Environment(variables, home), graphics));
         commandLine.setOut(new PrintWriter(out));
-        return commandLine.execute();
+        return commandLine.execute(arguments);
     }
 
     private List<Check> working() {
@@ -53,6 +56,22 @@ final class DoctorCommandTest {
     void noGraphicsIsAFailureWithItsRemedy() {
         assertThat(run(Map.of("DISPLAY", ":99"), this::none)).isEqualTo(5);
         assertThat(out.toString()).contains("FAIL  Graphics").contains("no display; install xvfb");
+    }
+
+    @Test
+    void programsReadTheReportAsJson() throws IOException {
+        assertThat(run(Map.of("DISPLAY", ":99"), this::none, "--json")).isEqualTo(5);
+
+        JsonNode report = new ObjectMapper().readTree(out.toString());
+        assertThat(report.get("renders").booleanValue()).isFalse();
+        List<JsonNode> failed = report.get("checks")
+                .valueStream()
+                .filter(check -> !check.get("ok").booleanValue())
+                .toList();
+        assertThat(failed).singleElement().satisfies(check -> {
+            assertThat(check.get("name").textValue()).isEqualTo("Graphics");
+            assertThat(check.get("remedy").textValue()).isEqualTo("no display; install xvfb");
+        });
     }
 
     @Test

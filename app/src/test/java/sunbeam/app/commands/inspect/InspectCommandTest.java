@@ -1,7 +1,10 @@
 package sunbeam.app.commands.inspect;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
 import java.awt.image.BufferedImage;
 import java.io.File;
 import java.io.IOException;
@@ -72,6 +75,31 @@ final class InspectCommandTest {
         Map<String, String> text = PngText.read(Path.of(picture()));
         assertThat(text.get("Plan")).contains("colours planned to");
         assertThat(out.toString().lines()).contains("plan      " + text.get("Plan"));
+    }
+
+    @Test
+    void programsReadTheReportAsJson() throws IOException {
+        assertThat(run("inspect", "sinusoid", "--json", "--output", picture()))
+                .as(err.toString())
+                .isZero();
+
+        JsonNode report = new ObjectMapper().readTree(out.toString());
+        assertThat(report.get("name").textValue()).isEqualTo("sinusoid");
+        assertThat(report.get("picture").textValue()).isEqualTo(picture());
+        assertThat(report.get("samplingIsFineEnough").booleanValue()).isTrue();
+        // The grating's own, to the rounding of a double; degrees likewise.
+        assertThat(report.at("/periods/0/periodMetres").doubleValue()).isCloseTo(2.5e-6, within(1e-12));
+        assertThat(report.at("/periods/0/directionDegrees").doubleValue()).isCloseTo(0, within(1e-6));
+        double pitch =
+                report.get("widthMetres").doubleValue() / report.get("columns").intValue();
+        assertThat(pitch).isLessThan(95e-9);
+    }
+
+    @Test
+    void jsonAndThePictureCannotShareStandardOutput() {
+        assertThat(run("inspect", "sinusoid", "--json", "--output", "-")).isEqualTo(2);
+        assertThat(err.toString()).contains("--json", "--output -").hasLineCount(1);
+        assertThat(out.toString()).isEmpty();
     }
 
     @Test

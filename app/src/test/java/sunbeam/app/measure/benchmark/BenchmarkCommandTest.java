@@ -2,6 +2,9 @@ package sunbeam.app.measure.benchmark;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.nio.file.Path;
@@ -90,6 +93,37 @@ final class BenchmarkCommandTest {
                         .isPositive();
             }
         }
+    }
+
+    @Test
+    void programsReadTheReportAsJson() throws IOException {
+        assertThat(run(
+                        "benchmark",
+                        "--json",
+                        "--patch",
+                        "lamellar",
+                        "--method",
+                        "gem",
+                        "--size",
+                        "16",
+                        "--frames",
+                        "1",
+                        "--samples",
+                        "0"))
+                .as("%s", err)
+                .isZero();
+        JsonNode surface = new ObjectMapper().readTree(out.toString()).at("/surfaces/0");
+        assertThat(surface.get("patch").textValue()).isEqualTo("lamellar");
+        JsonNode methods = surface.get("methods");
+        assertThat(methods).hasSize(2);
+        assertThat(methods.at("/0/timesFasterDrawing").doubleValue()).isEqualTo(1);
+        assertThat(methods.at("/1/method").textValue()).isEqualTo("gem");
+        assertThat(methods.at("/1/timesFasterDrawing").doubleValue())
+                .isEqualTo(methods.at("/0/frameSeconds").doubleValue()
+                        / methods.at("/1/frameSeconds").doubleValue());
+        assertThat(methods.at("/1/medianErrorOfXyz").isMissingNode())
+                .as("not measured")
+                .isTrue();
     }
 
     @Test

@@ -49,6 +49,18 @@ final class ProgressTest {
     }
 
     @Test
+    void nothingIsDrawnForWhoWantsItQuiet() {
+        Progress.setQuiet(true);
+        try (Progress progress = Progress.start("rendering", 10, terminal(true), nanoseconds::get)) {
+            nanoseconds.set(Progress.DELAY.toNanos());
+            progress.step(5);
+        } finally {
+            Progress.setQuiet(false);
+        }
+        assertThat(text()).isEmpty();
+    }
+
+    @Test
     void aShorterLineCoversALongerOne() {
         try (ProgressLine line = new ProgressLine(terminal(true), nanoseconds::get)) {
             nanoseconds.set(Progress.DELAY.toNanos());
