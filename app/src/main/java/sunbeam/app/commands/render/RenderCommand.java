@@ -21,12 +21,12 @@ import sunbeam.app.files.output.ForceOption;
 import sunbeam.app.files.output.OutputFolder;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.files.output.StandardOutput;
+import sunbeam.app.gpu.picture.DoubtfulPicture;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneData;
 import sunbeam.app.scene.SceneLoader;
 import sunbeam.app.scene.Scenes;
 import sunbeam.app.terminal.Environment;
-import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.SettingOptions;
 import sunbeam.app.terminal.ShutdownHook;
@@ -117,8 +117,9 @@ public final class RenderCommand implements Callable<Integer> {
             Path place = animation.isAsked() ? OutputFolder.claim(target, mayUse()) : target;
             List<Path> wanted = place.equals(target) ? files : FrameFiles.names(place, scenes.size());
             outputs(place, draw(frames, scenes, wanted, place, err)).forEach(out::println);
+            return DoubtfulPicture.judge(List.of(data.patch()), frames.isBlack(), "the picture", err)
+                    .code();
         }
-        return ExitCode.OK.code();
     }
 
     private void check() {
