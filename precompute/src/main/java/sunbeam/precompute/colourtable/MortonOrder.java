@@ -14,16 +14,16 @@ public final class MortonOrder {
      * @param y at least 0, below 2^15
      */
     public static long number(int x, int y) {
-        return spread(x) | spread(y) << 1;
+        return spread(x) | (spread(y) << 1);
     }
 
     /** x of the cell with a number; y is that of half the number. */
     public static int x(int number) {
         int x = number & 0x55555555;
-        x = (x | x >>> 1) & 0x33333333;
-        x = (x | x >>> 2) & 0x0f0f0f0f;
-        x = (x | x >>> 4) & 0x00ff00ff;
-        return (x | x >>> 8) & 0xffff;
+        x = (x | (x >>> 1)) & 0x33333333;
+        x = (x | (x >>> 2)) & 0x0f0f0f0f;
+        x = (x | (x >>> 4)) & 0x00ff00ff;
+        return (x | (x >>> 8)) & 0xffff;
     }
 
     /** y of the cell with a number. */
@@ -34,9 +34,9 @@ public final class MortonOrder {
     /** Zeros between the bits. */
     private static long spread(int value) {
         long bits = value;
-        bits = (bits | bits << 8) & 0x00ff00ffL;
-        bits = (bits | bits << 4) & 0x0f0f0f0fL;
-        bits = (bits | bits << 2) & 0x33333333L;
-        return (bits | bits << 1) & 0x55555555L;
+        bits = (bits | (bits << 8)) & 0x00ff00ffL;
+        bits = (bits | (bits << 4)) & 0x0f0f0f0fL;
+        bits = (bits | (bits << 2)) & 0x33333333L;
+        return (bits | (bits << 1)) & 0x55555555L;
     }
 }

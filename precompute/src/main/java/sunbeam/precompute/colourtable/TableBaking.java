@@ -121,7 +121,7 @@ public final class TableBaking {
         long[] keyed = new long[mask.cardinality()];
         int count = 0;
         for (int i = mask.nextSetBit(0); i >= 0; i = mask.nextSetBit(i + 1)) {
-            keyed[count++] = MortonOrder.number(i % side, i / side) << Integer.SIZE | i;
+            keyed[count++] = (MortonOrder.number(i % side, i / side) << Integer.SIZE) | i;
         }
         Arrays.parallelSort(keyed);
         return Arrays.stream(keyed).mapToInt(key -> (int) key).toArray();

@@ -4,6 +4,7 @@ import java.util.function.DoubleUnaryOperator;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.ExactIntegral;
 import sunbeam.precompute.color.IntegratedNodes;
+import sunbeam.precompute.color.WavelengthNodes;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.patch.HeightLevels;
@@ -53,6 +54,11 @@ public final class ReferenceColor {
         return 1 / (NODES_PER_DEVIATION / deviation + NODES_PER_FRINGE * fringes + 1 / WIDEST_STEP);
     }
 
+    /** Wavelengths that are dense enough for a direction, with weights that integrate the colour matching functions. */
+    public WavelengthNodes nodes(DirectionPair pair) {
+        return IntegratedNodes.of(cie, step(pair));
+    }
+
     /**
      * X, Y, Z of the power, without any gain.
      *
@@ -64,6 +70,6 @@ public final class ReferenceColor {
                 : wavelength -> evaluator.coherent(pair, wavelength);
         return quadrature == Quadrature.EXACT
                 ? ExactIntegral.xyz(cie, power, step(pair))
-                : IntegratedNodes.of(cie, step(pair)).sum(power);
+                : nodes(pair).sum(power);
     }
 }

@@ -26,7 +26,7 @@ import sunbeam.precompute.reference.ReferenceColor.Quadrature;
  * Random views of one light with their exact colours: half of them uniform on the hemisphere, half aimed at orders. What
  * tables of a map have in them is asked at places that no pixel need have.
  */
-final class MapSamples {
+public final class MapSamples {
     // Of a grating nearly all views are dark; a patch that is dark everywhere must come to an end.
     private static final int MOST_TRIES_PER_SAMPLE = 30;
     private static final int BATCH = 32;
@@ -38,7 +38,7 @@ final class MapSamples {
     private final Map<ReferenceMethod, List<Sample>> samples = new HashMap<>();
 
     /** A view and the exact X, Y, Z of its power. */
-    private record Sample(Query query, double[] xyz) {}
+    public record Sample(Query query, double[] xyz) {}
 
     /**
      * Nothing is computed yet.
@@ -46,7 +46,7 @@ final class MapSamples {
      * @param count of views
      * @param seed the same seed gives the same views
      */
-    MapSamples(DiffractionSetup setup, Direction light, int count, long seed) {
+    public MapSamples(DiffractionSetup setup, Direction light, int count, long seed) {
         this.setup = setup;
         this.light = light;
         this.count = count;
@@ -59,8 +59,8 @@ final class MapSamples {
      *
      * @param drawn its tables for maps of the light
      */
-    ErrorStatistics errors(RenderContext context, Method method, UploadedTables drawn) {
-        List<Sample> exact = samples.computeIfAbsent(method.exact(setup.patch().heights()), known -> draw(method));
+    public ErrorStatistics errors(RenderContext context, Method method, UploadedTables drawn) {
+        List<Sample> exact = samples(method);
         List<Query> queries = exact.stream().map(Sample::query).toList();
         try (DirectionsRenderer renderer = new DirectionsRenderer(context, drawn, false)) {
             List<float[]> results = renderer.evaluate(queries, done -> {});
@@ -73,6 +73,11 @@ final class MapSamples {
                     })
                     .toArray());
         }
+    }
+
+    /** What a method is held against; computed once for all methods that are held against the same. */
+    public List<Sample> samples(Method method) {
+        return samples.computeIfAbsent(method.exact(setup.patch().heights()), known -> draw(method));
     }
 
     private List<Sample> draw(Method method) {
