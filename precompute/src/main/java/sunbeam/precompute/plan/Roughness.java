@@ -26,6 +26,8 @@ public record Roughness(double bright, double mean, double dark, double deviatio
     private static final double FEWEST_BRIGHT = 0.85;
     // With fewer, all light may be the skirt of one bright spot.
     private static final double FEWEST_DEVIATIONS = 60;
+    // With less, a bare mirror's spot stands above the light of a few grains, and its skirt is seen.
+    private static final double LEAST_DIFFRACTED = 0.02;
     private static final int MOST_TRIES = 1000;
     private static final int DIRECTIONS = 20;
     // The same directions at every run.
@@ -88,7 +90,7 @@ public record Roughness(double bright, double mean, double dark, double deviatio
 
     /** Whether light goes everywhere. */
     public boolean isRough() {
-        return bright >= FEWEST_BRIGHT && deviations >= FEWEST_DEVIATIONS;
+        return bright >= FEWEST_BRIGHT && deviations >= FEWEST_DEVIATIONS && diffracted >= LEAST_DIFFRACTED;
     }
 
     /**

@@ -20,6 +20,8 @@ import sunbeam.precompute.table.WindowPhase;
 public final class PowerFields implements Fields {
     private static final int STRONGEST_BINS = 300;
     private static final int RANDOM_BINS = 300;
+    // Bins this much of the strongest are seen alone, a mirror's among grains for instance: none of them may be missed.
+    private static final double BRILLIANT = 0.01;
     // A bin this dark is not worth a function of its own: the promise begins at a power of 1e-9.
     private static final double DARKEST = 1e-10;
     // Of a row whose bin has no light, squared.
@@ -71,7 +73,13 @@ public final class PowerFields implements Fields {
         // Columns of the right singular vectors; transposed so that the matrix has more rows than columns.
         SingularValueDecomposition decomposition =
                 new SingularValueDecomposition(new Array2DRowRealMatrix(rows, false));
-        int rank = rank(decomposition, tolerance);
+        double strongest =
+                Arrays.stream(bins).mapToDouble(powers::strength).max().orElse(0);
+        boolean[] brilliant = new boolean[bins.length];
+        for (int i = 0; i < bins.length; i++) {
+            brilliant[i] = powers.strength(bins[i]) >= BRILLIANT * strongest;
+        }
+        int rank = rank(decomposition, brilliant, tolerance);
         double[][] result = new double[rank][nodes.count()];
         for (int n = 0; n < rank; n++) {
             for (int q = 0; q < nodes.count(); q++) {
@@ -82,10 +90,10 @@ public final class PowerFields implements Fields {
     }
 
     /**
-     * The fewest functions that leave of each row, but for one in a hundred, no more than the tolerance. A mean over all
-     * rows would let the few of a grating's weak orders go.
+     * The fewest functions that leave of each row, but for one in a hundred that is not brilliant, no more than the
+     * tolerance. A mean over all rows would let the few of a grating's weak orders go.
      */
-    private static int rank(SingularValueDecomposition decomposition, double tolerance) {
+    private static int rank(SingularValueDecomposition decomposition, boolean[] brilliant, double tolerance) {
         RealMatrix left = decomposition.getU();
         double[] values = decomposition.getSingularValues();
         int rows = left.getRowDimension();
@@ -102,7 +110,9 @@ public final class PowerFields implements Fields {
             for (int row = 0; row < rows; row++) {
                 rest[row] -= Math.pow(left.getEntry(row, rank - 1) * values[rank - 1], 2);
                 // What is left of a row that is represented is rounding, which may be negative.
-                missed += rest[row] > tolerance * tolerance * Math.max(norm[row], SMALLEST_ROW) ? 1 : 0;
+                if (rest[row] > tolerance * tolerance * Math.max(norm[row], SMALLEST_ROW)) {
+                    missed += brilliant[row] ? rows : 1;
+                }
             }
             if (missed <= rows / 100) {
                 return rank;

@@ -105,6 +105,14 @@ public final class AccuracyCommand implements Callable<Integer> {
             description = "With --random: also write the cases that have light into a folder, as --cases reads them.")
     private Path keep;
 
+    @Option(
+            names = "--extremes",
+            description =
+                    "Hold method full to its tolerance on surfaces at the edges of what can be asked for instead (mirror,"
+                            + " dust, one to 4096 samples, relief to 5 um, sides to 5 mm, windows of 1 um to 1 mm):"
+                            + " prints a table, median / 95th percentile for three tolerances.")
+    private boolean extremes;
+
     @Option(names = "--quick", description = "Fewer directions: a first impression in a fifth of the time.")
     private boolean quick;
 
@@ -126,6 +134,9 @@ public final class AccuracyCommand implements Callable<Integer> {
         }
         if (random != null) {
             return drawCases().code();
+        }
+        if (extremes) {
+            return goToExtremes().code();
         }
         SampleCounts counts = quick ? QUICK : USUAL;
         Map<String, String> descriptions = new LinkedHashMap<>();
@@ -157,11 +168,21 @@ public final class AccuracyCommand implements Callable<Integer> {
 
     /** Refuses, before hours are spent on something else, what the task asked for would not heed. */
     private void requireOneTask() {
-        if (cases != null && random != null) {
-            throw new UsageException("--random and --cases are two tasks; leave one of them out");
+        List<String> tasks = new ArrayList<>();
+        if (cases != null) {
+            tasks.add("--cases");
         }
-        if ((cases != null || random != null) && (!patches.isEmpty() || quick)) {
-            throw new UsageException("--patch and --quick are not for " + (cases != null ? "--cases" : "--random")
+        if (random != null) {
+            tasks.add("--random");
+        }
+        if (extremes) {
+            tasks.add("--extremes");
+        }
+        if (tasks.size() > 1) {
+            throw new UsageException(String.join(" and ", tasks) + " are several tasks; leave all but one of them out");
+        }
+        if (!tasks.isEmpty() && (!patches.isEmpty() || quick)) {
+            throw new UsageException("--patch and --quick are not for " + tasks.get(0)
                     + ", which has surfaces of its own; leave them out");
         }
         if (cases == null && !tolerances.isEmpty()) {
@@ -183,6 +204,13 @@ public final class AccuracyCommand implements Callable<Integer> {
         try (RenderContext context = RenderContexts.offscreen()) {
             int missed = new RandomCases(context, specification.commandLine().getOut(), kept)
                     .run(seed == null ? FIRST_SEED : seed, random);
+            return missed == 0 ? ExitCode.OK : ExitCode.TOLERANCE_MISSED;
+        }
+    }
+
+    private ExitCode goToExtremes() {
+        try (RenderContext context = RenderContexts.offscreen()) {
+            int missed = new Extremes(context, specification.commandLine().getOut()).run(Extreme.all());
             return missed == 0 ? ExitCode.OK : ExitCode.TOLERANCE_MISSED;
         }
     }

@@ -36,21 +36,21 @@ import sunbeam.precompute.table.TableBuilder;
  * tolerance on any.
  *
  * @param seed from which all follows
- * @param kind of surface
+ * @param kind of surface, in words
  * @param map the surface
  * @param area window, place and average
  * @param tolerance relative error asked for
- * @param aim of the directions
+ * @param aim of the directions, in words
  * @param colors whether X, Y, Z are compared, else powers
  * @param queries directions, with wavelengths where powers are compared
  */
 record RandomCase(
         long seed,
-        RandomSurface kind,
+        String kind,
         HeightMap map,
         GaussianArea area,
         double tolerance,
-        RandomAim aim,
+        String aim,
         boolean colors,
         List<Query> queries) {
 
@@ -95,7 +95,11 @@ record RandomCase(
             DirectionPair pair = aim.draw(random, map, wavelength, area.window().sigmaFrequency());
             queries.add(new Query(pair, wavelength));
         }
-        return new RandomCase(seed, kind, map, area, tolerance, aim, colors, queries);
+        return new RandomCase(seed, words(kind), map, area, tolerance, words(aim), colors, queries);
+    }
+
+    private static String words(Enum<?> value) {
+        return value.toString().toLowerCase(Locale.ROOT);
     }
 
     /** Equally often in each octave. */
@@ -112,6 +116,11 @@ record RandomCase(
 
     /** Compares method {@code full} with the reference on all directions that are bright enough. */
     Outcome measure(RenderContext context) {
+        return measure(context, exact());
+    }
+
+    /** The same with exact values that are known already. */
+    Outcome measure(RenderContext context, double[][] exact) {
         Surface surface = surface();
         Planner planner = surface.planner();
         Plan plan = planner.plan(
@@ -120,7 +129,6 @@ record RandomCase(
                 area,
                 VisibleRange.of(queries.stream().map(Query::pair).toList()));
         List<float[]> results = evaluate(context, surface, plan);
-        double[][] exact = exact(surface);
         double[] errors = IntStream.range(0, exact.length)
                 .filter(i -> !(Math.max(RelativeError.largest(exact[i]), RelativeError.largest(computed(results, i)))
                         <= RelativeError.FLOOR))
@@ -155,19 +163,20 @@ record RandomCase(
         return new RandomCase(seed, kind, other, area, tolerance, aim, colors, queries);
     }
 
-    /** X, Y, Z, or the power of the average alone, of each query. */
-    double[][] exact() {
-        return exact(surface());
+    /** The same at another tolerance. */
+    RandomCase with(double otherTolerance) {
+        return new RandomCase(seed, kind, map, area, otherTolerance, aim, colors, queries);
     }
 
     private Surface surface() {
         return Surface.of(new Patch("case " + seed, map, "made up", List.of()));
     }
 
-    private double[][] exact(Surface surface) {
+    /** X, Y, Z, or the power of the average alone, of each query. */
+    double[][] exact() {
         ReferenceEvaluator evaluator = new ReferenceEvaluator(map, area.window(), area.origin());
         ReferenceColor color =
-                new ReferenceColor(evaluator, area.window(), surface.cie(), ReferenceColor.Quadrature.INTEGRATED);
+                new ReferenceColor(evaluator, area.window(), surface().cie(), ReferenceColor.Quadrature.INTEGRATED);
         boolean ensemble = area.average() == Average.ENSEMBLE;
         return queries.parallelStream()
                 .map(query -> {
@@ -187,17 +196,17 @@ record RandomCase(
                 Locale.ROOT,
                 "seed %d: %s, %d x %d samples of %.0f x %.0f nm, relief %.3g nm, window %.3g um on the %s, %s %s %s, tolerance %.0e",
                 seed,
-                kind.toString().toLowerCase(Locale.ROOT),
+                kind,
                 map.columns(),
                 map.rows(),
                 map.pitchX() * 1e9,
                 map.pitchY() * 1e9,
                 map.relief() * 1e9,
                 area.window().coherenceLength() * 1e6,
-                area.origin().toString().toLowerCase(Locale.ROOT),
-                area.average().toString().toLowerCase(Locale.ROOT),
+                words(area.origin()),
+                words(area.average()),
                 colors ? "XYZ" : "power",
-                aim.toString().toLowerCase(Locale.ROOT),
+                aim,
                 tolerance);
     }
 }

@@ -2,6 +2,7 @@ package sunbeam.app.measure.accuracy;
 
 import java.io.PrintWriter;
 import java.util.Arrays;
+import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
@@ -54,11 +55,15 @@ final class RandomCases {
             }
             bright++;
             kept.ifPresent(folder -> folder.add(drawn));
-            double ratio = Math.max(outcome.errors().median(), outcome.errors().percentile95() / 3) / drawn.tolerance();
-            for (String key : new String[] {
-                "surface " + drawn.kind(), "aim " + drawn.aim(), drawn.colors() ? "XYZ" : "power", "all"
-            }) {
-                ratios.merge(key.toLowerCase(Locale.ROOT), new double[] {ratio}, RandomCases::joined);
+            double ratio = outcome.errors().reached() / drawn.tolerance();
+            for (String key : List.of(
+                    "surface " + drawn.kind(),
+                    "aim " + drawn.aim(),
+                    drawn.colors() ? "XYZ" : "power",
+                    drawn.area().average().toString().toLowerCase(Locale.ROOT),
+                    String.format(Locale.ROOT, "tolerance %.0e", drawn.tolerance()),
+                    "all")) {
+                ratios.merge(key, new double[] {ratio}, RandomCases::joined);
             }
             if (ratio > 1) {
                 missed++;

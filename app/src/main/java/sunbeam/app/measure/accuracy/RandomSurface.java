@@ -80,8 +80,8 @@ enum RandomSurface {
         return (int) (2 * Math.pow(Math.max(1, most / 2.0), random.nextDouble()));
     }
 
-    /** x and y in 0..1. */
-    private static HeightMap of(int columns, int rows, double pitch, double pitchY, DoubleBinaryOperator height) {
+    /** Heights in metres of x and y in 0..1. */
+    static HeightMap of(int columns, int rows, double pitch, double pitchY, DoubleBinaryOperator height) {
         double[] heights = new double[columns * rows];
         for (int i = 0; i < heights.length; i++) {
             int column = i % columns;
@@ -105,7 +105,7 @@ enum RandomSurface {
     }
 
     /** Means of neighbours, again and again; periodic. */
-    private static HeightMap smoothed(HeightMap map, int times) {
+    static HeightMap smoothed(HeightMap map, int times) {
         int columns = map.columns();
         int rows = map.rows();
         HeightMap result = map;

@@ -14,6 +14,8 @@ final class Variants {
 
     private static final FullMethod FINEST = FullMethod.within(ErrorBudget.FINEST);
 
+    private static final double UNUSED_STEP = 5e-9;
+
     private Variants() {}
 
     /** A given expansion over a wide neighbourhood. */
@@ -26,9 +28,12 @@ final class Variants {
         return FullMethod.thesis().with(WIDE).with(GaussianArea.STANDARD);
     }
 
-    /** The finest expansion over a given neighbourhood. */
+    /**
+     * The finest expansion over a given neighbourhood, for powers at one wavelength each: its other wavelengths are few,
+     * lest the plan be refused for loops that nobody runs.
+     */
     static FullMethod ofNeighbourhood(Neighbourhood neighbourhood) {
-        return FINEST.with(neighbourhood);
+        return FINEST.with(neighbourhood).with(FINEST.table().withWavelengthStep(UNUSED_STEP));
     }
 
     /** The finest expansion over a wide neighbourhood, at wavelengths a given step apart. */

@@ -21,7 +21,7 @@ final class AccuracyTasksTest {
     @CsvSource({
         "--seed 3, --seed 3 belongs to --random",
         "--cases nowhere --seed 3, --seed 3 belongs to --random",
-        "--cases nowhere --random 2, --random and --cases are two tasks",
+        "--cases nowhere --random 2, --cases and --random are several tasks",
         "--cases nowhere --patch blaze, --patch and --quick are not for --cases",
         "--random 2 --patch blaze, --patch and --quick are not for --random",
         "--random 2 --quick, --patch and --quick are not for --random",
