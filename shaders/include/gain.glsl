@@ -10,7 +10,7 @@ float relativeRadiance(vec3 wi, vec3 wr) {
     float kirchhoff = kirchhoffFactor(wi, wr);
     float sum = wi.z + wr.z;
     float cosThetaD = halfAngleCosine(wi, wr);
-    return reflectance(cosThetaD) / R0 * kirchhoff * kirchhoff / (sum * sum * wr.z) * cavityMask(wi, wr, cosThetaD);
+    return reflectance(cosThetaD) / normalReflectance * kirchhoff * kirchhoff / (sum * sum * wr.z) * cavityMask(wi, wr, cosThetaD);
 }
 
 // BRDF in 1/sr per power, without the mask. The window's effective area is pi sigma^2.

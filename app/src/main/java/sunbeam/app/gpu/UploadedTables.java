@@ -134,11 +134,6 @@ public final class UploadedTables implements AutoCloseable {
         return tables.windowSigma();
     }
 
-    /** |(u, v)| up to which a direction sees the specular peak, which outshines what is diffracted. */
-    public double specularReach() {
-        return tables.specularReach();
-    }
-
     @Override
     public void close() {
         textures.forEach(FloatTexture::close);

@@ -1,6 +1,7 @@
 package sunbeam.app.scene;
 
 import static sunbeam.app.scene.SceneSettings.EXPOSURE;
+import static sunbeam.app.scene.SceneSettings.INDEX;
 import static sunbeam.app.scene.SceneSettings.MESH;
 import static sunbeam.app.scene.SceneSettings.ROTATE_PATCH;
 import static sunbeam.app.scene.SceneSettings.TEXTURE;
@@ -10,6 +11,7 @@ import java.util.function.Consumer;
 import org.joml.Quaternionf;
 import org.joml.Quaternionfc;
 import sunbeam.precompute.method.Methods;
+import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.patch.PatchRequest;
 import sunbeam.precompute.setting.Choices;
 
@@ -28,6 +30,7 @@ import sunbeam.precompute.setting.Choices;
  * @param rotatePatch turns the nanostructure in the tangent plane, radians, counter-clockwise seen from outside
  * @param exposure factor of the linear picture, above 0; empty to choose it from the picture
  * @param blend weights of diffracted light and body
+ * @param index of the skin, the same at all wavelengths
  * @param background behind the mesh, not exposed
  */
 public record Scene(
@@ -42,6 +45,7 @@ public record Scene(
         double rotatePatch,
         OptionalDouble exposure,
         Blend blend,
+        RefractiveIndex index,
         SceneColor background) {
 
     /** Copies; rejects rotations and exposures that are none. */
@@ -52,6 +56,9 @@ public record Scene(
         orientation = new Quaternionf(orientation);
         ROTATE_PATCH.kind().check(rotatePatch);
         EXPOSURE.kind().check(exposure);
+        if (!index.isConstant()) {
+            throw new IllegalArgumentException("a skin has one index for all wavelengths");
+        }
     }
 
     /** The same with what was chosen of {@link SceneSettings} and {@link Methods#SETTINGS} above it. */
@@ -62,6 +69,7 @@ public record Scene(
             draft.method = method.with(chosen.only(Methods.SETTINGS));
             draft.rotatePatch = chosen.get(ROTATE_PATCH, rotatePatch);
             draft.exposure = chosen.get(EXPOSURE, exposure);
+            draft.index = chosen.get(INDEX, index);
             draft.blend = Blend.of(chosen.over(blend.choices()));
         });
     }
@@ -116,6 +124,11 @@ public record Scene(
         return changed(draft -> draft.blend = value);
     }
 
+    /** The same of another material. */
+    public Scene withIndex(RefractiveIndex value) {
+        return changed(draft -> draft.index = value);
+    }
+
     private Scene changed(Consumer<Draft> change) {
         Draft draft = new Draft(this);
         change.accept(draft);
@@ -135,6 +148,7 @@ public record Scene(
         private double rotatePatch;
         private OptionalDouble exposure;
         private Blend blend;
+        private RefractiveIndex index;
         private SceneColor background;
 
         private Draft(Scene scene) {
@@ -149,6 +163,7 @@ public record Scene(
             rotatePatch = scene.rotatePatch;
             exposure = scene.exposure;
             blend = scene.blend;
+            index = scene.index;
             background = scene.background;
         }
 
@@ -165,6 +180,7 @@ public record Scene(
                     rotatePatch,
                     exposure,
                     blend,
+                    index,
                     background);
         }
     }

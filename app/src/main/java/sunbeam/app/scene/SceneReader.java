@@ -3,6 +3,7 @@ package sunbeam.app.scene;
 import static sunbeam.app.scene.SceneSettings.BACKGROUND;
 import static sunbeam.app.scene.SceneSettings.EXPOSURE;
 import static sunbeam.app.scene.SceneSettings.FIELD_OF_VIEW;
+import static sunbeam.app.scene.SceneSettings.INDEX;
 import static sunbeam.app.scene.SceneSettings.INTENSITY;
 import static sunbeam.app.scene.SceneSettings.MESH;
 import static sunbeam.app.scene.SceneSettings.ROTATE_PATCH;
@@ -95,6 +96,7 @@ public final class SceneReader {
                 choices.get(ROTATE_PATCH),
                 choices.get(EXPOSURE),
                 Blend.of(weights.choices(SceneSettings.WEIGHTS)),
+                choices.get(INDEX),
                 choices.get(BACKGROUND));
         plan.ifPresent(JsonObject::requireNoOthers);
         weights.requireNoOthers();

@@ -3,6 +3,7 @@ package sunbeam.app.scene;
 import java.util.List;
 import java.util.OptionalDouble;
 import java.util.function.UnaryOperator;
+import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.setting.Kinds;
 import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.setting.ValueKind;
@@ -52,6 +53,19 @@ public final class SceneSettings {
     /** Share of light that reaches the body from everywhere. */
     public static final Setting<Double> AMBIENT = weight("ambient", "Share of light from everywhere.", 0);
 
+    /** Of what the skin is made. */
+    public static final Setting<RefractiveIndex> INDEX = new Setting<>(
+                    "index",
+                    Kinds.of(
+                            "N",
+                            ValueKind.Form.TEXT,
+                            RefractiveIndex::parse,
+                            UnaryOperator.identity(),
+                            RefractiveIndex::describe,
+                            "an index such as 1.56 or 0.97+6.5i"),
+                    "Refractive index of the skin: a number, or n+ki for metals and coats of metal.")
+            .withStandard(RefractiveIndex.KERATIN);
+
     /** Behind the mesh. */
     static final Setting<SceneColor> BACKGROUND = new Setting<>(
                     "background",
@@ -81,11 +95,11 @@ public final class SceneSettings {
     static final List<Setting<?>> WEIGHTS = List.of(DIFFRACTION, TEXTURE_WEIGHT, DIFFUSE, AMBIENT);
 
     /** Those that stand in a scene's file directly, not within another key. */
-    static final List<Setting<?>> OF_ROOT = List.of(TITLE, MESH, TEXTURE, ROTATE_PATCH, EXPOSURE, BACKGROUND);
+    static final List<Setting<?>> OF_ROOT = List.of(TITLE, MESH, TEXTURE, ROTATE_PATCH, EXPOSURE, INDEX, BACKGROUND);
 
     /** Those that options may change. */
     public static final List<Setting<?>> OVERRIDABLE =
-            List.of(MESH, TEXTURE, ROTATE_PATCH, EXPOSURE, DIFFRACTION, TEXTURE_WEIGHT, DIFFUSE, AMBIENT);
+            List.of(MESH, TEXTURE, ROTATE_PATCH, EXPOSURE, INDEX, DIFFRACTION, TEXTURE_WEIGHT, DIFFUSE, AMBIENT);
 
     private SceneSettings() {}
 

@@ -3,6 +3,7 @@ package sunbeam.app.scene;
 import static sunbeam.app.scene.SceneSettings.BACKGROUND;
 import static sunbeam.app.scene.SceneSettings.EXPOSURE;
 import static sunbeam.app.scene.SceneSettings.FIELD_OF_VIEW;
+import static sunbeam.app.scene.SceneSettings.INDEX;
 import static sunbeam.app.scene.SceneSettings.INTENSITY;
 import static sunbeam.app.scene.SceneSettings.MESH;
 import static sunbeam.app.scene.SceneSettings.ROTATE_PATCH;
@@ -92,6 +93,9 @@ public final class SceneWriter {
         JsonChoices.write(
                 json, Choices.none().with(ROTATE_PATCH, scene.rotatePatch()).with(EXPOSURE, scene.exposure()));
         object("weights", scene.blend().choices());
+        if (!scene.index().isStandard()) {
+            JsonChoices.write(json, Choices.none().with(INDEX, scene.index()));
+        }
         JsonChoices.write(json, Choices.none().with(BACKGROUND, scene.background()));
         json.writeEndObject();
     }

@@ -10,6 +10,7 @@ import jrtr.RenderContext;
 import jrtr.ShaderProgram;
 import jrtr.Tile;
 import sunbeam.app.gpu.UploadedTables;
+import sunbeam.precompute.color.CieTable;
 
 /** A diffraction method on a mesh: its tables and the program shaders/skin.frag with it compiled in. */
 final class SkinSurface implements AutoCloseable {
@@ -62,6 +63,8 @@ final class SkinSurface implements AutoCloseable {
             FloatTarget target,
             Tile tile) {
         SceneUniforms.set(program, scene);
+        // The same at all wavelengths.
+        program.set("normalReflectance", (float) scene.index().reflectance(CieTable.MINIMUM_WAVELENGTH));
         List<Binding> textures = new ArrayList<>(method.bindings());
         textures.addAll(buffer.bindings());
         looks.ifPresent(found -> textures.addAll(found.bindings()));

@@ -7,6 +7,7 @@ import jrtr.scene.Camera;
 import org.joml.Quaternionf;
 import org.joml.Vector3f;
 import sunbeam.app.terminal.Environment;
+import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.patch.PatchRequest;
 
 /** Scenes of the plane, which fills the picture's middle; its patch is small, so that tables are made in a moment. */
@@ -31,6 +32,7 @@ final class PlaneScenes {
                 0,
                 OptionalDouble.of(1),
                 DIFFRACTION_ONLY,
+                RefractiveIndex.KERATIN,
                 new SceneColor(0x204060));
     }
 

@@ -19,6 +19,7 @@ import sunbeam.app.files.input.InputException;
 import sunbeam.app.files.output.OutputException;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.precompute.json.JsonException;
+import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.Preset;
 import sunbeam.precompute.setting.Choices;
@@ -41,6 +42,17 @@ class SceneFileTest {
 
     @TempDir
     private Path folder;
+
+    @Test
+    void anIndexIsReadAndWritten() throws IOException {
+        Scene scene = SceneReader.read(write(SCENE.replace("\"exposure\"", "\"index\": \"0.97+6.5i\", \"exposure\"")));
+        assertThat(scene.index()).isEqualTo(RefractiveIndex.constant(0.97, 6.5));
+        Path again = folder.resolve("again.json");
+        SceneWriter.write(again, Overwrite.REFUSE, scene);
+        assertThat(SceneReader.read(again)).isEqualTo(scene);
+        assertThat(SceneReader.read(write(SCENE)).index()).isEqualTo(RefractiveIndex.KERATIN);
+        refused(SCENE.replace("\"exposure\"", "\"index\": \"gold.csv\", \"exposure\""), "index", "1.56");
+    }
 
     static Iterable<String> names() {
         return Scenes.builtIn();

@@ -27,6 +27,7 @@ import sunbeam.app.terminal.Environment;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.Gain;
+import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.patch.PatchRequest;
 import sunbeam.precompute.reference.ReferenceColor;
 import sunbeam.precompute.reference.ReferenceEvaluator;
@@ -62,6 +63,26 @@ class SceneSessionTest {
     private static float[] pixel(ScenePicture picture, int x, int y) {
         int at = 4 * (y * picture.width() + x);
         return Arrays.copyOfRange(picture.rgba(), at, at + 4);
+    }
+
+    /** Under light at 70 degrees a mirror of metal reflects hardly more than along the normal, keratin many times as much. */
+    @Test
+    void theIndexIsThatOfTheScene() {
+        Scene grazing = PlaneScenes.blaze().withLight(new SceneLight(new Vector3f(-0.94f, 0.1f, 0.34f), 1));
+        float[] keratin = draw(grazing).rgba();
+        float[] metal =
+                draw(grazing.withIndex(RefractiveIndex.constant(0.97, 6.5))).rgba();
+        double largest = 0;
+        double least = 1;
+        for (int i = 1; i < keratin.length; i += 4) {
+            if (keratin[i] > 1e-6) {
+                largest = Math.max(largest, metal[i] / keratin[i]);
+                least = Math.min(least, metal[i] / keratin[i]);
+            }
+        }
+        // Half-angles around 35 degrees: (1 - cos 35 degrees)^5 = 2e-4, of 24 and of 0.1.
+        assertThat(largest).isLessThan(1);
+        assertThat(least).isBetween(0.9, 0.999);
     }
 
     @Test

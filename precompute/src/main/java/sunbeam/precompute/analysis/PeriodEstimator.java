@@ -1,5 +1,6 @@
 package sunbeam.precompute.analysis;
 
+import java.util.Arrays;
 import java.util.Optional;
 import sunbeam.precompute.patch.HeightMap;
 
@@ -19,6 +20,11 @@ public final class PeriodEstimator {
     // Strips of a grown surface count by their amplitudes, not alike, and fewer of them than there are are independent;
     // measured on simulated ones.
     private static final double UNEQUAL_STRIPS = 1.5;
+    // A phase that wanders for long shows only some of its ways in a scan: measured on simulated ones.
+    private static final double FEW_WANDERINGS = 0.6;
+    // Amplitudes of one wave under windows of three periods differ by so much, by noise and disorder.
+    private static final double EVEN = 0.2;
+    private static final double BEAT = 0.8;
     private static final int ROUNDS = 3;
 
     private PeriodEstimator() {}
@@ -64,7 +70,8 @@ public final class PeriodEstimator {
         }
         PhaseFit.Interval slope = fit.slope(PROBABILITY);
         double middle = moved(frequency, slope.median(), series);
-        double wider = series.isStraight() ? 1 : UNEQUAL_STRIPS;
+        double wider = (series.isStraight() ? 1 : UNEQUAL_STRIPS) * (1 + FEW_WANDERINGS * fit.wandering());
+        finest = Math.max(finest, beat(series) / length);
         double low = Math.min(middle + wider * (moved(frequency, slope.low(), series) - middle), middle - finest);
         double high = Math.max(middle + wider * (moved(frequency, slope.high(), series) - middle), middle + finest);
         Optional<PeriodEstimate.Drift> drift = drift(frequency, fit, series);
@@ -80,6 +87,17 @@ public final class PeriodEstimator {
                 length * middle,
                 Optional.empty(),
                 drift);
+    }
+
+    /**
+     * How far from the found frequency one of two waves may lie that the scan is too short to tell apart, in units of its
+     * resolution: their beat shows as a growing or falling amplitude. 0 where that is even, or lines are not straight.
+     */
+    private static double beat(PhaseSeries series) {
+        double largest = Arrays.stream(series.strengths()).max().orElseThrow();
+        double least = Arrays.stream(series.strengths()).min().orElseThrow();
+        double change = (largest - least) / (largest + least);
+        return series.isStraight() && change > EVEN ? BEAT * change : 0;
     }
 
     private static Optional<PeriodEstimate.Drift> drift(double frequency, PhaseFit fit, PhaseSeries series) {

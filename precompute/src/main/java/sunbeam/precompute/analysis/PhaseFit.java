@@ -29,6 +29,8 @@ final class PhaseFit {
     private static final double SMALLEST_RATIO = 1e-2;
     private static final double LARGEST_RATIO = 1e3;
     private static final int RATIOS = 11;
+    // Below, the walk is lost in the noise of single places.
+    private static final double WANDERING_RATIO = 0.1;
     // Over how many places gaps deviate together.
     private static final double[] MEMORIES = {0, 2, 6};
     // Of the integral over the window's overlap with itself.
@@ -143,6 +145,20 @@ final class PhaseFit {
         return mixed(answers(2, 1), probability);
     }
 
+    /** How likely it is, 0..1, that gaps deviate, so that the phase wanders; and not lines from their places. */
+    double wandering() {
+        double[] weights = weights(answers(2, 1));
+        double sum = 0;
+        for (int i = 1; i < weights.length; i++) {
+            sum += ratio((i - 1) % RATIOS) >= WANDERING_RATIO ? weights[i] : 0;
+        }
+        return sum;
+    }
+
+    private static double ratio(int i) {
+        return SMALLEST_RATIO * Math.pow(LARGEST_RATIO / SMALLEST_RATIO, i / (RATIOS - 1.0));
+    }
+
     /** Radians per place squared: half the slope's change from one place to the next. */
     Interval curvature(double probability) {
         return mixed(answers(3, 2), probability);
@@ -159,7 +175,7 @@ final class PhaseFit {
         answers.add(answer(white, Math.log(MEMORIES.length), terms, wanted));
         for (RealMatrix walk : walks) {
             for (int i = 0; i < RATIOS; i++) {
-                double ratio = SMALLEST_RATIO * Math.pow(LARGEST_RATIO / SMALLEST_RATIO, i / (RATIOS - 1.0));
+                double ratio = ratio(i);
                 RealMatrix covariance = white.add(walk.scalarMultiply(ratio)).scalarMultiply(1 / (1 + ratio));
                 answers.add(answer(covariance, 0, terms, wanted));
             }
@@ -218,6 +234,15 @@ final class PhaseFit {
 
     /** Quantiles of the mixture of all answers' Student distributions, by bisection. */
     private static Interval mixed(List<Answer> answers, double probability) {
+        double[] weights = weights(answers);
+        return new Interval(
+                quantile(answers, weights, 0.5 - 0.5 * probability),
+                quantile(answers, weights, 0.5),
+                quantile(answers, weights, 0.5 + 0.5 * probability));
+    }
+
+    /** Shares of the answers; all together 1. */
+    private static double[] weights(List<Answer> answers) {
         double largest = answers.stream().mapToDouble(Answer::logWeight).max().orElseThrow();
         double[] weights = answers.stream()
                 .mapToDouble(answer -> Math.exp(answer.logWeight() - largest))
@@ -229,10 +254,7 @@ final class PhaseFit {
         for (int i = 0; i < weights.length; i++) {
             weights[i] /= sum;
         }
-        return new Interval(
-                quantile(answers, weights, 0.5 - 0.5 * probability),
-                quantile(answers, weights, 0.5),
-                quantile(answers, weights, 0.5 + 0.5 * probability));
+        return weights;
     }
 
     private static double quantile(List<Answer> answers, double[] weights, double share) {

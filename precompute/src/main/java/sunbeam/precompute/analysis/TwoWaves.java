@@ -16,6 +16,8 @@ record TwoWaves(double first, double second, double ratio, double rest) {
     // Of the power that one wave leaves, what two must not leave: noise and disorder are not so neat.
     private static final double LARGEST_REST = 0.03;
     private static final double WEAKEST = 0.2;
+    // In turns over the whole series. Closer waves are one whose amplitude grows or falls across the scan.
+    private static final double CLOSEST = 0.75;
     private static final int REFINEMENTS = 40;
     private static final int MOST = 200;
 
@@ -77,7 +79,8 @@ record TwoWaves(double first, double second, double ratio, double rest) {
         boolean firstIsStronger = amplitudes[0] >= amplitudes[1];
         double ratio = firstIsStronger ? amplitudes[1] / amplitudes[0] : amplitudes[0] / amplitudes[1];
         double restOfOne = 1 - one / power;
-        boolean two = rest <= LARGEST_REST && rest <= 0.25 * restOfOne && ratio >= WEAKEST;
+        boolean apart = Math.abs(b - a) * series.length >= 2 * Math.PI * CLOSEST;
+        boolean two = apart && rest <= LARGEST_REST && rest <= 0.25 * restOfOne && ratio >= WEAKEST;
         return two
                 ? Optional.of(new TwoWaves(firstIsStronger ? a : b, firstIsStronger ? b : a, ratio, rest))
                 : Optional.empty();

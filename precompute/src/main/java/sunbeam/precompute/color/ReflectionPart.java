@@ -43,7 +43,12 @@ public record ReflectionPart(CieTable cie, double constant, double schlick) {
 
     /** Relative radiance per power of this part, with the mask: {@link Gain#relativeRadiance} for another material. */
     public double gain(DirectionPair pair) {
+        return Gain.relativeRadiance(pair) * overStandard(pair);
+    }
+
+    /** This part's gain over {@link Gain#relativeRadiance}, the standard material's, which shaders have. */
+    public double overStandard(DirectionPair pair) {
         double s = Math.pow(Math.max(0, 1 - pair.cosThetaD()), 5);
-        return Gain.relativeRadiance(pair) * Gain.R0 / Gain.reflectance(pair.cosThetaD()) * (constant + schlick * s);
+        return Gain.R0 / Gain.reflectance(pair.cosThetaD()) * (constant + schlick * s);
     }
 }

@@ -24,7 +24,11 @@ public record LevelGrid(TableDesign design) {
     /** What is told of pages. */
     @FunctionalInterface
     public interface PageVisitor {
-        /** @param page its number */
+        /**
+         * One page is looked into.
+         *
+         * @param page its number
+         */
         void visit(int page);
     }
 

@@ -83,6 +83,31 @@ public final class RefractiveIndex {
         return ((n - 1) * (n - 1) + k * k) / ((n + 1) * (n + 1) + k * k);
     }
 
+    /** Schlick's reflectance (Schlick 1994) for a wavelength in metres and a cosine between the half vector and the view. */
+    public double reflectance(double wavelength, double cosThetaD) {
+        double normal = reflectance(wavelength);
+        return normal + (1 - normal) * Math.pow(Math.max(0, 1 - cosThetaD), 5);
+    }
+
+    /** Whether this is keratin's, as everything has it unless something else is asked for. */
+    public boolean isStandard() {
+        return equals(KERATIN);
+    }
+
+    @Override
+    public boolean equals(Object other) {
+        return other instanceof RefractiveIndex index
+                && Arrays.equals(wavelengths, index.wavelengths)
+                && Arrays.equals(real, index.real)
+                && Arrays.equals(imaginary, index.imaginary);
+    }
+
+    @Override
+    public int hashCode() {
+        return Arrays.hashCode(
+                new int[] {Arrays.hashCode(wavelengths), Arrays.hashCode(real), Arrays.hashCode(imaginary)});
+    }
+
     private double at(double[] values, double wavelength) {
         int found = Arrays.binarySearch(wavelengths, wavelength);
         if (values.length == 1 || found >= 0) {

@@ -67,6 +67,11 @@ public record Patch(
         return false;
     }
 
+    /** Whether the relief is so far below a wavelength that the patch looks like a mirror; its warnings say so, too. */
+    public boolean isMirror() {
+        return ReliefCheck.mirror(heights).isPresent();
+    }
+
     /** SHA-256 of the height map, for cache keys; see {@link HeightDigest#sha256}. */
     public String digest() {
         return HeightDigest.sha256(heights);

@@ -1,6 +1,7 @@
 package sunbeam.precompute.patch;
 
 import java.nio.file.Path;
+import java.util.Locale;
 import java.util.Optional;
 import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.setting.SettingException;
@@ -15,10 +16,31 @@ final class ReliefCheck {
     static final double LARGEST_RELIEF = 1e-3;
     /** A hundredth of an atom: no microscope sees less, no light scatters from it; a scale was mistaken. */
     static final double SMALLEST_RELIEF = 1e-12;
+    /** Less than this scatters a few ten-thousandths of the light: a mirror, and most likely a mistaken unit. */
+    static final double FLATTEST_RELIEF = 1e-9;
     /** Relief over the longer side; above, a scan is impossible and the scale is wrong. */
     static final double STEEPEST_RELIEF = 4;
 
     private ReliefCheck() {}
+
+    /** That a patch is a mirror to any eye; empty for all others. */
+    static Optional<String> mirror(HeightMap map) {
+        double relief = map.relief();
+        if (relief == 0) {
+            return Optional.of("all heights are equal: the patch is a flat mirror");
+        }
+        if (relief >= FLATTEST_RELIEF) {
+            return Optional.empty();
+        }
+        // Phases of at most k w h / 2 about the middle, of the shortest wavelength along the normal.
+        double phase = 2 * Math.PI * relief / SamplingCheck.SHORTEST_WAVELENGTH;
+        return Optional.of(String.format(
+                Locale.ROOT,
+                "the relief is only %s, far below a wavelength: the patch is a mirror, which diffracts less than %.1g %% of the"
+                        + " light; is the unit of the heights right?",
+                Lengths.format(relief),
+                100 * phase * phase));
+    }
 
     /**
      * Refuses sizes that are absurd.

@@ -9,6 +9,7 @@ import static sunbeam.precompute.patch.PatchSettings.PERIODIC;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import sunbeam.precompute.prepare.Edges;
 import sunbeam.precompute.prepare.HeightField;
 import sunbeam.precompute.prepare.Levelling;
@@ -65,10 +66,12 @@ record ScanFinish(String name, String file, Choices choices, Kind kind) {
             warnings.add("%d of %d samples are missing and were filled from their neighbours"
                     .formatted(prepared.missing(), (long) scan.columns() * scan.rows()));
         }
-        if (heights.relief() == 0) {
-            warnings.add("all heights are equal: the patch is a flat mirror");
-        } else if (repetition != Patch.Repetition.PERIODIC) {
+        Optional<String> mirror = ReliefCheck.mirror(heights);
+        mirror.ifPresent(warnings::add);
+        if (measured.relief() > 0 && repetition != Patch.Repetition.PERIODIC) {
             warnOfRamp(measured, levelling, warnings);
+        }
+        if (mirror.isEmpty() && repetition != Patch.Repetition.PERIODIC) {
             warnOfSeam(prepared.scan(), levelling, edges, warnings);
         }
         SamplingCheck.pitch(heights).ifPresent(warnings::add);

@@ -22,6 +22,7 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 import sunbeam.app.files.cache.DiffractionSetup;
+import sunbeam.app.files.input.IndexOption;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.Ending;
 import sunbeam.app.files.output.ForceOption;
@@ -31,12 +32,10 @@ import sunbeam.app.files.output.SrgbImage;
 import sunbeam.app.files.output.StandardOutput;
 import sunbeam.app.files.plot.MapAnnotation;
 import sunbeam.app.files.plot.PictureSheet;
-import sunbeam.app.gpu.UploadedTables;
-import sunbeam.app.gpu.colours.GpuColours;
-import sunbeam.app.gpu.map.BrdfMapRenderer;
 import sunbeam.app.gpu.map.DiscDirections;
 import sunbeam.app.gpu.map.MapCaption;
 import sunbeam.app.gpu.picture.DisplayPass;
+import sunbeam.app.gpu.picture.DoubtfulPicture;
 import sunbeam.app.gpu.picture.ExposureOption;
 import sunbeam.app.gpu.picture.LinearPicture;
 import sunbeam.app.measure.errors.Certificate;
@@ -50,16 +49,13 @@ import sunbeam.app.terminal.options.ComparedPatches;
 import sunbeam.app.terminal.options.LightOptions;
 import sunbeam.app.terminal.options.MethodOptions;
 import sunbeam.app.terminal.options.PatchOptions;
-import sunbeam.app.terminal.progress.Progress;
 import sunbeam.precompute.method.Method;
-import sunbeam.precompute.method.MethodPlan;
 import sunbeam.precompute.method.Methods;
-import sunbeam.precompute.optics.Direction;
+import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.shader.MethodUse;
-import sunbeam.precompute.shader.ShaderTables;
 
 /** {@code sunbeam brdf-map}: from a height map to the picture of its BRDF. */
 @Command(
@@ -95,6 +91,9 @@ public final class BrdfMapCommand implements Callable<Integer> {
             defaultValue = "512",
             description = "Width and height of the map. Default: ${DEFAULT-VALUE}.")
     private int size;
+
+    @Mixin
+    private IndexOption index;
 
     @Mixin
     private ExposureOption exposure;
@@ -140,6 +139,7 @@ public final class BrdfMapCommand implements Callable<Integer> {
         check();
         ExposureOption.Exposure exposed = exposure.parse();
         certify.check(Methods.of(asked));
+        RefractiveIndex material = material();
         PrintWriter err = specification.commandLine().getErr();
         List<DiffractionSetup> setups = compared.load(patchOptions, asked).stream()
                 .map(patch -> new DiffractionSetup(patch, environment, err))
@@ -147,7 +147,6 @@ public final class BrdfMapCommand implements Callable<Integer> {
         // Scans of different sizes are seen by different coherence lengths.
         List<Choices> choices =
                 setups.stream().map(setup -> setup.seen(asked, err)).toList();
-        List<Method> chosen = choices.stream().map(Methods::of).toList();
         Path picture = output != null ? output : Path.of("brdf-" + names(setups) + ".png");
         AtomicFile.checkWritable(picture, force.overwrite(output));
         if (linear != null) {
@@ -155,29 +154,36 @@ public final class BrdfMapCommand implements Callable<Integer> {
             AtomicFile.checkWritable(linear, force.overwrite());
         }
         PrintWriter out = StandardOutput.reports(specification.commandLine().getOut(), err, picture, linear);
-        List<MethodPlan> plans = plans(setups, chosen);
+        List<MaterialMap> materials = planned(setups, choices, material);
         Optional<Certificate> certificate;
         ExitCode doubt;
         Path written;
         try (RenderContext context = RenderContexts.offscreen();
                 DisplayPass display = new DisplayPass(context)) {
-            List<DrawnMap> maps = new ArrayList<>();
-            for (int i = 0; i < setups.size(); i++) {
-                maps.add(draw(context, setups.get(i), plans.get(i)));
-            }
+            List<MaterialMap.Drawn> maps = materials.stream()
+                    .map(one -> one.draw(context, light.direction(), size))
+                    .toList();
             LinearPicture first = maps.get(0).picture();
-            double factor = exposed.of(maps.stream().map(DrawnMap::picture).toList());
+            double factor =
+                    exposed.of(maps.stream().map(MaterialMap.Drawn::picture).toList());
             certificate = certify.certificate(count -> new Certifier(
-                            setups.get(0).exact(chosen.get(0)), new DiscDirections(size, light.direction())::at)
+                            setups.get(0).exact(materials.get(0).method()),
+                            new DiscDirections(size, light.direction())::at,
+                            materials.get(0)::overStandard)
                     .certify(first, count, CertifyOption.SEED, factor, asked.get(TOLERANCE)));
-            Map<String, String> text = describe(setups, choices.get(0), maps, factor, context);
+            Map<String, String> text = describe(materials.get(0), material, maps, factor, context);
             certificate.ifPresent(stated -> text.put("Certificate", stated.summary()));
             List<BufferedImage> plain =
                     maps.stream().map(map -> plain(map, display, factor)).toList();
-            doubt = DoubtfulMap.judge(maps.stream().map(DrawnMap::patch).toList(), plain, err);
+            doubt = DoubtfulPicture.judge(
+                    maps.stream().map(MaterialMap.Drawn::patch).toList(),
+                    plain.stream().anyMatch(DoubtfulPicture::isBlack),
+                    "the map",
+                    err);
             List<BufferedImage> images = new ArrayList<>();
             for (int i = 0; i < maps.size(); i++) {
-                images.add(image(maps.get(i), plain.get(i), factor, chosen.get(i)));
+                images.add(image(
+                        maps.get(i), plain.get(i), factor, materials.get(i).method()));
             }
             BufferedImage sheet = PictureSheet.of(images);
             written = write(picture, stream -> PngWriter.write(stream, sheet, text), first);
@@ -189,7 +195,7 @@ public final class BrdfMapCommand implements Callable<Integer> {
         return certificate
                 .map(stated -> CertifyOption.judge(
                         stated,
-                        plans.get(0),
+                        materials.get(0).plan(),
                         new Explainer(
                                 setups.get(0), choices.get(0), VisibleRange.of(light.direction()), MethodUse.COLOUR),
                         out,
@@ -216,31 +222,34 @@ public final class BrdfMapCommand implements Callable<Integer> {
         return setups.stream().map(setup -> setup.patch().name()).limit(3).collect(Collectors.joining("-"));
     }
 
-    /** Printed before anything is computed. */
-    private List<MethodPlan> plans(List<DiffractionSetup> setups, List<Method> chosen) {
-        List<MethodPlan> plans = new ArrayList<>();
+    /** A certificate's exact colours are those of one integral. */
+    private RefractiveIndex material() {
+        RefractiveIndex material = index.parse();
+        if (!material.isConstant() && certify.count().isPresent()) {
+            throw new UsageException(
+                    "--certify holds one integral against the reference, but an --index by wavelength takes"
+                            + " two; give a number, or leave out --certify");
+        }
+        return material;
+    }
+
+    /** Plans are printed before anything is computed. */
+    private List<MaterialMap> planned(List<DiffractionSetup> setups, List<Choices> choices, RefractiveIndex material) {
+        List<MaterialMap> materials = new ArrayList<>();
         for (int i = 0; i < setups.size(); i++) {
-            plans.add(chosen.get(i).plan(setups.get(i).surface(), VisibleRange.of(light.direction())));
+            Choices chosen = choices.get(i);
+            materials.add(new MaterialMap(setups.get(i), chosen, Methods.of(chosen), material, light.direction()));
             methodOptions.print(
-                    plans.get(plans.size() - 1), specification.commandLine().getErr());
+                    materials.get(i).plan(), specification.commandLine().getErr());
         }
-        return plans;
+        return materials;
     }
 
-    private DrawnMap draw(RenderContext context, DiffractionSetup setup, MethodPlan plan) {
-        ShaderTables tables = setup.tables(plan, MethodUse.COLOUR, GpuColours::of);
-        try (UploadedTables method = UploadedTables.upload(context, tables);
-                BrdfMapRenderer renderer = new BrdfMapRenderer(context, method, size)) {
-            LinearPicture map = render(renderer, light.direction());
-            return new DrawnMap(setup.patch(), plan.summary(), 4 * method.windowSigma(), map);
-        }
-    }
-
-    private BufferedImage plain(DrawnMap map, DisplayPass display, double factor) {
+    private BufferedImage plain(MaterialMap.Drawn map, DisplayPass display, double factor) {
         return SrgbImage.fromEncoded(size, size, display.srgb(map.picture(), factor));
     }
 
-    private BufferedImage image(DrawnMap map, BufferedImage plain, double factor, Method chosen) {
+    private BufferedImage image(MaterialMap.Drawn map, BufferedImage plain, double factor, Method chosen) {
         if (!annotate) {
             return plain;
         }
@@ -249,9 +258,6 @@ public final class BrdfMapCommand implements Callable<Integer> {
         List<String> caption = MapCaption.of(map.patch(), light.direction(), map.coherenceLength(), chosen);
         return new MapAnnotation(plain, light.direction(), MapCaption.with(caption, exposed)).draw();
     }
-
-    /** A map, and of what and how it is. */
-    private record DrawnMap(Patch patch, String plan, double coherenceLength, LinearPicture picture) {}
 
     private void checkDifferent(Path picture) {
         if (picture.toAbsolutePath().normalize().equals(linear.toAbsolutePath().normalize())) {
@@ -272,21 +278,22 @@ public final class BrdfMapCommand implements Callable<Integer> {
         }
     }
 
-    private LinearPicture render(BrdfMapRenderer renderer, Direction wi) {
-        try (Progress progress = Progress.start("BRDF map", (long) size * size)) {
-            return renderer.render(wi, progress::step);
-        }
-    }
-
     private Map<String, String> describe(
-            List<DiffractionSetup> setups, Choices choices, List<DrawnMap> maps, double factor, RenderContext context) {
+            MaterialMap first,
+            RefractiveIndex material,
+            List<MaterialMap.Drawn> maps,
+            double factor,
+            RenderContext context) {
+        Choices choices = first.choices();
+        List<Patch> patches = maps.stream().map(MaterialMap.Drawn::patch).toList();
         Map<String, String> text = new LinkedHashMap<>();
-        text.put("Title", "BRDF map of " + joined(setups, setup -> setup.patch().name(), ", "));
-        text.put("Patch", joined(setups, setup -> setup.patch().source(), "; "));
+        text.put("Title", "BRDF map of " + joined(patches, Patch::name, ", "));
+        text.put("Patch", joined(patches, Patch::source, "; "));
         text.put("Light", light.describe());
         text.put("Method", choices.get(METHOD).label());
         text.put("Options", Methods.describe(choices));
-        text.put("Plan", joined(maps, DrawnMap::plan, "; "));
+        text.put("Plan", joined(maps, MaterialMap.Drawn::plan, "; "));
+        text.put("Index", material.describe());
         text.put("Exposure", Double.toString(factor));
         text.put("Renderer", context.info().renderer());
         return text;

@@ -3,16 +3,11 @@ package sunbeam.app.commands.color;
 import static sunbeam.precompute.method.Methods.METHOD;
 import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
 
-import com.fasterxml.jackson.databind.ObjectMapper;
-import com.fasterxml.jackson.databind.SerializationFeature;
 import java.io.PrintWriter;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.concurrent.Callable;
@@ -26,21 +21,18 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.files.input.IndexOption;
-import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.Ending;
 import sunbeam.app.files.output.ForceOption;
-import sunbeam.app.files.output.PngWriter;
+import sunbeam.app.gpu.picture.DoubtfulPicture;
 import sunbeam.app.gpu.picture.ExposureOption;
 import sunbeam.app.gpu.picture.LinearPicture;
 import sunbeam.app.terminal.Environment;
-import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.app.terminal.options.ComparedPatches;
 import sunbeam.app.terminal.options.LightOptions;
 import sunbeam.app.terminal.options.MethodOptions;
 import sunbeam.app.terminal.options.PatchOptions;
 import sunbeam.precompute.color.CieTable;
-import sunbeam.precompute.color.DisplayColor;
 import sunbeam.precompute.method.Method;
 import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.method.ScanLimit;
@@ -62,7 +54,6 @@ import sunbeam.precompute.setting.Choices;
 public final class ColorCommand implements Callable<Integer> {
     private static final int MOST_LIGHTS = 31;
     private static final int MOST_SPECTRA = 6;
-    private static final int WHITE = 0xffffff;
 
     private final Environment environment;
 
@@ -144,8 +135,8 @@ public final class ColorCommand implements Callable<Integer> {
                 .map(setup -> strips(setup, Methods.of(setup.seen(choices, err)), material))
                 .toList();
         Path picture = output != null ? output : Path.of("color-" + names(strips) + ".png");
-        List<Path> files = List.of(picture, sibling(picture, "csv"), sibling(picture, "json"));
-        files.forEach(file -> AtomicFile.checkWritable(file, force.overwrite()));
+        ColorFiles files = new ColorFiles(picture, force.overwrite());
+        files.checkWritable();
         strips.forEach(strip -> methodOptions.print(strip.plan(), err));
         double tolerance = choices.get(TOLERANCE);
         CieTable cie = CieTable.load();
@@ -157,17 +148,22 @@ public final class ColorCommand implements Callable<Integer> {
             List<List<double[]>> colours =
                     strips.stream().map(strip -> strip.colours(context)).toList();
             factor = exposed.of(colours.stream().map(ColorCommand::picture).toList());
+            ColorReports told = new ColorReports(thetas(), spectra, factor, tolerance, material, cie);
             for (int i = 0; i < strips.size(); i++) {
-                reports.add(report(context, strips.get(i), colours.get(i), factor, tolerance, material, cie));
+                reports.add(told.of(context, strips.get(i), colours.get(i)));
             }
         }
         Choices seen = ScanLimit.of(choices, strips.get(0).setup().patch()).choices();
         Map<String, Object> settings = settings(seen, material, factor, tolerance, renderer);
-        write(files, reports, settings, new ColorSheet(reports, factor, cie));
+        files.write(reports, settings, new ColorSheet(reports, factor, cie));
         PrintWriter out = specification.commandLine().getOut();
-        reports.forEach(report -> out.println(summary(report)));
-        files.forEach(out::println);
-        return ExitCode.OK.code();
+        reports.forEach(report -> out.println(ColorReports.summary(report)));
+        files.all().forEach(out::println);
+        boolean black =
+                reports.stream().anyMatch(report -> report.colours().stream().allMatch(colour -> colour.rgb() == 0));
+        return DoubtfulPicture.judge(
+                        strips.stream().map(strip -> strip.setup().patch()).toList(), black, "the picture", err)
+                .code();
     }
 
     private void check() {
@@ -218,89 +214,12 @@ public final class ColorCommand implements Callable<Integer> {
                 .collect(Collectors.joining("-"));
     }
 
-    private static Path sibling(Path picture, String ending) {
-        String name = picture.getFileName().toString();
-        int dot = name.lastIndexOf('.');
-        return picture.resolveSibling((dot > 0 ? name.substring(0, dot) : name) + "." + ending);
-    }
-
     private static LinearPicture picture(List<double[]> colours) {
         float[] xyz = new float[3 * colours.size()];
         for (int i = 0; i < xyz.length; i++) {
             xyz[i] = (float) colours.get(i / 3)[i % 3];
         }
         return new LinearPicture(colours.size(), 1, xyz);
-    }
-
-    private ColorReport report(
-            RenderContext context,
-            ColorStrips strips,
-            List<double[]> xyz,
-            double factor,
-            double tolerance,
-            RefractiveIndex material,
-            CieTable cie) {
-        List<SeenColor> colours = new ArrayList<>();
-        for (int i = 0; i < xyz.size(); i++) {
-            colours.add(SeenColor.of(strips.views().get(i), xyz.get(i), factor, tolerance, strips.window(), cie));
-        }
-        double[] wavelengths = new double[401];
-        for (int i = 0; i < wavelengths.length; i++) {
-            wavelengths[i] = (380 + i) * 1e-9;
-        }
-        List<SeenColor.View> chosen = spectra.isEmpty()
-                ? List.of(purest(colours).view())
-                : spectra.stream()
-                        .map(angle -> strips.view(true, thetas().get(0), angle))
-                        .toList();
-        List<double[]> radiances = strips.spectra(context, chosen, wavelengths, material);
-        List<ColorReport.SeenSpectrum> seen = new ArrayList<>();
-        for (int i = 0; i < chosen.size(); i++) {
-            seen.add(new ColorReport.SeenSpectrum(chosen.get(i), wavelengths, radiances.get(i)));
-        }
-        return new ColorReport(
-                strips.setup().patch().name(),
-                strips.setup().patch().source(),
-                strips.azimuthDegrees(),
-                strips.lightAzimuthDegrees(),
-                strips.window().coherenceLength(),
-                strips.plan().summary(),
-                thetas(),
-                colours,
-                seen);
-    }
-
-    /** The one of most chroma along, under the first light, of those that are not burnt out; else any. */
-    private static SeenColor purest(List<SeenColor> colours) {
-        double theta = colours.get(0).view().thetaIDegrees();
-        return colours.stream()
-                .filter(colour -> colour.view().along() && colour.view().thetaIDegrees() == theta)
-                .filter(colour -> colour.rgb() != WHITE)
-                .max(Comparator.comparingDouble(colour -> colour.lab().chroma()))
-                .orElse(colours.get(0));
-    }
-
-    private static String summary(ColorReport report) {
-        SeenColor purest = purest(report.colours());
-        double wavelength = purest.hue().nanometres();
-        String hue = Double.isNaN(wavelength)
-                ? "no hue"
-                : String.format(
-                        Locale.ROOT,
-                        wavelength > 0 ? "dominant wavelength %.0f nm" : "purple, complement of %.0f nm",
-                        Math.abs(wavelength));
-        return String.format(
-                Locale.ROOT,
-                "%s: strongest direction at azimuth %.1f degrees; purest colour %s (%s, chroma %.0f +- %.2g) at %.1f degrees;"
-                        + " an order is %.2g nm wide there",
-                report.name(),
-                report.azimuthDegrees(),
-                DisplayColor.hex(purest.rgb()),
-                hue,
-                purest.lab().chroma(),
-                purest.uncertainty(),
-                purest.view().thetaRDegrees(),
-                purest.blurNanometres());
     }
 
     private Map<String, Object> settings(
@@ -314,26 +233,5 @@ public final class ColorCommand implements Callable<Integer> {
         settings.put("tolerance", tolerance);
         settings.put("renderer", renderer);
         return settings;
-    }
-
-    /** All files or none: none appears before all are written. */
-    private void write(List<Path> files, List<ColorReport> reports, Map<String, Object> settings, ColorSheet sheet) {
-        Map<String, String> text = new LinkedHashMap<>();
-        text.put(
-                "Title", "Colours of " + reports.stream().map(ColorReport::name).collect(Collectors.joining(", ")));
-        text.put("Patch", reports.stream().map(ColorReport::source).collect(Collectors.joining("; ")));
-        settings.forEach((key, value) ->
-                text.put(key.substring(0, 1).toUpperCase(Locale.ROOT) + key.substring(1), value.toString()));
-        ObjectMapper json = new ObjectMapper().enable(SerializationFeature.INDENT_OUTPUT);
-        try (AtomicFile picture = AtomicFile.create(files.get(0), force.overwrite());
-                AtomicFile csv = AtomicFile.create(files.get(1), force.overwrite());
-                AtomicFile tree = AtomicFile.create(files.get(2), force.overwrite())) {
-            picture.fill(stream -> PngWriter.write(stream, sheet.draw(), text));
-            csv.fill(stream -> stream.write(ColorTables.csv(reports).getBytes(StandardCharsets.UTF_8)));
-            tree.fill(stream -> stream.write(json.writeValueAsBytes(ColorTables.tree(reports, settings))));
-            picture.commit();
-            csv.commit();
-            tree.commit();
-        }
     }
 }

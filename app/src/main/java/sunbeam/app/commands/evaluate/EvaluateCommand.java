@@ -19,8 +19,8 @@ import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.ForceOption;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.files.output.PngWriter;
+import sunbeam.app.gpu.picture.DoubtfulPicture;
 import sunbeam.app.terminal.Environment;
-import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.app.terminal.Version;
 import sunbeam.app.terminal.options.MethodOptions;
@@ -120,7 +120,7 @@ public final class EvaluateCommand implements Callable<Integer> {
         Choices choices =
                 setup.seen(method.in(asked), specification.commandLine().getErr());
         evaluate(setup, choices, files, overwrite, specification.commandLine().getOut());
-        return ExitCode.OK.code();
+        return DoubtfulPicture.ofPatches(List.of(setup.patch())).code();
     }
 
     private List<String> endings() {

@@ -3,6 +3,7 @@ package sunbeam.app.commands.inspect;
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
@@ -16,7 +17,7 @@ import sunbeam.app.files.output.Ending;
 import sunbeam.app.files.output.ForceOption;
 import sunbeam.app.files.output.PngWriter;
 import sunbeam.app.files.output.StandardOutput;
-import sunbeam.app.terminal.ExitCode;
+import sunbeam.app.gpu.picture.DoubtfulPicture;
 import sunbeam.app.terminal.JsonOption;
 import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.UsageException;
@@ -86,7 +87,7 @@ public final class InspectCommand implements Callable<Integer> {
         } else {
             out.println(place);
         }
-        return ExitCode.OK.code();
+        return DoubtfulPicture.ofPatches(List.of(loaded)).code();
     }
 
     private Patch load() {

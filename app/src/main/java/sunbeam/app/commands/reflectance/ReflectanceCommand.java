@@ -15,6 +15,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.files.input.DirectionList;
+import sunbeam.app.files.input.IndexOption;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.CsvWriter;
 import sunbeam.app.files.output.Ending;
@@ -25,12 +26,14 @@ import sunbeam.app.measure.errors.CertifyOption;
 import sunbeam.app.measure.errors.Explainer;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;
+import sunbeam.app.terminal.UsageException;
 import sunbeam.app.terminal.options.MethodOptions;
 import sunbeam.app.terminal.options.PatchOptions;
 import sunbeam.precompute.method.Method;
 import sunbeam.precompute.method.MethodPlan;
 import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.method.ReferenceMethod;
+import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.shader.MethodUse;
@@ -55,6 +58,9 @@ public final class ReflectanceCommand implements Callable<Integer> {
 
     @Mixin
     private MethodOptions methodOptions;
+
+    @Mixin
+    private IndexOption index;
 
     @Mixin
     private CertifyOption certify;
@@ -85,6 +91,7 @@ public final class ReflectanceCommand implements Callable<Integer> {
         certify.check(Methods.of(asked));
         Ending.CSV.require("--output", output);
         DirectionList list = DirectionList.read(directions);
+        RefractiveIndex material = material(list);
         AtomicFile.checkWritable(output, force.overwrite());
         PrintWriter err = specification.commandLine().getErr();
         PrintWriter out = StandardOutput.reports(specification.commandLine().getOut(), err, output);
@@ -92,7 +99,7 @@ public final class ReflectanceCommand implements Callable<Integer> {
         Choices choices = setup.seen(asked, err);
         Method method = Methods.of(choices);
         if (method instanceof ReferenceMethod) {
-            write(list, new ReferenceDirections(setup.exact(method)).evaluate(list));
+            write(list, of(material, setup, list, new ReferenceDirections(setup.exact(method)).evaluate(list)));
             out.println(output);
             return ExitCode.OK.code();
         }
@@ -103,13 +110,28 @@ public final class ReflectanceCommand implements Callable<Integer> {
         Optional<Certificate> certificate = certify.certificate(count -> new ExactRows(setup.exact(method), list)
                 .certifier(results)
                 .certify(list.size(), count, choices.get(TOLERANCE)));
-        write(list, results);
+        write(list, of(material, setup, list, results));
         out.println(output);
         MethodUse use = list.spectral() ? MethodUse.SPECTRAL : MethodUse.COLOUR;
         return certificate
                 .map(stated -> CertifyOption.judge(stated, plan, new Explainer(setup, choices, range, use), out, err))
                 .orElse(ExitCode.OK)
                 .code();
+    }
+
+    private RefractiveIndex material(DirectionList list) {
+        RefractiveIndex material = index.parse();
+        if (!material.isConstant() && !list.spectral()) {
+            throw new UsageException(
+                    "--index by wavelength leaves X, Y, Z no gain that is one number; give a number, or " + directions
+                            + " the column wavelength");
+        }
+        return material;
+    }
+
+    private static List<double[]> of(
+            RefractiveIndex material, DiffractionSetup setup, DirectionList list, List<double[]> results) {
+        return new IndexedRows(material, setup.cie()).of(list, results);
     }
 
     private void write(DirectionList list, List<double[]> results) {

@@ -1,5 +1,6 @@
 package sunbeam.app.commands.render;
 
+import java.awt.image.BufferedImage;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
@@ -11,6 +12,7 @@ import sunbeam.app.files.input.PngText;
 import sunbeam.app.files.output.NpyWriter;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.files.output.PngWriter;
+import sunbeam.app.gpu.picture.DoubtfulPicture;
 import sunbeam.app.measure.errors.CertifyOption;
 import sunbeam.app.measure.errors.SceneCertificate;
 import sunbeam.app.measure.errors.SceneCertifier;
@@ -32,6 +34,8 @@ final class FrameSequence implements AutoCloseable {
     private final SceneDisplay display;
     private final SceneSession session;
     private double lastExposure = 1;
+    private boolean drawn;
+    private boolean light;
 
     FrameSequence(RenderContext context, SceneData data, PictureSize size, int supersample) {
         this.data = data;
@@ -105,7 +109,15 @@ final class FrameSequence implements AutoCloseable {
 
     private Path write(Path file, Overwrite overwrite, Scene scene, ScenePicture picture, double exposure) {
         Map<String, String> text = FrameText.of(data, scene, size, supersample, exposure, renderer, identity.of(scene));
-        return PngWriter.write(file, overwrite, display.image(picture, exposure, scene.background()), text);
+        BufferedImage image = display.image(picture, exposure, scene.background());
+        drawn = true;
+        light |= !DoubtfulPicture.isBlack(image);
+        return PngWriter.write(file, overwrite, image, text);
+    }
+
+    /** Whether frames were drawn, and all of them are black. */
+    boolean isBlack() {
+        return drawn && !light;
     }
 
     @Override

@@ -23,6 +23,7 @@ import sunbeam.app.files.output.ForceOption;
 import sunbeam.app.files.output.OutputFolder;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.files.output.StandardOutput;
+import sunbeam.app.gpu.picture.DoubtfulPicture;
 import sunbeam.app.measure.errors.SceneCertificate;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneData;
@@ -139,9 +140,9 @@ public final class RenderCommand implements Callable<Integer> {
             Path place = animation.isAsked() ? OutputFolder.claim(target, mayUse()) : target;
             List<Path> wanted = place.equals(target) ? files : FrameFiles.names(place, scenes.size());
             outputs(place, draw(frames, scenes, wanted, place, err)).forEach(out::println);
-            return certify == null
-                    ? ExitCode.OK.code()
-                    : certified(context, frames, data, out, err).code();
+            ExitCode doubt = DoubtfulPicture.judge(List.of(data.patch()), frames.isBlack(), "the picture", err);
+            ExitCode certified = certify == null ? ExitCode.OK : certified(context, frames, data, out, err);
+            return (certified == ExitCode.OK ? doubt : certified).code();
         }
     }
 

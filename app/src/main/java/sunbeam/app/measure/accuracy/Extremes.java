@@ -81,7 +81,7 @@ final class Extremes {
                 Locale.ROOT,
                 "| %s | %s um | %s | %s | %d | %s |%n",
                 name,
-                Double.toString(Math.round(coherenceLength * 1e6)).replace(".0", ""),
+                Math.round(coherenceLength * 1e6),
                 average.toString().toLowerCase(Locale.ROOT),
                 colors ? "XYZ" : "power",
                 directions,

@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import java.util.Random;
+import java.util.function.ToDoubleFunction;
 import java.util.stream.IntStream;
 import sunbeam.app.gpu.directions.DirectionsRenderer.Query;
 import sunbeam.app.gpu.picture.LinearPicture;
@@ -21,6 +22,7 @@ public final class Certifier {
 
     private final ExactLight reference;
     private final PixelDirections pairs;
+    private final ToDoubleFunction<DirectionPair> material;
 
     /** Which pair of directions a pixel shows. */
     @FunctionalInterface
@@ -39,8 +41,22 @@ public final class Certifier {
      * @param reference of the same patch and window as the picture
      */
     public Certifier(ExactLight reference, PixelDirections pairs) {
+        this(reference, pairs, pair -> 1);
+    }
+
+    /**
+     * A certifier for a scene of another material.
+     *
+     * @param material what it reflects over what the standard material does
+     */
+    public Certifier(ExactLight reference, PixelDirections pairs, ToDoubleFunction<DirectionPair> material) {
         this.reference = reference;
         this.pairs = pairs;
+        this.material = material;
+    }
+
+    private double gain(DirectionPair pair) {
+        return Gain.relativeRadiance(pair) * material.applyAsDouble(pair);
     }
 
     /**
@@ -82,7 +98,7 @@ public final class Certifier {
         List<Integer> dark = new ArrayList<>();
         for (int pixel = 0; pixel < picture.width() * picture.height(); pixel++) {
             if (picture.covered(pixel)) {
-                double floor = RelativeError.FLOOR * Gain.relativeRadiance(pairs.at(pixel));
+                double floor = RelativeError.FLOOR * gain(pairs.at(pixel));
                 // A NaN or an infinity among X and Z is to be looked at.
                 (RelativeError.largest(drawn(picture, pixel)) <= floor ? dark : bright).add(pixel);
             }
@@ -99,7 +115,7 @@ public final class Certifier {
 
     private ComparedPlace compare(LinearPicture picture, int pixel) {
         DirectionPair pair = pairs.at(pixel);
-        double gain = Gain.relativeRadiance(pair);
+        double gain = gain(pair);
         double[] exact = reference.xyz(pair, Quadrature.INTEGRATED);
         for (int c = 0; c < 3; c++) {
             exact[c] *= gain;

@@ -14,6 +14,8 @@ import sunbeam.app.measure.errors.RelativeError;
  * @param patches of each its methods
  * @param growths how cost grows
  */
+// Texts of a page stand apart from what fills them.
+@SuppressWarnings("InlineFormatString")
 record PerformancePage(String machine, Scale scale, String folder, List<PatchFigures> patches, List<Growth> growths) {
     private static final String INTRODUCTION = """
             # Speed and error

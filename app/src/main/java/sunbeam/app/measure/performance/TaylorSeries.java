@@ -26,7 +26,6 @@ import sunbeam.precompute.plan.VisibleRange;
  * small as they can be.
  */
 final class TaylorSeries {
-    private static final double SHORTEST = 380e-9;
     // Deviations of the window's spectrum beyond which nothing is left of it in double precision but 1e-8.
     private static final double REACH = 6;
 

@@ -1,13 +1,18 @@
 package sunbeam.app.commands.brdfmap;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.StringWriter;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Map;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
@@ -17,8 +22,12 @@ import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.app.Sunbeam;
 import sunbeam.app.files.input.PngText;
 import sunbeam.app.gpu.NeedsDisplay;
+import sunbeam.app.gpu.map.DiscDirections;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;
+import sunbeam.precompute.optics.Direction;
+import sunbeam.precompute.optics.Gain;
+import sunbeam.precompute.optics.RefractiveIndex;
 
 /** Exposure and annotation of maps. */
 @NeedsDisplay
@@ -98,6 +107,59 @@ class BrdfMapCommandTest {
         assertThat(err.toString()).contains("none.png: it has no text 'Exposure'");
         assertThat(draw("a.png", "--exposure", "firs")).isEqualTo(ExitCode.USAGE.code());
         assertThat(folder.resolve("a.png")).doesNotExist();
+    }
+
+    /** The linear colours of a map, three a pixel. */
+    private float[] linear(String... more) throws IOException {
+        Path numbers = folder.resolve("map.npy");
+        List<String> all = new ArrayList<>(
+                List.of("--patch", "sinusoid", "--theta-i", "60", "--force", "--linear", numbers.toString()));
+        all.addAll(List.of(more));
+        assertThat(draw("map.png", all.toArray(String[]::new)))
+                .as(err.toString())
+                .isZero();
+        byte[] bytes = Files.readAllBytes(numbers);
+        float[] xyz = new float[3 * 24 * 24];
+        ByteBuffer.wrap(bytes, bytes.length - 4 * xyz.length, 4 * xyz.length)
+                .order(ByteOrder.LITTLE_ENDIAN)
+                .asFloatBuffer()
+                .get(xyz);
+        return xyz;
+    }
+
+    /** Schlick's reflectance over that along the normal, for either index, at every pixel; by wavelength, too. */
+    @Test
+    void anotherIndexReflectsMoreOrLessAsSchlickSays() throws IOException {
+        Path constant = Files.writeString(folder.resolve("two.csv"), "wl,n\n0.3,2\n0.5,2\n0.9,2\n");
+        float[] standard = linear();
+        float[] two = linear("--index", "2");
+        float[] tabulated = linear("--index", constant.toString());
+        DiscDirections directions = new DiscDirections(24, Direction.ofDegrees(60, 0));
+        int compared = 0;
+        for (int pixel = 0; pixel < 24 * 24; pixel++) {
+            if (standard[3 * pixel + 1] > 1e-6) {
+                double cosine = directions.at(pixel).cosThetaD();
+                RefractiveIndex index = RefractiveIndex.constant(2, 0);
+                double expected = index.reflectance(5e-7, cosine)
+                        / index.reflectance(5e-7)
+                        / (Gain.reflectance(cosine) / Gain.R0);
+                double found = two[3 * pixel + 1] / standard[3 * pixel + 1];
+                // Floats in, floats out.
+                assertThat(found).as("pixel %s", pixel).isCloseTo(expected, within(1e-6));
+                // Two maps of one integral each, both planned to a thousandth.
+                assertThat(tabulated[3 * pixel + 1] / two[3 * pixel + 1]).isCloseTo(1f, within(3e-3f));
+                compared++;
+            }
+        }
+        assertThat(compared).isGreaterThan(50);
+    }
+
+    @Test
+    void anIndexByWavelengthHasNoCertificate() throws IOException {
+        Path gold = Files.writeString(folder.resolve("gold.csv"), "wl,n,k\n0.3,1.5,1.9\n0.9,0.2,5.4\n");
+        assertThat(draw("a.png", "--index", gold.toString(), "--certify", "2")).isEqualTo(ExitCode.USAGE.code());
+        assertThat(err.toString()).contains("--certify holds one integral", "--index by wavelength");
+        assertThat(draw("a.png", "--index", "glass")).isEqualTo(ExitCode.USAGE.code());
     }
 
     @Test

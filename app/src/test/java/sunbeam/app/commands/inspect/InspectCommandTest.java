@@ -12,6 +12,8 @@ import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Map;
 import java.util.SplittableRandom;
 import javax.imageio.ImageIO;
@@ -141,9 +143,84 @@ final class InspectCommandTest {
                     "--output",
                     picture(),
                     "--force");
-            assertThat(code).as("%s x %s: %s", size[0], size[1], err).isZero();
+            // A mirror can only be a mistake: done, but doubtful.
+            assertThat(code).as("%s x %s: %s", size[0], size[1], err).isEqualTo(3);
             assertThat(out.toString()).contains("relief 0 m", "no periodicity");
         }
+    }
+
+    /** A scan of 10 x 5 um of a wave, tilted, as text. */
+    private Path scan(double amplitudeNm, boolean spiked) throws IOException {
+        StringBuilder text = new StringBuilder();
+        for (int row = 0; row < 64; row++) {
+            for (int column = 0; column < 128; column++) {
+                double wave = amplitudeNm * Math.sin(2 * Math.PI * column * 0.078125 / 0.9) * (1 + row / 640.0);
+                boolean spike = spiked && ((row == 20 && column == 30) || (row == 50 && column == 99));
+                text.append(wave * (1 + 0.01 * column) + (spike ? 40 * amplitudeNm : 0))
+                        .append(column < 127 ? "\t" : "\n");
+            }
+        }
+        return Files.writeString(folder.resolve("scan.txt"), text);
+    }
+
+    private void inspectScan(int code, String... more) {
+        out.getBuffer().setLength(0);
+        err.getBuffer().setLength(0);
+        List<String> arguments = new ArrayList<>(List.of(
+                "inspect",
+                folder.resolve("scan.txt").toString(),
+                "--width",
+                "10um",
+                "--height-unit",
+                "nm",
+                "--output",
+                picture(),
+                "--force"));
+        arguments.addAll(List.of(more));
+        assertThat(run(arguments.toArray(String[]::new))).as(err.toString()).isEqualTo(code);
+    }
+
+    @Test
+    void aScanIsPreparedAsTheOptionsSay() throws IOException {
+        scan(30, true);
+        inspectScan(0, "--despike");
+        assertThat(out.toString())
+                .contains(
+                        "levelling plane",
+                        "2 spike samples removed, the highest by 1.",
+                        "edges blended over 1 um x 500 nm")
+                .contains("light     coherence length 5 um (the scan's height; 65 um asked)", "--periodic");
+        inspectScan(0, "--crop", "2um:8um,1um:5um", "--level", "none", "--edges", "repeat");
+        assertThat(out.toString())
+                .contains("cropped from 10 um x 5 um", "5.938 um x 3.984 um, 76 x 51 samples")
+                .doesNotContain("edges blended", "spike");
+        inspectScan(0, "--periodic");
+        assertThat(out.toString()).doesNotContain("light     ").contains("levelling mean");
+        inspectScan(0, "--no-periodic");
+        assertThat(out.toString()).contains("light     coherence length 5 um");
+    }
+
+    @Test
+    void cropsThatLeaveTheScanAreRefused() throws IOException {
+        scan(30, false);
+        inspectScan(2, "--crop", "2um:18um,1um:5um");
+        assertThat(err.toString())
+                .contains("--crop", "leaves the scan, which is 10 um x 5 um")
+                .hasLineCount(1);
+        inspectScan(2, "--crop", "8um:2um,1um:5um");
+        assertThat(err.toString()).contains("--crop").hasLineCount(1);
+    }
+
+    /** Picometres read as nanometres, or a mirror indeed: nobody sees any colour of it. */
+    @Test
+    void aReliefFarBelowAWavelengthIsDoubtful() throws IOException {
+        scan(0.1, false);
+        inspectScan(3);
+        assertThat(err.toString())
+                .contains("far below a wavelength: the patch is a mirror", "is the unit of the heights right?");
+        scan(2, false);
+        inspectScan(0);
+        assertThat(err.toString()).doesNotContain("mirror");
     }
 
     @Test

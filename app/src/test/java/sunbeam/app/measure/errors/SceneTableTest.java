@@ -32,6 +32,7 @@ import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.method.MethodType;
 import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.method.TableMethod;
+import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.patch.PatchRequest;
 import sunbeam.precompute.plan.MethodSettings;
 import sunbeam.precompute.setting.Choices;
@@ -66,6 +67,7 @@ class SceneTableTest {
                 0,
                 OptionalDouble.of(1),
                 blend,
+                RefractiveIndex.KERATIN,
                 new SceneColor(0));
     }
 

@@ -1,4 +1,4 @@
-package sunbeam.app.commands.brdfmap;
+package sunbeam.app.gpu.picture;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -11,9 +11,11 @@ import sunbeam.app.terminal.ExitCode;
 import sunbeam.precompute.patch.HeightMap;
 import sunbeam.precompute.patch.Patch;
 
-class DoubtfulMapTest {
+class DoubtfulPictureTest {
     private static final BufferedImage BLACK = new BufferedImage(32, 32, BufferedImage.TYPE_INT_RGB);
     private static final Patch MIRROR = patch(0);
+    // Half a nanometre: 7e-5 of the light at most.
+    private static final Patch NEARLY_FLAT = patch(0.5e-9);
     private static final Patch STEP = patch(1e-7);
 
     private static Patch patch(double step) {
@@ -27,7 +29,8 @@ class DoubtfulMapTest {
     }
 
     private static ExitCode judge(Patch patch, BufferedImage image, StringWriter said) {
-        return DoubtfulMap.judge(List.of(STEP, patch), List.of(lit(), image), new PrintWriter(said));
+        return DoubtfulPicture.judge(
+                List.of(STEP, patch), DoubtfulPicture.isBlack(image), "the map", new PrintWriter(said));
     }
 
     @Test
@@ -41,6 +44,9 @@ class DoubtfulMapTest {
     @Test
     void theMapOfAMirrorIsDoubtful() {
         assertThat(judge(MIRROR, lit(), new StringWriter()).code()).isEqualTo(3);
+        assertThat(judge(NEARLY_FLAT, lit(), new StringWriter()).code()).isEqualTo(3);
+        assertThat(DoubtfulPicture.ofPatches(List.of(STEP, MIRROR)).code()).isEqualTo(3);
+        assertThat(DoubtfulPicture.ofPatches(List.of(STEP))).isEqualTo(ExitCode.OK);
     }
 
     @Test

@@ -1,0 +1,94 @@
+package sunbeam.app.commands.brdfmap;
+
+import java.util.ArrayList;
+import java.util.List;
+import jrtr.RenderContext;
+import sunbeam.app.files.cache.DiffractionSetup;
+import sunbeam.app.gpu.UploadedTables;
+import sunbeam.app.gpu.colours.GpuColours;
+import sunbeam.app.gpu.map.BrdfMapRenderer;
+import sunbeam.app.gpu.map.DiscDirections;
+import sunbeam.app.gpu.picture.LinearPicture;
+import sunbeam.app.terminal.progress.Progress;
+import sunbeam.precompute.color.ReflectionPart;
+import sunbeam.precompute.method.Method;
+import sunbeam.precompute.method.MethodPlan;
+import sunbeam.precompute.optics.Direction;
+import sunbeam.precompute.optics.DirectionPair;
+import sunbeam.precompute.optics.RefractiveIndex;
+import sunbeam.precompute.patch.Patch;
+import sunbeam.precompute.plan.VisibleRange;
+import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.shader.MethodUse;
+
+/**
+ * The map of one patch of a material: a map for each part of its reflection, added up. Shaders know the standard material;
+ * what another reflects more or less depends on the pair of directions alone.
+ */
+final class MaterialMap {
+    private final DiffractionSetup setup;
+    private final Choices choices;
+    private final Method method;
+    private final RefractiveIndex index;
+    private final List<ReflectionPart> parts;
+    private final List<MethodPlan> plans = new ArrayList<>();
+
+    /** A map, and of what and how it is. */
+    record Drawn(Patch patch, String plan, double coherenceLength, LinearPicture picture) {}
+
+    /** @param choices that hold for the patch */
+    MaterialMap(DiffractionSetup setup, Choices choices, Method method, RefractiveIndex index, Direction light) {
+        this.setup = setup;
+        this.choices = choices;
+        this.method = method;
+        this.index = index;
+        this.parts = ReflectionPart.of(index, setup.cie());
+        for (ReflectionPart part : parts) {
+            plans.add(method.plan(setup.surface().under(part.cie()), VisibleRange.of(light)));
+        }
+    }
+
+    Choices choices() {
+        return choices;
+    }
+
+    Method method() {
+        return method;
+    }
+
+    MethodPlan plan() {
+        return plans.get(0);
+    }
+
+    /** Of the material, over the standard one's; of a material that is the same at all wavelengths. */
+    double overStandard(DirectionPair pair) {
+        return parts.get(0).overStandard(pair);
+    }
+
+    Drawn draw(RenderContext context, Direction light, int size) {
+        DiscDirections directions = new DiscDirections(size, light);
+        float[] sum = new float[3 * size * size];
+        double sigma = 0;
+        for (int p = 0; p < parts.size(); p++) {
+            try (UploadedTables tables = UploadedTables.upload(
+                            context, setup.tables(plans.get(p), MethodUse.COLOUR, GpuColours::of));
+                    BrdfMapRenderer renderer = new BrdfMapRenderer(context, tables, size);
+                    Progress progress = Progress.start("BRDF map", (long) size * size)) {
+                add(renderer.render(light, progress::step), parts.get(p), directions, sum);
+                sigma = tables.windowSigma();
+            }
+        }
+        return new Drawn(setup.patch(), plan().summary(), 4 * sigma, new LinearPicture(size, size, sum));
+    }
+
+    private void add(LinearPicture map, ReflectionPart part, DiscDirections directions, float[] sum) {
+        for (int pixel = 0; pixel < sum.length / 3; pixel++) {
+            // The standard material's is what was drawn, to the last bit.
+            boolean scaled = map.covered(pixel) && !index.isStandard();
+            double factor = scaled ? part.overStandard(directions.at(pixel)) : 1;
+            for (int c = 3 * pixel; c < 3 * pixel + 3; c++) {
+                sum[c] += (float) (factor * map.xyz()[c]);
+            }
+        }
+    }
+}
