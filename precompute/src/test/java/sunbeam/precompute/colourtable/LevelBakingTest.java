@@ -100,9 +100,9 @@ class LevelBakingTest {
 
     @Test
     void aLookUpReadsFourSlicesAndBothPagesAtAnEdge() {
-        double middle = GRID.origin() + (GRID.columns() / 2 + 0.5) * LevelGrid.SIDE * DESIGN.step();
-        assertThat(pagesOf(middle, middle, -0.6).cardinality()).isEqualTo(TableDesign.TAPS);
         int page = GRID.columns() / 2;
+        double middle = GRID.origin() + (page + 0.5) * LevelGrid.SIDE * DESIGN.step();
+        assertThat(pagesOf(middle, middle, -0.6).cardinality()).isEqualTo(TableDesign.TAPS);
         double edge = GRID.origin() + page * LevelGrid.SIDE * DESIGN.step();
         assertThat(pagesOf(edge, middle, -0.6).cardinality()).isEqualTo(2 * TableDesign.TAPS);
         assertThat(pagesOf(edge, edge, -0.6).cardinality()).isEqualTo(4 * TableDesign.TAPS);
