@@ -223,7 +223,9 @@ class PatchLoaderTest {
 
         Patch patch = loader.load(PatchRequests.parse(file.toString(), "1um", null, "1nm", null, "plane"));
 
-        assertThat(patch.warnings()).singleElement().asString().contains("16 of 256 samples are missing");
+        assertThat(patch.warnings()).hasSize(2);
+        assertThat(patch.warnings().get(0)).contains("16 of 256 samples are missing");
+        assertThat(patch.warnings().get(1)).contains("is a mirror");
         // The tilt is that of the samples that are there, and a hole in a plane is filled by the plane: what remains is
         // the rounding of heights of 200 nm.
         assertThat(patch.heights().relief()).isLessThan(1e-21);

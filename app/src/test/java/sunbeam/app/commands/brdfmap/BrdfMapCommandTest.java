@@ -113,7 +113,8 @@ class BrdfMapCommandTest {
     private float[] linear(String... more) throws IOException {
         Path numbers = folder.resolve("map.npy");
         List<String> all = new ArrayList<>(
-                List.of("--patch", "sinusoid", "--theta-i", "60", "--force", "--linear", numbers.toString()));
+                List.of("--patch", "sinusoid", "--theta-i", "60", "--coherence-length", "4um", "--force", "--linear"));
+        all.add(numbers.toString());
         all.addAll(List.of(more));
         assertThat(draw("map.png", all.toArray(String[]::new)))
                 .as(err.toString())
