@@ -1,4 +1,5 @@
 #include "include/constants.glsl"
+#include "include/row.glsl"
 
 // Real coefficients c_n(zeta) of exp(-i zeta s) = sum (-i)^turns(n) c_n T_n(s), one after the other; zeta = k |w|
 // halfRange. The constant quarter turns are in the tables of T_n already.
@@ -11,9 +12,9 @@ float expansionPhase(float w, float wavelength) {
 }
 
 // Coefficients of the expansion from a table: phases along x, a row of texels per coefficient, or per four. phaseMap: offset
-// and scale from zeta to the texture coordinate.
+// and scale from zeta to the place in texels.
 vec4 sampledCoefficients(sampler2D table, vec2 phaseMap, float zeta, int row, int rows) {
-    return texture(table, vec2(phaseMap.x + phaseMap.y * zeta, (float(row) + 0.5) / float(rows)));
+    return betweenTexels(table, phaseMap.x + phaseMap.y * zeta, row);
 }
 
 #if EXPANSION == EXPANSION_TAYLOR

@@ -1,3 +1,5 @@
+#include "include/row.glsl"
+
 // CIE 1931 colour matching functions times D65 at any wavelength, normalised so that their integral over wavelength is the
 // white of D65 with Y = 1.
 
@@ -9,8 +11,7 @@ const float LONGEST_WAVELENGTH = 780e-9;
 
 // Weights of X, Y, Z per metre of wavelength.
 vec3 cieWeight(float wavelength) {
-    float texel = (wavelength - SHORTEST_WAVELENGTH) * 8e9;
-    return texture(cieWeights, vec2((texel + 0.5) / 3201.0, 0.5)).rgb;
+    return betweenTexels(cieWeights, (wavelength - SHORTEST_WAVELENGTH) * 8e9, 0).rgb;
 }
 
 // XYZ of the power 1 at all wavelengths: the white of D65 over 380 to 780 nm.

@@ -13,8 +13,6 @@ uniform vec4 gridRaysFirst;
 // Largest of |u|, |v| whose ray crosses fewer columns than this.
 uniform float gridCentreReach;
 uniform int gridFewestNodes;
-// Whether columns are so close that the band's ends can be corrected: 1, or 0 where light goes everywhere.
-uniform int gridEndsCut;
 // A ray that crosses enough columns stops at every second one, or third, up to this.
 uniform int gridLargestStride;
 
@@ -116,7 +114,7 @@ vec3 diffractedXyz(vec3 uvw) {
             expansionPhase(uvw.z, 1.0) * waveNumberStep);
     float low = 1.0 / (LONGEST_WAVELENGTH * waveNumberStep);
     float high = 1.0 / (SHORTEST_WAVELENGTH * waveNumberStep);
-    Steps steps = Steps(0.0, waveNumberStep, int(ceil(low)), int(floor(high)), gridEndsCut == 1, 0.0, 0.0);
+    Steps steps = Steps(0.0, waveNumberStep, int(ceil(low)), int(floor(high)), GRID_ENDS_CUT == 1, 0.0, 0.0);
     steps.beyondFirst = float(steps.first) - low;
     steps.beyondLast = high - float(steps.last);
     return bandXyz(ray, steps);

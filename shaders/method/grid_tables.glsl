@@ -21,10 +21,9 @@ Taps tapsAround(float position, float origin) {
     float below = floor(edge);
     Taps taps;
     taps.first = int(below) - int(origin) + 1;
-    float samples = float(textureSize(gridKernel, 0).x);
-    float at = (0.5 + (edge - below) * (samples - 1.0)) / samples;
+    float place = (edge - below) * float(textureSize(gridKernel, 0).x - 1);
     for (int row = 0; row < KERNEL_ROWS; ++row) {
-        vec4 four = texture(gridKernel, vec2(at, (float(row) + 0.5) / float(KERNEL_ROWS)));
+        vec4 four = betweenTexels(gridKernel, place, row);
         for (int i = 0; i < 4 && 4 * row + i < TAPS; ++i) {
             taps.weights[4 * row + i] = four[i];
         }

@@ -39,6 +39,16 @@ public record BandRule(int fewestNodes, double reach, double panel, double large
                 BAND * NODES_PER_PANEL / (NODES_BESIDE_EQUAL * fewestNodes));
     }
 
+    /**
+     * For a patch whose light goes everywhere: equal steps that resolve orders serve as far as they do, since no lone flank
+     * is seen at the band's ends.
+     *
+     * @param step of equal steps that resolve an order, cycles per metre
+     */
+    BandRule evenlyTo(double step) {
+        return new BandRule(fewestNodes, fewestNodes * step / BAND, panel, largestPanel);
+    }
+
     /** Wavelengths of a ray of this |(u, v)|. */
     int nodes(double uv) {
         if (uv <= reach) {

@@ -38,10 +38,12 @@ public record ErrorBudget(double tolerance, Roughness roughness) {
 
     // On a rough patch: neighbouring orders are alike to a factor, so that none is seen on another's skirt.
     private static final double ROUGH_SKIRT = 1;
-    // A colour sums dozens of wavelengths, whose errors of interpolation are independent there: a fifth is left,
-    // measured
-    // on both scans, and so of the trapezoid rule's over dozens of orders.
+    // A colour sums dozens of wavelengths over dozens of orders, whose errors are independent there: both factors were
+    // measured on the patches that average least (docs/error-budget.md).
     private static final double ROUGH_AVERAGING = 8;
+    private static final double ROUGH_INTERPOLATION = 36;
+    // One direction in ten is darker than the dark ones, where the promise is three times the tolerance.
+    private static final double AT_DARK_DIRECTIONS = 2;
 
     private static final double PANEL_ERROR = 105 * Math.pow(24, 4) / (9 * Math.pow(40320, 3)) / Math.sqrt(2 * Math.PI);
     private static final double CUT_ERROR = 3.0 / 160 * 3 / Math.sqrt(2 * Math.PI);
@@ -59,7 +61,7 @@ public record ErrorBudget(double tolerance, Roughness roughness) {
      */
     public double expansion() {
         // What is left out of a rough patch is spread as its light is, but evenly over bright and dark directions.
-        double beside = roughness.isRough() ? roughness.contrast() : DARKEST_AMPLITUDE;
+        double beside = roughness.isRough() ? AT_DARK_DIRECTIONS * roughness.contrast() : DARKEST_AMPLITUDE;
         return 0.5 * EXPANSION_SHARE * tolerance * beside;
     }
 
@@ -104,8 +106,10 @@ public record ErrorBudget(double tolerance, Roughness roughness) {
     }
 
     private double interpolated(Average average) {
-        double allowed = average == Average.ENSEMBLE ? interpolatedPower() : interpolatedAmplitude();
-        return allowed * (roughness.isRough() ? ROUGH_AVERAGING : 1);
+        if (roughness.isRough()) {
+            return ROUGH_INTERPOLATION * interpolatedAmplitude();
+        }
+        return average == Average.ENSEMBLE ? interpolatedPower() : interpolatedAmplitude();
     }
 
     private double skirt(Average average) {

@@ -188,6 +188,7 @@ public record GridSampling(
         tables.define("COHERENT_LAYERS", 0)
                 .define("ENSEMBLE_LAYERS", 0)
                 .define("TAPS", interpolation.taps())
+                .define("GRID_ENDS_CUT", endsCut() ? 1 : 0)
                 .reals("heightHalfRange", table.scale().halfRange());
         for (Average average : averages(plan, use)) {
             new GridArrays(this, plan, average).addTo(tables, table, fields(average, plan, table), use);
@@ -198,7 +199,6 @@ public record GridSampling(
             band.addTo(tables);
             tables.reals("gridNodeStep", nodeStep)
                     .integers("gridLargestStride", largestStride)
-                    .integers("gridEndsCut", endsCut() ? 1 : 0)
                     .reals("gridCentreReach", centreReach())
                     .integers("gridFewestNodes", fewestNodes)
                     .reals("cieWhite", ColorArrays.cieWhite(cie));

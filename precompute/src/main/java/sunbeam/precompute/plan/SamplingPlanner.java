@@ -102,12 +102,12 @@ final class SamplingPlanner {
         double perStep = Math.sqrt(2 / (Math.PI * Math.PI) * Math.log(2 / budget.wavelengths()));
         double deviation = window.sigmaFrequency() / Math.sqrt(2);
         double uncut = window.sigmaFrequency() / perStep;
-        double step =
-                budget.roughness().isRough() ? uncut : Math.min(uncut, budget.cutSpacing() * deviation / Math.sqrt(2));
-        double centre =
-                new GridSampling(design, step, 1, fewestNodes(), band(fewestNodes()), singles(), budget).centreReach();
+        boolean rough = budget.roughness().isRough();
+        double step = rough ? uncut : Math.min(uncut, budget.cutSpacing() * deviation / Math.sqrt(2));
+        BandRule band = rough ? band(fewestNodes()).evenlyTo(uncut) : band(fewestNodes());
+        double centre = new GridSampling(design, step, 1, fewestNodes(), band, singles(), budget).centreReach();
         int stride = (int) Math.ceil(centre / LARGEST_CENTRE);
-        return new GridSampling(design, step / stride, stride, fewestNodes(), band(fewestNodes()), singles(), budget);
+        return new GridSampling(design, step / stride, stride, fewestNodes(), band, singles(), budget);
     }
 
     /** Bins that single wavelengths are summed from, where they are not too many. */

@@ -63,12 +63,10 @@ public final class SpectrumArrays {
         return TableArray.of(layout, texels);
     }
 
-    /**
-     * Offset and scale from a phase to the texture coordinate of its coefficients: the first sample lies at the first
-     * texel's centre, the last at the last's.
-     */
+    /** Offset and scale from a phase to the place among its coefficients' samples, counted from 0. */
     public static double[] phaseMap(CoefficientTable coefficients) {
-        return textureMap(coefficients.minimumPhase(), coefficients.maximumPhase(), coefficients.samples());
+        double scale = (coefficients.samples() - 1.0) / (coefficients.maximumPhase() - coefficients.minimumPhase());
+        return new double[] {-scale * coefficients.minimumPhase(), scale};
     }
 
     /** Offset and scale to the texture coordinate: the first and the last sample lie at texels' centres. */
