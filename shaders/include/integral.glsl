@@ -74,13 +74,13 @@ struct Integral {
     vec3 one;
 };
 
-Integral overSteps(Ray ray, Steps steps) {
+Integral overSteps(Ray ray, Steps steps, int weights) {
     Integral sum = Integral(vec3(0.0), vec3(0.0));
     vec4 low = endWeights(steps.beyondFirst);
     vec4 high = endWeights(steps.beyondLast);
     for (int i = steps.first; i <= steps.last; ++i) {
         float wavelength = 1.0 / (steps.origin + steps.size * float(i));
-        vec3 weight = cieWeight(wavelength) * (wavelength * wavelength);
+        vec3 weight = cieWeight(wavelength, weights) * (wavelength * wavelength);
         if (steps.cut) {
             weight *= i < steps.first + 4 ? low[i - steps.first] : i > steps.last - 4 ? high[steps.last - i] : 1.0;
         }
@@ -90,13 +90,13 @@ Integral overSteps(Ray ray, Steps steps) {
     return sum;
 }
 
-Integral overPanels(Ray ray, Panels panels) {
+Integral overPanels(Ray ray, Panels panels, int weights) {
     Integral sum = Integral(vec3(0.0), vec3(0.0));
     for (int i = 0; i < 4 * panels.count; ++i) {
         float from = panelEdge(panels, i / 4);
         float width = panelEdge(panels, i / 4 + 1) - from;
         float wavelength = 1.0 / (panels.low + panels.size * (from + width * GAUSS_PLACES[i % 4]));
-        vec3 weight = cieWeight(wavelength) * (wavelength * wavelength * width * GAUSS_WEIGHTS[i % 4]);
+        vec3 weight = cieWeight(wavelength, weights) * (wavelength * wavelength * width * GAUSS_WEIGHTS[i % 4]);
         sum.power += weight * powerAtStep(ray, i, wavelength);
         sum.one += weight;
     }
@@ -104,18 +104,18 @@ Integral overPanels(Ray ray, Panels panels) {
 }
 
 // CIE XYZ of what the steps cover.
-vec3 partXyz(Ray ray, Steps steps) {
-    return steps.size * overSteps(ray, steps).power;
+vec3 partXyz(Ray ray, Steps steps, int weights) {
+    return steps.size * overSteps(ray, steps, weights).power;
 }
 
 // CIE XYZ of what the panels cover.
-vec3 partXyz(Ray ray, Panels panels) {
-    return panels.size * overPanels(ray, panels).power;
+vec3 partXyz(Ray ray, Panels panels, int weights) {
+    return panels.size * overPanels(ray, panels, weights).power;
 }
 
 // CIE XYZ of the whole band: constant power comes out exactly, however few the steps.
 vec3 bandXyz(Ray ray, Steps steps) {
-    Integral sum = overSteps(ray, steps);
+    Integral sum = overSteps(ray, steps, SMOOTH_WEIGHTS);
     return sum.power * cieWhite / sum.one;
 }
 
@@ -133,6 +133,7 @@ vec3 cutBandXyz(Ray ray, float uv) {
         return bandXyz(ray, steps);
     }
     float largest = min(bandLargestPanel, bandPanel / uv);
-    Integral sum = overPanels(ray, panelsBetween(1.0 / LONGEST_WAVELENGTH, 1.0 / SHORTEST_WAVELENGTH, largest));
+    Integral sum = overPanels(ray, panelsBetween(1.0 / LONGEST_WAVELENGTH, 1.0 / SHORTEST_WAVELENGTH, largest),
+            SMOOTH_WEIGHTS);
     return sum.power * cieWhite / sum.one;
 }

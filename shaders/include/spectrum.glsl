@@ -3,15 +3,19 @@
 // CIE 1931 colour matching functions times D65 at any wavelength, normalised so that their integral over wavelength is the
 // white of D65 with Y = 1.
 
-// Eight texels per nanometre from 380 to 780 nm (sunbeam.precompute.shader.ColorArrays).
+// Eight texels per nanometre from 380 to 780 nm (sunbeam.precompute.shader.ColorArrays): a row without the corners that the
+// table has at whole nanometres, and a row with them.
 uniform sampler2D cieWeights;
 
 const float SHORTEST_WAVELENGTH = 380e-9;
 const float LONGEST_WAVELENGTH = 780e-9;
 
+const int SMOOTH_WEIGHTS = 0;
+const int TABLE_WEIGHTS = 1;
+
 // Weights of X, Y, Z per metre of wavelength.
-vec3 cieWeight(float wavelength) {
-    return betweenTexels(cieWeights, (wavelength - SHORTEST_WAVELENGTH) * 8e9, 0).rgb;
+vec3 cieWeight(float wavelength, int weights) {
+    return betweenTexels(cieWeights, (wavelength - SHORTEST_WAVELENGTH) * 8e9, weights).rgb;
 }
 
 // XYZ of the power 1 at all wavelengths: the white of D65 over 380 to 780 nm.

@@ -12,11 +12,15 @@ uniform float orderNodeSpacing;
 uniform float orderPanel;
 // Their largest distance in metres.
 uniform float orderLargestStep;
+// Square of a step over the order's deviation, metres, that a corner of D65's table within the order allows.
+uniform float orderCornerLength;
 // Standard deviation of the window's spectrum, cycles per metre.
 uniform float windowSigmaFrequency;
 
 // Deviations of an order's power at which it is 1e-9 of its maximum: nothing that anybody sees.
 const float FLANK_REACH = 6.5;
+// Standard deviation of an order, metres, below which it sees the corners of the colour tables (SmoothCieWeights).
+const float NARROW_ORDER = 0.4e-9;
 
 struct Ray {
     vec3 uvw;
@@ -55,16 +59,20 @@ vec3 oneOrder(vec3 uvw, vec2 bin) {
         return vec3(0.0);
     }
     Ray ray = Ray(uvw, false, ivec2(bin), middle, distance);
+    // A flank falls off the faster the farther out it is met.
+    float flank = max(0.0, max(low - middle, middle - high)) / deviation;
+    float seen = deviation / (1.0 + flank);
+    float largestStep = min(orderLargestStep * middle * middle, middle * sqrt(orderCornerLength * deviation));
+    int weights = seen < NARROW_ORDER * middle * middle ? TABLE_WEIGHTS : SMOOTH_WEIGHTS;
     // Where the band cuts an order, the trapezoid rule loses the accuracy that it owes to vanishing ends.
     if (low > middle - halfWidth || high < middle + halfWidth) {
-        // A flank falls off the faster the farther out it is met.
-        float flank = max(0.0, max(low - middle, middle - high)) / deviation;
-        float largest = min(orderPanel * deviation / (1.0 + flank), 3.0 * orderLargestStep * middle * middle);
-        return partXyz(ray, panelsBetween(low, high, largest));
+        float largest = min(orderPanel * seen, 3.0 * largestStep);
+        return partXyz(ray, panelsBetween(low, high, largest), weights);
     }
-    float spacing = min(orderNodeSpacing * deviation, orderLargestStep * middle * middle);
+    float spacing = min(orderNodeSpacing * deviation, largestStep);
     int intervals = max(int(ceil((high - low) / spacing)), 2);
-    return partXyz(ray, Steps(low, (high - low) / float(intervals), 0, intervals, false, 0.0, 0.0));
+    return partXyz(ray, Steps(low, (high - low) / float(intervals), 0, intervals, false, 0.0, 0.0),
+            weights);
 }
 
 vec3 diffractedXyz(vec3 uvw) {

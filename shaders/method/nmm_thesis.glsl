@@ -14,7 +14,7 @@ vec3 alongAxis(vec3 uvw, float bins) {
     int last = int(floor(bins / SHORTEST_WAVELENGTH));
     for (int n = max(1, int(ceil(bins / LONGEST_WAVELENGTH))); n <= last; ++n) {
         float wavelength = bins / float(n);
-        xyz += cieWeight(wavelength) * averagePower(uvw, wavelength);
+        xyz += cieWeight(wavelength, SMOOTH_WEIGHTS) * averagePower(uvw, wavelength);
     }
     return orderStep * xyz;
 }

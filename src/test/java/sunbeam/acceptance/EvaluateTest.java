@@ -132,8 +132,8 @@ class EvaluateTest {
 
     @Test
     void shaderAndProcessorAgree() throws Exception {
-        JsonNode shader = evaluate("xenopeltis", "380:780:40", "--azimuth", "100");
-        JsonNode processor = evaluate("xenopeltis", "380:780:40", "--azimuth", "100", "--method", "bins");
+        JsonNode shader = evaluate("blaze", "380:780:40", "--azimuth", "0");
+        JsonNode processor = evaluate("blaze", "380:780:40", "--azimuth", "0", "--method", "bins");
 
         // The shader works to a relative tolerance of 1e-3 in power, which moves a peak by thousandths of its width.
         String mean = "/peaks_interpolated/mean_nm";

@@ -3,6 +3,7 @@ package sunbeam.precompute.cause;
 import java.util.ArrayList;
 import java.util.List;
 import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.color.SmoothCieWeights;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.plan.OrderSampling;
 
@@ -68,14 +69,19 @@ final class OrderNodes {
             return List.of();
         }
         PlanNode.OneOrder order = new PlanNode.OneOrder(binX, binY);
-        double largestStep = orders.largestStep() * middle * middle;
+        double largestStep =
+                Math.min(orders.largestStep() * middle * middle, middle * Math.sqrt(orders.cornerLength() * deviation));
+        double flank = Math.max(0, Math.max(low - middle, middle - high)) / deviation;
+        double seen = deviation / (1 + flank);
+        PlanNodes.Weights kind = seen < SmoothCieWeights.NARROW_ORDER * middle * middle
+                ? PlanNodes.Weights.TABLE
+                : PlanNodes.Weights.SMOOTH;
         if (low > middle - half || high < middle + half) {
-            double flank = Math.max(0, Math.max(low - middle, middle - high)) / deviation;
-            double largest = Math.min(orders.panel() * deviation / (1 + flank), 3 * largestStep);
-            return weights.part(PlanNodes.panels(low, high, largest), order);
+            double largest = Math.min(orders.panel() * seen, 3 * largestStep);
+            return weights.part(PlanNodes.panels(low, high, largest), order, kind);
         }
         double spacing = Math.min(orders.nodeSpacing() * deviation, largestStep);
         int intervals = Math.max((int) Math.ceil((high - low) / spacing), 2);
-        return weights.part(PlanNodes.steps(low, (high - low) / intervals, 0, intervals), order);
+        return weights.part(PlanNodes.steps(low, (high - low) / intervals, 0, intervals), order, kind);
     }
 }

@@ -26,16 +26,24 @@ final class PlanNodes {
     };
     private static final double PER_METRE = 8e9;
 
-    private final double[][] weights = new double[3][];
+    private final CieTable cie;
+    private final double[][] smooth = new double[3][];
     private final double[] white;
     private final double norm;
 
     PlanNodes(CieTable cie) {
+        this.cie = cie;
         for (int c = 0; c < 3; c++) {
-            weights[c] = SmoothCieWeights.of(cie, c);
+            smooth[c] = SmoothCieWeights.of(cie, c);
         }
         white = ColorArrays.cieWhite(cie);
         norm = 1 / cie.integralOfY();
+    }
+
+    /** Whether the colour tables have their corners at whole nanometres. */
+    enum Weights {
+        SMOOTH,
+        TABLE
     }
 
     /** A place of 1 / lambda, and the length that it stands for. */
@@ -143,7 +151,7 @@ final class PlanNodes {
 
     /** Over the whole band: constant power comes out exactly. */
     List<PlanNode> band(List<WaveNumber> places, PlanNode.Place place) {
-        List<PlanNode> nodes = part(places, place);
+        List<PlanNode> nodes = part(places, place, Weights.SMOOTH);
         double[] one = new double[3];
         nodes.forEach(node -> {
             for (int c = 0; c < 3; c++) {
@@ -159,24 +167,25 @@ final class PlanNodes {
     }
 
     /** Over what the places cover. */
-    List<PlanNode> part(List<WaveNumber> places, PlanNode.Place place) {
+    List<PlanNode> part(List<WaveNumber> places, PlanNode.Place place, Weights weights) {
         List<PlanNode> nodes = new ArrayList<>();
         for (WaveNumber at : places) {
             double wavelength = 1 / at.value();
             double[] xyz = new double[3];
             for (int c = 0; c < 3; c++) {
-                xyz[c] = at.length() * weight(wavelength, c) * wavelength * wavelength;
+                double weight = weights == Weights.TABLE ? cie.at(wavelength, c) : smooth(wavelength, c);
+                xyz[c] = at.length() * norm * weight * wavelength * wavelength;
             }
             nodes.add(new PlanNode(wavelength, xyz, place));
         }
         return nodes;
     }
 
-    private double weight(double wavelength, int channel) {
+    private double smooth(double wavelength, int channel) {
         double position = Math.max(
                 0, Math.min(SmoothCieWeights.SAMPLES - 1.0, (wavelength - CieTable.MINIMUM_WAVELENGTH) * PER_METRE));
         int left = (int) Math.min(SmoothCieWeights.SAMPLES - 2.0, position);
         double fraction = position - left;
-        return norm * (weights[channel][left] * (1 - fraction) + weights[channel][left + 1] * fraction);
+        return smooth[channel][left] * (1 - fraction) + smooth[channel][left + 1] * fraction;
     }
 }

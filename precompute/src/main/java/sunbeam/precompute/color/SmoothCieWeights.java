@@ -12,7 +12,18 @@ public final class SmoothCieWeights {
     /** Eight samples a nanometre from 380 to 780 nm, both ends included. */
     public static final int SAMPLES = TABLE_LAST * PER_NANOMETRE + 1;
 
+    /**
+     * Standard deviation of an order, metres, below which the table's own weights serve it better: it sees the corners. At
+     * this width they are averaged out to 3e-5.
+     */
+    public static final double NARROW_ORDER = 0.4e-9;
+
     private SmoothCieWeights() {}
+
+    /** Wavelength of a sample, metres. */
+    public static double wavelength(int sample) {
+        return CieTable.MINIMUM_WAVELENGTH + sample * (1e-9 / PER_NANOMETRE);
+    }
 
     /** S xbar, S ybar or S zbar, not normalised. */
     public static double[] of(CieTable cie, int channel) {

@@ -20,9 +20,12 @@ import sunbeam.precompute.units.Lengths;
  * @param panel of Gauss's rule on orders that the visible band cuts, likewise
  * @param largestStep their largest distance in metres: orders near the specular one are broader than the structure of the
  *     colour matching functions and D65
+ * @param cornerLength square of a step over the order's deviation, metres: at most this, so that a corner of D65's table within the
+ *     order is resolved
  * @param band wavelengths within the specular order, which has no middle
  */
-public record OrderSampling(double reach, double nodeSpacing, double panel, double largestStep, BandRule band)
+public record OrderSampling(
+        double reach, double nodeSpacing, double panel, double largestStep, double cornerLength, BandRule band)
         implements Sampling {
     private static final Neighbourhood NEAREST_BIN = new Neighbourhood(0, Neighbourhood.Anchor.NEAREST);
 
@@ -93,6 +96,7 @@ public record OrderSampling(double reach, double nodeSpacing, double panel, doub
                 .reals("orderNodeSpacing", nodeSpacing)
                 .reals("orderPanel", panel)
                 .reals("orderLargestStep", largestStep)
+                .reals("orderCornerLength", cornerLength)
                 .reals("windowSigmaFrequency", plan.window().sigmaFrequency())
                 .reals("cieWhite", ColorArrays.cieWhite(cie))
                 .build(plan.window().sigmaMetres(), plan.specularReach());

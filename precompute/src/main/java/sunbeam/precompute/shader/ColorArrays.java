@@ -10,18 +10,22 @@ public final class ColorArrays {
 
     /** Shape of {@link #cieWeights}. */
     public static ArrayLayout cieWeightsLayout() {
-        return ArrayLayout.flat("cieWeights", SmoothCieWeights.SAMPLES, 1, 4).linear();
+        return ArrayLayout.flat("cieWeights", SmoothCieWeights.SAMPLES, 2, 4).linear();
     }
 
-    /** The CIE weights of shaders/include/spectrum.glsl, per metre of wavelength. */
+    /**
+     * The CIE weights of shaders/include/spectrum.glsl, per metre of wavelength: a row of smooth ones, for integrals over
+     * nanometres, and a row of the table's own, for orders that are narrower than its steps.
+     */
     public static TableArray cieWeights(CieTable cie) {
         int samples = SmoothCieWeights.SAMPLES;
         double norm = 1 / cie.integralOfY();
-        float[] texels = new float[4 * samples];
+        float[] texels = new float[2 * 4 * samples];
         for (int c = 0; c < 3; c++) {
             double[] weights = SmoothCieWeights.of(cie, c);
             for (int i = 0; i < samples; i++) {
                 texels[4 * i + c] = (float) (weights[i] * norm);
+                texels[4 * (samples + i) + c] = (float) (cie.at(SmoothCieWeights.wavelength(i), c) * norm);
             }
         }
         return TableArray.of(cieWeightsLayout(), texels);
