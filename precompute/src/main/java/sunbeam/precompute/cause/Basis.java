@@ -48,12 +48,13 @@ final class Basis {
     private synchronized double[][][] terms(HeightLevels heights) {
         if (terms == null) {
             Expansion expansion = plan.expansion();
+            double[] levels = heights.levels();
             terms = new double[expansion.terms()][2][heights.count()];
             for (int n = 0; n < terms.length; n++) {
                 Complex turn = expansion.kind().turn(n);
-                for (int i = 0; i < heights.count(); i++) {
+                for (int i = 0; i < levels.length; i++) {
                     Complex value = expansion
-                            .basis(n, expansion.scale().scaled(heights.levels()[i]))
+                            .basis(n, expansion.scale().scaled(levels[i]))
                             .multiply(turn);
                     terms[n][0][i] = value.getReal();
                     terms[n][1][i] = value.getImaginary();

@@ -28,10 +28,11 @@ public record HeightScale(double centre, double halfRange) {
     /** Centred on the mean, as in the thesis. */
     public static HeightScale mean(HeightLevels heights) {
         int[] counts = heights.histogram();
+        double[] levels = heights.levels();
         double sum = 0;
         double samples = 0;
         for (int i = 0; i < counts.length; i++) {
-            sum += counts[i] * (heights.levels()[i] - heights.minimum());
+            sum += counts[i] * (levels[i] - heights.minimum());
             samples += counts[i];
         }
         double centre = heights.minimum() + sum / samples;

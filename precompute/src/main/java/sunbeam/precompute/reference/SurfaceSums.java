@@ -1,5 +1,6 @@
 package sunbeam.precompute.reference;
 
+import sunbeam.precompute.numerics.UnitCircle;
 import sunbeam.precompute.patch.HeightLevels;
 import sunbeam.precompute.patch.HeightMap;
 
@@ -65,13 +66,13 @@ final class SurfaceSums {
     double[][] phases(double w, double wavelength) {
         double waveNumber = 2 * Math.PI / wavelength;
         double centre = 0.5 * (heights.minimum() + heights.maximum());
-        double[] cosines = new double[heights.count()];
-        double[] sines = new double[heights.count()];
-        for (int i = 0; i < cosines.length; i++) {
-            double phase = waveNumber * w * (heights.levels()[i] - centre);
-            cosines[i] = Math.cos(phase);
-            sines[i] = Math.sin(phase);
+        double[] levels = heights.levels();
+        double[] cosines = new double[levels.length];
+        double[] sines = new double[levels.length];
+        for (int i = 0; i < levels.length; i++) {
+            sines[i] = waveNumber * w * (levels[i] - centre);
         }
+        UnitCircle.points(sines, cosines);
         return new double[][] {cosines, sines};
     }
 }
