@@ -31,7 +31,8 @@ Taps tapsAround(float position, float origin) {
     return taps;
 }
 
-// Where a grid is looked at: on one of its columns, interpolated along y only, or anywhere, along both axes.
+// Where a grid is looked at: on one of its columns, interpolated along y only, or anywhere, along both axes. Columns are rows
+// of texels: neighbouring pixels share them.
 struct Place {
     bool onColumn;
     int column;
@@ -49,21 +50,22 @@ Place inGrid(vec2 position, vec2 origin) {
     return Place(false, 0, tapsAround(position.x, origin.x), tapsAround(position.y, origin.y));
 }
 
-vec4 columnTexel(sampler2DArray grid, int layer, int column, Taps y) {
+// Taps that lie beside each other in a row of texels.
+vec4 rowTexel(sampler2DArray grid, int layer, Taps along, int row) {
     vec4 sum = vec4(0.0);
-    for (int j = 0; j < TAPS; ++j) {
-        sum += y.weights[j] * texelFetch(grid, ivec3(column, y.first + j, layer), 0);
+    for (int i = 0; i < TAPS; ++i) {
+        sum += along.weights[i] * texelFetch(grid, ivec3(along.first + i, row, layer), 0);
     }
     return sum;
 }
 
 vec4 texelAt(sampler2DArray grid, int layer, Place place) {
     if (place.onColumn) {
-        return columnTexel(grid, layer, place.column, place.y);
+        return rowTexel(grid, layer, place.y, place.column);
     }
     vec4 sum = vec4(0.0);
-    for (int i = 0; i < TAPS; ++i) {
-        sum += place.x.weights[i] * columnTexel(grid, layer, place.x.first + i, place.y);
+    for (int j = 0; j < TAPS; ++j) {
+        sum += place.y.weights[j] * rowTexel(grid, layer, place.x, place.y.first + j);
     }
     return sum;
 }

@@ -78,8 +78,8 @@ final class GridArrays {
     private ArrayLayout raysLayout(int layers) {
         return ArrayLayout.layered(
                 name + "Rays",
-                Math.max(nodesX().count(), nodesY().count()),
                 Math.max(samplesX().count(), samplesY().count()),
+                Math.max(nodesX().count(), nodesY().count()),
                 2 * layers,
                 CHANNELS);
     }
@@ -138,24 +138,27 @@ final class GridArrays {
                 .reals(name + "PointFirst", pointX.first(), pointY.first());
     }
 
-    /** The grids whose columns (along x) and rows (along y) the rays cross; the latter transposed. */
+    /**
+     * The grids whose columns (along x) and rows (along y) the rays cross. Each of these lies in one piece, whose samples
+     * neighbouring pixels share, as a row of the texture.
+     */
     private void addRays(ShaderTables.Builder tables, FourierTable table, Fields fields, ArrayLayout layout) {
         double patchWidth = table.patch().width();
         double patchHeight = table.patch().height();
         GridResampler columns = new GridResampler(
-                AxisResampler.exact(nodesX().extended(layout.width()), table.bandX(), patchWidth, sigma),
+                AxisResampler.exact(nodesX().extended(layout.height()), table.bandX(), patchWidth, sigma),
                 AxisResampler.forInterpolation(
-                        samplesY().extended(layout.height()), table.bandY(), patchHeight, sampling.interpolation()));
+                        samplesY().extended(layout.width()), table.bandY(), patchHeight, sampling.interpolation()));
         GridResampler rows = new GridResampler(
                 AxisResampler.forInterpolation(
-                        samplesX().extended(layout.height()), table.bandX(), patchWidth, sampling.interpolation()),
-                AxisResampler.exact(nodesY().extended(layout.width()), table.bandY(), patchHeight, sigma));
+                        samplesX().extended(layout.width()), table.bandX(), patchWidth, sampling.interpolation()),
+                AxisResampler.exact(nodesY().extended(layout.height()), table.bandY(), patchHeight, sigma));
         int layers = layout.layers() / 2;
         tables.array(TableArray.computed(
                         layout,
                         layer -> layer < layers
-                                ? layer(fields, layer, columns, Order.ROWS)
-                                : layer(fields, layer - layers, rows, Order.COLUMNS)))
+                                ? layer(fields, layer, columns, Order.COLUMNS)
+                                : layer(fields, layer - layers, rows, Order.ROWS)))
                 .reals("gridRayScale", 1 / step)
                 .reals(
                         "gridRaysFirst",
