@@ -6,6 +6,9 @@ import sunbeam.precompute.patch.HeightMap;
 
 /** Sums of p = exp(i k w h) over the rows of a patch, one running sum per column and weighting. */
 final class SurfaceSums {
+    // Distinct heights per sample from which on looking phases up takes longer than working them out.
+    private static final double MOST_REPEATED = 0.2;
+
     private final HeightMap map;
     private final HeightLevels heights;
 
@@ -24,7 +27,36 @@ final class SurfaceSums {
 
     /** Sums over rows first: plain element-wise loops that the processor runs in parallel. */
     AxisSums overRows(double w, double wavelength, AxisWeights... alongY) {
-        return overRows(phases(w, wavelength), alongY);
+        return heights.count() < MOST_REPEATED * map.columns() * map.rows()
+                ? overRows(phases(w, wavelength), alongY)
+                : overSamples(w, wavelength, alongY);
+    }
+
+    /** Where hardly any two heights are equal: nothing to look up, and memory is read from one end to the other. */
+    private AxisSums overSamples(double w, double wavelength, AxisWeights... alongY) {
+        int columns = map.columns();
+        double perMetre = 2 * Math.PI / wavelength * w;
+        AxisSums sums = new AxisSums(columns, alongY.length);
+        double[] cosines = new double[columns];
+        double[] sines = new double[columns];
+        for (int row = 0; row < map.rows(); row++) {
+            if (!isSeen(row, alongY)) {
+                continue;
+            }
+            for (int column = 0; column < columns; column++) {
+                sines[column] = perMetre * (map.at(column, row) - centre());
+            }
+            UnitCircle.points(sines, cosines);
+            for (int b = 0; b < alongY.length; b++) {
+                sums.add(b, cosines, sines, alongY[b].real()[row], alongY[b].imaginary()[row]);
+            }
+        }
+        return sums;
+    }
+
+    /** From which phases are counted. */
+    private double centre() {
+        return 0.5 * (heights.minimum() + heights.maximum());
     }
 
     /**
@@ -65,12 +97,11 @@ final class SurfaceSums {
     /** exp(i k w h) of every distinct height: cosines, sines. */
     double[][] phases(double w, double wavelength) {
         double waveNumber = 2 * Math.PI / wavelength;
-        double centre = 0.5 * (heights.minimum() + heights.maximum());
         double[] levels = heights.levels();
         double[] cosines = new double[levels.length];
         double[] sines = new double[levels.length];
         for (int i = 0; i < levels.length; i++) {
-            sines[i] = waveNumber * w * (levels[i] - centre);
+            sines[i] = waveNumber * w * (levels[i] - centre());
         }
         UnitCircle.points(sines, cosines);
         return new double[][] {cosines, sines};
