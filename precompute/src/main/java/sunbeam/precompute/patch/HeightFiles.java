@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import sunbeam.precompute.scan.ScanBytes;
 import sunbeam.precompute.scan.ScanException;
@@ -38,7 +39,8 @@ final class HeightFiles {
             throw new PatchException(file + " " + unusable.getMessage(), unusable);
         } catch (IOException failure) {
             throw new PatchException(
-                    "%s cannot be read (%s); check the file".formatted(file, failure.getMessage()), failure);
+                    String.format(Locale.ROOT, "%s cannot be read (%s); check the file", file, failure.getMessage()),
+                    failure);
         }
     }
 
@@ -87,8 +89,13 @@ final class HeightFiles {
         HeightImage image = HeightImageReader.read(file, channel);
         HeightMap map = scale.apply(image);
         // Pictures are published with it: the file's name, not the folders of its owner.
-        String source = "%s (%s), %s, full scale %s"
-                .formatted(file.getFileName(), image.description(), map.describe(), Lengths.format(scale.maxHeight()));
+        String source = String.format(
+                Locale.ROOT,
+                "%s (%s), %s, full scale %s",
+                file.getFileName(),
+                image.description(),
+                map.describe(),
+                Lengths.format(scale.maxHeight()));
         List<String> warnings = scale.warnings(map, image.format(), choices.origin(PatchSettings.MAX_HEIGHT));
         return new MeasuredHeights(map, source, List.of(), List.of(), warnings);
     }

@@ -8,6 +8,7 @@ import java.awt.image.IndexColorModel;
 import java.awt.image.Raster;
 import java.awt.image.SampleModel;
 import java.nio.file.Path;
+import java.util.Locale;
 
 /**
  * The channels of a decoded image as the file stores them, without gamma or colour management. The indices of a palette
@@ -57,8 +58,11 @@ final class ImageBands {
         if (space == ColorSpace.TYPE_RGB && channels == 3) {
             return true;
         }
-        throw new PatchException("%s has %d channels that are neither grey nor RGB; save it as grey or RGB"
-                .formatted(file, model.getNumComponents()));
+        throw new PatchException(String.format(
+                Locale.ROOT,
+                "%s has %d channels that are neither grey nor RGB; save it as grey or RGB",
+                file,
+                model.getNumComponents()));
     }
 
     private static SampleFormat format(Path file, SampleModel model) {
@@ -76,8 +80,11 @@ final class ImageBands {
         if (bits == 16) {
             return type == DataBuffer.TYPE_SHORT ? SampleFormat.SIGNED_16 : SampleFormat.UNSIGNED_16;
         }
-        throw new PatchException("%s has %s bits per sample; save it with 8 or 16 bits or as 32-bit float TIFF"
-                .formatted(file, bits < 0 ? "different numbers of" : Integer.toString(bits)));
+        throw new PatchException(String.format(
+                Locale.ROOT,
+                "%s has %s bits per sample; save it with 8 or 16 bits or as 32-bit float TIFF",
+                file,
+                bits < 0 ? "different numbers of" : Integer.toString(bits)));
     }
 
     SampleFormat format() {

@@ -52,13 +52,14 @@ final class ReliefCheck {
         if (longSide < SHORTEST_LONG_SIDE || longSide > LONGEST_SIDE) {
             throw new SettingException(
                     about,
-                    "is absurd: %s would be %s x %s; a patch's longer side is %s to %s (is the unit right?)"
-                            .formatted(
-                                    file,
-                                    Lengths.format(width),
-                                    Lengths.format(height),
-                                    Lengths.format(SHORTEST_LONG_SIDE),
-                                    Lengths.format(LONGEST_SIDE)));
+                    String.format(
+                            Locale.ROOT,
+                            "is absurd: %s would be %s x %s; a patch's longer side is %s to %s (is the unit right?)",
+                            file,
+                            Lengths.format(width),
+                            Lengths.format(height),
+                            Lengths.format(SHORTEST_LONG_SIDE),
+                            Lengths.format(LONGEST_SIDE)));
         }
     }
 
@@ -70,8 +71,11 @@ final class ReliefCheck {
             return Optional.of(Lengths.format(relief) + ", less than a hundredth of an atom");
         }
         if (relief > LARGEST_RELIEF || relief > STEEPEST_RELIEF * longSide) {
-            return Optional.of("%s on a patch of %s, which is absurd; check both units"
-                    .formatted(Lengths.format(relief), Lengths.format(longSide)));
+            return Optional.of(String.format(
+                    Locale.ROOT,
+                    "%s on a patch of %s, which is absurd; check both units",
+                    Lengths.format(relief),
+                    Lengths.format(longSide)));
         }
         return Optional.empty();
     }
@@ -89,7 +93,7 @@ final class ReliefCheck {
         if (unitChosen) {
             throw new SettingException(PatchSettings.HEIGHT_UNIT, "makes a relief of " + absurdity.get());
         }
-        throw new PatchException(
-                "%s has a relief of %s; its scale is wrong, export it again".formatted(file, absurdity.get()));
+        throw new PatchException(String.format(
+                Locale.ROOT, "%s has a relief of %s; its scale is wrong, export it again", file, absurdity.get()));
     }
 }

@@ -76,8 +76,15 @@ record AccuracyPage(
     }
 
     String text() {
-        StringBuilder page = new StringBuilder(INTRODUCTION.formatted(
-                renderer, list(), counts.seed(), RelativeError.FLOOR, counts.powers(), counts.colors()));
+        StringBuilder page = new StringBuilder(String.format(
+                Locale.ROOT,
+                INTRODUCTION,
+                renderer,
+                list(),
+                counts.seed(),
+                RelativeError.FLOOR,
+                counts.powers(),
+                counts.colors()));
         each(ErrorFigure.class, (patch, figure) -> {
             if (figure.style() == ErrorFigure.Style.AGAINST_TOLERANCE) {
                 addTolerances(page, patch, figure);
@@ -96,7 +103,8 @@ record AccuracyPage(
     /** Which patches. */
     private String list() {
         StringBuilder lines = new StringBuilder();
-        figures.keySet().forEach(name -> lines.append("- %s: %s\n".formatted(name, patches.get(name))));
+        figures.keySet()
+                .forEach(name -> lines.append(String.format(Locale.ROOT, "- %s: %s\n", name, patches.get(name))));
         return lines.toString();
     }
 
@@ -107,7 +115,7 @@ record AccuracyPage(
 
     private static void addFigure(StringBuilder page, String patch, Figure figure) {
         String stem = stem(patch, figure);
-        page.append("![%s](%s.png)\n([table](%s.csv))\n\n".formatted(figure.title(), stem, stem));
+        page.append(String.format(Locale.ROOT, "![%s](%s.png)\n([table](%s.csv))\n\n", figure.title(), stem, stem));
         figure.remarks().forEach(remark -> page.append(remark).append("\n\n"));
     }
 
