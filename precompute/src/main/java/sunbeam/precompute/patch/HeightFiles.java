@@ -1,6 +1,7 @@
 package sunbeam.precompute.patch;
 
 import java.io.IOException;
+import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -45,14 +46,15 @@ final class HeightFiles {
     }
 
     private static MeasuredHeights throughGwyddion(Path file, Choices choices) throws IOException {
-        Path folder = Files.createTempDirectory("sunbeam-");
+        GwyddionConversion gwyddion = new GwyddionConversion(System.getenv());
+        if (!gwyddion.isInstalled()) {
+            throw new ScanException("is neither an image nor a scan in a format that Sunbeam knows;"
+                    + " install Gwyddion (the command gwyddion, and xvfb-run where there is no display), through"
+                    + " which Sunbeam reads 170 others, or export it as .gwy, .gsf or text");
+        }
+        Path folder = temporaryFolder();
         try {
-            Path converted = new GwyddionConversion(System.getenv())
-                    .convert(file, folder)
-                    .orElseThrow(
-                            () -> new ScanException("is neither an image nor a scan in a format that Sunbeam knows;"
-                                    + " install Gwyddion (the command gwyddion, and xvfb-run where there is no display), through"
-                                    + " which Sunbeam reads 170 others, or export it as .gwy, .gsf or text"));
+            Path converted = gwyddion.convert(file, folder);
             try (ScanBytes bytes = ScanBytes.open(converted)) {
                 ScanReader reader = ScanFormats.find(bytes)
                         .orElseThrow(() -> new ScanException("is converted by Gwyddion to nothing that can be read"));
@@ -63,6 +65,21 @@ final class HeightFiles {
                 Files.deleteIfExists(folder.resolve(name));
             }
             Files.deleteIfExists(folder);
+        }
+    }
+
+    private static Path temporaryFolder() {
+        Path shared = Path.of(System.getProperty("java.io.tmpdir"));
+        try {
+            return Files.createTempDirectory(shared, "sunbeam-");
+        } catch (IOException full) {
+            String reason = full instanceof FileSystemException failure && failure.getReason() != null
+                    ? failure.getReason()
+                    : full.getClass().getSimpleName();
+            throw new ScanException(
+                    "is in a format that Sunbeam reads through Gwyddion, whose result finds no place in the"
+                            + " folder for temporary files, " + shared + " (" + reason
+                            + "); free some space there, or export it as .gwy, .gsf or text");
         }
     }
 
