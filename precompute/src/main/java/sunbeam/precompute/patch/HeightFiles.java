@@ -29,6 +29,12 @@ final class HeightFiles {
      */
     static MeasuredHeights read(Path file, Choices choices) {
         InputFiles.requireReadable(file);
+        MeasuredHeights heights = readAny(file, choices);
+        ReliefCheck.requireContent(heights.map(), file);
+        return heights;
+    }
+
+    private static MeasuredHeights readAny(Path file, Choices choices) {
         try (ScanBytes bytes = ScanBytes.open(file)) {
             Optional<ScanReader> reader = ScanFormats.find(bytes);
             if (reader.isPresent()) {

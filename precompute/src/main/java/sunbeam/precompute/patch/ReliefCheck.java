@@ -21,6 +21,9 @@ final class ReliefCheck {
     /** Relief over the longer side; above, a scan is impossible and the scale is wrong. */
     static final double STEEPEST_RELIEF = 4;
 
+    /** The most samples, 2048 x 2048, of a patch whose heights are all equal: work on them takes seconds. */
+    static final long MOST_FLAT_SAMPLES = 1L << 22;
+
     private ReliefCheck() {}
 
     /** That a patch is a mirror to any eye; empty for all others. */
@@ -60,6 +63,23 @@ final class ReliefCheck {
                             Lengths.format(height),
                             Lengths.format(SHORTEST_LONG_SIDE),
                             Lengths.format(LONGEST_SIDE)));
+        }
+    }
+
+    /**
+     * Refuses a large file without any relief: not one of an instrument, whose noise would show, but an empty one, which
+     * may take no place on a disk and yet minutes to work on.
+     */
+    static void requireContent(HeightMap map, Path file) {
+        long samples = (long) map.columns() * map.rows();
+        if (map.relief() == 0 && samples > MOST_FLAT_SAMPLES) {
+            throw new PatchException(String.format(
+                    Locale.ROOT,
+                    "%s: all of its %d x %d samples are equal: it is empty; export the scan again"
+                            + " (of a flat mirror 2048 x 2048 samples are enough)",
+                    file,
+                    map.columns(),
+                    map.rows()));
         }
     }
 
