@@ -1,6 +1,7 @@
 package sunbeam.app.longrun;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -20,13 +21,14 @@ import sunbeam.app.gpu.NeedsDisplay;
  * Long work that is killed (SIGKILL) at random moments and begun again, until it has been killed so often. Whenever a run
  * reaches its end, its files must be those of a run that nobody disturbed, byte by byte save for times; and at each kill
  * what was finished before must be there as it was: not made again, not lost. Not among the tests: {@code ./sunbeam test
- * -Dtest=KilledLongWork -Dsunbeam.kills=50}, with {@code -Dsunbeam.seed=N} for other moments.
+ * -Dtest=KilledLongWork -Dsunbeam.kills=50}, with {@code -Dsunbeam.seed=N} for other moments and {@code
+ * -Dsunbeam.work=TABLE} for one of {@link LongWork} alone.
  */
 @NeedsDisplay
 final class KilledLongWork {
     private static final long MINUTES_OF_ONE_RUN = 20;
 
-    private static final long LOOK_EVERY_MILLISECONDS = 10;
+    private static final long LOOK_EVERY_MILLISECONDS = 20;
 
     @TempDir
     private Path folder;
@@ -40,6 +42,8 @@ final class KilledLongWork {
     @ParameterizedTest
     @EnumSource(LongWork.class)
     void whatWasKilledComesToTheSameEnd(LongWork work) throws Exception {
+        String wanted = System.getProperty("sunbeam.work", work.name());
+        assumeTrue(wanted.contains(work.name()), "skipped: -Dsunbeam.work=" + wanted);
         SplittableRandom random = new SplittableRandom(Long.getLong("sunbeam.seed", 1) + work.ordinal());
         int most = Math.max(1, Integer.getInteger("sunbeam.kills", 50) / work.slowness());
         Path cache = folder.resolve("cache");
@@ -78,7 +82,7 @@ final class KilledLongWork {
         while (!ended) {
             // Every second time what was killed may go on to its end.
             Kill kill = moments.isEmpty() || random.nextBoolean()
-                    ? Kill.draw(random, duration, Math.max(1, mostParts - parts.size()))
+                    ? Kill.draw(random, duration, Math.max(1, mostParts - work.finished(place)))
                     : Kill.NEVER;
             ended = run(work, place, kill);
             moments.add(ended ? "nothing" : kill.toString());
@@ -123,7 +127,7 @@ final class KilledLongWork {
                 .redirectErrorStream(true)
                 .redirectOutput(said.toFile());
         builder.environment().put("XDG_CACHE_HOME", work.cache(place).toString());
-        int before = work.parts(place).size();
+        int before = work.finished(place);
         Process process = builder.start();
         try (UnfinishedColours.Watch watch = work.watch(place)) {
             long start = System.nanoTime();
@@ -131,7 +135,7 @@ final class KilledLongWork {
             boolean killed = false;
             while (!ended && !killed) {
                 ended = process.waitFor(LOOK_EVERY_MILLISECONDS, TimeUnit.MILLISECONDS);
-                int parts = work.parts(place).size();
+                int parts = work.finished(place);
                 mostParts = Math.max(mostParts, parts);
                 killed = !ended && kill.isDue(System.nanoTime() - start, parts - before);
             }

@@ -13,6 +13,7 @@ import java.util.TreeSet;
 import java.util.function.Predicate;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
+import java.util.zip.CRC32;
 import javax.imageio.ImageIO;
 
 /** Pieces of work that take long because of their number of parts, made small here. */
@@ -87,6 +88,11 @@ enum LongWork {
         }
 
         @Override
+        int finished(Place place) {
+            return UnfinishedColours.count(cache(place));
+        }
+
+        @Override
         UnfinishedColours.Watch watch(Place place) {
             return UnfinishedColours.watch(cache(place));
         }
@@ -108,18 +114,25 @@ enum LongWork {
         /** A batch that was computed twice stands there twice. */
         @Override
         Map<String, String> parts(Place place) {
-            Path file = place.folder().resolve("out/exact-values.txt");
             Map<String, String> parts = new TreeMap<>();
-            if (Files.exists(file)) {
-                for (String line : content(file).split("\n", -1)) {
-                    String[] fields = line.split("\t", -1);
-                    // The last line may have been cut off.
-                    if (fields.length == 3 && content(file).contains(line + "\n")) {
-                        parts.merge(fields[1], line, (one, other) -> one + " and again " + other);
-                    }
+            for (String line : lines(place)) {
+                String[] fields = line.split("\t", -1);
+                // A line that was cut off is no part.
+                if (fields.length == 3 && fields[0].equals(checksum(fields[1] + "\t" + fields[2]))) {
+                    parts.merge(fields[1], line, (one, other) -> one + " and again " + other);
                 }
             }
             return parts;
+        }
+
+        private String[] lines(Place place) {
+            Path file = place.folder().resolve("out/exact-values.txt");
+            return Files.exists(file) ? content(file).split("\n", -1) : new String[0];
+        }
+
+        @Override
+        int finished(Place place) {
+            return lines(place).length / LINES_OF_A_BATCH;
         }
 
         @Override
@@ -151,6 +164,9 @@ enum LongWork {
     private static final Pattern ROW_WITH_TIMES =
             Pattern.compile("(?m)^((?:\\| [^|\n]+){4}\\|)[^|\n]*\\|[^|\n]*\\|([^|\n]*\\|)$");
 
+    /** An empty one, and the batch. */
+    private static final int LINES_OF_A_BATCH = 2;
+
     private final int slowness;
 
     LongWork(int slowness) {
@@ -176,6 +192,11 @@ enum LongWork {
     /** Whether the parts are still there; others have what they were for in their place. */
     boolean partsStay(Place place) {
         return true;
+    }
+
+    /** About how many parts are finished, quickly, while a process works. */
+    int finished(Place place) {
+        return parts(place).size();
     }
 
     Path cache(Place place) {
@@ -218,6 +239,12 @@ enum LongWork {
         } catch (IOException failure) {
             throw new UncheckedIOException(failure);
         }
+    }
+
+    private static String checksum(String text) {
+        CRC32 checksum = new CRC32();
+        checksum.update(text.getBytes(StandardCharsets.ISO_8859_1));
+        return Long.toHexString(checksum.getValue());
     }
 
     /** A file that was written again is another one, or has another time. */

@@ -17,6 +17,9 @@ import java.util.stream.Stream;
 final class UnfinishedColours {
     private static final int TEXTS = 3;
     private static final int FLOATS_A_PLACE = 3;
+    /** Of a full one: count, checksum, colours. */
+    private static final int BYTES_OF_A_BATCH = 12 + (1 << 14) * FLOATS_A_PLACE * Float.BYTES;
+
     /** Shorter than a batch takes to evaluate: should one be evaluated again, the file is seen without it. */
     private static final long LOOK_EVERY_MILLISECONDS = 5;
 
@@ -62,6 +65,13 @@ final class UnfinishedColours {
             return batches;
         }
         return batches;
+    }
+
+    /** How many batches there are, by the file's length. */
+    static int count(Path cache) {
+        return find(cache).stream()
+                .mapToInt(file -> (int) (file.toFile().length() / BYTES_OF_A_BATCH))
+                .sum();
     }
 
     /** Whether finished batches are made again while a process works: then the file is shorter for a while. */
