@@ -2,13 +2,17 @@ package jrtr.gl;
 
 import com.jogamp.common.util.IOUtil;
 import java.io.IOException;
+import java.nio.channels.FileChannel;
+import java.nio.channels.FileLock;
+import java.nio.channels.OverlappingFileLockException;
 import java.nio.file.DirectoryIteratorException;
 import java.nio.file.DirectoryStream;
 import java.nio.file.FileSystemException;
 import java.nio.file.Files;
+import java.nio.file.LinkOption;
 import java.nio.file.Path;
-import java.time.Duration;
-import java.time.Instant;
+import java.nio.file.StandardOpenOption;
+import java.nio.file.attribute.UserPrincipal;
 import java.util.Comparator;
 import java.util.stream.Stream;
 import jrtr.GraphicsException;
@@ -23,10 +27,11 @@ final class PrivateLibraries {
     private static final String TEMPORARY_FOLDER = "java.io.tmpdir";
     private static final String UNPACKING = "jogamp.gluegen.UseTempJarCache";
     private static final String PREFIX = "jrtr-libraries-";
-    /** Libraries are loaded within seconds of a start: then nobody needs the folder of a process that was killed. */
-    private static final Duration LONG_AGO = Duration.ofDays(1);
+    /** Locked by the process whose folder it is, for as long as it lives. */
+    private static final String HELD = "held";
 
     private static boolean prepared;
+    private static FileLock held;
 
     private PrivateLibraries() {}
 
@@ -38,8 +43,8 @@ final class PrivateLibraries {
     static synchronized void prepare() {
         if (!prepared && !"false".equals(System.getProperty(UNPACKING))) {
             Path shared = Path.of(System.getProperty(TEMPORARY_FOLDER));
-            sweep(shared);
             Path folder = create(shared);
+            sweep(shared, folder);
             Runtime.getRuntime().addShutdownHook(new Thread(() -> remove(folder), "jrtr-libraries"));
             hand(folder);
         }
@@ -49,7 +54,11 @@ final class PrivateLibraries {
     private static Path create(Path shared) {
         try {
             // Of mode 700, and new: one that is there already is never taken.
-            return Files.createTempDirectory(shared, PREFIX);
+            Path folder = Files.createTempDirectory(shared, PREFIX);
+            FileChannel channel =
+                    FileChannel.open(folder.resolve(HELD), StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE);
+            held = channel.tryLock();
+            return folder;
         } catch (IOException failure) {
             throw failure(shared, "a folder cannot be made there: " + reason(failure), failure);
         }
@@ -86,17 +95,29 @@ final class PrivateLibraries {
         return failure.getClass().getSimpleName();
     }
 
-    /** What killed processes of this user left; folders of others cannot be removed, and stay. */
-    private static void sweep(Path shared) {
+    /** Removes what killed processes of this user left. Folders of others are not even looked into. */
+    private static void sweep(Path shared, Path own) {
         try (DirectoryStream<Path> folders = Files.newDirectoryStream(shared, PREFIX + "*")) {
-            Instant latest = Instant.now().minus(LONG_AGO);
+            UserPrincipal user = Files.getOwner(own);
             for (Path folder : folders) {
-                if (Files.getLastModifiedTime(folder).toInstant().isBefore(latest)) {
+                boolean mine = Files.getOwner(folder, LinkOption.NOFOLLOW_LINKS).equals(user);
+                if (mine && !folder.equals(own) && isAbandoned(folder)) {
                     remove(folder);
                 }
             }
-        } catch (IOException | DirectoryIteratorException unlisted) {
-            // Whether the folder can be used is found out when a new one is made in it.
+        } catch (IOException | DirectoryIteratorException | UnsupportedOperationException unknown) {
+            // Then they stay: they take room and harm nobody.
+            return;
+        }
+    }
+
+    /** Whether its process has ended. One that has not locked its folder yet, in its first moments, has none to lock. */
+    private static boolean isAbandoned(Path folder) {
+        try (FileChannel channel = FileChannel.open(folder.resolve(HELD), StandardOpenOption.WRITE);
+                FileLock free = channel.tryLock()) {
+            return free != null;
+        } catch (IOException | OverlappingFileLockException unknown) {
+            return false;
         }
     }
 
@@ -106,7 +127,7 @@ final class PrivateLibraries {
                 Files.delete(file);
             }
         } catch (IOException | RuntimeException left) {
-            // Of another user, or still in use (on Windows): a later start tries again.
+            // Still in use (on Windows): a later start tries again.
         }
     }
 }
