@@ -31,7 +31,6 @@ final class PrivateLibraries {
     private static final String HELD = "held";
 
     private static boolean prepared;
-    private static FileLock held;
 
     private PrivateLibraries() {}
 
@@ -45,7 +44,6 @@ final class PrivateLibraries {
             Path shared = Path.of(System.getProperty(TEMPORARY_FOLDER));
             Path folder = create(shared);
             sweep(shared, folder);
-            Runtime.getRuntime().addShutdownHook(new Thread(() -> remove(folder), "jrtr-libraries"));
             hand(folder);
         }
         prepared = true;
@@ -55,9 +53,10 @@ final class PrivateLibraries {
         try {
             // Of mode 700, and new: one that is there already is never taken.
             Path folder = Files.createTempDirectory(shared, PREFIX);
-            FileChannel channel =
+            FileChannel held =
                     FileChannel.open(folder.resolve(HELD), StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE);
-            held = channel.tryLock();
+            held.tryLock();
+            Runtime.getRuntime().addShutdownHook(new Thread(() -> remove(folder, held), "jrtr-libraries"));
             return folder;
         } catch (IOException failure) {
             throw failure(shared, "a folder cannot be made there: " + reason(failure), failure);
@@ -118,6 +117,17 @@ final class PrivateLibraries {
             return free != null;
         } catch (IOException | OverlappingFileLockException unknown) {
             return false;
+        }
+    }
+
+    /** The hook holds the channel, and so the lock, until then. */
+    private static void remove(Path folder, FileChannel held) {
+        remove(folder);
+        try {
+            held.close();
+        } catch (IOException closedAnyway) {
+            // The process ends.
+            return;
         }
     }
 

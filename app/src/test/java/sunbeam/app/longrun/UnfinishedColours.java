@@ -11,6 +11,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import java.util.concurrent.CompletableFuture;
 import java.util.stream.Stream;
 
 /** The file of colours of a half made table, as it lies in the cache (sunbeam.app.files.cache.KeptColours). */
@@ -91,13 +92,12 @@ final class UnfinishedColours {
 
     /** Looks on while a process works. */
     static final class Watch implements AutoCloseable {
-        private final Thread thread;
+        private final CompletableFuture<Void> looking;
         private volatile boolean ended;
         private volatile String complaint = "";
 
         private Watch(Path cache, long kept) {
-            thread = new Thread(() -> look(cache, kept), "watch");
-            thread.start();
+            looking = CompletableFuture.runAsync(() -> look(cache, kept));
         }
 
         private void look(Path cache, long kept) {
@@ -125,11 +125,7 @@ final class UnfinishedColours {
         @Override
         public void close() {
             ended = true;
-            try {
-                thread.join();
-            } catch (InterruptedException stop) {
-                Thread.currentThread().interrupt();
-            }
+            looking.join();
         }
     }
 }
