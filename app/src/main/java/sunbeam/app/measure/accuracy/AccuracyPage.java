@@ -16,6 +16,8 @@ import sunbeam.app.measure.errors.RelativeError;
  * @param counts how many directions were asked for
  * @param renderer that drew, as OpenGL names it
  */
+// Texts of a page stand apart from what fills them.
+@SuppressWarnings("InlineFormatString")
 record AccuracyPage(
         Map<String, String> patches, Map<String, List<Figure>> figures, SampleCounts counts, String renderer) {
     private static final String INTRODUCTION = """
