@@ -44,7 +44,8 @@ final class KilledLongWork {
     void whatWasKilledComesToTheSameEnd(LongWork work) throws Exception {
         String wanted = System.getProperty("sunbeam.work", work.name());
         assumeTrue(wanted.contains(work.name()), "skipped: -Dsunbeam.work=" + wanted);
-        SplittableRandom random = new SplittableRandom(Long.getLong("sunbeam.seed", 1) + work.name().hashCode());
+        SplittableRandom random = new SplittableRandom(
+                Long.getLong("sunbeam.seed", 1) + work.name().hashCode());
         int most = Math.max(1, Integer.getInteger("sunbeam.kills", 50) / work.slowness());
         Path cache = folder.resolve("cache");
         LongWork.Place undisturbed = new LongWork.Place(folder.resolve("undisturbed"), cache);
