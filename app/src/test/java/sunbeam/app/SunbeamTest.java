@@ -2,15 +2,20 @@ package sunbeam.app;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.io.PrintStream;
 import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.io.Writer;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.app.terminal.Environment;
 
 final class SunbeamTest {
@@ -60,6 +65,39 @@ final class SunbeamTest {
         assertThat(run("doctor", "--help")).isZero();
         assertThat(run("help", "doctor")).isZero();
         assertThat(out.toString()).contains("Usage: sunbeam doctor").contains("Exit codes:");
+    }
+
+    /** A percent sign that is not doubled makes picocli complain on the stream of the process. */
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "accuracy",
+                "benchmark",
+                "brdf-map",
+                "cache",
+                "color",
+                "doctor",
+                "evaluate",
+                "figures",
+                "inspect",
+                "mesh",
+                "performance",
+                "precompute",
+                "reflectance",
+                "render",
+                "view"
+            })
+    void helpIsPrintedWithoutComplaints(String command) {
+        ByteArrayOutputStream complaints = new ByteArrayOutputStream();
+        PrintStream before = System.err;
+        System.setErr(new PrintStream(complaints, true, StandardCharsets.UTF_8));
+        try {
+            assertThat(run(command, "--help")).isZero();
+        } finally {
+            System.setErr(before);
+        }
+        assertThat(out.toString()).contains("Usage: sunbeam " + command);
+        assertThat(complaints.toString(StandardCharsets.UTF_8)).isEmpty();
     }
 
     @Test

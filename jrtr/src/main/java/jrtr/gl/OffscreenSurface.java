@@ -73,7 +73,8 @@ final class OffscreenSurface implements GlSurface {
         } catch (LinkageError failure) {
             throw new GraphicsException(
                     "JOGL's native libraries cannot be loaded: " + reason(failure)
-                            + ". The folder for temporary files (java.io.tmpdir) must be writable and executable, and the X11 libraries installed",
+                            + ". Where the folder for temporary files (java.io.tmpdir) is full, free some space there; programs must be"
+                            + " allowed to run there, and the X11 libraries be installed",
                     failure);
         }
     }

@@ -24,6 +24,7 @@ public final class RenderContexts {
      * @throws GraphicsException if there is no display to connect to, or no OpenGL 3.3 core on it
      */
     public static RenderContext offscreen(ContextOptions options) {
+        PrivateLibraries.prepare();
         return GlRenderContext.on(OffscreenSurface.create(options), options);
     }
 }

@@ -72,7 +72,7 @@ public class SettingOptions {
                 ? help
                 : help
                         + setting.writtenStandard()
-                                .map(" Default: %s."::formatted)
+                                .map(standard -> " Default: " + standard + ".")
                                 .orElse("");
     }
 

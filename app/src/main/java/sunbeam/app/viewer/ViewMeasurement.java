@@ -139,7 +139,7 @@ final class ViewMeasurement implements FrameObserver {
 
     private String report() {
         if (latencies.isEmpty()) {
-            return "no frame was shown in %.0f s".formatted(nanoseconds * 1e-9);
+            return String.format(Locale.ROOT, "no frame was shown in %.0f s", nanoseconds * 1e-9);
         }
         List<Long> sorted = latencies.stream().sorted().toList();
         List<Integer> scales = divisors.stream().sorted().toList();

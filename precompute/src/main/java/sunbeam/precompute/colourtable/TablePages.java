@@ -3,6 +3,7 @@ package sunbeam.precompute.colourtable;
 import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.stream.Stream;
@@ -229,8 +230,8 @@ public record TablePages(
 
     /** All that determines which texels there are, as text. */
     public String key() {
-        StringBuilder key = new StringBuilder(
-                "%s|%s|%s|%s|%d|%d|%d".formatted(space, design, originX, originY, side, columns, rows));
+        StringBuilder key = new StringBuilder(String.format(
+                Locale.ROOT, "%s|%s|%s|%s|%d|%d|%d", space, design, originX, originY, side, columns, rows));
         for (int number : numbers()) {
             key.append('|').append(number).append(looks.get(number));
         }

@@ -14,6 +14,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.regex.Pattern;
 import sunbeam.precompute.text.Quoted;
@@ -76,8 +77,12 @@ public final class JsonFile {
             // Complaints about what is too long or too deep come without their place.
             JsonLocation place = broken.getLocation() == null ? parser.currentLocation() : broken.getLocation();
             throw new JsonException(
-                    "%s, line %d: no valid JSON (%s); mend the line"
-                            .formatted(name, place.getLineNr(), Quoted.oneLine(problem(broken))),
+                    String.format(
+                            Locale.ROOT,
+                            "%s, line %d: no valid JSON (%s); mend the line",
+                            name,
+                            place.getLineNr(),
+                            Quoted.oneLine(problem(broken))),
                     broken);
         }
     }

@@ -2,6 +2,7 @@ package sunbeam.precompute.json;
 
 import java.util.Collection;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
@@ -45,8 +46,14 @@ public final class JsonObject {
     /** The value of a key that must be there. */
     public JsonValue required(String key, String example) {
         return find(key)
-                .orElseThrow(() -> new JsonException("%s, line %d: the key %s is missing; add for example %s: %s"
-                        .formatted(file, members.line(), Quoted.of(path + key), Quoted.of(key), example)));
+                .orElseThrow(() -> new JsonException(String.format(
+                        Locale.ROOT,
+                        "%s, line %d: the key %s is missing; add for example %s: %s",
+                        file,
+                        members.line(),
+                        Quoted.of(path + key),
+                        Quoted.of(key),
+                        example)));
     }
 
     /** The object of a key that must be there. */
@@ -99,8 +106,12 @@ public final class JsonObject {
             throw complaint(
                     key,
                     value,
-                    "%s is out of range; give %s to %s"
-                            .formatted(Decimals.format(number.value()), Decimals.format(least), Decimals.format(most)));
+                    String.format(
+                            Locale.ROOT,
+                            "%s is out of range; give %s to %s",
+                            Decimals.format(number.value()),
+                            Decimals.format(least),
+                            Decimals.format(most)));
         }
         return number.value();
     }
@@ -222,6 +233,6 @@ public final class JsonObject {
     }
 
     private String name(String key, JsonValue value) {
-        return "%s, line %d: %s".formatted(file, value.line(), Quoted.of(path + key));
+        return String.format(Locale.ROOT, "%s, line %d: %s", file, value.line(), Quoted.of(path + key));
     }
 }

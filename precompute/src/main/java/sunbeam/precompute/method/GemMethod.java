@@ -4,6 +4,7 @@ import static sunbeam.precompute.plan.MethodSettings.COHERENCE_LENGTH;
 import static sunbeam.precompute.plan.MethodSettings.SPACING;
 
 import java.util.List;
+import java.util.Locale;
 import java.util.OptionalDouble;
 import sunbeam.precompute.analysis.PeriodFinder;
 import sunbeam.precompute.analysis.Periodicity;
@@ -61,8 +62,10 @@ public record GemMethod(OptionalDouble spacing, CoherenceWindow window) implemen
             Periodicity periods = new PeriodFinder(surface.map()).along(0, sunlight.sigmaFrequency());
             spacing = periods.found() ? OptionalDouble.of(periods.peaks().get(0).period()) : OptionalDouble.empty();
         }
-        String note = "lines %.0f nm apart and nothing of the surface; its brightness, which means nothing, is fitted"
-                .formatted(1e9 * spacing.orElse(surface.map().width()));
+        String note = String.format(
+                Locale.ROOT,
+                "lines %.0f nm apart and nothing of the surface; its brightness, which means nothing, is fitted",
+                1e9 * spacing.orElse(surface.map().width()));
         return List.of(new Variant("gem", new GemMethod(spacing, sunlight), note));
     }
 

@@ -86,14 +86,17 @@ final class LevelledTable implements LevelledPlan {
     @Override
     public List<String> reasons() {
         List<String> reasons = new ArrayList<>();
-        reasons.add(
-                "step %s in (u, v): cubic B-splines through square roots of X, Y, Z err by the tolerance (docs/colour-tables.md)"
-                        .formatted(step()));
+        reasons.add(String.format(
+                Locale.ROOT,
+                "step %s in (u, v): cubic B-splines through square roots of X, Y, Z err by the tolerance (docs/colour-tables.md)",
+                step()));
         reasons.add(
                 levels.levels().size() == 1
                         ? "one level: a coherent average of wide surroundings is no narrower window's"
-                        : "%d levels, each 1.4 times as wide as the one before, for pixels that see so much"
-                                .formatted(levels.levels().size()));
+                        : String.format(
+                                Locale.ROOT,
+                                "%d levels, each 1.4 times as wide as the one before, for pixels that see so much",
+                                levels.levels().size()));
         reasons.add("evaluated by full for half of the tolerance:");
         reasons.addAll(finest.reasons());
         return reasons;

@@ -5,6 +5,7 @@ import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
 
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
@@ -89,7 +90,8 @@ public final class Methods {
                     setting,
                     "is not for ",
                     METHOD,
-                    " %s, which has %s only; leave it out or use ".formatted(type.label(), fixed.get()),
+                    String.format(
+                            Locale.ROOT, " %s, which has %s only; leave it out or use ", type.label(), fixed.get()),
                     METHOD,
                     " " + owners(setting));
         }

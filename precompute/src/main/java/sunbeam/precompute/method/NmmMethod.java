@@ -1,6 +1,7 @@
 package sunbeam.precompute.method;
 
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.OrderWeights;
@@ -106,8 +107,11 @@ public record NmmMethod(TableChoices table, Optional<Neighbourhood> neighbourhoo
         if (LARGEST_UV * Math.max(map.width(), map.height()) < CieTable.MINIMUM_WAVELENGTH) {
             throw new SettingException(
                     Methods.METHOD,
-                    "has no order: a patch of %s x %s has no DFT bin beside the specular one in the visible band; use "
-                            .formatted(Lengths.format(map.width()), Lengths.format(map.height())),
+                    String.format(
+                            Locale.ROOT,
+                            "has no order: a patch of %s x %s has no DFT bin beside the specular one in the visible band; use ",
+                            Lengths.format(map.width()),
+                            Lengths.format(map.height())),
                     Methods.METHOD,
                     " full");
         }

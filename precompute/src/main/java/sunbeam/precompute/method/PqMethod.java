@@ -8,6 +8,7 @@ import static sunbeam.precompute.plan.MethodSettings.REPLICAS;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.WavelengthNodes;
@@ -155,12 +156,13 @@ public record PqMethod(TableChoices table, PeriodInterpolation interpolation, Re
         surface.planner().excess(planned.memory()).ifPresent(excess -> {
             throw new SettingException(
                     Methods.METHOD,
-                    "takes %d x %d samples of the period's spectrum in %d terms, which %s; crop the patch, or give a coarser "
-                            .formatted(
-                                    planned.bandX().count(),
-                                    planned.bandY().count(),
-                                    planned.expansion().terms(),
-                                    excess),
+                    String.format(
+                            Locale.ROOT,
+                            "takes %d x %d samples of the period's spectrum in %d terms, which %s; crop the patch, or give a coarser ",
+                            planned.bandX().count(),
+                            planned.bandY().count(),
+                            planned.expansion().terms(),
+                            excess),
                     MethodSettings.TOLERANCE,
                     " or fewer ",
                     MethodSettings.TERMS);
@@ -194,22 +196,26 @@ public record PqMethod(TableChoices table, PeriodInterpolation interpolation, Re
             implements MethodPlan {
         @Override
         public String summary() {
-            return "pq: %d %s terms, %d x %d replicas with sharp edges, %s interpolation, %d wavelengths"
-                    .formatted(
-                            expansion.terms(),
-                            expansion.kind().label(),
-                            replicas.alongX(),
-                            replicas.alongY(),
-                            interpolation.label(),
-                            wavelengths.count());
+            return String.format(
+                    Locale.ROOT,
+                    "pq: %d %s terms, %d x %d replicas with sharp edges, %s interpolation, %d wavelengths",
+                    expansion.terms(),
+                    expansion.kind().label(),
+                    replicas.alongX(),
+                    replicas.alongY(),
+                    interpolation.label(),
+                    wavelengths.count());
         }
 
         @Override
         public List<String> reasons() {
             return List.of(
                     "replicas: as asked for, or as many as come closest to the coherence length",
-                    "spectrum: of one period, %d samples a bin, %d taps along each axis; see docs/methods.md for its error"
-                            .formatted(interpolation.oversampling(), interpolation.taps()),
+                    String.format(
+                            Locale.ROOT,
+                            "spectrum: of one period, %d samples a bin, %d taps along each axis; see docs/methods.md for its error",
+                            interpolation.oversampling(),
+                            interpolation.taps()),
                     "wavelengths: as asked for, or one for each cycle of the power over 1 / lambda");
         }
 

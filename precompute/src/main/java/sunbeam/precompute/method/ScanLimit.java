@@ -38,8 +38,11 @@ public record ScanLimit(Choices choices, Optional<Sentence> line) {
             return new ScanLimit(
                     choices,
                     Optional.of(Sentence.of(
-                            "the surface is taken to repeat itself every %s, and light of a coherence length of %s sees that: a comb of sharp orders that no scan of this size can tell; say whether it is "
-                                    .formatted(Lengths.format(side), Lengths.format(asked)),
+                            String.format(
+                                    Locale.ROOT,
+                                    "the surface is taken to repeat itself every %s, and light of a coherence length of %s sees that: a comb of sharp orders that no scan of this size can tell; say whether it is ",
+                                    Lengths.format(side),
+                                    Lengths.format(asked)),
                             PatchSettings.PERIODIC)));
         }
         // A window that the samples cannot hold would be refused, as any other that is too short.

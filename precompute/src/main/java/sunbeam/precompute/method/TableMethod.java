@@ -156,13 +156,15 @@ public record TableMethod(double tolerance, GaussianArea area) implements Method
         @Override
         public List<String> reasons() {
             List<String> reasons = new ArrayList<>();
-            reasons.add(
-                    "step %s in (u, v): cubic B-splines through square roots of X, Y, Z err by the tolerance (docs/colour-tables.md)"
-                            .formatted(step()));
+            reasons.add(String.format(
+                    Locale.ROOT,
+                    "step %s in (u, v): cubic B-splines through square roots of X, Y, Z err by the tolerance (docs/colour-tables.md)",
+                    step()));
             reasons.add(
                     pages.slices() == 1
                             ? "one slice: w follows from u and v under one light"
-                            : "%d slices in w, interpolated by cubic polynomials".formatted(pages.slices()));
+                            : String.format(
+                                    Locale.ROOT, "%d slices in w, interpolated by cubic polynomials", pages.slices()));
             reasons.add("evaluated by full for half of the tolerance:");
             reasons.addAll(source.reasons());
             return reasons;

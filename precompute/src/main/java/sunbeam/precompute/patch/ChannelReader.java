@@ -2,6 +2,7 @@ package sunbeam.precompute.patch;
 
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.Locale;
 import java.util.Optional;
 import sunbeam.precompute.setting.SettingException;
 
@@ -41,8 +42,12 @@ final class ChannelReader {
         Channel channel = wanted.get();
         boolean there = channel == Channel.ALPHA ? bands.hasAlpha() : bands.isColour();
         if (!there) {
-            throw new PatchException("%s (%s) has no channel %s; leave the channel out or choose another"
-                    .formatted(file, bands.description(), channel.label()));
+            throw new PatchException(String.format(
+                    Locale.ROOT,
+                    "%s (%s) has no channel %s; leave the channel out or choose another",
+                    file,
+                    bands.description(),
+                    channel.label()));
         }
         return channel;
     }

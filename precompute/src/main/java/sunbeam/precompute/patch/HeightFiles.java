@@ -1,9 +1,11 @@
 package sunbeam.precompute.patch;
 
 import java.io.IOException;
+import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import sunbeam.precompute.scan.ScanBytes;
 import sunbeam.precompute.scan.ScanException;
@@ -27,6 +29,12 @@ final class HeightFiles {
      */
     static MeasuredHeights read(Path file, Choices choices) {
         InputFiles.requireReadable(file);
+        MeasuredHeights heights = readAny(file, choices);
+        ReliefCheck.requireContent(heights.map(), file);
+        return heights;
+    }
+
+    private static MeasuredHeights readAny(Path file, Choices choices) {
         try (ScanBytes bytes = ScanBytes.open(file)) {
             Optional<ScanReader> reader = ScanFormats.find(bytes);
             if (reader.isPresent()) {
@@ -38,19 +46,21 @@ final class HeightFiles {
             throw new PatchException(file + " " + unusable.getMessage(), unusable);
         } catch (IOException failure) {
             throw new PatchException(
-                    "%s cannot be read (%s); check the file".formatted(file, failure.getMessage()), failure);
+                    String.format(Locale.ROOT, "%s cannot be read (%s); check the file", file, failure.getMessage()),
+                    failure);
         }
     }
 
     private static MeasuredHeights throughGwyddion(Path file, Choices choices) throws IOException {
-        Path folder = Files.createTempDirectory("sunbeam-");
+        GwyddionConversion gwyddion = new GwyddionConversion(System.getenv());
+        if (!gwyddion.isInstalled()) {
+            throw new ScanException("is neither an image nor a scan in a format that Sunbeam knows;"
+                    + " install Gwyddion (the command gwyddion, and xvfb-run where there is no display), through"
+                    + " which Sunbeam reads 170 others, or export it as .gwy, .gsf or text");
+        }
+        Path folder = temporaryFolder();
         try {
-            Path converted = new GwyddionConversion(System.getenv())
-                    .convert(file, folder)
-                    .orElseThrow(
-                            () -> new ScanException("is neither an image nor a scan in a format that Sunbeam knows;"
-                                    + " install Gwyddion (the command gwyddion, and xvfb-run where there is no display), through"
-                                    + " which Sunbeam reads 170 others, or export it as .gwy, .gsf or text"));
+            Path converted = gwyddion.convert(file, folder);
             try (ScanBytes bytes = ScanBytes.open(converted)) {
                 ScanReader reader = ScanFormats.find(bytes)
                         .orElseThrow(() -> new ScanException("is converted by Gwyddion to nothing that can be read"));
@@ -61,6 +71,21 @@ final class HeightFiles {
                 Files.deleteIfExists(folder.resolve(name));
             }
             Files.deleteIfExists(folder);
+        }
+    }
+
+    private static Path temporaryFolder() {
+        Path shared = Path.of(System.getProperty("java.io.tmpdir"));
+        try {
+            return Files.createTempDirectory(shared, "sunbeam-");
+        } catch (IOException full) {
+            String reason = full instanceof FileSystemException failure && failure.getReason() != null
+                    ? failure.getReason()
+                    : full.getClass().getSimpleName();
+            throw new ScanException(
+                    "is in a format that Sunbeam reads through Gwyddion, whose result finds no place in the"
+                            + " folder for temporary files, " + shared + " (" + reason
+                            + "); free some space there, or export it as .gwy, .gsf or text");
         }
     }
 
@@ -87,8 +112,13 @@ final class HeightFiles {
         HeightImage image = HeightImageReader.read(file, channel);
         HeightMap map = scale.apply(image);
         // Pictures are published with it: the file's name, not the folders of its owner.
-        String source = "%s (%s), %s, full scale %s"
-                .formatted(file.getFileName(), image.description(), map.describe(), Lengths.format(scale.maxHeight()));
+        String source = String.format(
+                Locale.ROOT,
+                "%s (%s), %s, full scale %s",
+                file.getFileName(),
+                image.description(),
+                map.describe(),
+                Lengths.format(scale.maxHeight()));
         List<String> warnings = scale.warnings(map, image.format(), choices.origin(PatchSettings.MAX_HEIGHT));
         return new MeasuredHeights(map, source, List.of(), List.of(), warnings);
     }

@@ -6,6 +6,7 @@ import java.awt.image.SampleModel;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Iterator;
+import java.util.Locale;
 import java.util.Optional;
 import javax.imageio.ImageIO;
 import javax.imageio.ImageReader;
@@ -45,8 +46,11 @@ final class HeightImageReader {
         } catch (IOException | RuntimeException e) {
             // Image decoders answer damaged files with exceptions of many kinds, unchecked ones among them.
             throw new PatchException(
-                    "%s is damaged or of a kind that cannot be read (%s); export the scan again as PNG or TIFF"
-                            .formatted(file, reason(e)),
+                    String.format(
+                            Locale.ROOT,
+                            "%s is damaged or of a kind that cannot be read (%s); export the scan again as PNG or TIFF",
+                            file,
+                            reason(e)),
                     e);
         }
     }
@@ -93,7 +97,8 @@ final class HeightImageReader {
         }
         SampleModel model = types.next().getSampleModel();
         if (model.getNumBands() > MOST_BANDS) {
-            throw new PatchException("%s has %d channels; save it as grey or RGB".formatted(file, model.getNumBands()));
+            throw new PatchException(String.format(
+                    Locale.ROOT, "%s has %d channels; save it as grey or RGB", file, model.getNumBands()));
         }
         return model.getNumDataElements() * DataBuffer.getDataTypeSize(model.getDataType()) / Byte.SIZE;
     }

@@ -1,6 +1,7 @@
 package sunbeam.precompute.patch;
 
 import java.util.Arrays;
+import java.util.Locale;
 import java.util.function.DoubleUnaryOperator;
 import sunbeam.precompute.prepare.HeightField;
 import sunbeam.precompute.prepare.Levelling;
@@ -153,7 +154,13 @@ public final class HeightMap {
 
     /** For people: "512 x 256 samples, 20 um x 10 um". */
     public String describe() {
-        return "%d x %d samples, %s x %s".formatted(columns, rows, Lengths.format(width()), Lengths.format(height()));
+        return String.format(
+                Locale.ROOT,
+                "%d x %d samples, %s x %s",
+                columns,
+                rows,
+                Lengths.format(width()),
+                Lengths.format(height()));
     }
 
     /** The same grid with every height replaced by a function of it. */

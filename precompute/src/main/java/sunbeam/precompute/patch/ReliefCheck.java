@@ -21,6 +21,9 @@ final class ReliefCheck {
     /** Relief over the longer side; above, a scan is impossible and the scale is wrong. */
     static final double STEEPEST_RELIEF = 4;
 
+    /** The most samples, 2048 x 2048, of a patch whose heights are all equal: work on them takes seconds. */
+    static final long MOST_FLAT_SAMPLES = 1L << 22;
+
     private ReliefCheck() {}
 
     /** That a patch is a mirror to any eye; empty for all others. */
@@ -52,13 +55,31 @@ final class ReliefCheck {
         if (longSide < SHORTEST_LONG_SIDE || longSide > LONGEST_SIDE) {
             throw new SettingException(
                     about,
-                    "is absurd: %s would be %s x %s; a patch's longer side is %s to %s (is the unit right?)"
-                            .formatted(
-                                    file,
-                                    Lengths.format(width),
-                                    Lengths.format(height),
-                                    Lengths.format(SHORTEST_LONG_SIDE),
-                                    Lengths.format(LONGEST_SIDE)));
+                    String.format(
+                            Locale.ROOT,
+                            "is absurd: %s would be %s x %s; a patch's longer side is %s to %s (is the unit right?)",
+                            file,
+                            Lengths.format(width),
+                            Lengths.format(height),
+                            Lengths.format(SHORTEST_LONG_SIDE),
+                            Lengths.format(LONGEST_SIDE)));
+        }
+    }
+
+    /**
+     * Refuses a large file without any relief: not one of an instrument, whose noise would show, but an empty one, which
+     * may take no place on a disk and yet minutes to work on.
+     */
+    static void requireContent(HeightMap map, Path file) {
+        long samples = (long) map.columns() * map.rows();
+        if (map.relief() == 0 && samples > MOST_FLAT_SAMPLES) {
+            throw new PatchException(String.format(
+                    Locale.ROOT,
+                    "%s: all of its %d x %d samples are equal: it is empty; export the scan again"
+                            + " (of a flat mirror 2048 x 2048 samples are enough)",
+                    file,
+                    map.columns(),
+                    map.rows()));
         }
     }
 
@@ -70,8 +91,11 @@ final class ReliefCheck {
             return Optional.of(Lengths.format(relief) + ", less than a hundredth of an atom");
         }
         if (relief > LARGEST_RELIEF || relief > STEEPEST_RELIEF * longSide) {
-            return Optional.of("%s on a patch of %s, which is absurd; check both units"
-                    .formatted(Lengths.format(relief), Lengths.format(longSide)));
+            return Optional.of(String.format(
+                    Locale.ROOT,
+                    "%s on a patch of %s, which is absurd; check both units",
+                    Lengths.format(relief),
+                    Lengths.format(longSide)));
         }
         return Optional.empty();
     }
@@ -89,7 +113,7 @@ final class ReliefCheck {
         if (unitChosen) {
             throw new SettingException(PatchSettings.HEIGHT_UNIT, "makes a relief of " + absurdity.get());
         }
-        throw new PatchException(
-                "%s has a relief of %s; its scale is wrong, export it again".formatted(file, absurdity.get()));
+        throw new PatchException(String.format(
+                Locale.ROOT, "%s has a relief of %s; its scale is wrong, export it again", file, absurdity.get()));
     }
 }

@@ -35,13 +35,13 @@ public final class SamplingCheck {
         if (coarsest <= COARSEST_PITCH * (1 + 1e-9)) {
             return Optional.empty();
         }
-        return Optional.of(
-                "sampling too coarse: samples are %s apart along %s, but light of %s sees structure down to %s; use a finer scan or expect wrong colours far from the specular direction"
-                        .formatted(
-                                Lengths.format(coarsest),
-                                pitchX >= pitchY ? "x" : "y",
-                                Lengths.format(SHORTEST_WAVELENGTH),
-                                Lengths.format(COARSEST_PITCH)));
+        return Optional.of(String.format(
+                Locale.ROOT,
+                "sampling too coarse: samples are %s apart along %s, but light of %s sees structure down to %s; use a finer scan or expect wrong colours far from the specular direction",
+                Lengths.format(coarsest),
+                pitchX >= pitchY ? "x" : "y",
+                Lengths.format(SHORTEST_WAVELENGTH),
+                Lengths.format(COARSEST_PITCH)));
     }
 
     /**
@@ -54,10 +54,10 @@ public final class SamplingCheck {
             return Optional.empty();
         }
         double phase = 2 * 2 * Math.PI / SHORTEST_WAVELENGTH * step;
-        return Optional.of(
-                "heights are coarse: one grey level is %s, which scatters about %s %% of the light at random; use a 16-bit or float image"
-                        .formatted(
-                                Lengths.format(step),
-                                String.format(Locale.ROOT, "%.2g", 100 * Math.min(1, phase * phase / 12))));
+        return Optional.of(String.format(
+                Locale.ROOT,
+                "heights are coarse: one grey level is %s, which scatters about %s %% of the light at random; use a 16-bit or float image",
+                Lengths.format(step),
+                String.format(Locale.ROOT, "%.2g", 100 * Math.min(1, phase * phase / 12))));
     }
 }

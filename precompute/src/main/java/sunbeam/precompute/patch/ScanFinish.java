@@ -63,8 +63,11 @@ record ScanFinish(String name, String file, Choices choices, Kind kind) {
         HeightMap heights = edges == Edges.REPEAT ? scan : HeightMap.of(prepared.surface());
         List<String> warnings = new ArrayList<>(read.warnings());
         if (prepared.missing() > 0) {
-            warnings.add("%d of %d samples are missing and were filled from their neighbours"
-                    .formatted(prepared.missing(), (long) scan.columns() * scan.rows()));
+            warnings.add(String.format(
+                    Locale.ROOT,
+                    "%d of %d samples are missing and were filled from their neighbours",
+                    prepared.missing(),
+                    (long) scan.columns() * scan.rows()));
         }
         Optional<String> mirror = ReliefCheck.mirror(heights);
         mirror.ifPresent(warnings::add);
@@ -145,8 +148,11 @@ record ScanFinish(String name, String file, Choices choices, Kind kind) {
         }
         Seam seam = edges == Edges.REPEAT ? Seam.of(scan) : Seam.NONE;
         if (seam.ratio() > TORN) {
-            faults.add("opposite borders differ by %s rms (neighbours by %s)"
-                    .formatted(Lengths.rounded(seam.jump(), 2), Lengths.rounded(seam.inside(), 2)));
+            faults.add(String.format(
+                    Locale.ROOT,
+                    "opposite borders differ by %s rms (neighbours by %s)",
+                    Lengths.rounded(seam.jump(), 2),
+                    Lengths.rounded(seam.inside(), 2)));
             remedies.add("blend its edges");
         }
         if (!faults.isEmpty()) {

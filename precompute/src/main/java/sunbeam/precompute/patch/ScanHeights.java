@@ -10,6 +10,7 @@ import static sunbeam.precompute.patch.PatchSettings.WIDTH;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import sunbeam.precompute.scan.ChannelList;
 import sunbeam.precompute.scan.Extent;
@@ -55,7 +56,7 @@ final class ScanHeights {
         ReliefCheck.requireOfScan(map, channel.metresPerUnit().isEmpty(), file);
         String label = channels.label(index);
         String which = channels.count() == 1 && channel.name().isEmpty() ? "" : ", channel " + label;
-        String source = "%s (%s%s), %s".formatted(file.getFileName(), format, which, map.describe());
+        String source = String.format(Locale.ROOT, "%s (%s%s), %s", file.getFileName(), format, which, map.describe());
         return new MeasuredHeights(map, source, channels.lines(), notes(channels, label), PatchScale.oddities(map));
     }
 
@@ -165,6 +166,6 @@ final class ScanHeights {
         if (channels.count() == 1 || choices.has(CHANNEL)) {
             return List.of();
         }
-        return List.of("heights from channel %s; the file has %s".formatted(label, channels.names()));
+        return List.of(String.format(Locale.ROOT, "heights from channel %s; the file has %s", label, channels.names()));
     }
 }

@@ -2,6 +2,7 @@ package sunbeam.precompute.patch;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.Locale;
 import java.util.Set;
 import javax.imageio.ImageReader;
 import javax.imageio.metadata.IIOMetadata;
@@ -74,8 +75,12 @@ final class TiffTags {
             default -> false;
         };
         if (!known) {
-            throw new PatchException("%s is a TIFF with %d-bit samples of format %d; save it as 16-bit or 32-bit float"
-                    .formatted(file, bits, format));
+            throw new PatchException(String.format(
+                    Locale.ROOT,
+                    "%s is a TIFF with %d-bit samples of format %d; save it as 16-bit or 32-bit float",
+                    file,
+                    bits,
+                    format));
         }
     }
 
@@ -83,8 +88,8 @@ final class TiffTags {
         long width = number(BaselineTIFFTagSet.TAG_TILE_WIDTH, 1);
         long length = number(BaselineTIFFTagSet.TAG_TILE_LENGTH, 1);
         if (width < 1 || length < 1 || width * length > ScanLimits.MOST_SAMPLES) {
-            throw new PatchException(
-                    "%s is a TIFF with tiles of %d x %d samples; save it in strips".formatted(file, width, length));
+            throw new PatchException(String.format(
+                    Locale.ROOT, "%s is a TIFF with tiles of %d x %d samples; save it in strips", file, width, length));
         }
     }
 

@@ -1,5 +1,6 @@
 package sunbeam.precompute.plan;
 
+import java.util.Locale;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.shader.ShaderTables;
 
@@ -65,8 +66,12 @@ public record BandRule(int fewestNodes, double reach, double panel, double large
 
     /** In a few words. */
     String inWords() {
-        return "%d equal steps of 1 / lambda where |(u, v)| < %.3f, else Gauss's rule of 4 on panels of %.4g cycles per metre"
-                .formatted(fewestNodes, reach, panel);
+        return String.format(
+                Locale.ROOT,
+                "%d equal steps of 1 / lambda where |(u, v)| < %.3f, else Gauss's rule of 4 on panels of %.4g cycles per metre",
+                fewestNodes,
+                reach,
+                panel);
     }
 
     void addTo(ShaderTables.Builder tables) {

@@ -2,6 +2,7 @@ package sunbeam.precompute.plan;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import sunbeam.precompute.expansion.CoefficientTable;
 import sunbeam.precompute.expansion.Expansion;
 import sunbeam.precompute.expansion.ExpansionKind;
@@ -50,7 +51,9 @@ final class BinArrays {
         tables.define("ANCHOR_FLOOR", 0)
                 .define("ANCHOR_NEAREST", 1)
                 .define("ANCHOR", floor ? "ANCHOR_FLOOR" : "ANCHOR_NEAREST")
-                .define("RADIUS", "ivec2(%d, %d)".formatted(neighbourhood.radiusX(), neighbourhood.radiusY()))
+                .define(
+                        "RADIUS",
+                        String.format(Locale.ROOT, "ivec2(%d, %d)", neighbourhood.radiusX(), neighbourhood.radiusY()))
                 .define("MANY_BINS", neighbourhood.bins() > MOST_WRITTEN_OUT ? 1 : 0)
                 .integers("tableRadius", neighbourhood.radiusX(), neighbourhood.radiusY());
         double sigma = plan.window().sigmaFrequency();

@@ -57,12 +57,17 @@ public record GridSampling(
 
     @Override
     public String wavelengths(VisibleRange range) {
-        return "%d to %d wavelengths a pixel".formatted(fewestNodes, mostNodes(range));
+        return String.format(Locale.ROOT, "%d to %d wavelengths a pixel", fewestNodes, mostNodes(range));
     }
 
     @Override
     public String summary(VisibleRange range) {
-        return "grid with %d taps, %d to %d wavelengths".formatted(interpolation.taps(), fewestNodes, mostNodes(range));
+        return String.format(
+                Locale.ROOT,
+                "grid with %d taps, %d to %d wavelengths",
+                interpolation.taps(),
+                fewestNodes,
+                mostNodes(range));
     }
 
     /** Columns that the longest ray crosses. */

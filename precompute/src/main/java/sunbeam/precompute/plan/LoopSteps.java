@@ -5,6 +5,7 @@ import static sunbeam.precompute.plan.MethodSettings.RADIUS;
 import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
 import static sunbeam.precompute.plan.MethodSettings.WAVELENGTH_STEP;
 
+import java.util.Locale;
 import sunbeam.precompute.setting.SettingException;
 
 /**
@@ -26,8 +27,11 @@ final class LoopSteps {
         if (fit(plan)) {
             return;
         }
-        String problem = "takes %,d steps a pixel with %s, and graphics drivers end loops after 65,535; "
-                .formatted(plan.sampling().loopSteps(plan), plan.sampling().summary(plan.range()));
+        String problem = String.format(
+                Locale.ROOT,
+                "takes %,d steps a pixel with %s, and graphics drivers end loops after 65,535; ",
+                plan.sampling().loopSteps(plan),
+                plan.sampling().summary(plan.range()));
         if (plan.sampling() instanceof BinSampling) {
             throw SettingException.of(
                     COHERENCE_LENGTH,

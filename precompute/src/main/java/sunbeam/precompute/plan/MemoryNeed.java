@@ -89,15 +89,25 @@ public record MemoryNeed(long heapBytes, long textureBytes, long longestSide) {
             return Optional.empty();
         }
         if (longestSide > LONGEST_SIDE) {
-            return Optional.of("need textures of %d texels along a side, more than the %d of common drivers"
-                    .formatted(longestSide, LONGEST_SIDE));
+            return Optional.of(String.format(
+                    Locale.ROOT,
+                    "need textures of %d texels along a side, more than the %d of common drivers",
+                    longestSide,
+                    LONGEST_SIDE));
         }
         if (textureBytes > MOST_TEXTURE_BYTES) {
-            return Optional.of("need %s of textures, more than the %s that Sunbeam takes"
-                    .formatted(inWords(textureBytes), inWords(MOST_TEXTURE_BYTES)));
+            return Optional.of(String.format(
+                    Locale.ROOT,
+                    "need %s of textures, more than the %s that Sunbeam takes",
+                    inWords(textureBytes),
+                    inWords(MOST_TEXTURE_BYTES)));
         }
-        return Optional.of("need %s of memory, but Java's heap may take %s (SUNBEAM_JAVA_OPTIONS=-Xmx%dm allows more)"
-                .formatted(inWords(heapBytes), inWords(heapLimit), (long) (heapBytes / USABLE_HEAP / (1 << 20)) + 1));
+        return Optional.of(String.format(
+                Locale.ROOT,
+                "need %s of memory, but Java's heap may take %s (SUNBEAM_JAVA_OPTIONS=-Xmx%dm allows more)",
+                inWords(heapBytes),
+                inWords(heapLimit),
+                (long) (heapBytes / USABLE_HEAP / (1 << 20)) + 1));
     }
 
     private static String inWords(long bytes) {

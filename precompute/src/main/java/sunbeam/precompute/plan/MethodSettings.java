@@ -1,5 +1,6 @@
 package sunbeam.precompute.plan;
 
+import java.util.Locale;
 import sunbeam.precompute.expansion.ExpansionKind;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.Replicas;
@@ -33,9 +34,11 @@ public final class MethodSettings {
                             "ERROR",
                             ErrorBudget.FINEST,
                             ErrorBudget.COARSEST,
-                            ("finer than float32 can reach, which is %s; give that or more, or evaluate directions by"
-                                            + " method reference")
-                                    .formatted(Decimals.format(ErrorBudget.FINEST))),
+                            String.format(
+                                    Locale.ROOT,
+                                    "finer than float32 can reach, which is %s; give that or more, or evaluate directions by"
+                                            + " method reference",
+                                    Decimals.format(ErrorBudget.FINEST))),
                     "Relative error of power and colour that the plan is made for, 1e-5 to 1. Below 2e-5 float32 keeps it"
                             + " in the median, but not three times it at the 95th percentile; method reference goes"
                             + " further. Settings below override parts of the plan.")

@@ -1,5 +1,7 @@
 package sunbeam.precompute.plan;
 
+import java.util.Locale;
+
 /**
  * The DFT bins that are summed around a frequency, (2 radiusX + 1) (2 radiusY + 1) of them.
  *
@@ -38,7 +40,7 @@ public record Neighbourhood(int radiusX, int radiusY, Anchor anchor) {
     /** In a few words. */
     String summary() {
         String middle = anchor == Anchor.FLOOR ? "floored" : "nearest";
-        return "%d x %d bins around the %s one".formatted(2 * radiusX + 1, 2 * radiusY + 1, middle);
+        return String.format(Locale.ROOT, "%d x %d bins around the %s one", 2 * radiusX + 1, 2 * radiusY + 1, middle);
     }
 
     /** Bins along x beyond the visible ones that are summed, and one more, because float32 may round into the next one. */

@@ -31,12 +31,12 @@ public record OrderSampling(
 
     @Override
     public String wavelengths(VisibleRange range) {
-        return "%d wavelengths or more for each order".formatted(nodes());
+        return String.format(Locale.ROOT, "%d wavelengths or more for each order", nodes());
     }
 
     @Override
     public String summary(VisibleRange range) {
-        return "single orders with %d wavelengths each or more".formatted(nodes());
+        return String.format(Locale.ROOT, "single orders with %d wavelengths each or more", nodes());
     }
 
     private int nodes() {

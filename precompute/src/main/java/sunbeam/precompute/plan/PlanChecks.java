@@ -31,8 +31,12 @@ final class PlanChecks {
             throw SettingException.of(
                     COHERENCE_LENGTH,
                     coherenceLength,
-                    "is less than %.1f samples of the patch, which are %s apart; give %s or more"
-                            .formatted(FEWEST_SAMPLES, Lengths.format(pitch), Lengths.format(FEWEST_SAMPLES * pitch)));
+                    String.format(
+                            Locale.ROOT,
+                            "is less than %.1f samples of the patch, which are %s apart; give %s or more",
+                            FEWEST_SAMPLES,
+                            Lengths.format(pitch),
+                            Lengths.format(FEWEST_SAMPLES * pitch)));
         }
     }
 

@@ -24,18 +24,22 @@ public final class PlanReport {
 
     /** One line: what is computed, in words that need no knowledge of how. */
     public String summary() {
-        return "%s, coherence length %s, %s"
-                .formatted(
-                        accuracy(),
-                        Lengths.format(plan.window().coherenceLength()),
-                        plan.sampling().wavelengths(plan.range()));
+        return String.format(
+                Locale.ROOT,
+                "%s, coherence length %s, %s",
+                accuracy(),
+                Lengths.format(plan.window().coherenceLength()),
+                plan.sampling().wavelengths(plan.range()));
     }
 
     private String accuracy() {
         OptionalDouble tolerance = plan.accuracy().tolerance();
         return tolerance.isPresent()
-                ? "colours planned to %s %% (95 %% of directions to %s %%)"
-                        .formatted(percent(tolerance.getAsDouble()), percent(3 * tolerance.getAsDouble()))
+                ? String.format(
+                        Locale.ROOT,
+                        "colours planned to %s %% (95 %% of directions to %s %%)",
+                        percent(tolerance.getAsDouble()),
+                        percent(3 * tolerance.getAsDouble()))
                 : "as in the thesis";
     }
 

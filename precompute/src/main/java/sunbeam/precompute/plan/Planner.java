@@ -5,6 +5,7 @@ import static sunbeam.precompute.plan.MethodSettings.TERMS;
 import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
 
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.WavelengthNodes;
@@ -111,12 +112,13 @@ public final class Planner {
     private void requireRoom(Plan plan) {
         MemoryNeed need = MemoryNeed.of(plan, map.rows());
         excess(need).ifPresent(excess -> {
-            String problem = "and %d x %d DFT bins in %d terms %s; crop the patch"
-                    .formatted(
-                            plan.bandX().count(),
-                            plan.bandY().count(),
-                            plan.expansion().terms(),
-                            excess);
+            String problem = String.format(
+                    Locale.ROOT,
+                    "and %d x %d DFT bins in %d terms %s; crop the patch",
+                    plan.bandX().count(),
+                    plan.bandY().count(),
+                    plan.expansion().terms(),
+                    excess);
             double coherenceLength = plan.window().coherenceLength();
             throw need.isTooLong()
                     ? SettingException.of(COHERENCE_LENGTH, coherenceLength, problem)

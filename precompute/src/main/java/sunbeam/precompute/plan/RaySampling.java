@@ -1,6 +1,7 @@
 package sunbeam.precompute.plan;
 
 import java.util.List;
+import java.util.Locale;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.shader.ArrayLayout;
@@ -21,12 +22,17 @@ public record RaySampling(Neighbourhood neighbourhood, BandRule band) implements
 
     @Override
     public String wavelengths(VisibleRange range) {
-        return "%d to %d wavelengths a pixel".formatted(band.fewestNodes(), mostNodes(range));
+        return String.format(Locale.ROOT, "%d to %d wavelengths a pixel", band.fewestNodes(), mostNodes(range));
     }
 
     @Override
     public String summary(VisibleRange range) {
-        return "%s at %d to %d wavelengths".formatted(neighbourhood.summary(), band.fewestNodes(), mostNodes(range));
+        return String.format(
+                Locale.ROOT,
+                "%s at %d to %d wavelengths",
+                neighbourhood.summary(),
+                band.fewestNodes(),
+                mostNodes(range));
     }
 
     private int mostNodes(VisibleRange range) {

@@ -2,6 +2,7 @@ package sunbeam.precompute.plan;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.fourier.Band;
 import sunbeam.precompute.optics.Direction;
@@ -69,8 +70,15 @@ public record VisibleRange(
     /** The intervals: part of the keys under which tables are kept that hold all of them. */
     @Override
     public String toString() {
-        return "VisibleRange[minimumU=%s, maximumU=%s, minimumV=%s, maximumV=%s, minimumW=%s, maximumW=%s]"
-                .formatted(minimumU, maximumU, minimumV, maximumV, minimumW, maximumW);
+        return String.format(
+                Locale.ROOT,
+                "VisibleRange[minimumU=%s, maximumU=%s, minimumV=%s, maximumV=%s, minimumW=%s, maximumW=%s]",
+                minimumU,
+                maximumU,
+                minimumV,
+                maximumV,
+                minimumW,
+                maximumW);
     }
 
     /** Bins along x that can be seen at a wavelength of 380 nm or longer, and a margin on both sides. */

@@ -1,5 +1,6 @@
 package sunbeam.precompute.prepare;
 
+import java.util.Locale;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import sunbeam.precompute.setting.Kinds;
@@ -31,9 +32,13 @@ public record Crop(double left, double right, double bottom, double top) {
 
     public Crop {
         if (!(left >= 0 && bottom >= 0 && right > left && top > bottom)) {
-            throw new IllegalArgumentException("%s:%s,%s:%s is no area: give LEFT:RIGHT,BOTTOM:TOP from 0 upwards"
-                    .formatted(
-                            Lengths.format(left), Lengths.format(right), Lengths.format(bottom), Lengths.format(top)));
+            throw new IllegalArgumentException(String.format(
+                    Locale.ROOT,
+                    "%s:%s,%s:%s is no area: give LEFT:RIGHT,BOTTOM:TOP from 0 upwards",
+                    Lengths.format(left),
+                    Lengths.format(right),
+                    Lengths.format(bottom),
+                    Lengths.format(top)));
         }
     }
 
@@ -52,8 +57,13 @@ public record Crop(double left, double right, double bottom, double top) {
     }
 
     private String format() {
-        return "%s:%s,%s:%s"
-                .formatted(Lengths.exact(left), Lengths.exact(right), Lengths.exact(bottom), Lengths.exact(top));
+        return String.format(
+                Locale.ROOT,
+                "%s:%s,%s:%s",
+                Lengths.exact(left),
+                Lengths.exact(right),
+                Lengths.exact(bottom),
+                Lengths.exact(top));
     }
 
     /**
@@ -63,8 +73,11 @@ public record Crop(double left, double right, double bottom, double top) {
      */
     HeightField apply(HeightField field) {
         if (right > field.width() * (1 + SLACK) || top > field.height() * (1 + SLACK)) {
-            throw new IllegalArgumentException("leaves the scan, which is %s x %s"
-                    .formatted(Lengths.format(field.width()), Lengths.format(field.height())));
+            throw new IllegalArgumentException(String.format(
+                    Locale.ROOT,
+                    "leaves the scan, which is %s x %s",
+                    Lengths.format(field.width()),
+                    Lengths.format(field.height())));
         }
         int firstColumn = first(left, field.pitchX());
         int endColumn = Math.min(field.columns(), first(right, field.pitchX()));
@@ -74,8 +87,13 @@ public record Crop(double left, double right, double bottom, double top) {
         int columns = Math.max(0, endColumn - firstColumn);
         int rows = Math.max(0, endRow - firstRow);
         if ((long) columns * rows < 2) {
-            throw new IllegalArgumentException("holds %d x %d samples, which lie %s x %s apart; give a larger area"
-                    .formatted(columns, rows, Lengths.format(field.pitchX()), Lengths.format(field.pitchY())));
+            throw new IllegalArgumentException(String.format(
+                    Locale.ROOT,
+                    "holds %d x %d samples, which lie %s x %s apart; give a larger area",
+                    columns,
+                    rows,
+                    Lengths.format(field.pitchX()),
+                    Lengths.format(field.pitchY())));
         }
         double[] heights = new double[columns * rows];
         for (int row = 0; row < rows; row++) {

@@ -48,13 +48,14 @@ public record Preparation(Optional<Crop> crop, Levelling levelling, boolean desp
         List<String> steps = new ArrayList<>();
         HeightField field = cropped(measured);
         if (crop.isPresent()) {
-            steps.add("cropped from %s x %s".formatted(rounded(measured.width()), rounded(measured.height())));
+            steps.add(String.format(
+                    Locale.ROOT, "cropped from %s x %s", rounded(measured.width()), rounded(measured.height())));
         }
         Tilt tilt = Tilt.of(field);
         field = levelling.apply(field);
         steps.add("levelling " + levelling.label()
                 + (levelling.takesTilt() && tilt.rise() > 0
-                        ? " (tilt of %s across the scan removed)".formatted(rounded(tilt.rise()))
+                        ? String.format(Locale.ROOT, " (tilt of %s across the scan removed)", rounded(tilt.rise()))
                         : ""));
         if (despike) {
             Spikes spikes = Spikes.removed(field);
@@ -62,14 +63,17 @@ public record Preparation(Optional<Crop> crop, Levelling levelling, boolean desp
             steps.add(
                     spikes.count() == 0
                             ? "no spikes"
-                            : "%d spike samples removed, the highest by %s"
-                                    .formatted(spikes.count(), rounded(spikes.largest())));
+                            : String.format(
+                                    Locale.ROOT,
+                                    "%d spike samples removed, the highest by %s",
+                                    spikes.count(),
+                                    rounded(spikes.largest())));
         }
         MissingHeights.Filled filled = MissingHeights.fill(field);
         if (filled.count() > 0) {
             // A plane fitted to filled samples would be bent by them; the mean is that of all samples again.
             field = levelling == Levelling.NONE ? filled.field() : Levelling.MEAN.apply(filled.field());
-            steps.add("%d missing samples filled".formatted(filled.count()));
+            steps.add(String.format(Locale.ROOT, "%d missing samples filled", filled.count()));
         }
         HeightField surface = edges.apply(field);
         if (edges == Edges.BLEND) {

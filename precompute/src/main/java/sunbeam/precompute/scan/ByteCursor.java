@@ -5,6 +5,7 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
+import java.util.Locale;
 
 /** Reads numbers and texts of a file one after the other. Every method refuses to go beyond the end. */
 public final class ByteCursor {
@@ -98,8 +99,10 @@ public final class ByteCursor {
             }
             text[length] = next;
         }
-        throw new ScanException("has a text without end at position %d; the file is damaged, export it again"
-                .formatted(position - most));
+        throw new ScanException(String.format(
+                Locale.ROOT,
+                "has a text without end at position %d; the file is damaged, export it again",
+                position - most));
     }
 
     private ByteBuffer next(int count) throws IOException {

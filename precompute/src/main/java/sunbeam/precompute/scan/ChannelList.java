@@ -90,8 +90,14 @@ public final class ChannelList {
         for (int i = 0; i < count(); i++) {
             ScanChannel channel = channels.get(i);
             String unit = channel.unit().isEmpty() ? "no unit" : "in " + channel.unit();
-            lines.add("%d %s: %d x %d samples, %s"
-                    .formatted(i + 1, labels.get(i), channel.columns(), channel.rows(), unit));
+            lines.add(String.format(
+                    Locale.ROOT,
+                    "%d %s: %d x %d samples, %s",
+                    i + 1,
+                    labels.get(i),
+                    channel.columns(),
+                    channel.rows(),
+                    unit));
         }
         return lines;
     }

@@ -1,5 +1,6 @@
 package sunbeam.precompute.scan;
 
+import java.util.Locale;
 import java.util.Optional;
 
 /**
@@ -41,7 +42,8 @@ public record Extent(Optional<Double> width, Optional<Double> height, double asp
 
     private static void require(double length) {
         if (!(length > 0) || !Double.isFinite(length)) {
-            throw new ScanException("claims a side of %s; the file is damaged, export it again".formatted(length));
+            throw new ScanException(
+                    String.format(Locale.ROOT, "claims a side of %s; the file is damaged, export it again", length));
         }
     }
 }

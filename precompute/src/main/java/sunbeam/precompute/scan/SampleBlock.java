@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
+import java.util.Locale;
 
 /**
  * Samples that lie in a file one after the other.
@@ -26,7 +27,8 @@ public record SampleBlock(long offset, long count, SampleType type, ByteOrder or
      */
     public SampleBlock requireIn(ScanBytes file) {
         if (count < 0 || count > Long.MAX_VALUE / type.size()) {
-            throw new ScanException("claims %d samples; the file is damaged, export it again".formatted(count));
+            throw new ScanException(
+                    String.format(Locale.ROOT, "claims %d samples; the file is damaged, export it again", count));
         }
         file.requireInside(offset, bytes());
         return this;
@@ -50,8 +52,8 @@ public record SampleBlock(long offset, long count, SampleType type, ByteOrder or
         for (int first = 0; first < samples.length; first += BUFFER_SAMPLES) {
             int wanted = Math.min(BUFFER_SAMPLES, samples.length - first);
             if (in.readNBytes(bytes, 0, wanted * type.size()) < wanted * type.size()) {
-                throw new ScanException(
-                        "ends before the last of its %d samples; copy or export it again".formatted(count));
+                throw new ScanException(String.format(
+                        Locale.ROOT, "ends before the last of its %d samples; copy or export it again", count));
             }
             type.decode(buffer, samples, first, wanted);
         }

@@ -1,6 +1,7 @@
 package sunbeam.precompute.scan;
 
 import java.nio.ByteBuffer;
+import java.util.Locale;
 
 /** How a file stores one sample. */
 public enum SampleType {
@@ -101,8 +102,10 @@ public enum SampleType {
             case 32 -> SIGNED_32;
             case 64 -> SIGNED_64;
             default ->
-                throw new ScanException("stores samples of %d bits, which no reader knows; export it in another format"
-                        .formatted(bits));
+                throw new ScanException(String.format(
+                        Locale.ROOT,
+                        "stores samples of %d bits, which no reader knows; export it in another format",
+                        bits));
         };
     }
 

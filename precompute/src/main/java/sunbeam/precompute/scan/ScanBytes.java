@@ -11,6 +11,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.util.Arrays;
+import java.util.Locale;
 
 /** The bytes of a file, read where they are asked for. Whatever lies beyond its end is refused before memory is taken. */
 public final class ScanBytes implements AutoCloseable {
@@ -73,8 +74,8 @@ public final class ScanBytes implements AutoCloseable {
     public ByteBuffer read(long offset, int count) throws IOException {
         requireInside(offset, count);
         if (count > LARGEST_HEADER) {
-            throw new ScanException(
-                    "claims a header of %d bytes; the file is damaged, export it again".formatted(count));
+            throw new ScanException(String.format(
+                    Locale.ROOT, "claims a header of %d bytes; the file is damaged, export it again", count));
         }
         ByteBuffer buffer = ByteBuffer.allocate(count);
         while (buffer.hasRemaining()) {
@@ -92,13 +93,18 @@ public final class ScanBytes implements AutoCloseable {
      */
     public void requireInside(long offset, long count) {
         if (offset < 0 || count < 0 || offset > Long.MAX_VALUE - count) {
-            throw new ScanException(
-                    "claims %d bytes at position %d; the file is damaged, export it again".formatted(count, offset));
+            throw new ScanException(String.format(
+                    Locale.ROOT,
+                    "claims %d bytes at position %d; the file is damaged, export it again",
+                    count,
+                    offset));
         }
         if (offset + count > size) {
-            throw new ScanException(
-                    "ends after %d bytes, but what its header promises takes %d; copy or export it again"
-                            .formatted(size, offset + count));
+            throw new ScanException(String.format(
+                    Locale.ROOT,
+                    "ends after %d bytes, but what its header promises takes %d; copy or export it again",
+                    size,
+                    offset + count));
         }
     }
 

@@ -1,6 +1,7 @@
 package sunbeam.precompute.scan;
 
 import java.io.IOException;
+import java.util.Locale;
 import java.util.Optional;
 
 /**
@@ -24,8 +25,8 @@ public record ScanChannel(
     /** @throws ScanException when there are no samples */
     public ScanChannel {
         if (columns < 1 || rows < 1) {
-            throw new ScanException(
-                    "claims %d x %d samples; the file is damaged, export it again".formatted(columns, rows));
+            throw new ScanException(String.format(
+                    Locale.ROOT, "claims %d x %d samples; the file is damaged, export it again", columns, rows));
         }
         name = name.strip();
         unit = unit.strip();
@@ -56,8 +57,12 @@ public record ScanChannel(
         ScanLimits.requireMemory((long) columns * rows, 0, Runtime.getRuntime().maxMemory());
         double[] samples = source.read();
         if (samples.length != columns * rows) {
-            throw new ScanException("has %d samples where %d x %d are announced; export it again"
-                    .formatted(samples.length, columns, rows));
+            throw new ScanException(String.format(
+                    Locale.ROOT,
+                    "has %d samples where %d x %d are announced; export it again",
+                    samples.length,
+                    columns,
+                    rows));
         }
         return samples;
     }

@@ -23,13 +23,18 @@ public final class ScanLimits {
      */
     public static void requireSize(long columns, long rows) {
         if (columns < 1 || rows < 1) {
-            throw new ScanException(
-                    "claims %d x %d samples; the file is damaged, export it again".formatted(columns, rows));
+            throw new ScanException(String.format(
+                    Locale.ROOT, "claims %d x %d samples; the file is damaged, export it again", columns, rows));
         }
         if (columns > LONGEST_SIDE || rows > LONGEST_SIDE || columns * rows > MOST_SAMPLES) {
-            throw new ScanException(("has %d x %d samples; at most %d per side and %d (8192 x 8192) in all can be used,"
-                            + " so crop the scan")
-                    .formatted(columns, rows, LONGEST_SIDE, MOST_SAMPLES));
+            throw new ScanException(String.format(
+                    Locale.ROOT,
+                    "has %d x %d samples; at most %d per side and %d (8192 x 8192) in all can be used,"
+                            + " so crop the scan",
+                    columns,
+                    rows,
+                    LONGEST_SIDE,
+                    MOST_SAMPLES));
         }
         if (columns == 1 && rows == 1) {
             throw new ScanException("has 1 x 1 samples, which is no surface; give at least 2 x 1 samples");
@@ -62,8 +67,11 @@ public final class ScanLimits {
      */
     public static void requireChannels(long count) {
         if (count > MOST_CHANNELS) {
-            throw new ScanException("claims %d channels; at most %d are read, so export the height channel alone"
-                    .formatted(count, MOST_CHANNELS));
+            throw new ScanException(String.format(
+                    Locale.ROOT,
+                    "claims %d channels; at most %d are read, so export the height channel alone",
+                    count,
+                    MOST_CHANNELS));
         }
     }
 }

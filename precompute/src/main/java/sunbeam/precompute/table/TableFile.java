@@ -8,6 +8,7 @@ import java.io.UncheckedIOException;
 import java.nio.ByteOrder;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
@@ -66,8 +67,11 @@ public final class TableFile {
             int terms = dataset(hdf, TERMS, 4, bytes).getDimensions()[0];
             return new TableLabel(
                     attributes.text("patch_name"),
-                    "Fourier table, %d %s terms"
-                            .formatted(terms, attributes.kind().label()));
+                    String.format(
+                            Locale.ROOT,
+                            "Fourier table, %d %s terms",
+                            terms,
+                            attributes.kind().label()));
         });
     }
 

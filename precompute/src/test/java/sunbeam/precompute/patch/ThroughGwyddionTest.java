@@ -53,8 +53,7 @@ class ThroughGwyddionTest {
     void aFormatThatOnlyGwyddionKnowsIsReadThroughIt() throws IOException {
         Path file = bcr();
         assumeTrue(
-                new GwyddionConversion(System.getenv()).convert(file, folder).isPresent(),
-                "Gwyddion is not installed, or has no display");
+                new GwyddionConversion(System.getenv()).isInstalled(), "Gwyddion is not installed, or has no display");
 
         Patch patch = new PatchLoader(List.of(), BuiltInPatches::generate)
                 .load(PatchRequests.parse(file.toString(), null, null, null, null, "none"));
@@ -65,9 +64,29 @@ class ThroughGwyddionTest {
     }
 
     @Test
-    void withoutGwyddionThereIsNoConversion() throws IOException {
-        assertThat(new GwyddionConversion(Map.of("PATH", folder.toString(), "DISPLAY", ":1")).convert(bcr(), folder))
-                .isEmpty();
+    void withoutGwyddionThereIsNoConversion() {
+        assertThat(new GwyddionConversion(Map.of("PATH", folder.toString(), "DISPLAY", ":1")).isInstalled())
+                .isFalse();
+    }
+
+    /** Nothing is wrong with the file: its reader must not be told to check it. */
+    @Test
+    void withoutRoomForItsResultTheFolderIsNamed() throws IOException {
+        Path file = bcr();
+        assumeTrue(
+                new GwyddionConversion(System.getenv()).isInstalled(), "Gwyddion is not installed, or has no display");
+        String before =
+                System.setProperty("java.io.tmpdir", folder.resolve("missing").toString());
+        try {
+            assertThatThrownBy(() -> new PatchLoader(List.of(), BuiltInPatches::generate)
+                            .load(PatchRequests.parse(file.toString(), null, null, null, null, "none")))
+                    .isInstanceOf(PatchException.class)
+                    .hasMessageContaining("scan.bcr is in a format that Sunbeam reads through Gwyddion")
+                    .hasMessageContaining("folder for temporary files, " + folder.resolve("missing"))
+                    .hasMessageContaining("free some space there");
+        } finally {
+            System.setProperty("java.io.tmpdir", before);
+        }
     }
 
     @Test

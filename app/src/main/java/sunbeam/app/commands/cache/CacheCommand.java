@@ -84,8 +84,13 @@ public final class CacheCommand implements Callable<Integer> {
         folder.setLimit(bytes);
         List<CacheEntry> removed = folder.shrink(bytes, Optional.empty());
         List<CacheEntry> left = folder.entries();
-        out.println("%s: at most %s; removed %s; left %s"
-                .formatted(folder.path(), ByteSize.format(bytes), count(removed), count(left)));
+        out.println(String.format(
+                Locale.ROOT,
+                "%s: at most %s; removed %s; left %s",
+                folder.path(),
+                ByteSize.format(bytes),
+                count(removed),
+                count(left)));
         if (sum(left) > bytes) {
             throw unremovable(folder, left);
         }
@@ -94,7 +99,7 @@ public final class CacheCommand implements Callable<Integer> {
     private static void clear(CacheFolder folder, PrintWriter out) {
         List<CacheEntry> before = folder.entries();
         List<CacheEntry> removed = folder.clear();
-        out.println("%s: removed %s".formatted(folder.path(), count(removed)));
+        out.println(String.format(Locale.ROOT, "%s: removed %s", folder.path(), count(removed)));
         // What others have made meanwhile is none of those.
         List<CacheEntry> left = folder.entries().stream()
                 .filter(entry -> before.stream().anyMatch(old -> old.file().equals(entry.file())))
@@ -115,7 +120,8 @@ public final class CacheCommand implements Callable<Integer> {
         PrintWriter err = specification.commandLine().getErr();
         List<CacheEntry> entries = folder.entries();
         long most = folder.limit(warning -> err.println(Messages.warning(warning)));
-        out.println("%s: %s of at most %s".formatted(folder.path(), count(entries), ByteSize.format(most)));
+        out.println(String.format(
+                Locale.ROOT, "%s: %s of at most %s", folder.path(), count(entries), ByteSize.format(most)));
         if (entries.isEmpty()) {
             return;
         }
@@ -123,12 +129,13 @@ public final class CacheCommand implements Callable<Integer> {
         out.println("      size  last used         for                       what");
         for (CacheEntry entry : entries) {
             TableLabel label = label(entry);
-            out.println("  %8s  %s  %-24s  %s"
-                    .formatted(
-                            ByteSize.format(entry.bytes()),
-                            TIME.format(entry.lastUsed().atZone(ZoneId.systemDefault())),
-                            cut(label.patch(), LONGEST_NAME),
-                            cut(label.what(), LONGEST_TEXT)));
+            out.println(String.format(
+                    Locale.ROOT,
+                    "  %8s  %s  %-24s  %s",
+                    ByteSize.format(entry.bytes()),
+                    TIME.format(entry.lastUsed().atZone(ZoneId.systemDefault())),
+                    cut(label.patch(), LONGEST_NAME),
+                    cut(label.what(), LONGEST_TEXT)));
         }
     }
 
@@ -147,8 +154,12 @@ public final class CacheCommand implements Callable<Integer> {
     }
 
     private static String count(List<CacheEntry> entries) {
-        return "%d table%s, %s"
-                .formatted(entries.size(), entries.size() == 1 ? "" : "s", ByteSize.format(sum(entries)));
+        return String.format(
+                Locale.ROOT,
+                "%d table%s, %s",
+                entries.size(),
+                entries.size() == 1 ? "" : "s",
+                ByteSize.format(sum(entries)));
     }
 
     private static long sum(List<CacheEntry> entries) {

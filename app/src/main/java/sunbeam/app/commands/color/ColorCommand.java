@@ -135,7 +135,7 @@ public final class ColorCommand implements Callable<Integer> {
                 .map(setup -> strips(setup, Methods.of(setup.seen(choices, err)), material))
                 .toList();
         Path picture = output != null ? output : Path.of("color-" + names(strips) + ".png");
-        ColorFiles files = new ColorFiles(picture, force.overwrite());
+        ColorFiles files = new ColorFiles(picture, force.overwrite(output));
         files.checkWritable();
         strips.forEach(strip -> methodOptions.print(strip.plan(), err));
         double tolerance = choices.get(TOLERANCE);
@@ -155,10 +155,10 @@ public final class ColorCommand implements Callable<Integer> {
         }
         Choices seen = ScanLimit.of(choices, strips.get(0).setup().patch()).choices();
         Map<String, Object> settings = settings(seen, material, factor, tolerance, renderer);
-        files.write(reports, settings, new ColorSheet(reports, factor, cie));
+        List<Path> written = files.write(reports, settings, new ColorSheet(reports, factor, cie));
         PrintWriter out = specification.commandLine().getOut();
         reports.forEach(report -> out.println(ColorReports.summary(report)));
-        files.all().forEach(out::println);
+        written.forEach(out::println);
         boolean black =
                 reports.stream().anyMatch(report -> report.colours().stream().allMatch(colour -> colour.rgb() == 0));
         return DoubtfulPicture.judge(

@@ -10,28 +10,35 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.stream.Collectors;
 import sunbeam.app.files.output.AtomicFile;
+import sunbeam.app.files.output.FileGroup;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.files.output.PngWriter;
 
 /** The picture and, beside it, the numbers as CSV and JSON. */
-record ColorFiles(Path picture, Overwrite overwrite) {
-    List<Path> all() {
-        return List.of(picture, sibling("csv"), sibling("json"));
-    }
+final class ColorFiles {
+    private final FileGroup files;
+    private final String pictureEnding;
 
-    private Path sibling(String ending) {
+    /** @param picture whose ending, if it has one, is the picture's; the others' take its place */
+    ColorFiles(Path picture, Overwrite overwrite) {
         String name = picture.getFileName().toString();
         int dot = name.lastIndexOf('.');
-        return picture.resolveSibling((dot > 0 ? name.substring(0, dot) : name) + "." + ending);
+        pictureEnding = dot > 0 ? name.substring(dot) : "";
+        Path stem = dot > 0 ? picture.resolveSibling(name.substring(0, dot)) : picture;
+        files = new FileGroup(stem, List.of(pictureEnding, ".csv", ".json"), overwrite);
     }
 
     /** Before anything is computed. */
     void checkWritable() {
-        all().forEach(file -> AtomicFile.checkWritable(file, overwrite));
+        files.checkWritable();
     }
 
-    /** All files or none: none appears before all are written. */
-    void write(List<ColorReport> reports, Map<String, Object> settings, ColorSheet sheet) {
+    /**
+     * All files or none.
+     *
+     * @return where they are
+     */
+    List<Path> write(List<ColorReport> reports, Map<String, Object> settings, ColorSheet sheet) {
         Map<String, String> text = new LinkedHashMap<>();
         text.put(
                 "Title", "Colours of " + reports.stream().map(ColorReport::name).collect(Collectors.joining(", ")));
@@ -39,16 +46,10 @@ record ColorFiles(Path picture, Overwrite overwrite) {
         settings.forEach((key, value) ->
                 text.put(key.substring(0, 1).toUpperCase(Locale.ROOT) + key.substring(1), value.toString()));
         ObjectMapper json = new ObjectMapper().enable(SerializationFeature.INDENT_OUTPUT);
-        List<Path> files = all();
-        try (AtomicFile image = AtomicFile.create(files.get(0), overwrite);
-                AtomicFile csv = AtomicFile.create(files.get(1), overwrite);
-                AtomicFile tree = AtomicFile.create(files.get(2), overwrite)) {
-            image.fill(stream -> PngWriter.write(stream, sheet.draw(), text));
-            csv.fill(stream -> stream.write(ColorTables.csv(reports).getBytes(StandardCharsets.UTF_8)));
-            tree.fill(stream -> stream.write(json.writeValueAsBytes(ColorTables.tree(reports, settings))));
-            image.commit();
-            csv.commit();
-            tree.commit();
-        }
+        Map<String, AtomicFile.StreamContent> contents = new LinkedHashMap<>();
+        contents.put(pictureEnding, stream -> PngWriter.write(stream, sheet.draw(), text));
+        contents.put(".csv", stream -> stream.write(ColorTables.csv(reports).getBytes(StandardCharsets.UTF_8)));
+        contents.put(".json", stream -> stream.write(json.writeValueAsBytes(ColorTables.tree(reports, settings))));
+        return files.write(contents);
     }
 }

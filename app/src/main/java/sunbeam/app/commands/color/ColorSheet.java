@@ -80,12 +80,13 @@ final class ColorSheet {
                 ? angle(thetas.get(0))
                 : angle(thetas.get(0)) + " (top) to " + angle(thetas.get(thetas.size() - 1)) + " (bottom)";
         graphics.drawString(
-                "%s: light at %s, azimuth %s; coherence length %s um"
-                        .formatted(
-                                report.name(),
-                                light,
-                                angle(report.lightAzimuthDegrees()),
-                                Decimals.format(Math.round(report.coherenceLength() * 1e8) / 100.0)),
+                String.format(
+                        Locale.ROOT,
+                        "%s: light at %s, azimuth %s; coherence length %s um",
+                        report.name(),
+                        light,
+                        angle(report.lightAzimuthDegrees()),
+                        Decimals.format(Math.round(report.coherenceLength() * 1e8) / 100.0)),
                 LEFT,
                 top + 20);
         strip(graphics, report, true, top + TITLE);

@@ -3,7 +3,6 @@ package sunbeam.app.commands.evaluate;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.PrintWriter;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
@@ -16,8 +15,8 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.files.output.AtomicFile;
+import sunbeam.app.files.output.FileGroup;
 import sunbeam.app.files.output.ForceOption;
-import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.files.output.PngWriter;
 import sunbeam.app.gpu.picture.DoubtfulPicture;
 import sunbeam.app.terminal.Environment;
@@ -115,11 +114,12 @@ public final class EvaluateCommand implements Callable<Integer> {
         }
         DiffractionSetup setup = new DiffractionSetup(
                 patchOptions, asked, environment, specification.commandLine().getErr());
-        Overwrite overwrite = force.overwrite();
-        OutputFiles files = OutputFiles.of(output, setup.patch().name() + "-evaluate", endings(), overwrite);
+        Path stem = output != null ? output : Path.of(setup.patch().name() + "-evaluate");
+        FileGroup files = new FileGroup(stem, endings(), force.overwrite(output));
+        files.checkWritable();
         Choices choices =
                 setup.seen(method.in(asked), specification.commandLine().getErr());
-        evaluate(setup, choices, files, overwrite, specification.commandLine().getOut());
+        evaluate(setup, choices, files, specification.commandLine().getOut());
         return DoubtfulPicture.ofPatches(List.of(setup.patch())).code();
     }
 
@@ -129,8 +129,7 @@ public final class EvaluateCommand implements Callable<Integer> {
                 : List.of(".png", ".json", ".csv", ".npy");
     }
 
-    private void evaluate(
-            DiffractionSetup setup, Choices choices, OutputFiles files, Overwrite overwrite, PrintWriter out) {
+    private void evaluate(DiffractionSetup setup, Choices choices, FileGroup files, PrintWriter out) {
         PrintWriter err = specification.commandLine().getErr();
         Evaluation evaluation = Evaluation.of(
                 setup,
@@ -149,7 +148,7 @@ public final class EvaluateCommand implements Callable<Integer> {
         EvaluationReport.lines(evaluation.measurement(), Evaluation.area(choices))
                 .forEach(out::println);
         out.flush();
-        List<Path> written = new ArrayList<>();
+        Map<String, AtomicFile.StreamContent> contents = new LinkedHashMap<>();
         if (positions > 0) {
             Positions.Draw draw = new Positions.Draw(
                     positions,
@@ -164,29 +163,22 @@ public final class EvaluateCommand implements Callable<Integer> {
                     GaussianArea.windowOf(choices).sigmaFrequency());
             report.put("positions", EvaluationReport.tree(all, seed));
             EvaluationReport.lines(all).forEach(out::println);
-            written.add(files.path("-positions.csv"));
-            PositionFiles.writeCsv(files.path("-positions.csv"), overwrite, all);
+            contents.put("-positions.csv", PositionFiles.csv(all));
             if (all.sorted().length > 0) {
-                written.add(files.path("-positions.png"));
-                PngWriter.write(
-                        files.path("-positions.png"),
-                        overwrite,
-                        PositionFiles.draw(title, all),
-                        text(setup, choices, title, ResponseMethod.BINS));
+                Map<String, String> text = text(setup, choices, title, ResponseMethod.BINS);
+                contents.put("-positions.png", stream -> PngWriter.write(stream, PositionFiles.draw(title, all), text));
             }
         }
-        MatrixFiles.writeCsv(files.path(".csv"), overwrite, evaluation.response());
-        MatrixFiles.writeNpy(files.path(".npy"), overwrite, evaluation.response());
-        AtomicFile.write(
-                files.path(".json"),
-                overwrite,
+        contents.put(".csv", MatrixFiles.csv(evaluation.response()));
+        contents.put(".npy", MatrixFiles.npy(evaluation.response()));
+        contents.put(
+                ".json",
                 stream -> stream.write(
                         new ObjectMapper().writerWithDefaultPrettyPrinter().writeValueAsBytes(report)));
         Map<String, String> text = text(setup, choices, title, method);
         evaluation.plan().ifPresent(plan -> text.put("Plan", plan));
-        PngWriter.write(files.path(".png"), overwrite, evaluation.plot(), text);
-        List.of(".csv", ".npy", ".json", ".png").forEach(ending -> written.add(files.path(ending)));
-        written.forEach(out::println);
+        contents.put(".png", stream -> PngWriter.write(stream, evaluation.plot(), text));
+        files.write(contents).forEach(out::println);
     }
 
     private static List<String> periodLines(Evaluation evaluation) {

@@ -1,6 +1,7 @@
 package sunbeam.app.commands.evaluate;
 
 import java.awt.image.BufferedImage;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.Consumer;
@@ -71,11 +72,12 @@ public final class Evaluation {
         ResponseGrid grid = grating.grid(target.plane(), target.order(), window);
         Responses responses = new Responses(setup, method, choices, grid, planned);
         ResponseMatrix response = quantity.of(responses.power());
-        String title = "%s, light at %s degrees, azimuth %s degrees"
-                .formatted(
-                        setup.patch().name(),
-                        Degrees.text(grid.plane().thetaI()),
-                        Degrees.text(grid.plane().azimuth()));
+        String title = String.format(
+                Locale.ROOT,
+                "%s, light at %s degrees, azimuth %s degrees",
+                setup.patch().name(),
+                Degrees.text(grid.plane().thetaI()),
+                Degrees.text(grid.plane().azimuth()));
         GratingMeasurement measurement = target.measure(response, sigmaFrequency);
         Optional<PeriodAnswer> answer = target.estimate().map(told -> answer(told, setup, grating, responses, window));
         return new Evaluation(target, responses, quantity, response, measurement, title, answer);

@@ -1,6 +1,7 @@
 package sunbeam.app.commands.evaluate;
 
 import java.util.Arrays;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import sunbeam.app.terminal.Range;
@@ -46,12 +47,15 @@ public record GratingRequest(
         double shortest = CieTable.MINIMUM_WAVELENGTH * 1e9;
         double longest = CieTable.MAXIMUM_WAVELENGTH * 1e9;
         if (wavelengths.minimum() < shortest - 1e-6 || wavelengths.maximum() > longest + 1e-6) {
-            throw new UsageException(
-                    "--wavelengths %s leaves the visible band; give 380 to 780 nm".formatted(text(wavelengths)));
+            throw new UsageException(String.format(
+                    Locale.ROOT, "--wavelengths %s leaves the visible band; give 380 to 780 nm", text(wavelengths)));
         }
         if (wavelengths.count() < 3) {
-            throw new UsageException("--wavelengths %s has %d of them; a period's variance needs 3 or more"
-                    .formatted(text(wavelengths), wavelengths.count()));
+            throw new UsageException(String.format(
+                    Locale.ROOT,
+                    "--wavelengths %s has %d of them; a period's variance needs 3 or more",
+                    text(wavelengths),
+                    wavelengths.count()));
         }
         checkAngles(angles, wavelengths, new GratingPlane(thetaI, phiI, 0));
     }
@@ -69,26 +73,31 @@ public record GratingRequest(
         Range angles = given.get();
         double largest = Math.toDegrees(plane.largestThetaR());
         if (angles.minimum() < -largest - 1e-9 || angles.maximum() > largest + 1e-9) {
-            throw new UsageException("--angles %s leaves the hemisphere; give %.6g to %.6g degrees"
-                    .formatted(text(angles), -largest, largest));
+            throw new UsageException(String.format(
+                    Locale.ROOT,
+                    "--angles %s leaves the hemisphere; give %.6g to %.6g degrees",
+                    text(angles),
+                    -largest,
+                    largest));
         }
         if (angles.count() < 3) {
-            throw new UsageException(
-                    "--angles %s has %d of them; a peak needs 3 or more".formatted(text(angles), angles.count()));
+            throw new UsageException(String.format(
+                    Locale.ROOT, "--angles %s has %d of them; a peak needs 3 or more", text(angles), angles.count()));
         }
         if ((long) angles.count() * wavelengths.count() > MOST_DIRECTIONS) {
-            throw new UsageException(
-                    "--angles %s and --wavelengths %s make %d directions; take larger steps for %d or less"
-                            .formatted(
-                                    text(angles),
-                                    text(wavelengths),
-                                    (long) angles.count() * wavelengths.count(),
-                                    MOST_DIRECTIONS));
+            throw new UsageException(String.format(
+                    Locale.ROOT,
+                    "--angles %s and --wavelengths %s make %d directions; take larger steps for %d or less",
+                    text(angles),
+                    text(wavelengths),
+                    (long) angles.count() * wavelengths.count(),
+                    MOST_DIRECTIONS));
         }
     }
 
     private static String text(Range range) {
-        return "%s:%s:%s".formatted(plain(range.minimum()), plain(range.maximum()), plain(range.step()));
+        return String.format(
+                Locale.ROOT, "%s:%s:%s", plain(range.minimum()), plain(range.maximum()), plain(range.step()));
     }
 
     private static String plain(double value) {
@@ -130,10 +139,12 @@ public record GratingRequest(
         }
         double[] ends = order.angles(plane, lambdas[0], lambdas[lambdas.length - 1]);
         if (ends.length == 0) {
-            throw new UsageException(
-                    "no angle sees the first order of a period near %s with the light at --theta-i %.6g; choose another"
-                                    .formatted(Lengths.format(order.middle()), Math.toDegrees(thetaI))
-                            + " light, or other --wavelengths");
+            throw new UsageException(String.format(
+                            Locale.ROOT,
+                            "no angle sees the first order of a period near %s with the light at --theta-i %.6g; choose another",
+                            Lengths.format(order.middle()),
+                            Math.toDegrees(thetaI))
+                    + " light, or other --wavelengths");
         }
         double[] values = new double[ANGLES];
         Arrays.setAll(values, i -> ends[0] + (ends[1] - ends[0]) * i / (ANGLES - 1));
@@ -151,9 +162,11 @@ public record GratingRequest(
         double allowed = COARSEST_STEP * window.sigmaFrequency();
         if (coarsest > allowed) {
             double step = Math.toDegrees(all[1] - all[0]);
-            throw new UsageException(
-                    "--angles: steps of %.3g degrees are too coarse for peaks as sharp as this window's; give %.2g or less"
-                            .formatted(step, 0.99 * step * allowed / coarsest));
+            throw new UsageException(String.format(
+                    Locale.ROOT,
+                    "--angles: steps of %.3g degrees are too coarse for peaks as sharp as this window's; give %.2g or less",
+                    step,
+                    0.99 * step * allowed / coarsest));
         }
     }
 }

@@ -2,6 +2,7 @@ package sunbeam.app.commands.evaluate;
 
 import java.math.BigDecimal;
 import java.math.MathContext;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import sunbeam.precompute.analysis.HeightSpectrum;
@@ -48,11 +49,17 @@ record GratingTarget(
         OptionalDouble given = request.azimuth();
         Periodicity heights = given.isPresent() ? finder.along(given.getAsDouble(), sigmaFrequency) : finder.all();
         if (!heights.found() && (given.isEmpty() || request.period().isEmpty())) {
-            String where =
-                    given.isEmpty() ? "" : " along azimuth %s degrees".formatted(Degrees.text(given.getAsDouble()));
+            String where = given.isEmpty()
+                    ? ""
+                    : String.format(Locale.ROOT, " along azimuth %s degrees", Degrees.text(given.getAsDouble()));
             String remedy = given.isEmpty() ? "--azimuth and --period" : "--period, or choose another --azimuth";
-            throw new NoPeriodException("%s has no periodicity%s: %s; to look for a ridge all the same give %s"
-                    .formatted(patch.name(), where, heights.describeFigure(), remedy));
+            throw new NoPeriodException(String.format(
+                    Locale.ROOT,
+                    "%s has no periodicity%s: %s; to look for a ridge all the same give %s",
+                    patch.name(),
+                    where,
+                    heights.describeFigure(),
+                    remedy));
         }
         double azimuth = given.orElseGet(() -> signed(heights.peaks().get(0)));
         FirstOrder order = request.period().isPresent()
@@ -78,26 +85,33 @@ record GratingTarget(
     private static void requireTold(String patch, Optional<PeriodEstimate> estimate, SpectrumPeak peak) {
         String remedy = "; to look for a ridge all the same give --period";
         if (estimate.isEmpty()) {
-            throw new NoPeriodException(
-                    "%s repeats itself after about %s, but too few of these periods fit into the scan along their direction to say how well that is known; take a larger scan%s"
-                            .formatted(patch, shortly(peak.period()), remedy));
+            throw new NoPeriodException(String.format(
+                    Locale.ROOT,
+                    "%s repeats itself after about %s, but too few of these periods fit into the scan along their direction to say how well that is known; take a larger scan%s",
+                    patch,
+                    shortly(peak.period()),
+                    remedy));
         }
         PeriodEstimate told = estimate.get();
         if (told.drift().isPresent() && told.drift().get().ratio() > LARGEST_DRIFT) {
             PeriodEstimate.Drift drift = told.drift().get();
-            throw new NoPeriodException(
-                    "%s has no single period: it changes from about %s at one end of the scan to %s at the other; take a part of the scan%s"
-                            .formatted(patch, shortly(drift.first()), shortly(drift.last()), remedy));
+            throw new NoPeriodException(String.format(
+                    Locale.ROOT,
+                    "%s has no single period: it changes from about %s at one end of the scan to %s at the other; take a part of the scan%s",
+                    patch,
+                    shortly(drift.first()),
+                    shortly(drift.last()),
+                    remedy));
         }
         if (!(told.high() <= VAGUEST * told.low())) {
-            throw new NoPeriodException(
-                    "%s repeats itself after about %s, but so unevenly that this scan does not tell the period (95 %% interval %s to %s); take a larger scan%s"
-                            .formatted(
-                                    patch,
-                                    shortly(told.period()),
-                                    shortly(told.low()),
-                                    Double.isFinite(told.high()) ? shortly(told.high()) : "any length",
-                                    remedy));
+            throw new NoPeriodException(String.format(
+                    Locale.ROOT,
+                    "%s repeats itself after about %s, but so unevenly that this scan does not tell the period (95 %% interval %s to %s); take a larger scan%s",
+                    patch,
+                    shortly(told.period()),
+                    shortly(told.low()),
+                    Double.isFinite(told.high()) ? shortly(told.high()) : "any length",
+                    remedy));
         }
     }
 
@@ -131,12 +145,12 @@ record GratingTarget(
      */
     GratingMeasurement measure(ResponseMatrix response, double sigmaFrequency) {
         return GratingMeasurement.of(response, order, sigmaFrequency)
-                .orElseThrow(() -> new NoPeriodException(
-                        "%s: the response has no ridge of periods from %s to %s within --angles; choose others or --period (the heights: %s)"
-                                .formatted(
-                                        patch,
-                                        Lengths.format(order.shortest()),
-                                        Lengths.format(order.longest()),
-                                        heights.describeFigure())));
+                .orElseThrow(() -> new NoPeriodException(String.format(
+                        Locale.ROOT,
+                        "%s: the response has no ridge of periods from %s to %s within --angles; choose others or --period (the heights: %s)",
+                        patch,
+                        Lengths.format(order.shortest()),
+                        Lengths.format(order.longest()),
+                        heights.describeFigure())));
     }
 }

@@ -1,13 +1,11 @@
 package sunbeam.app.commands.evaluate;
 
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.CsvWriter;
 import sunbeam.app.files.output.NpyWriter;
-import sunbeam.app.files.output.Overwrite;
 import sunbeam.precompute.evaluation.ResponseGrid;
 import sunbeam.precompute.evaluation.ResponseMatrix;
 
@@ -16,14 +14,14 @@ final class MatrixFiles {
     private MatrixFiles() {}
 
     /** One row per wavelength: the wavelength in nm, then the response at each angle, which heads its column. */
-    static void writeCsv(Path file, Overwrite overwrite, ResponseMatrix response) {
+    static AtomicFile.StreamContent csv(ResponseMatrix response) {
         ResponseGrid grid = response.grid();
         List<String> header = new ArrayList<>();
         header.add("wavelength_nm");
         for (double angle : grid.angles()) {
             header.add(String.format(Locale.ROOT, "%.6f", Math.toDegrees(angle)));
         }
-        AtomicFile.write(file, overwrite, stream -> {
+        return stream -> {
             try (CsvWriter writer = new CsvWriter(stream, header)) {
                 double[] cells = new double[header.size()];
                 for (int row = 0; row < response.values().length; row++) {
@@ -32,16 +30,16 @@ final class MatrixFiles {
                     writer.row(cells);
                 }
             }
-        });
+        };
     }
 
     /** float32, wavelengths x angles. */
-    static void writeNpy(Path file, Overwrite overwrite, ResponseMatrix response) {
+    static AtomicFile.StreamContent npy(ResponseMatrix response) {
         int columns = response.grid().angles().length;
         float[] values = new float[Math.multiplyExact(response.values().length, columns)];
         for (int i = 0; i < values.length; i++) {
             values[i] = (float) response.values()[i / columns][i % columns];
         }
-        NpyWriter.write(file, overwrite, values, response.values().length, columns);
+        return stream -> NpyWriter.write(stream, values, response.values().length, columns);
     }
 }

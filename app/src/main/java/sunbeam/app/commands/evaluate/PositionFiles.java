@@ -1,21 +1,19 @@
 package sunbeam.app.commands.evaluate;
 
 import java.awt.image.BufferedImage;
-import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.CsvWriter;
-import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.files.plot.Plot;
 
 /** Positions of the window as a table and as a plot. */
 final class PositionFiles {
     private PositionFiles() {}
 
-    static void writeCsv(Path file, Overwrite overwrite, Positions positions) {
-        AtomicFile.write(file, overwrite, stream -> {
+    static AtomicFile.StreamContent csv(Positions positions) {
+        return stream -> {
             try (CsvWriter writer = new CsvWriter(stream, List.of("column", "row", "period_nm"))) {
                 for (int i = 0; i < positions.periods().length; i++) {
                     writer.row(
@@ -24,7 +22,7 @@ final class PositionFiles {
                             positions.periods()[i] * 1e9);
                 }
             }
-        });
+        };
     }
 
     /** The share of positions below each period, beside the ensemble's period. */

@@ -2,6 +2,7 @@ package sunbeam.app.commands.figures;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.stream.Collectors;
 import sunbeam.app.terminal.Version;
@@ -82,8 +83,13 @@ final class FiguresPage {
 
     private void picture(Panel panel, String caption) {
         String file = escape(panel.name() + ".png");
-        html.append("<figure%s>".formatted(style(panel)))
-                .append("<a href=\"%s\"><img src=\"%s\" alt=\"%s\"></a>".formatted(file, file, escape(panel.label())))
+        html.append(String.format(Locale.ROOT, "<figure%s>", style(panel)))
+                .append(String.format(
+                        Locale.ROOT,
+                        "<a href=\"%s\"><img src=\"%s\" alt=\"%s\"></a>",
+                        file,
+                        file,
+                        escape(panel.label())))
                 .append("<figcaption>")
                 .append(escape(panel.role().label() + ": " + caption))
                 .append("</figcaption></figure>\n");
@@ -133,7 +139,7 @@ final class FiguresPage {
     private void row(String line, String cell) {
         html.append("<tr>");
         for (String value : line.split(",", -1)) {
-            html.append("<%s>%s</%s>".formatted(cell, escape(value), cell));
+            html.append(String.format(Locale.ROOT, "<%s>%s</%s>", cell, escape(value), cell));
         }
         html.append("</tr>\n");
     }

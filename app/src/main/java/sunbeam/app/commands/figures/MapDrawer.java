@@ -64,7 +64,7 @@ final class MapDrawer implements AutoCloseable {
         }
         caption += String.format(Locale.ROOT, "; exposure %.3g", exposure);
         text.put(PanelStore.CAPTION, caption);
-        text.put("Light", "theta %s degrees".formatted(panel.thetaDegrees()));
+        text.put("Light", String.format(Locale.ROOT, "theta %s degrees", panel.thetaDegrees()));
         text.put("Method", panel.method().type().label());
         text.put("Plan", map.summary());
         text.put("Exposure", Double.toString(exposure));

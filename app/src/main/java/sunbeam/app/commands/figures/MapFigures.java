@@ -83,10 +83,10 @@ final class MapFigures {
         Maps maps = new Maps(number, role, 0);
         List<Panel> panels = new ArrayList<>(List.of(maps.planned()));
         for (double step : STEPS_NANOMETRES) {
-            String name = "%.0fnm".formatted(step);
+            String name = String.format(Locale.ROOT, "%.0fnm", step);
             panels.add(maps.compared(
                     name,
-                    "steps of %.0f nm".formatted(step),
+                    String.format(Locale.ROOT, "steps of %.0f nm", step),
                     PLANNED.with(PLANNED.table().withWavelengthStep(step * 1e-9))));
         }
         return new Figure(
@@ -118,7 +118,7 @@ final class MapFigures {
                         String.format(Locale.ROOT, "sigma_s %.2f um (coherence length %.0f um)", length / 4, length);
                 panels.add(new Maps("5.10", role, 0)
                         .alone(
-                                "%.0fum".formatted(length),
+                                String.format(Locale.ROOT, "%.0fum", length),
                                 label,
                                 PLANNED.with(
                                         GaussianArea.STANDARD.with(CoherenceWindow.ofCoherenceLength(length * 1e-6)))));
@@ -174,7 +174,7 @@ final class MapFigures {
     private record Maps(String figure, Role role, double thetaDegrees) {
         MapPanel planned() {
             String label = String.format(Locale.ROOT, "full as planned, light at %.0f degrees", thetaDegrees);
-            return alone("full-" + "%.0f".formatted(thetaDegrees), label, PLANNED);
+            return alone("full-" + String.format(Locale.ROOT, "%.0f", thetaDegrees), label, PLANNED);
         }
 
         MapPanel alone(String name, String label, Method method) {

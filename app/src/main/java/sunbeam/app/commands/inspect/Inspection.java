@@ -91,12 +91,21 @@ record Inspection(
         }
         lines.add(line(
                 "size",
-                "%s x %s, %d x %d samples"
-                        .formatted(rounded(map.width()), rounded(map.height()), map.columns(), map.rows())));
+                String.format(
+                        Locale.ROOT,
+                        "%s x %s, %d x %d samples",
+                        rounded(map.width()),
+                        rounded(map.height()),
+                        map.columns(),
+                        map.rows())));
         lines.add(line("pitch", pitch()));
         lines.add(line(
                 "heights",
-                "relief %s, roughness %s rms".formatted(rounded(statistics.relief()), rounded(statistics.rms()))));
+                String.format(
+                        Locale.ROOT,
+                        "relief %s, roughness %s rms",
+                        rounded(statistics.relief()),
+                        rounded(statistics.rms()))));
         lines.add(line("slopes", slopes()));
         lines.add(line("model", ModelError.of(map).describe()));
         lines.addAll(periods());
@@ -111,7 +120,7 @@ record Inspection(
         String verdict = SamplingCheck.pitch(map)
                 .orElse("fine enough for light of " + Lengths.format(SamplingCheck.SHORTEST_WAVELENGTH)
                         + ", which needs " + Lengths.format(SamplingCheck.COARSEST_PITCH));
-        return "%s x %s: %s".formatted(rounded(map.pitchX()), rounded(map.pitchY()), verdict);
+        return String.format(Locale.ROOT, "%s x %s: %s", rounded(map.pitchX()), rounded(map.pitchY()), verdict);
     }
 
     private String slopes() {
@@ -136,7 +145,7 @@ record Inspection(
         estimates.forEach(estimate -> lines.add(line("", describe(estimate))));
         int others = periodicity.peaks().size() - peaks().size();
         if (others > 0) {
-            lines.add(line("", "and %d weaker ones".formatted(others)));
+            lines.add(line("", String.format(Locale.ROOT, "and %d weaker ones", others)));
         }
         return lines;
     }
@@ -155,13 +164,17 @@ record Inspection(
     }
 
     private static String describe(PeriodEstimate estimate) {
-        String interval =
-                "the first is known to %s .. %s (95 %%)".formatted(rounded(estimate.low()), rounded(estimate.high()));
+        String interval = String.format(
+                Locale.ROOT,
+                "the first is known to %s .. %s (95 %%)",
+                rounded(estimate.low()),
+                rounded(estimate.high()));
         String second = estimate.second()
                 .map(other -> ", beside a second of " + rounded(other.period()))
                 .orElse("");
         String drift = estimate.drift()
-                .map(ends -> ", drifting from %s to %s".formatted(rounded(ends.first()), rounded(ends.last())))
+                .map(ends -> String.format(
+                        Locale.ROOT, ", drifting from %s to %s", rounded(ends.first()), rounded(ends.last())))
                 .orElse("");
         return interval + second + drift;
     }

@@ -106,7 +106,7 @@ public final class RenderCommand implements Callable<Integer> {
             description =
                     "Draw N random pixels of this very picture with 256 points each by method full at tolerance 1e-3 and"
                             + " state the error of the picture beside their means: median, 95th percentile and maximum of XYZ, mean and"
-                            + " maximum CIEDE2000. Exit code 3 when the median exceeds 2 % or the mean CIEDE2000 1. For single pictures"
+                            + " maximum CIEDE2000. Exit code 3 when the median exceeds 2 %% or the mean CIEDE2000 1. For single pictures"
                             + " by full and table.")
     private Integer certify;
 

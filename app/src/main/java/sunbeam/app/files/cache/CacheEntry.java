@@ -17,11 +17,13 @@ import sunbeam.precompute.table.TableLabel;
 public record CacheEntry(Path file, long bytes, Instant lastUsed) {
     static final String FOURIER = "h5";
     static final String SHADER = "tables";
+    /** Of a table of colours that is being made, or was when its process was stopped. */
+    static final String COLOURS = "colours";
 
     /** Whether a file's name is one of a table. */
     static boolean isOne(Path file) {
         String name = file.getFileName().toString();
-        return name.endsWith("." + FOURIER) || name.endsWith("." + SHADER);
+        return name.endsWith("." + FOURIER) || name.endsWith("." + SHADER) || name.endsWith("." + COLOURS);
     }
 
     /**
@@ -30,8 +32,10 @@ public record CacheEntry(Path file, long bytes, Instant lastUsed) {
      * @throws TableException when the file does not say it: damaged, of another version, or gone
      */
     public TableLabel label() {
-        return file.getFileName().toString().endsWith("." + FOURIER)
-                ? TableFile.label(file)
-                : ShaderTablesFile.label(file);
+        String name = file.getFileName().toString();
+        if (name.endsWith("." + COLOURS)) {
+            return KeptColours.labelOf(file);
+        }
+        return name.endsWith("." + FOURIER) ? TableFile.label(file) : ShaderTablesFile.label(file);
     }
 }

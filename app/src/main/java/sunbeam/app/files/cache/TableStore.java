@@ -52,16 +52,22 @@ public final class TableStore {
      */
     public ShaderTables tables(MethodPlan plan, MethodUse use, ColourSources colours) {
         String key = "shader tables " + ShaderTablesFile.VERSION + "|" + plan.key(use);
-        Supplier<ShaderTables> make = () -> freshTables(plan, use, colours);
         Optional<Path> file = file(key, CacheEntry.SHADER);
         if (file.isEmpty()) {
-            return make.get();
+            return freshTables(plan, use, colours);
         }
         Function<Path, ShaderTables> reader = path -> ShaderTablesFile.read(path, key);
         return keptOr(file.get(), reader, () -> {
-            ShaderTables made = make.get();
             TableLabel label = new TableLabel(surface.identity().name(), plan.summary());
+            // Colours take up to hours: a run that is stopped leaves those that it has.
+            Path unfinished = file(key, CacheEntry.COLOURS).orElseThrow();
+            TableLabel half = new TableLabel(label.patch(), "half made: " + label.what());
+            ShaderTables made = freshTables(
+                    plan,
+                    use,
+                    (tables, places) -> KeptColours.of(unfinished, key, half, () -> colours.of(tables, places)));
             save(file.get(), path -> ShaderTablesFile.write(path, key, label, made));
+            KeptColours.delete(unfinished);
             // Again from the file, so that no more than one layer at a time need be in memory.
             return read(file.get(), reader).orElse(made);
         });

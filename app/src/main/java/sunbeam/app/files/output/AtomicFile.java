@@ -38,6 +38,7 @@ public final class AtomicFile implements AutoCloseable {
     private final ShutdownHook hook;
     private Path written;
     private Optional<FileAttributes> replaced = Optional.empty();
+    private Optional<Placement.Held> held = Optional.empty();
     private State state = State.OPEN;
 
     private AtomicFile(Path target, Overwrite overwrite) {
@@ -213,6 +214,43 @@ public final class AtomicFile implements AutoCloseable {
         return place;
     }
 
+    /**
+     * The first half of {@link #commit}, for files that appear together: takes a name.
+     *
+     * @throws FileAlreadyExistsException when it is taken
+     */
+    synchronized void hold(Path name) throws IOException {
+        if (state != State.OPEN) {
+            throw new CancelledException();
+        }
+        Durable.force(written);
+        held = Optional.of(Placement.hold(written, name));
+    }
+
+    /** Gives the name back that was taken. */
+    synchronized void release() {
+        if (state == State.OPEN && held.isPresent()) {
+            try {
+                held.get().release();
+                held = Optional.empty();
+            } catch (IOException failure) {
+                throw OutputException.of(target, failure);
+            }
+        }
+    }
+
+    /** The second half of {@link #commit}: the name that was taken stays. */
+    synchronized Path keep() throws IOException {
+        if (state != State.OPEN) {
+            throw new CancelledException();
+        }
+        Placement.Held name = held.orElseThrow();
+        name.keep();
+        state = State.COMMITTED;
+        Durable.forceFolder(folderOf(name.name()));
+        return name.name();
+    }
+
     /** Removes what was written, unless it was committed. */
     @Override
     public void close() {
@@ -232,6 +270,9 @@ public final class AtomicFile implements AutoCloseable {
             return;
         }
         try {
+            if (held.isPresent()) {
+                held.get().release();
+            }
             Files.deleteIfExists(written);
         } catch (IOException failure) {
             throw new OutputException("cannot remove the temporary file " + written + "; remove it by hand", failure);

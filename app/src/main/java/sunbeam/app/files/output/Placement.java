@@ -42,30 +42,59 @@ final class Placement {
     }
 
     private static void takeFreeName(Path written, Path target) throws IOException {
+        hold(written, target).keep();
+    }
+
+    /**
+     * Takes a free name for a complete file, which keeps its own name, too.
+     *
+     * @throws FileAlreadyExistsException when the name is taken
+     */
+    static Held hold(Path written, Path name) throws IOException {
         try {
-            Files.createLink(target, written);
+            Files.createLink(name, written);
+            return new Held(written, name, true);
         } catch (FileAlreadyExistsException taken) {
             throw taken;
         } catch (UnsupportedOperationException | FileSystemException noLinks) {
             // File systems without hard links (FAT, some of networks): an empty file holds the name, then goes.
-            Files.createFile(target);
-            replaceOwn(written, target);
-            return;
-        }
-        try {
-            Files.delete(written);
-        } catch (IOException twoNames) {
-            // The output is there and whole; its temporary name is swept away with those of dead processes.
-            return;
+            Files.createFile(name);
+            return new Held(written, name, false);
         }
     }
 
-    private static void replaceOwn(Path written, Path held) throws IOException {
-        try {
-            replace(written, held);
-        } catch (IOException failure) {
-            Files.deleteIfExists(held);
-            throw failure;
+    /**
+     * A name that was free and now is the file's.
+     *
+     * @param linked whether the file is there under both names; else the name holds an empty file
+     */
+    record Held(Path written, Path name, boolean linked) {
+        /** Leaves the file under this name alone. */
+        void keep() throws IOException {
+            if (linked) {
+                deleteOtherName();
+                return;
+            }
+            try {
+                replace(written, name);
+            } catch (IOException failure) {
+                Files.deleteIfExists(name);
+                throw failure;
+            }
+        }
+
+        private void deleteOtherName() {
+            try {
+                Files.delete(written);
+            } catch (IOException twoNames) {
+                // The output is there and whole; its temporary name is swept away with those of dead processes.
+                return;
+            }
+        }
+
+        /** Gives the name back. */
+        void release() throws IOException {
+            Files.deleteIfExists(name);
         }
     }
 

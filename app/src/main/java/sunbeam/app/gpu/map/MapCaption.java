@@ -4,6 +4,7 @@ import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import sunbeam.precompute.method.Method;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.patch.HeightMap;
@@ -25,13 +26,15 @@ public final class MapCaption {
      */
     public static List<String> of(Patch patch, Direction light, double coherenceLength, Method method) {
         HeightMap map = patch.heights();
-        String surface = "%s: %s x %s, relief %s"
-                .formatted(
-                        patch.name(),
-                        Lengths.format(rounded(map.width())),
-                        Lengths.format(rounded(map.height())),
-                        Lengths.format(rounded(map.relief())));
+        String surface = String.format(
+                Locale.ROOT,
+                "%s: %s x %s, relief %s",
+                patch.name(),
+                Lengths.format(rounded(map.width())),
+                Lengths.format(rounded(map.height())),
+                Lengths.format(rounded(map.relief())));
         String lit = String.format(
+                Locale.ROOT,
                 "light %s\u00b0 from the normal, azimuth %s\u00b0; coherence length %s%s; method %s",
                 degrees(Math.atan2(Math.hypot(light.x(), light.y()), light.z())),
                 degrees(Math.atan2(light.y(), light.x())),

@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
@@ -282,9 +283,14 @@ public final class AccuracyCommand implements Callable<Integer> {
         String origin = BuiltInPatches.names().contains(given)
                 ? "built-in"
                 : Path.of(given).getFileName().toString();
-        return "%s, %d x %d samples, %s x %s"
-                .formatted(
-                        origin, map.columns(), map.rows(), Lengths.format(map.width()), Lengths.format(map.height()));
+        return String.format(
+                Locale.ROOT,
+                "%s, %d x %d samples, %s x %s",
+                origin,
+                map.columns(),
+                map.rows(),
+                Lengths.format(map.width()),
+                Lengths.format(map.height()));
     }
 
     private void makeFolder() {

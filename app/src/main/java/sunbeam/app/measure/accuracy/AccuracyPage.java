@@ -16,6 +16,8 @@ import sunbeam.app.measure.errors.RelativeError;
  * @param counts how many directions were asked for
  * @param renderer that drew, as OpenGL names it
  */
+// Texts of a page stand apart from what fills them.
+@SuppressWarnings("InlineFormatString")
 record AccuracyPage(
         Map<String, String> patches, Map<String, List<Figure>> figures, SampleCounts counts, String renderer) {
     private static final String INTRODUCTION = """
@@ -76,8 +78,15 @@ record AccuracyPage(
     }
 
     String text() {
-        StringBuilder page = new StringBuilder(INTRODUCTION.formatted(
-                renderer, list(), counts.seed(), RelativeError.FLOOR, counts.powers(), counts.colors()));
+        StringBuilder page = new StringBuilder(String.format(
+                Locale.ROOT,
+                INTRODUCTION,
+                renderer,
+                list(),
+                counts.seed(),
+                RelativeError.FLOOR,
+                counts.powers(),
+                counts.colors()));
         each(ErrorFigure.class, (patch, figure) -> {
             if (figure.style() == ErrorFigure.Style.AGAINST_TOLERANCE) {
                 addTolerances(page, patch, figure);
@@ -96,7 +105,8 @@ record AccuracyPage(
     /** Which patches. */
     private String list() {
         StringBuilder lines = new StringBuilder();
-        figures.keySet().forEach(name -> lines.append("- %s: %s\n".formatted(name, patches.get(name))));
+        figures.keySet()
+                .forEach(name -> lines.append(String.format(Locale.ROOT, "- %s: %s\n", name, patches.get(name))));
         return lines.toString();
     }
 
@@ -107,7 +117,7 @@ record AccuracyPage(
 
     private static void addFigure(StringBuilder page, String patch, Figure figure) {
         String stem = stem(patch, figure);
-        page.append("![%s](%s.png)\n([table](%s.csv))\n\n".formatted(figure.title(), stem, stem));
+        page.append(String.format(Locale.ROOT, "![%s](%s.png)\n([table](%s.csv))\n\n", figure.title(), stem, stem));
         figure.remarks().forEach(remark -> page.append(remark).append("\n\n"));
     }
 

@@ -58,7 +58,12 @@ final class Extremes {
                 }
             }
         }
-        out.printf("%n%d results, %d missed their tolerance, %d of them as the plan had said%n", tried, missed, said);
+        out.printf(
+                Locale.ROOT,
+                "%n%d results, %d missed their tolerance, %d of them as the plan had said%n",
+                tried,
+                missed,
+                said);
         return missed;
     }
 

@@ -47,7 +47,7 @@ final class RandomCases {
                 outcome = drawn.measure(context);
             } catch (SettingException refusal) {
                 refused++;
-                out.printf("refused, %s: %s%n", drawn, refusal.getMessage());
+                out.printf(Locale.ROOT, "refused, %s: %s%n", drawn, refusal.getMessage());
                 continue;
             }
             if (outcome.errors().count() == 0) {
@@ -73,8 +73,14 @@ final class RandomCases {
         }
         kept.ifPresent(KeptCases::close);
         out.printf(
+                Locale.ROOT,
                 "%d cases from seed %d, %d refused by the plan, %d with light: %d missed, %d of them as the plan had said%n",
-                count, firstSeed, refused, bright, missed, said);
+                count,
+                firstSeed,
+                refused,
+                bright,
+                missed,
+                said);
         ratios.forEach(this::print);
         return missed;
     }
@@ -84,8 +90,11 @@ final class RandomCases {
         out.printf(Locale.ROOT, "%s, %.2g of what is promised: %s", verdict, ratio, drawn);
         if (ratio > 1) {
             out.printf(
+                    Locale.ROOT,
                     "; %s, %d directions; %s",
-                    outcome.errors(), outcome.errors().count(), new PlanReport(outcome.plan()).summary());
+                    outcome.errors(),
+                    outcome.errors().count(),
+                    new PlanReport(outcome.plan()).summary());
         }
         out.println();
         out.flush();

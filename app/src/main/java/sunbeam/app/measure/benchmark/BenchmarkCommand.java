@@ -148,7 +148,8 @@ public final class BenchmarkCommand implements Callable<Integer> {
 
     private static void requireWithin(String option, int value, int least, int most) {
         if (value < least || value > most) {
-            throw new UsageException(option + " " + value + " is out of range; give %d to %d".formatted(least, most));
+            throw new UsageException(
+                    option + " " + value + String.format(Locale.ROOT, " is out of range; give %d to %d", least, most));
         }
     }
 

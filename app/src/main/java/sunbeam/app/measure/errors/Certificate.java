@@ -35,7 +35,7 @@ public record Certificate(
     /** One line with all figures. */
     public String summary() {
         if (relative.count() == 0) {
-            return "%s, all darker than %s: nothing to compare".formatted(places, floor());
+            return String.format(Locale.ROOT, "%s, all darker than %s: nothing to compare", places, floor());
         }
         String errors = String.format(
                 Locale.ROOT,

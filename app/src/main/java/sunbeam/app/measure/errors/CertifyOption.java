@@ -1,6 +1,7 @@
 package sunbeam.app.measure.errors;
 
 import java.io.PrintWriter;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.function.IntFunction;
@@ -84,9 +85,10 @@ public final class CertifyOption {
             return ExitCode.TOLERANCE_MISSED;
         }
         if (!plan.shortfalls().isEmpty()) {
-            err.println(Messages.error(
-                    "these places keep the tolerance %.2g, but it is not promised for others: see the plan's warning"
-                            .formatted(certificate.tolerance())));
+            err.println(Messages.error(String.format(
+                    Locale.ROOT,
+                    "these places keep the tolerance %.2g, but it is not promised for others: see the plan's warning",
+                    certificate.tolerance())));
             return ExitCode.TOLERANCE_MISSED;
         }
         return ExitCode.OK;

@@ -121,8 +121,11 @@ public final class Explainer {
         for (Remedy remedy : Remedies.of(choices, method, source, missed.tolerance())) {
             Optional<ErrorStatistics> tried = tried(remedy, missed);
             if (tried.isPresent() && tried.get().meets(missed.tolerance())) {
-                return "%s: the same places then keep the tolerance (%s)"
-                        .formatted(remedy.words().in(OptionOrigin.INSTANCE), tried.get());
+                return String.format(
+                        Locale.ROOT,
+                        "%s: the same places then keep the tolerance (%s)",
+                        remedy.words().in(OptionOrigin.INSTANCE),
+                        tried.get());
             }
             best = Math.min(best, tried.map(ErrorStatistics::reached).orElse(best));
         }

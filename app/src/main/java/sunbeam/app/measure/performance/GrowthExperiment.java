@@ -2,6 +2,7 @@ package sunbeam.app.measure.performance;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import jrtr.GraphicsException;
 import sunbeam.app.files.cache.DiffractionSetup;
@@ -54,7 +55,8 @@ final class GrowthExperiment {
                 // A frame for warming up, and those that are timed; three quarters of the square are disc.
                 double expected = perPixel * 1e-6 * 0.785 * size * size * (1 + meter.frames());
                 if (expected > scale.budgetSeconds()) {
-                    remarks.add("%s at %d pixels would take %.0f s".formatted(names.get(i), size, expected));
+                    remarks.add(String.format(
+                            Locale.ROOT, "%s at %d pixels would take %.0f s", names.get(i), size, expected));
                     continue;
                 }
                 Optional<Measured> measured = add(size, names.get(i), meter.of(size), setup, methods.get(i));
@@ -106,8 +108,12 @@ final class GrowthExperiment {
         double expected = full.map(measured -> measured.microseconds() * 1e-6 * pages.evaluated())
                 .orElse(0.0);
         if (expected > scale.budgetSeconds()) {
-            remarks.add("table at %.3g has %.1f million places; at full's time per pixel, baking them takes %.0f s"
-                    .formatted(x, pages.evaluated() * 1e-6, expected));
+            remarks.add(String.format(
+                    Locale.ROOT,
+                    "table at %.3g has %.1f million places; at full's time per pixel, baking them takes %.0f s",
+                    x,
+                    pages.evaluated() * 1e-6,
+                    expected));
         } else {
             add(x, TABLE, meter, setup, table(area));
         }
@@ -119,7 +125,8 @@ final class GrowthExperiment {
             points.add(new Growth.Point(x, name, measured));
             return Optional.of(measured);
         } catch (GraphicsException | SettingException unmeasured) {
-            remarks.add("%s at %.4g was not measured: %s".formatted(name, x, unmeasured.getMessage()));
+            remarks.add(
+                    String.format(Locale.ROOT, "%s at %.4g was not measured: %s", name, x, unmeasured.getMessage()));
             return Optional.empty();
         }
     }

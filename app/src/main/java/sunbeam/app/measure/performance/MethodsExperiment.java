@@ -49,8 +49,11 @@ final class MethodsExperiment {
         for (Average average : Average.values()) {
             GaussianArea area = scale.area().with(average);
             for (double tolerance : scale.tolerances()) {
-                String table = "table, %s, tolerance %s"
-                        .formatted(average.name().toLowerCase(Locale.ROOT), PerformancePage.power(tolerance));
+                String table = String.format(
+                        Locale.ROOT,
+                        "table, %s, tolerance %s",
+                        average.name().toLowerCase(Locale.ROOT),
+                        PerformancePage.power(tolerance));
                 add(table, new TableMethod(tolerance, area), "");
             }
         }

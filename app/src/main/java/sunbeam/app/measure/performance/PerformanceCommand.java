@@ -156,6 +156,7 @@ public final class PerformanceCommand implements Callable<Integer> {
                         loadBefore,
                         after,
                         processors);
-        return "%s, %d processors, %s".formatted(context.info().renderer(), processors, load);
+        return String.format(
+                Locale.ROOT, "%s, %d processors, %s", context.info().renderer(), processors, load);
     }
 }

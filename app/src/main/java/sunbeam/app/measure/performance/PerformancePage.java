@@ -173,7 +173,8 @@ record PerformancePage(String machine, Scale scale, String folder, List<PatchFig
     }
 
     private void addPicture(StringBuilder page, String stem, String title) {
-        page.append("![%s](%s/%s.png)%n([table](%s/%s.csv))%n%n".formatted(title, folder, stem, folder, stem));
+        page.append(String.format(
+                Locale.ROOT, "![%s](%s/%s.png)%n([table](%s/%s.csv))%n%n", title, folder, stem, folder, stem));
     }
 
     private static void addRemarks(StringBuilder page, List<String> remarks) {
@@ -192,7 +193,9 @@ record PerformancePage(String machine, Scale scale, String folder, List<PatchFig
         if (Double.isNaN(microseconds)) {
             return "";
         }
-        return microseconds < 1 ? "%.0f ns".formatted(1e3 * microseconds) : figures(microseconds) + " us";
+        return microseconds < 1
+                ? String.format(Locale.ROOT, "%.0f ns", 1e3 * microseconds)
+                : figures(microseconds) + " us";
     }
 
     /** Three figures, without an exponent. */

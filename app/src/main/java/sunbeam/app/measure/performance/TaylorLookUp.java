@@ -3,6 +3,7 @@ package sunbeam.app.measure.performance;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.function.BinaryOperator;
 import java.util.stream.IntStream;
@@ -99,14 +100,14 @@ final class TaylorLookUp {
 
     private static Measured row(Best best, String numbers, Grid grid) {
         return new Measured(
-                "look-up of Dhillon et al. 2014, N = %d, %s".formatted(best.n(), numbers),
+                String.format(Locale.ROOT, "look-up of Dhillon et al. 2014, N = %d, %s", best.n(), numbers),
                 Optional.of(best.errors()),
                 Double.NaN,
                 Optional.empty(),
                 Double.NaN,
                 grid.microseconds(),
                 grid.bytes(),
-                "%d tables; error of the basis alone%s".formatted(2 * best.n() + 1, grid.remark()));
+                String.format(Locale.ROOT, "%d tables; error of the basis alone%s", 2 * best.n() + 1, grid.remark()));
     }
 
     /** What its tables take over the grid of a table of colours, and a look-up among them. */
@@ -121,7 +122,7 @@ final class TaylorLookUp {
         int room = (int) Math.sqrt((double) MOST_BYTES / (tables * CHANNELS * Float.BYTES));
         int side = Math.min(wanted, room);
         String smaller = side < wanted
-                ? "; timed on tables of %d x %d texels, with fewer cache misses".formatted(side, side)
+                ? String.format(Locale.ROOT, "; timed on tables of %d x %d texels, with fewer cache misses", side, side)
                 : "";
         return new Grid(
                 (long) wanted * wanted * tables * CHANNELS * Float.BYTES,

@@ -1,6 +1,7 @@
 package sunbeam.app.terminal.options;
 
 import java.util.List;
+import java.util.Locale;
 import sunbeam.app.terminal.SettingOptions;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.setting.Kinds;
@@ -35,7 +36,7 @@ public final class LightOptions extends SettingOptions {
 
     /** The angles, for metadata. */
     public String describe() {
-        return "theta %s, phi %s degrees".formatted(degrees(THETA_I), degrees(PHI_I));
+        return String.format(Locale.ROOT, "theta %s, phi %s degrees", degrees(THETA_I), degrees(PHI_I));
     }
 
     private double degrees(Setting<Double> angle) {

@@ -3,6 +3,7 @@ package sunbeam.precompute.scan.format;
 import java.io.IOException;
 import java.nio.ByteOrder;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import sunbeam.precompute.scan.ByteCursor;
 import sunbeam.precompute.scan.Extent;
@@ -56,8 +57,11 @@ final class DigitalSurfReader implements ScanReader {
         cursor.moveTo(TYPE);
         int type = cursor.unsigned16();
         if (objects != 1 || type != SURFACE) {
-            throw new ScanException("holds %d objects of type %d and no single surface; export the surface alone"
-                    .formatted(objects, type));
+            throw new ScanException(String.format(
+                    Locale.ROOT,
+                    "holds %d objects of type %d and no single surface; export the surface alone",
+                    objects,
+                    type));
         }
         cursor.moveTo(SPECIAL_POINTS);
         boolean special = cursor.unsigned16() == 1;
@@ -103,7 +107,8 @@ final class DigitalSurfReader implements ScanReader {
 
         static Inversion of(int code) {
             if (code >= values().length) {
-                throw new ScanException("is turned over in the unknown way %d; export it again".formatted(code));
+                throw new ScanException(
+                        String.format(Locale.ROOT, "is turned over in the unknown way %d; export it again", code));
             }
             return values()[code];
         }

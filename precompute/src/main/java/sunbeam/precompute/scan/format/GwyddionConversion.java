@@ -61,18 +61,23 @@ public final class GwyddionConversion {
                 .map(Path::toString);
     }
 
+    /** Whether there is a Gwyddion, and a display or the means of having one. */
+    public boolean isInstalled() {
+        return !command().isEmpty();
+    }
+
     /**
-     * Converts a file.
+     * Converts a file; to be called where Gwyddion is installed.
      *
      * @param scan in any format
      * @param folder for the result; its owner deletes it
-     * @return the file in Gwyddion's format; nothing when Gwyddion is not installed, or has no display
+     * @return the file in Gwyddion's format
      * @throws ScanException when Gwyddion does not know the format either
      */
-    public Optional<Path> convert(Path scan, Path folder) throws IOException {
+    public Path convert(Path scan, Path folder) throws IOException {
         List<String> words = new ArrayList<>(command());
         if (words.isEmpty()) {
-            return Optional.empty();
+            throw new IllegalStateException("Gwyddion is not installed");
         }
         Path converted = folder.resolve(CONVERTED);
         Path said = folder.resolve(SAID);
@@ -89,7 +94,7 @@ public final class GwyddionConversion {
                     + (ended ? lastLine(said) : "no answer within " + MOST_SECONDS + " s")
                     + "); export it as .gwy, .gsf or text");
         }
-        return Optional.of(converted);
+        return converted;
     }
 
     private static boolean waitFor(Process process) throws IOException {

@@ -2,6 +2,7 @@ package sunbeam.precompute.scan.format;
 
 import java.io.IOException;
 import java.util.LinkedHashMap;
+import java.util.Locale;
 import java.util.Map;
 import sunbeam.precompute.scan.ByteCursor;
 import sunbeam.precompute.scan.ScanBytes;
@@ -31,7 +32,8 @@ record GwyddionObject(Map<String, Object> items) {
 
     private static GwyddionObject read(ScanBytes file, ByteCursor cursor, int depth) throws IOException {
         if (depth > DEEPEST) {
-            throw new ScanException("nests objects more than %d deep; save it anew with Gwyddion".formatted(DEEPEST));
+            throw new ScanException(
+                    String.format(Locale.ROOT, "nests objects more than %d deep; save it anew with Gwyddion", DEEPEST));
         }
         cursor.textToNul(LONGEST_NAME);
         long size = cursor.unsigned32();
@@ -40,7 +42,8 @@ record GwyddionObject(Map<String, Object> items) {
         Map<String, Object> items = new LinkedHashMap<>();
         while (cursor.position() < end) {
             if (items.size() > MOST_ITEMS) {
-                throw new ScanException("has more than %d parts; save its height channel alone".formatted(MOST_ITEMS));
+                throw new ScanException(String.format(
+                        Locale.ROOT, "has more than %d parts; save its height channel alone", MOST_ITEMS));
             }
             String name = cursor.textToNul(LONGEST_NAME);
             Object value = value(file, cursor, (char) cursor.unsignedByte(), depth);
@@ -49,8 +52,8 @@ record GwyddionObject(Map<String, Object> items) {
             }
         }
         if (cursor.position() != end) {
-            throw new ScanException(
-                    "has parts that overlap at position %d; the file is damaged, save it again".formatted(end));
+            throw new ScanException(String.format(
+                    Locale.ROOT, "has parts that overlap at position %d; the file is damaged, save it again", end));
         }
         return new GwyddionObject(items);
     }
@@ -89,8 +92,11 @@ record GwyddionObject(Map<String, Object> items) {
                 }
             }
             default ->
-                throw new ScanException("has a part of the unknown type '%s' at position %d; save it anew with"
-                                .formatted(type, cursor.position() - 1)
+                throw new ScanException(String.format(
+                                Locale.ROOT,
+                                "has a part of the unknown type '%s' at position %d; save it anew with",
+                                type,
+                                cursor.position() - 1)
                         + " Gwyddion");
         }
     }
@@ -106,7 +112,8 @@ record GwyddionObject(Map<String, Object> items) {
         if (items.get(name) instanceof Integer value) {
             return value;
         }
-        throw new ScanException("has a data field without %s; save it anew with Gwyddion".formatted(name));
+        throw new ScanException(
+                String.format(Locale.ROOT, "has a data field without %s; save it anew with Gwyddion", name));
     }
 
     double number(String name, double otherwise) {
@@ -117,7 +124,8 @@ record GwyddionObject(Map<String, Object> items) {
         if (items.get(name) instanceof Numbers value) {
             return value;
         }
-        throw new ScanException("has a data field without %s; save it anew with Gwyddion".formatted(name));
+        throw new ScanException(
+                String.format(Locale.ROOT, "has a data field without %s; save it anew with Gwyddion", name));
     }
 
     /** The unit that a component holds as an object of its own; empty without one. */

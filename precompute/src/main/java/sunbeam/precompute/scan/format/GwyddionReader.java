@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.ByteOrder;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.regex.Matcher;
@@ -64,8 +65,12 @@ final class GwyddionReader implements ScanReader {
         int rows = field.integer("yres");
         GwyddionObject.Numbers data = field.numbers("data");
         if (data.count() != (long) columns * rows) {
-            throw new ScanException("has %d samples where %d x %d are announced; the file is damaged, export it again"
-                    .formatted(data.count(), columns, rows));
+            throw new ScanException(String.format(
+                    Locale.ROOT,
+                    "has %d samples where %d x %d are announced; the file is damaged, export it again",
+                    data.count(),
+                    columns,
+                    rows));
         }
         SampleBlock block = new SampleBlock(data.offset(), data.count(), SampleType.FLOAT_64, ByteOrder.LITTLE_ENDIAN);
         Extent extent = Extent.ofPitches(

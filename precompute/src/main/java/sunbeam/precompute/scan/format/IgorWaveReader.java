@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.ByteOrder;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import sunbeam.precompute.scan.ByteCursor;
 import sunbeam.precompute.scan.Direction;
 import sunbeam.precompute.scan.Extent;
@@ -151,7 +152,9 @@ final class IgorWaveReader implements ScanReader {
             case 0x48 -> SampleType.UNSIGNED_8;
             case 0x50 -> SampleType.UNSIGNED_16;
             case 0x60 -> SampleType.UNSIGNED_32;
-            default -> throw new ScanException("holds numbers of Igor's type %d, which are no heights".formatted(code));
+            default ->
+                throw new ScanException(
+                        String.format(Locale.ROOT, "holds numbers of Igor's type %d, which are no heights", code));
         };
     }
 }

@@ -3,6 +3,7 @@ package sunbeam.precompute.scan.format;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import sunbeam.precompute.scan.Direction;
 import sunbeam.precompute.scan.Extent;
 import sunbeam.precompute.scan.Samples;
@@ -88,6 +89,7 @@ final class JpkReader implements ScanReader {
                 return first;
             }
         }
-        throw new ScanException("has a channel without its scaling \"%s\"; export it again".formatted(wanted));
+        throw new ScanException(
+                String.format(Locale.ROOT, "has a channel without its scaling \"%s\"; export it again", wanted));
     }
 }

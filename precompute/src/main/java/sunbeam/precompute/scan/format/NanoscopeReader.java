@@ -91,8 +91,12 @@ final class NanoscopeReader implements ScanReader {
         // Since version 9.2 samples have 32 bits, while "Bytes/pixel" still tells how many steps "Z scale" is about.
         long bytes = length / count;
         if (bytes * count != length) {
-            throw new ScanException("has %d bytes for %d x %d samples; the file is damaged, copy or export it again"
-                    .formatted(length, columns, rows));
+            throw new ScanException(String.format(
+                    Locale.ROOT,
+                    "has %d bytes for %d x %d samples; the file is damaged, copy or export it again",
+                    length,
+                    columns,
+                    rows));
         }
         SampleType type = SampleType.signed((int) Math.min(64, 8 * bytes));
         SampleBlock block = new SampleBlock(offset, count, type, ByteOrder.LITTLE_ENDIAN).requireIn(file);

@@ -5,6 +5,7 @@ import java.nio.ByteOrder;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.TreeMap;
 import sunbeam.precompute.scan.Direction;
@@ -52,7 +53,7 @@ final class NanosurfReader implements ScanReader {
         int groups = Math.min(MOST_GROUPS, HeaderText.integer(set, "GroupCount"));
         for (int group = 0; group < groups; group++) {
             for (int number = 0; number < MOST_PER_GROUP; number++) {
-                String name = set.get("Gr%d-Ch%d".formatted(group, number));
+                String name = set.get(String.format(Locale.ROOT, "Gr%d-Ch%d", group, number));
                 Map<String, String> section = name == null ? null : sections.get(name);
                 if (section != null) {
                     offset += add(channels, file, section, offset);
@@ -88,7 +89,8 @@ final class NanosurfReader implements ScanReader {
         String mode = section.getOrDefault("SaveMode", "Binary");
         String sign = section.getOrDefault("SaveSign", "Signed");
         if (!mode.equals("Binary") || !sign.equals("Signed")) {
-            throw new ScanException("stores samples as %s, %s; export it in another format".formatted(mode, sign));
+            throw new ScanException(
+                    String.format(Locale.ROOT, "stores samples as %s, %s; export it in another format", mode, sign));
         }
         ByteOrder order = section.getOrDefault("SaveOrder", "Intel").equals("Intel")
                 ? ByteOrder.LITTLE_ENDIAN

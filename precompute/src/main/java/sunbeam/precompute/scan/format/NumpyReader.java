@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
+import java.util.Locale;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import sunbeam.precompute.scan.ByteCursor;
@@ -45,8 +46,8 @@ final class NumpyReader implements ScanReader {
         long length = version == 1 ? cursor.unsigned16() : cursor.unsigned32();
         long start = cursor.position() + length;
         if (length > ScanBytes.LARGEST_HEADER) {
-            throw new ScanException(
-                    "claims a header of %d bytes; the file is damaged, save it again".formatted(length));
+            throw new ScanException(String.format(
+                    Locale.ROOT, "claims a header of %d bytes; the file is damaged, save it again", length));
         }
         String header = new String(file.read(cursor.position(), (int) length).array(), StandardCharsets.ISO_8859_1);
         Matcher type = find(TYPE, header, "holds no plain numbers");

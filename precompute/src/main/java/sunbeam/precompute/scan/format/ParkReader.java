@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
+import java.util.Locale;
 import sunbeam.precompute.scan.ByteCursor;
 import sunbeam.precompute.scan.Direction;
 import sunbeam.precompute.scan.Extent;
@@ -74,8 +75,13 @@ final class ParkReader implements ScanReader {
         SampleBlock block = new SampleBlock(page.position(DATA), (long) columns * rows, type, ByteOrder.LITTLE_ENDIAN)
                 .requireIn(file);
         if (block.bytes() > page.bytes(DATA)) {
-            throw new ScanException("has %d bytes of samples where %d x %d take %d; copy or export it again"
-                    .formatted(page.bytes(DATA), columns, rows, block.bytes()));
+            throw new ScanException(String.format(
+                    Locale.ROOT,
+                    "has %d bytes of samples where %d x %d take %d; copy or export it again",
+                    page.bytes(DATA),
+                    columns,
+                    rows,
+                    block.bytes()));
         }
         return List.of(new ScanChannel(
                 wide(file, header + NAME, 32),
@@ -98,7 +104,8 @@ final class ParkReader implements ScanReader {
             case 1 -> SampleType.SIGNED_32;
             case 2 -> SampleType.FLOAT_32;
             default ->
-                throw new ScanException("stores samples of the unknown type %d; export it again".formatted(code));
+                throw new ScanException(
+                        String.format(Locale.ROOT, "stores samples of the unknown type %d; export it again", code));
         };
     }
 

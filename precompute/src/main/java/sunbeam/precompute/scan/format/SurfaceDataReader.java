@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.ByteOrder;
 import java.util.HashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import sunbeam.precompute.scan.ByteCursor;
 import sunbeam.precompute.scan.Extent;
@@ -119,7 +120,8 @@ final class SurfaceDataReader implements ScanReader {
             case 6 -> SampleType.SIGNED_32;
             case 7 -> SampleType.FLOAT_64;
             default ->
-                throw new ScanException("stores samples of the unknown type %d; export it again".formatted(code));
+                throw new ScanException(
+                        String.format(Locale.ROOT, "stores samples of the unknown type %d; export it again", code));
         };
     }
 }

@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 import sunbeam.precompute.scan.ByteCursor;
@@ -122,8 +123,8 @@ final class TiffPages {
                 rest -= samples;
             }
             if (rest > 0) {
-                throw new ScanException(
-                        "has %d samples fewer than its size asks for; copy or export it again".formatted(rest));
+                throw new ScanException(String.format(
+                        Locale.ROOT, "has %d samples fewer than its size asks for; copy or export it again", rest));
             }
             return strips;
         }
@@ -186,7 +187,8 @@ final class TiffPages {
     private static Map<Integer, Tag> tags(ScanBytes file, ByteCursor cursor) throws IOException {
         int count = cursor.unsigned16();
         if (count > MOST_TAGS) {
-            throw new ScanException("claims %d TIFF tags; the file is damaged, export it again".formatted(count));
+            throw new ScanException(
+                    String.format(Locale.ROOT, "claims %d TIFF tags; the file is damaged, export it again", count));
         }
         Map<Integer, Tag> tags = new HashMap<>();
         for (int i = 0; i < count; i++) {

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.ByteOrder;
 import java.util.HashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.regex.Matcher;
@@ -81,7 +82,9 @@ final class WsxmReader implements ScanReader {
             case "short" -> SampleType.SIGNED_16;
             case "float" -> SampleType.FLOAT_32;
             case "double" -> SampleType.FLOAT_64;
-            default -> throw new ScanException("stores samples as \"%s\"; save it with doubles".formatted(name));
+            default ->
+                throw new ScanException(
+                        String.format(Locale.ROOT, "stores samples as \"%s\"; save it with doubles", name));
         };
     }
 

@@ -5,6 +5,7 @@ import java.io.InputStream;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.HashMap;
+import java.util.Locale;
 import java.util.Map;
 import javax.xml.stream.XMLInputFactory;
 import javax.xml.stream.XMLStreamConstants;
@@ -143,8 +144,8 @@ record X3pHeader(
             throw new ScanException("has a main.xml that is no valid XML; copy or export it again", broken);
         }
         if (read < count) {
-            throw new ScanException(
-                    "has %d samples where %d are announced; copy or export it again".formatted(read, count));
+            throw new ScanException(String.format(
+                    Locale.ROOT, "has %d samples where %d are announced; copy or export it again", read, count));
         }
         return samples;
     }

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.nio.ByteOrder;
 import java.util.List;
+import java.util.Locale;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipFile;
 import sunbeam.precompute.scan.Extent;
@@ -59,15 +60,20 @@ final class X3pReader implements ScanReader {
         ZipEntry entry = archive.getEntry(header.pointData());
         long needed = (long) header.columns() * header.rows() * header.type().size();
         if (entry == null || entry.getSize() < needed) {
-            throw new ScanException("has %s bytes of samples where %d x %d take %d; copy or export it again"
-                    .formatted(entry == null ? "no" : entry.getSize(), header.columns(), header.rows(), needed));
+            throw new ScanException(String.format(
+                    Locale.ROOT,
+                    "has %s bytes of samples where %d x %d take %d; copy or export it again",
+                    entry == null ? "no" : entry.getSize(),
+                    header.columns(),
+                    header.rows(),
+                    needed));
         }
     }
 
     private static InputStream member(ZipFile archive, String name) throws IOException {
         ZipEntry entry = archive.getEntry(name);
         if (entry == null || entry.isDirectory()) {
-            throw new ScanException("has no member %s; copy or export it again".formatted(name));
+            throw new ScanException(String.format(Locale.ROOT, "has no member %s; copy or export it again", name));
         }
         return archive.getInputStream(entry);
     }

@@ -1,5 +1,6 @@
 package sunbeam.precompute.scan.text;
 
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -83,7 +84,11 @@ public final class HeaderText {
         String value = values.get(name);
         return new ScanException(
                 value == null
-                        ? "has no \"%s\" in its header; copy or export it again".formatted(name)
-                        : "has %s for \"%s\" in its header; export it again".formatted(Quoted.of(value), name));
+                        ? String.format(Locale.ROOT, "has no \"%s\" in its header; copy or export it again", name)
+                        : String.format(
+                                Locale.ROOT,
+                                "has %s for \"%s\" in its header; export it again",
+                                Quoted.of(value),
+                                name));
     }
 }

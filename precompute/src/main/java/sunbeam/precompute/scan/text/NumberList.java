@@ -3,6 +3,7 @@ package sunbeam.precompute.scan.text;
 import java.io.IOException;
 import java.io.InputStream;
 import java.util.Arrays;
+import java.util.Locale;
 import sunbeam.precompute.scan.ScanException;
 import sunbeam.precompute.scan.ScanLimits;
 
@@ -22,8 +23,11 @@ public final class NumberList {
         double[] numbers = new double[(int) Math.min(count, 1 << 16)];
         for (int i = 0; i < Math.min(count, 3 * ScanLimits.MOST_SAMPLES); i++) {
             if (!stream.next()) {
-                throw new ScanException(
-                        "has %d numbers where its header announces %d; copy or export it again".formatted(i, count));
+                throw new ScanException(String.format(
+                        Locale.ROOT,
+                        "has %d numbers where its header announces %d; copy or export it again",
+                        i,
+                        count));
             }
             if (i == numbers.length) {
                 numbers = Arrays.copyOf(numbers, (int) Math.min(count, 2L * numbers.length));

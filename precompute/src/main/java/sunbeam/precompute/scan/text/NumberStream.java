@@ -141,8 +141,11 @@ final class NumberStream {
                 return;
             }
             if (wordLength == LONGEST_WORD) {
-                throw new ScanException("has a word of more than %d characters in line %d, which is no number"
-                        .formatted(LONGEST_WORD, line));
+                throw new ScanException(String.format(
+                        Locale.ROOT,
+                        "has a word of more than %d characters in line %d, which is no number",
+                        LONGEST_WORD,
+                        line));
             }
             word[wordLength++] = (byte) c;
         }
@@ -207,7 +210,7 @@ final class NumberStream {
             return Double.NaN;
         }
         return HeaderText.number(text)
-                .orElseThrow(() -> new ScanException(
-                        "has %s in line %d, where a number should be".formatted(Quoted.of(text), line)));
+                .orElseThrow(() -> new ScanException(String.format(
+                        Locale.ROOT, "has %s in line %d, where a number should be", Quoted.of(text), line)));
     }
 }

@@ -1,6 +1,7 @@
 package sunbeam.precompute.scan.text;
 
 import java.util.Arrays;
+import java.util.Locale;
 import java.util.Optional;
 import sunbeam.precompute.scan.ScanException;
 
@@ -95,8 +96,11 @@ record PointGrid(Axis axisX, Axis axisY, double[] heights) {
             int row = axisY.count - 1 - axisY.index(y[i]);
             int cell = row * axisX.count + axisX.index(x[i]);
             if (taken[cell]) {
-                throw new ScanException("has two points at x = %s, y = %s; export the scan as a matrix or as .gwy"
-                        .formatted(x[i], y[i]));
+                throw new ScanException(String.format(
+                        Locale.ROOT,
+                        "has two points at x = %s, y = %s; export the scan as a matrix or as .gwy",
+                        x[i],
+                        y[i]));
             }
             taken[cell] = true;
             heights[cell] = z[i];

@@ -140,8 +140,10 @@ record TextFacts(
             OptionalDouble number = HeaderText.number(text);
             double value = number.orElse(0);
             if (value < 1 || value > Integer.MAX_VALUE || value != Math.rint(value)) {
-                throw new ScanException("says %s in its header for the size of its rows or columns; mend the header"
-                        .formatted(Quoted.of(text)));
+                throw new ScanException(String.format(
+                        Locale.ROOT,
+                        "says %s in its header for the size of its rows or columns; mend the header",
+                        Quoted.of(text)));
             }
             return (int) value;
         });

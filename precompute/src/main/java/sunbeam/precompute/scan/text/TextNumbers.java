@@ -1,6 +1,7 @@
 package sunbeam.precompute.scan.text;
 
 import java.io.IOException;
+import java.util.Locale;
 import sunbeam.precompute.scan.ScanBytes;
 import sunbeam.precompute.scan.ScanException;
 import sunbeam.precompute.scan.ScanLimits;
@@ -51,8 +52,10 @@ final class TextNumbers {
             inRow++;
             // Three numbers a point.
             if (++count > 3 * ScanLimits.MOST_SAMPLES) {
-                throw new ScanException("has more than %d numbers, more than can be used; crop the scan"
-                        .formatted(3 * ScanLimits.MOST_SAMPLES));
+                throw new ScanException(String.format(
+                        Locale.ROOT,
+                        "has more than %d numbers, more than can be used; crop the scan",
+                        3 * ScanLimits.MOST_SAMPLES));
             }
         }
         columns = rows == 1 ? inRow : columns;
@@ -93,8 +96,12 @@ final class TextNumbers {
     /** @throws ScanException naming the line with more or fewer numbers than the first */
     void requireRectangular() {
         if (!isRectangular()) {
-            throw new ScanException("has %d numbers in line %d, but %d in its first row; export it again"
-                    .formatted(raggedCount, raggedLine, columns));
+            throw new ScanException(String.format(
+                    Locale.ROOT,
+                    "has %d numbers in line %d, but %d in its first row; export it again",
+                    raggedCount,
+                    raggedLine,
+                    columns));
         }
     }
 

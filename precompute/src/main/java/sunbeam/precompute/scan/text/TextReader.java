@@ -2,6 +2,7 @@ package sunbeam.precompute.scan.text;
 
 import java.io.IOException;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -60,8 +61,12 @@ public final class TextReader implements ScanReader {
         boolean asSaid = facts.columns().isPresent() && facts.rows().isPresent();
         long rows = asSaid ? facts.rows().get() : numbers.count() / columns;
         if (columns * rows != numbers.count()) {
-            throw new ScanException("has %d numbers where its header announces %d x %d; export it again"
-                    .formatted(numbers.count(), columns, rows));
+            throw new ScanException(String.format(
+                    Locale.ROOT,
+                    "has %d numbers where its header announces %d x %d; export it again",
+                    numbers.count(),
+                    columns,
+                    rows));
         }
         Extent extent = new Extent(facts.width(), facts.height(), 1);
         return new ScanChannel(facts.channel(), toInt(columns), toInt(rows), extent, facts.unit(), numbers::read);

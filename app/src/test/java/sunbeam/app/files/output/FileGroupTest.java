@@ -1,0 +1,129 @@
+package sunbeam.app.files.output;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeSet;
+import java.util.concurrent.CyclicBarrier;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+final class FileGroupTest {
+    private static final List<String> ENDINGS = List.of(".png", ".csv", ".json");
+    private static final int WRITERS = 4;
+    /** Looking for a free name first lets two choose the same in nearly every race. */
+    private static final int RACES = 50;
+
+    @TempDir
+    private Path folder;
+
+    private static Map<String, AtomicFile.StreamContent> contents(String text) {
+        Map<String, AtomicFile.StreamContent> contents = new LinkedHashMap<>();
+        ENDINGS.forEach(ending -> contents.put(ending, stream -> stream.write(text.getBytes(StandardCharsets.UTF_8))));
+        return contents;
+    }
+
+    private FileGroup group(Overwrite overwrite) {
+        return new FileGroup(folder.resolve("blaze"), ENDINGS, overwrite);
+    }
+
+    private List<String> names() {
+        return new ArrayList<>(new TreeSet<>(List.of(folder.toFile().list())));
+    }
+
+    @Test
+    void allFilesHaveOneNumberAlsoWhereOneNameAloneIsTaken() throws IOException {
+        Files.writeString(folder.resolve("blaze.csv"), "somebody's");
+        Files.writeString(folder.resolve("blaze-2.json"), "somebody's");
+
+        List<Path> places = group(Overwrite.NUMBER).write(contents("new"));
+
+        assertThat(places)
+                .extracting(place -> place.getFileName().toString())
+                .containsExactly("blaze-3.png", "blaze-3.csv", "blaze-3.json");
+        assertThat(names()).containsExactly("blaze-2.json", "blaze-3.csv", "blaze-3.json", "blaze-3.png", "blaze.csv");
+        assertThat(folder.resolve("blaze.csv")).hasContent("somebody's");
+    }
+
+    @Test
+    void noneAppearsWhereOneMayNotBeReplaced() throws IOException {
+        FileGroup group = group(Overwrite.REFUSE);
+        Map<String, AtomicFile.StreamContent> contents = contents("new");
+        // Somebody's file appears while the last one is written.
+        contents.put(".json", stream -> Files.writeString(folder.resolve("blaze.csv"), "somebody's"));
+
+        assertThatThrownBy(() -> group.write(contents))
+                .isInstanceOf(OutputException.class)
+                .hasMessageContaining("blaze.csv: it exists; add --force");
+        assertThat(names()).containsExactly("blaze.csv");
+        assertThat(folder.resolve("blaze.csv")).hasContent("somebody's");
+    }
+
+    @Test
+    void noneAppearsWhereTheContentOfOneFails() {
+        Map<String, AtomicFile.StreamContent> contents = contents("new");
+        contents.put(".json", stream -> {
+            throw new IOException("No space left on device");
+        });
+
+        assertThatThrownBy(() -> group(Overwrite.NUMBER).write(contents)).hasMessageContaining("free some space");
+        assertThat(names()).isEmpty();
+    }
+
+    @Test
+    void allAreReplacedWhereTheyMayBe() throws IOException {
+        Files.writeString(folder.resolve("blaze.csv"), "old");
+        group(Overwrite.REPLACE).write(contents("new"));
+        assertThat(names()).containsExactly("blaze.csv", "blaze.json", "blaze.png");
+        assertThat(folder.resolve("blaze.csv")).hasContent("new");
+    }
+
+    @Test
+    void writersAtTheSameMomentHaveGroupsOfTheirOwn() throws Exception {
+        ExecutorService threads = Executors.newFixedThreadPool(WRITERS);
+        try {
+            for (int race = 0; race < RACES; race++) {
+                Path stem = folder.resolve("race" + race);
+                CyclicBarrier start = new CyclicBarrier(WRITERS);
+                List<Future<List<Path>>> writers = new ArrayList<>();
+                for (int writer = 0; writer < WRITERS; writer++) {
+                    String text = "writer " + writer;
+                    writers.add(threads.submit(() -> {
+                        FileGroup group = new FileGroup(stem, ENDINGS, Overwrite.NUMBER);
+                        group.checkWritable();
+                        start.await();
+                        return group.write(contents(text));
+                    }));
+                }
+                for (int writer = 0; writer < WRITERS; writer++) {
+                    List<Path> places = writers.get(writer).get();
+                    assertThat(places).hasSize(ENDINGS.size());
+                    for (Path place : places) {
+                        assertThat(place).hasContent("writer " + writer);
+                    }
+                }
+            }
+        } finally {
+            threads.shutdownNow();
+        }
+        assertThat(names()).hasSize(RACES * WRITERS * ENDINGS.size());
+    }
+
+    @Test
+    void standardOutputTakesNoGroup() {
+        assertThatThrownBy(() -> new FileGroup(Path.of("-"), ENDINGS, Overwrite.REFUSE))
+                .isInstanceOf(OutputException.class)
+                .hasMessageContaining("several files to standard output");
+    }
+}

@@ -1,0 +1,258 @@
+package sunbeam.app.longrun;
+
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import java.util.function.Predicate;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
+import java.util.zip.CRC32;
+import javax.imageio.ImageIO;
+
+/** Pieces of work that take long because of their number of parts, made small here. */
+enum LongWork {
+    /** Twenty-one pictures of three small patches; a part is a picture. The cache has their tables. */
+    FIGURES(1) {
+        @Override
+        void prepare(Place place) throws IOException {
+            Path patches = Files.createDirectories(place.folder().resolve("patches"));
+            for (String name : List.of("blaze", "elaphe", "xenopeltis")) {
+                BufferedImage image = new BufferedImage(24, 24, BufferedImage.TYPE_BYTE_GRAY);
+                for (int i = 0; i < 24 * 24; i++) {
+                    image.getRaster().setSample(i % 24, i / 24, 0, i % 24 * (5 + name.length() / 2));
+                }
+                ImageIO.write(image, "png", patches.resolve(name + ".png").toFile());
+                Files.writeString(
+                        patches.resolve(name + ".json"),
+                        "{\"heights\": \"" + name + ".png\", \"width\": \"2.5 um\", \"maxHeight\": \"250 nm\"}");
+            }
+        }
+
+        @Override
+        List<String> command(Place place) {
+            return List.of("figures --only 5.3,5.4 --size 24 --patches patches --output out".split(" "));
+        }
+
+        @Override
+        Map<String, String> parts(Place place) {
+            return files(place.folder().resolve("out"), name -> name.endsWith(".png"), LongWork::identity);
+        }
+    },
+    /** Twelve frames and a GIF; a part is a frame. */
+    ANIMATION(1) {
+        @Override
+        List<String> command(Place place) {
+            return List.of(
+                    ("render elaphe --mesh plane --patch blaze --texture none --size 32x24 --turntable 12 --resume"
+                                    + " --output out")
+                            .split(" "));
+        }
+
+        @Override
+        Map<String, String> parts(Place place) {
+            return files(place.folder().resolve("out"), name -> name.startsWith("frame-"), LongWork::identity);
+        }
+    },
+    /** A table of colours and a map from it; a part is a batch of colours. Each has a cache of its own. */
+    TABLE(1) {
+        @Override
+        List<String> command(Place place) {
+            return List.of("brdf-map --method table --patch blaze --size 24 --tolerance 0.003 --force --output out.png"
+                    .split(" "));
+        }
+
+        @Override
+        Path cache(Place place) {
+            return place.folder().resolve("cache");
+        }
+
+        /** Until the table is there in their place. */
+        @Override
+        boolean partsStay(Place place) {
+            return files(cache(place).resolve("sunbeam"), name -> name.endsWith(".tables"), LongWork::identity)
+                    .isEmpty();
+        }
+
+        @Override
+        Map<String, String> parts(Place place) {
+            Map<String, String> parts = new TreeMap<>();
+            UnfinishedColours.find(cache(place)).forEach(file -> parts.putAll(UnfinishedColours.batches(file)));
+            return parts;
+        }
+
+        @Override
+        int finished(Place place) {
+            return UnfinishedColours.count(cache(place));
+        }
+
+        @Override
+        UnfinishedColours.Watch watch(Place place) {
+            return UnfinishedColours.watch(cache(place));
+        }
+
+        @Override
+        Map<String, String> result(Place place) {
+            Map<String, String> result = files(place.folder(), name -> name.endsWith(".png"), LongWork::content);
+            result.putAll(files(cache(place).resolve("sunbeam"), name -> !name.endsWith(".lock"), LongWork::content));
+            return result;
+        }
+    },
+    /** Errors on one small patch; a part is a batch of exact values. Its times differ from run to run. */
+    ACCURACY(10) {
+        @Override
+        List<String> command(Place place) {
+            return List.of("accuracy --quick --patch sinusoid --force --output out".split(" "));
+        }
+
+        /** A batch that was computed twice stands there twice. */
+        @Override
+        Map<String, String> parts(Place place) {
+            Map<String, String> parts = new TreeMap<>();
+            for (String line : lines(place)) {
+                String[] fields = line.split("\t", -1);
+                // A line that was cut off is no part.
+                if (fields.length == 3 && fields[0].equals(checksum(fields[1] + "\t" + fields[2]))) {
+                    parts.merge(fields[1], line, (one, other) -> one + " and again " + other);
+                }
+            }
+            return parts;
+        }
+
+        private String[] lines(Place place) {
+            Path file = place.folder().resolve("out/exact-values.txt");
+            return Files.exists(file) ? content(file).split("\n", -1) : new String[0];
+        }
+
+        @Override
+        int finished(Place place) {
+            return lines(place).length / LINES_OF_A_BATCH;
+        }
+
+        @Override
+        Map<String, String> result(Place place) {
+            Map<String, String> result =
+                    files(place.folder().resolve("out"), name -> !name.contains("-methods."), LongWork::content);
+            Path methods = place.folder().resolve("out/sinusoid-methods.csv");
+            // Microseconds a pixel and how many times as fast end the rows.
+            result.put("methods", content(methods).replaceAll("(?m),[^,]*,[^,]*$", ""));
+            result.computeIfPresent(
+                    "README.md", (name, text) -> ROW_WITH_TIMES.matcher(text).replaceAll("$1 times |$2"));
+            // In another order where batches were computed in other runs.
+            result.computeIfPresent(
+                    "exact-values.txt",
+                    (name, text) -> String.join("\n", new TreeSet<>(List.of(text.split("\n", -1)))));
+            return result;
+        }
+    };
+
+    /**
+     * Where it is done.
+     *
+     * @param folder the working folder
+     * @param cache of tables, which all runs share
+     */
+    record Place(Path folder, Path cache) {}
+
+    /** Patch, method, median, 95th percentile; then the times; then a remark. */
+    private static final Pattern ROW_WITH_TIMES =
+            Pattern.compile("(?m)^((?:\\| [^|\n]+){4}\\|)[^|\n]*\\|[^|\n]*\\|([^|\n]*\\|)$");
+
+    /** An empty one, and the batch. */
+    private static final int LINES_OF_A_BATCH = 2;
+
+    private final int slowness;
+
+    LongWork(int slowness) {
+        this.slowness = slowness;
+    }
+
+    /** By what the number of kills is divided. */
+    int slowness() {
+        return slowness;
+    }
+
+    /** Makes the folder's inputs. */
+    void prepare(Place place) throws IOException {
+        Files.createDirectories(place.folder());
+    }
+
+    /** The command line, the same for a first run and for the one that goes on. */
+    abstract List<String> command(Place place);
+
+    /** What is finished, by name, with what would change were it made again. */
+    abstract Map<String, String> parts(Place place);
+
+    /** Whether the parts are still there; others have what they were for in their place. */
+    boolean partsStay(Place place) {
+        return true;
+    }
+
+    /** About how many parts are finished, quickly, while a process works. */
+    int finished(Place place) {
+        return parts(place).size();
+    }
+
+    Path cache(Place place) {
+        return place.cache();
+    }
+
+    /** Looks on while a run goes on; this one at nothing. */
+    UnfinishedColours.Watch watch(Place place) {
+        return UnfinishedColours.nothing();
+    }
+
+    /** The files that a run leaves in the end, save for times. */
+    Map<String, String> result(Place place) {
+        return files(place.folder().resolve("out"), name -> true, LongWork::content);
+    }
+
+    private interface Look {
+        String at(Path file);
+    }
+
+    static Map<String, String> files(Path folder, Predicate<String> wanted, Look look) {
+        Map<String, String> all = new TreeMap<>();
+        if (!Files.isDirectory(folder)) {
+            return all;
+        }
+        try (Stream<Path> files = Files.list(folder)) {
+            files.filter(file -> wanted.test(file.getFileName().toString()))
+                    // What a killed process was writing goes when the next one writes there.
+                    .filter(file -> !file.getFileName().toString().startsWith(".sunbeam-"))
+                    .forEach(file -> all.put(file.getFileName().toString(), look.at(file)));
+        } catch (IOException failure) {
+            throw new UncheckedIOException(failure);
+        }
+        return all;
+    }
+
+    static String content(Path file) {
+        try {
+            return Files.readString(file, StandardCharsets.ISO_8859_1);
+        } catch (IOException failure) {
+            throw new UncheckedIOException(failure);
+        }
+    }
+
+    private static String checksum(String text) {
+        CRC32 checksum = new CRC32();
+        checksum.update(text.getBytes(StandardCharsets.ISO_8859_1));
+        return Long.toHexString(checksum.getValue());
+    }
+
+    /** A file that was written again is another one, or has another time. */
+    static String identity(Path file) {
+        try {
+            return Files.getAttribute(file, "unix:ino") + " " + Files.getLastModifiedTime(file);
+        } catch (IOException failure) {
+            throw new UncheckedIOException(failure);
+        }
+    }
+}

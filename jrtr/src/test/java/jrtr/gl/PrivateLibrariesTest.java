@@ -1,0 +1,175 @@
+package jrtr.gl;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.io.IOException;
+import java.nio.channels.FileChannel;
+import java.nio.channels.FileLock;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
+import java.nio.file.attribute.PosixFilePermissions;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import java.util.stream.Stream;
+import jrtr.GraphicsException;
+import jrtr.RenderContext;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** The libraries of a program that was started without the launcher, which would have told JOGL where they lie. */
+@NeedsDisplay
+class PrivateLibrariesTest {
+    @TempDir
+    private Path root;
+
+    private Path temporary;
+
+    @BeforeEach
+    void makeATemporaryFolder() throws IOException {
+        temporary = Files.createDirectory(root.resolve("temporary"));
+        Files.setPosixFilePermissions(temporary, PosixFilePermissions.fromString("rwxrwxrwx"));
+    }
+
+    /** Prints each library that it loaded from the folder for temporary files, with the mode of that folder's child. */
+    static final class Program {
+        private Program() {}
+
+        public static void main(String[] arguments) throws IOException {
+            try (RenderContext context = RenderContexts.offscreen()) {
+                Path temporary = Path.of(System.getProperty("java.io.tmpdir")).toRealPath();
+                System.out.println("rendered by " + context.info().renderer());
+                for (String line : Files.readAllLines(Path.of("/proc/self/maps"))) {
+                    int start = line.indexOf('/');
+                    if (start > 0
+                            && line.endsWith(".so")
+                            && Path.of(line.substring(start)).startsWith(temporary)) {
+                        Path library = temporary.relativize(Path.of(line.substring(start)));
+                        Path top = temporary.resolve(library.getName(0));
+                        System.out.println("library "
+                                + PosixFilePermissions.toString(Files.getPosixFilePermissions(top)) + " "
+                                + Files.getOwner(top).getName().equals(System.getProperty("user.name")) + " "
+                                + library);
+                    }
+                }
+            } catch (GraphicsException failure) {
+                System.out.println("failed: " + failure.getMessage());
+            }
+        }
+    }
+
+    private List<String> run(Path temporaryFolder) throws IOException, InterruptedException {
+        Path output = root.resolve("output");
+        ProcessBuilder builder = new ProcessBuilder(
+                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                "-Djava.awt.headless=true",
+                "-XX:-UsePerfData",
+                "-Djava.io.tmpdir=" + temporaryFolder,
+                "-cp",
+                System.getProperty("java.class.path"),
+                Program.class.getName());
+        // JOGL would go on to these.
+        builder.environment().put("TMPDIR", temporaryFolder.toString());
+        builder.environment().put("HOME", root.toString());
+        Process process = builder.redirectErrorStream(true)
+                .redirectOutput(output.toFile())
+                .start();
+        boolean ended = process.waitFor(30, TimeUnit.SECONDS);
+        process.destroyForcibly();
+        assertThat(ended).as("the virtual machine ends by itself").isTrue();
+        return Files.readAllLines(output, StandardCharsets.UTF_8);
+    }
+
+    /** The folders that JOGL takes by itself, made in advance by another user where this one is root. */
+    @Test
+    void nothingIsLoadedFromAFolderThatAnotherUserMade() throws IOException, InterruptedException {
+        assumeTrue(Files.exists(Path.of("/proc/self/maps")), "skipped: only Linux tells what was loaded");
+        for (String name : List.of("jogamp_0000", "jogamp_0001")) {
+            Path foreseen = Files.createDirectories(temporary.resolve(name).resolve("file_cache"));
+            for (Path folder : List.of(foreseen, foreseen.getParent())) {
+                Files.setPosixFilePermissions(folder, PosixFilePermissions.fromString("rwxrwxrwx"));
+                if (System.getProperty("user.name").equals("root")) {
+                    Files.setAttribute(folder, "unix:uid", 65534); // "nobody" by custom
+                }
+            }
+        }
+
+        List<String> lines = run(temporary);
+
+        assertThat(lines).first().asString().startsWith("rendered by ");
+        assertThat(lines.subList(1, lines.size()))
+                .isNotEmpty()
+                .allMatch(line -> line.startsWith("library rwx------ true jrtr-libraries-"));
+        try (Stream<Path> files = Files.walk(temporary)) {
+            // Two folders each, and nothing left behind.
+            assertThat(files.filter(file -> !file.equals(temporary))).hasSize(4);
+        }
+    }
+
+    /** One of a process that was killed, one of a process that lives, and one whose process has just begun. */
+    @Test
+    void whatKilledProcessesLeftIsRemoved() throws IOException, InterruptedException {
+        Path left = Files.createDirectory(temporary.resolve("jrtr-libraries-left"));
+        Files.createFile(left.resolve("held"));
+        Files.createFile(left.resolve("libnewt.so"));
+        Files.createDirectory(temporary.resolve("jrtr-libraries-new"));
+        Path living = Files.createDirectory(temporary.resolve("jrtr-libraries-living"));
+        try (FileChannel channel = FileChannel.open(
+                        living.resolve("held"), StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE);
+                FileLock lock = channel.lock()) {
+            assertThat(lock.isValid()).isTrue();
+            assertThat(run(temporary)).first().asString().startsWith("rendered by ");
+        }
+        try (Stream<Path> files = Files.list(temporary)) {
+            assertThat(files.map(file -> file.getFileName().toString()))
+                    .containsExactlyInAnyOrder("jrtr-libraries-living", "jrtr-libraries-new");
+        }
+    }
+
+    @Test
+    void aMissingFolderForTemporaryFilesIsOneLine() throws IOException, InterruptedException {
+        assertThat(run(root.resolve("missing")))
+                .singleElement()
+                .asString()
+                .startsWith("failed: JOGL's native libraries cannot be unpacked to the folder for temporary files, ")
+                .contains("missing", "-Djava.io.tmpdir=FOLDER");
+    }
+
+    /** 64 kB are less than any of JOGL's libraries. */
+    @Test
+    void aFullFolderForTemporaryFilesIsOneLine() throws IOException, InterruptedException {
+        assumeTrue(
+                succeeds("mount", "-t", "tmpfs", "-o", "size=64k", "tmpfs", temporary.toString()),
+                "skipped: this user cannot mount a small file system");
+        try {
+            List<String> lines = run(temporary);
+
+            assertThat(lines)
+                    .singleElement()
+                    .asString()
+                    .startsWith("failed: ")
+                    .contains("temporary files", "is full, free some space");
+            try (Stream<Path> left = Files.list(temporary)) {
+                assertThat(left).isEmpty();
+            }
+        } finally {
+            assertThat(succeeds("umount", temporary.toString())).isTrue();
+        }
+    }
+
+    private static boolean succeeds(String... command) throws InterruptedException {
+        try {
+            return new ProcessBuilder(command)
+                            .redirectErrorStream(true)
+                            .redirectOutput(ProcessBuilder.Redirect.DISCARD)
+                            .start()
+                            .waitFor()
+                    == 0;
+        } catch (IOException missing) {
+            return false;
+        }
+    }
+}
