@@ -42,6 +42,11 @@ public record ErrorBudget(double tolerance, Roughness roughness) {
     // measured on the patches that average least (docs/error-budget.md).
     private static final double ROUGH_AVERAGING = 8;
     private static final double ROUGH_INTERPOLATION = 36;
+    // On rays of fewer orders, directions that lie together (on one order's skirt, along the lines of a grating) see one
+    // alone: measured on specular and grating orders above a rough ground.
+    private static final double FEW_ORDERS_INTERPOLATION = 8;
+    private static final double FEW_ORDERS_SKIRT = 3.5;
+    private static final double MANY_ORDERS_DEVIATIONS = 200;
     // One direction in ten is darker than the dark ones, where the promise is three times the tolerance.
     private static final double AT_DARK_DIRECTIONS = 2;
 
@@ -107,14 +112,18 @@ public record ErrorBudget(double tolerance, Roughness roughness) {
 
     private double interpolated(Average average) {
         if (roughness.isRough()) {
-            return ROUGH_INTERPOLATION * interpolatedAmplitude();
+            return (seesManyOrders() ? ROUGH_INTERPOLATION : FEW_ORDERS_INTERPOLATION) * interpolatedAmplitude();
         }
         return average == Average.ENSEMBLE ? interpolatedPower() : interpolatedAmplitude();
     }
 
+    private boolean seesManyOrders() {
+        return roughness.deviations() >= MANY_ORDERS_DEVIATIONS;
+    }
+
     private double skirt(Average average) {
         if (roughness.isRough()) {
-            return ROUGH_SKIRT;
+            return seesManyOrders() ? ROUGH_SKIRT : FEW_ORDERS_SKIRT;
         }
         return average == Average.ENSEMBLE ? powerSkirt() : amplitudeSkirt();
     }
