@@ -36,17 +36,14 @@ public record ErrorBudget(double tolerance, Roughness roughness) {
     private static final double WINDOW_SHARE = 0.3;
     private static final double WAVELENGTHS_SHARE = 0.2;
 
-    // On a rough patch: neighbouring orders are alike to a factor, so that none is seen on another's skirt.
-    private static final double ROUGH_SKIRT = 1;
-    // A colour sums dozens of wavelengths over dozens of orders, whose errors are independent there: both factors were
-    // measured on the patches that average least (docs/error-budget.md).
+    // On a rough patch dark skirts are lost in what lies beside them, but for those of the brightest orders (the
+    // specular
+    // spot, an order of a grating) above the ground.
+    private static final double ROUGH_SKIRT = 3.5;
+    // A colour sums dozens of wavelengths over dozens of orders, whose errors are independent there; directions on the
+    // skirt
+    // of one bright order see that one alone, within this factor (docs/error-budget.md).
     private static final double ROUGH_AVERAGING = 8;
-    private static final double ROUGH_INTERPOLATION = 36;
-    // On rays of fewer orders, directions that lie together (on one order's skirt, along the lines of a grating) see one
-    // alone: measured on specular and grating orders above a rough ground.
-    private static final double FEW_ORDERS_INTERPOLATION = 8;
-    private static final double FEW_ORDERS_SKIRT = 3.5;
-    private static final double MANY_ORDERS_DEVIATIONS = 200;
     // One direction in ten is darker than the dark ones, where the promise is three times the tolerance.
     private static final double AT_DARK_DIRECTIONS = 2;
 
@@ -112,18 +109,14 @@ public record ErrorBudget(double tolerance, Roughness roughness) {
 
     private double interpolated(Average average) {
         if (roughness.isRough()) {
-            return (seesManyOrders() ? ROUGH_INTERPOLATION : FEW_ORDERS_INTERPOLATION) * interpolatedAmplitude();
+            return ROUGH_AVERAGING * interpolatedAmplitude();
         }
         return average == Average.ENSEMBLE ? interpolatedPower() : interpolatedAmplitude();
     }
 
-    private boolean seesManyOrders() {
-        return roughness.deviations() >= MANY_ORDERS_DEVIATIONS;
-    }
-
     private double skirt(Average average) {
         if (roughness.isRough()) {
-            return seesManyOrders() ? ROUGH_SKIRT : FEW_ORDERS_SKIRT;
+            return ROUGH_SKIRT;
         }
         return average == Average.ENSEMBLE ? powerSkirt() : amplitudeSkirt();
     }

@@ -67,9 +67,7 @@ class RoughGroundTest {
                 double turn = depth > 0 ? Math.PI / 2 : random.nextDouble(2 * Math.PI);
                 Direction light = Direction.ofDegrees(random.nextDouble(30), random.nextDouble(360));
                 queries.add(seen(
-                        light,
-                        order.apply(i) * WAVELENGTH / PERIOD + aside * Math.cos(turn),
-                        aside * Math.sin(turn)));
+                        light, order.apply(i) * WAVELENGTH / PERIOD + aside * Math.cos(turn), aside * Math.sin(turn)));
             }
             // So that all of the hemisphere counts, as where a map is drawn.
             queries.add(seen(Direction.ofDegrees(72, 180), 1.9, 0.05));
@@ -86,8 +84,7 @@ class RoughGroundTest {
     @EnumSource(Ground.class)
     void skirtsOfBrightOrdersKeepTheTolerance(Ground ground) {
         GaussianArea area = new GaussianArea(WINDOW, WindowOrigin.CENTRE, Average.COHERENT);
-        RandomCase made =
-                new RandomCase(25, "ground", ground.map(), area, TOLERANCE, "skirts", true, ground.queries());
+        RandomCase made = new RandomCase(25, "ground", ground.map(), area, TOLERANCE, "skirts", true, ground.queries());
 
         RandomCase.Outcome outcome;
         try (RenderContext context = RenderContexts.offscreen()) {
@@ -98,8 +95,6 @@ class RoughGroundTest {
                 .as("the grid whose errors this is about")
                 .startsWith("grid");
         // The promise itself: median at most the tolerance, 95th percentile at most three times it.
-        assertThat(outcome.errors().meets(TOLERANCE))
-                .as("%s", outcome.errors())
-                .isTrue();
+        assertThat(outcome.errors().meets(TOLERANCE)).as("%s", outcome.errors()).isTrue();
     }
 }
