@@ -36,13 +36,11 @@ public record ErrorBudget(double tolerance, Roughness roughness) {
     private static final double WINDOW_SHARE = 0.3;
     private static final double WAVELENGTHS_SHARE = 0.2;
 
-    // On a rough patch dark skirts are lost in what lies beside them, but for those of the brightest orders (the
-    // specular
-    // spot, an order of a grating) above the ground.
+    // On a rough patch dark skirts are lost in what lies beside them, but for those of the brightest orders above
+    // the ground: the specular spot, an order of a grating.
     private static final double ROUGH_SKIRT = 3.5;
-    // A colour sums dozens of wavelengths over dozens of orders, whose errors are independent there; directions on the
-    // skirt
-    // of one bright order see that one alone, within this factor (docs/error-budget.md).
+    // A colour sums dozens of wavelengths over dozens of orders, whose errors are independent there. Directions
+    // on the skirt of one bright order see that one alone, within this factor (docs/error-budget.md).
     private static final double ROUGH_AVERAGING = 8;
     // One direction in ten is darker than the dark ones, where the promise is three times the tolerance.
     private static final double AT_DARK_DIRECTIONS = 2;

@@ -19,9 +19,9 @@ final class SamplingPlanner {
     private static final int FEWEST_NODES = 40;
     private static final int NODES_AT_STANDARD = 60;
     private static final double WAVELENGTH_STEP_AT_STANDARD = 4e-9;
-    // D65 bends by up to 1.1 % a nanometre at every fifth one. The trapezoid rule with steps h errs there by up to h^2
-    // / 12 times
-    // that, beside an order's sqrt(2 pi) deviations: three tolerances where h^2 is so many deviations per tolerance.
+    // D65 bends by up to 1.1 % a nanometre at every fifth one. The trapezoid rule with steps h errs there by up to
+    // h^2 / 12 times that, beside an order's sqrt(2 pi) deviations: three tolerances where h^2 is so many deviations
+    // per tolerance.
     private static final double CORNER_LENGTH = 4e-6;
     // Interpolating both axes costs as many taps more as the kernel has; this share of the directions bears it.
     private static final double LARGEST_CENTRE = 0.25;
