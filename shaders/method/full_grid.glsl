@@ -19,7 +19,7 @@ uniform int gridLargestStride;
 // Each average has tables of its own: a grid for any place (Point), and one for columns, whose layers for columns along x
 // are followed by as many for rows along y (Rays). Colours have those of their average alone, wavelengths have no Rays.
 
-#if COHERENT_LAYERS > 0
+#if COHERENT_TEXELS > 0
 // Two complex terms a texel.
 uniform sampler2DArray coherentPoint;
 uniform sampler2DArray coherentRays;
@@ -32,12 +32,13 @@ uniform vec2 coherentPointFirst;
 float coherentPower(vec3 uvw, float wavelength) {
     Place place = inGrid(uvw.xy / wavelength * coherentScale, coherentPointFirst);
     float zeta = expansionPhase(uvw.z, wavelength);
+    Terms terms = Terms(COHERENT_TEXELS, COHERENT_POINT_TOGETHER, 0);
     return squaredMagnitude(
-            amplitudeAt(coherentPoint, 0, COHERENT_LAYERS, place, coherentCoefficients, coherentPhaseMap, zeta));
+            amplitudeAt(coherentPoint, terms, place, coherentCoefficients, coherentPhaseMap, zeta));
 }
 #endif
 
-#if ENSEMBLE_LAYERS > 0
+#if ENSEMBLE_TEXELS > 0
 // Four real terms a texel.
 uniform sampler2DArray ensemblePoint;
 uniform sampler2DArray ensembleRays;
@@ -49,7 +50,8 @@ uniform vec2 ensemblePointFirst;
 float ensemblePower(vec3 uvw, float wavelength) {
     Place place = inGrid(uvw.xy / wavelength * ensembleScale, ensemblePointFirst);
     float zeta = expansionPhase(uvw.z, wavelength);
-    return realSumAt(ensemblePoint, 0, ENSEMBLE_LAYERS, place, ensembleCoefficients, ensemblePhaseMap, zeta);
+    Terms terms = Terms(ENSEMBLE_TEXELS, ENSEMBLE_POINT_TOGETHER, 0);
+    return realSumAt(ensemblePoint, terms, place, ensembleCoefficients, ensemblePhaseMap, zeta);
 }
 #endif
 
@@ -57,13 +59,12 @@ float ensemblePower(vec3 uvw, float wavelength) {
 
 // Power where the ray crosses a column along x, or a row along y.
 float columnPower(bool alongX, Place place, float zeta) {
-#if COHERENT_LAYERS > 0
-    int firstLayer = alongX ? 0 : COHERENT_LAYERS;
-    return squaredMagnitude(amplitudeAt(
-            coherentRays, firstLayer, COHERENT_LAYERS, place, coherentCoefficients, coherentPhaseMap, zeta));
+#if COHERENT_TEXELS > 0
+    Terms terms = Terms(COHERENT_TEXELS, COHERENT_RAYS_TOGETHER, alongX ? 0 : COHERENT_RAYS_LAYERS);
+    return squaredMagnitude(amplitudeAt(coherentRays, terms, place, coherentCoefficients, coherentPhaseMap, zeta));
 #else
-    int firstLayer = alongX ? 0 : ENSEMBLE_LAYERS;
-    return realSumAt(ensembleRays, firstLayer, ENSEMBLE_LAYERS, place, ensembleCoefficients, ensemblePhaseMap, zeta);
+    Terms terms = Terms(ENSEMBLE_TEXELS, ENSEMBLE_RAYS_TOGETHER, alongX ? 0 : ENSEMBLE_RAYS_LAYERS);
+    return realSumAt(ensembleRays, terms, place, ensembleCoefficients, ensemblePhaseMap, zeta);
 #endif
 }
 

@@ -3,10 +3,8 @@
 
 // Spectra that were windowed and resampled beforehand (sunbeam.precompute.resample), and how they are interpolated.
 
-// Weights of the TAPS taps by the fraction of the position between two samples; four taps a texel, rows of texels.
-uniform sampler2D gridKernel;
-
-const int KERNEL_ROWS = (TAPS + 3) / 4;
+// Of each tap the coefficients of KERNEL_POWERS powers of the place between two samples.
+const float kernel[TAPS * KERNEL_POWERS] = KERNEL;
 
 // The taps around a position along one axis of a grid.
 struct Taps {
@@ -21,12 +19,14 @@ Taps tapsAround(float position, float origin) {
     float below = floor(edge);
     Taps taps;
     taps.first = int(below) - int(origin) + 1;
-    float place = (edge - below) * float(textureSize(gridKernel, 0).x - 1);
-    for (int row = 0; row < KERNEL_ROWS; ++row) {
-        vec4 four = betweenTexels(gridKernel, place, row);
-        for (int i = 0; i < 4 && 4 * row + i < TAPS; ++i) {
-            taps.weights[4 * row + i] = four[i];
+    // From -1 to 1.
+    float place = 2.0 * (edge - below) - 1.0;
+    for (int i = 0; i < TAPS; ++i) {
+        float weight = kernel[i * KERNEL_POWERS + KERNEL_POWERS - 1];
+        for (int power = KERNEL_POWERS - 2; power >= 0; --power) {
+            weight = weight * place + kernel[i * KERNEL_POWERS + power];
         }
+        taps.weights[i] = weight;
     }
     return taps;
 }
@@ -50,40 +50,50 @@ Place inGrid(vec2 position, vec2 origin) {
     return Place(false, 0, tapsAround(position.x, origin.x), tapsAround(position.y, origin.y));
 }
 
+// Where the terms of one spectrum lie: texels of one place side by side in a row, so many together, the rest in further layers
+// (sunbeam.precompute.shader.TermsLayout).
+struct Terms {
+    int texels;
+    int together;
+    int firstLayer;
+};
+
 // Taps that lie beside each other in a row of texels.
-vec4 rowTexel(sampler2DArray grid, int layer, Taps along, int row) {
+vec4 rowTexel(sampler2DArray grid, Terms terms, int texel, Taps along, int row) {
+    int first = along.first * terms.together + texel % terms.together;
+    int layer = terms.firstLayer + texel / terms.together;
     vec4 sum = vec4(0.0);
     for (int i = 0; i < TAPS; ++i) {
-        sum += along.weights[i] * texelFetch(grid, ivec3(along.first + i, row, layer), 0);
+        sum += along.weights[i] * texelFetch(grid, ivec3(first + i * terms.together, row, layer), 0);
     }
     return sum;
 }
 
-vec4 texelAt(sampler2DArray grid, int layer, Place place) {
+vec4 texelAt(sampler2DArray grid, Terms terms, int texel, Place place) {
     if (place.onColumn) {
-        return rowTexel(grid, layer, place.y, place.column);
+        return rowTexel(grid, terms, texel, place.y, place.column);
     }
     vec4 sum = vec4(0.0);
     for (int j = 0; j < TAPS; ++j) {
-        sum += place.y.weights[j] * rowTexel(grid, layer, place.x, place.y.first + j);
+        sum += place.y.weights[j] * rowTexel(grid, terms, texel, place.x, place.y.first + j);
     }
     return sum;
 }
 
-vec2 twoTerms(vec4 terms, vec2 coefficients) {
-    return coefficients.x * terms.xy + coefficients.y * terms.zw;
+vec2 twoTerms(vec4 two, vec2 coefficients) {
+    return coefficients.x * two.xy + coefficients.y * two.zw;
 }
 
 // Sum of complex terms, two a texel, times their coefficients, four a texel.
 vec2 amplitudeAt(
-        sampler2DArray grid, int firstLayer, int layers, Place place, sampler2D coefficients, vec2 phaseMap, float zeta) {
-    int rows = (layers + 1) / 2;
+        sampler2DArray grid, Terms terms, Place place, sampler2D coefficients, vec2 phaseMap, float zeta) {
+    int rows = (terms.texels + 1) / 2;
     vec2 amplitude = vec2(0.0);
     for (int row = 0; row < rows; ++row) {
         vec4 four = sampledCoefficients(coefficients, phaseMap, zeta, row, rows);
-        amplitude += twoTerms(texelAt(grid, firstLayer + 2 * row, place), four.xy);
-        if (2 * row + 1 < layers) {
-            amplitude += twoTerms(texelAt(grid, firstLayer + 2 * row + 1, place), four.zw);
+        amplitude += twoTerms(texelAt(grid, terms, 2 * row, place), four.xy);
+        if (2 * row + 1 < terms.texels) {
+            amplitude += twoTerms(texelAt(grid, terms, 2 * row + 1, place), four.zw);
         }
     }
     return amplitude;
@@ -91,11 +101,11 @@ vec2 amplitudeAt(
 
 // Sum of real terms, four a texel, times their coefficients.
 float realSumAt(
-        sampler2DArray grid, int firstLayer, int layers, Place place, sampler2D coefficients, vec2 phaseMap, float zeta) {
+        sampler2DArray grid, Terms terms, Place place, sampler2D coefficients, vec2 phaseMap, float zeta) {
     float sum = 0.0;
-    for (int layer = 0; layer < layers; ++layer) {
-        vec4 four = sampledCoefficients(coefficients, phaseMap, zeta, layer, layers);
-        sum += dot(four, texelAt(grid, firstLayer + layer, place));
+    for (int texel = 0; texel < terms.texels; ++texel) {
+        vec4 four = sampledCoefficients(coefficients, phaseMap, zeta, texel, terms.texels);
+        sum += dot(four, texelAt(grid, terms, texel, place));
     }
     return sum;
 }

@@ -31,7 +31,8 @@ float arrayFactor(float turns, float replicas) {
 
 vec2 periodAmplitude(vec2 frequency, float zeta) {
     Place place = inGrid(frequency * periodScale, periodFirst);
-    return amplitudeAt(periodTerms, 0, PERIOD_LAYERS, place, periodCoefficients, periodPhaseMap, zeta);
+    Terms terms = Terms(PERIOD_LAYERS, 1, 0);
+    return amplitudeAt(periodTerms, terms, place, periodCoefficients, periodPhaseMap, zeta);
 }
 
 float coherentPower(vec3 uvw, float wavelength) {

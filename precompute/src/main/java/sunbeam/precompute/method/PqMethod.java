@@ -36,6 +36,7 @@ import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.shader.ArrayLayout;
 import sunbeam.precompute.shader.CoefficientSource;
 import sunbeam.precompute.shader.ColorArrays;
+import sunbeam.precompute.shader.KernelPolynomials;
 import sunbeam.precompute.shader.MethodUse;
 import sunbeam.precompute.shader.ShaderTables;
 import sunbeam.precompute.shader.SpectrumArrays;
@@ -239,7 +240,6 @@ public record PqMethod(TableChoices table, PeriodInterpolation interpolation, Re
             ArrayLayout terms = termsLayout();
             int samples = CoefficientTable.sampleCount(expansion.minimumPhase(), expansion.maximumPhase());
             List<ArrayLayout> layouts = List.of(
-                    SpectrumArrays.kernelLayout(interpolation.taps(), SpectrumArrays.FEW_KERNEL_SAMPLES),
                     SpectrumArrays.coefficientsLayout(COEFFICIENTS, samples, expansion.terms(), 4),
                     ColorArrays.wavelengthsLayout(wavelengths),
                     terms);
@@ -273,10 +273,8 @@ public record PqMethod(TableChoices table, PeriodInterpolation interpolation, Re
             CoefficientSource.SAMPLED.defineIn(tables, expansion.terms());
             // Of the Gaussian whose effective area, 4 pi sigma^2, is that of the replicas.
             CoherenceWindow equalArea = replicas.equalAreaWindow(map.width(), map.height());
-            return tables.define("TAPS", interpolation.taps())
-                    .define("PERIOD_LAYERS", terms.layers())
-                    .array(SpectrumArrays.kernel(
-                            interpolation.taps(), interpolation::kernel, SpectrumArrays.FEW_KERNEL_SAMPLES))
+            KernelPolynomials.of(interpolation.taps(), interpolation::kernel).defineIn(tables);
+            return tables.define("PERIOD_LAYERS", terms.layers())
                     .array(SpectrumArrays.coefficients(COEFFICIENTS, coefficients, 4))
                     .array(ColorArrays.wavelengths(wavelengths))
                     .array(TableArray.computed(terms, layer -> layer(spectrum, layer)))

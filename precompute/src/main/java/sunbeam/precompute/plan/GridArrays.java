@@ -14,11 +14,12 @@ import sunbeam.precompute.shader.MethodUse;
 import sunbeam.precompute.shader.ShaderTables;
 import sunbeam.precompute.shader.SpectrumArrays;
 import sunbeam.precompute.shader.TableArray;
+import sunbeam.precompute.shader.TermsLayout;
 import sunbeam.precompute.table.FourierTable;
 
 /** Resampled spectra of one average as shaders/method/grid_tables.glsl reads them. */
 final class GridArrays {
-    private static final int CHANNELS = 4;
+    private static final int CHANNELS = TermsLayout.CHANNELS;
 
     private final GridSampling sampling;
     private final Plan plan;
@@ -61,27 +62,30 @@ final class GridArrays {
         ArrayLayout coefficients =
                 SpectrumArrays.coefficientsLayout(name + "Coefficients", samples, functions, CHANNELS);
         return use == MethodUse.SPECTRAL
-                ? List.of(coefficients, pointLayout(layers, use))
-                : List.of(coefficients, pointLayout(layers, use), raysLayout(layers));
+                ? List.of(coefficients, pointLayout(layers, use).array())
+                : List.of(
+                        coefficients,
+                        pointLayout(layers, use).array(),
+                        raysLayout(layers).array());
     }
 
-    private ArrayLayout pointLayout(int layers, MethodUse use) {
+    private TermsLayout pointLayout(int texels, MethodUse use) {
         VisibleRange range = pointRange(use);
-        return ArrayLayout.layered(
+        return TermsLayout.of(
                 name + "Point",
                 range.gridX(step, taps).count(),
                 range.gridY(step, taps).count(),
-                layers,
-                CHANNELS);
+                texels,
+                1);
     }
 
-    private ArrayLayout raysLayout(int layers) {
-        return ArrayLayout.layered(
+    private TermsLayout raysLayout(int texels) {
+        return TermsLayout.of(
                 name + "Rays",
                 Math.max(samplesX().count(), samplesY().count()),
                 Math.max(nodesX().count(), nodesY().count()),
-                2 * layers,
-                CHANNELS);
+                texels,
+                2);
     }
 
     /** Where both axes are interpolated: everywhere for single wavelengths, near the specular direction for colours. */
@@ -112,21 +116,27 @@ final class GridArrays {
 
     /** Adds the arrays of some fields, and what the shader must know of them. */
     void addTo(ShaderTables.Builder tables, FourierTable table, Fields fields, MethodUse use) {
-        int layers = (fields.count() + CHANNELS - 1) / CHANNELS;
+        int texels = (fields.count() + CHANNELS - 1) / CHANNELS;
+        String prefix = name.toUpperCase(Locale.ROOT);
+        TermsLayout point = pointLayout(texels, use);
         CoefficientTable coefficients = fields.coefficients(samples());
-        tables.define(name.toUpperCase(Locale.ROOT) + "_LAYERS", layers)
+        tables.define(prefix + "_TEXELS", texels)
+                .define(prefix + "_POINT_TOGETHER", point.together())
                 .array(SpectrumArrays.coefficients(name + "Coefficients", coefficients, CHANNELS))
                 .reals(name + "PhaseMap", SpectrumArrays.phaseMap(coefficients))
                 .reals(name + "Scale", 1 / step);
-        addPoint(tables, table, fields, pointLayout(layers, use), use);
+        addPoint(tables, table, fields, point, use);
         if (use == MethodUse.COLOUR) {
-            addRays(tables, table, fields, raysLayout(layers));
+            TermsLayout rays = raysLayout(texels);
+            tables.define(prefix + "_RAYS_TOGETHER", rays.together())
+                    .define(prefix + "_RAYS_LAYERS", rays.layersPerGrid());
+            addRays(tables, table, fields, rays);
         }
     }
 
     /** The grid on which both axes are interpolated. */
     private void addPoint(
-            ShaderTables.Builder tables, FourierTable table, Fields fields, ArrayLayout layout, MethodUse use) {
+            ShaderTables.Builder tables, FourierTable table, Fields fields, TermsLayout layout, MethodUse use) {
         AxisGrid pointX = pointRange(use).gridX(step, taps);
         AxisGrid pointY = pointRange(use).gridY(step, taps);
         GridResampler resampler = new GridResampler(
@@ -134,7 +144,7 @@ final class GridArrays {
                         pointX, table.bandX(), table.patch().width(), sampling.interpolation()),
                 AxisResampler.forInterpolation(
                         pointY, table.bandY(), table.patch().height(), sampling.interpolation()));
-        tables.array(TableArray.computed(layout, layer -> layer(fields, layer, resampler, Order.ROWS)))
+        tables.array(TableArray.computed(layout.array(), layer -> layer(fields, layer, layout, resampler, Order.ROWS)))
                 .reals(name + "PointFirst", pointX.first(), pointY.first());
     }
 
@@ -142,23 +152,23 @@ final class GridArrays {
      * The grids whose columns (along x) and rows (along y) the rays cross. Each of these lies in one piece, whose samples
      * neighbouring pixels share, as a row of the texture.
      */
-    private void addRays(ShaderTables.Builder tables, FourierTable table, Fields fields, ArrayLayout layout) {
+    private void addRays(ShaderTables.Builder tables, FourierTable table, Fields fields, TermsLayout layout) {
         double patchWidth = table.patch().width();
         double patchHeight = table.patch().height();
         GridResampler columns = new GridResampler(
-                AxisResampler.exact(nodesX().extended(layout.height()), table.bandX(), patchWidth, sigma),
+                AxisResampler.exact(nodesX().extended(layout.array().height()), table.bandX(), patchWidth, sigma),
                 AxisResampler.forInterpolation(
-                        samplesY().extended(layout.width()), table.bandY(), patchHeight, sampling.interpolation()));
+                        samplesY().extended(layout.samples()), table.bandY(), patchHeight, sampling.interpolation()));
         GridResampler rows = new GridResampler(
                 AxisResampler.forInterpolation(
-                        samplesX().extended(layout.width()), table.bandX(), patchWidth, sampling.interpolation()),
-                AxisResampler.exact(nodesY().extended(layout.height()), table.bandY(), patchHeight, sigma));
-        int layers = layout.layers() / 2;
+                        samplesX().extended(layout.samples()), table.bandX(), patchWidth, sampling.interpolation()),
+                AxisResampler.exact(nodesY().extended(layout.array().height()), table.bandY(), patchHeight, sigma));
+        int layers = layout.layersPerGrid();
         tables.array(TableArray.computed(
-                        layout,
+                        layout.array(),
                         layer -> layer < layers
-                                ? layer(fields, layer, columns, Order.COLUMNS)
-                                : layer(fields, layer - layers, rows, Order.ROWS)))
+                                ? layer(fields, layer, layout, columns, Order.COLUMNS)
+                                : layer(fields, layer - layers, layout, rows, Order.ROWS)))
                 .reals("gridRayScale", 1 / step)
                 .reals(
                         "gridRaysFirst",
@@ -168,12 +178,13 @@ final class GridArrays {
                         samplesX().first());
     }
 
-    private static float[] layer(Fields fields, int layer, GridResampler resampler, Order order) {
-        float[] texels = new float[CHANNELS * resampler.size()];
-        for (int channel = 0; channel < CHANNELS; channel++) {
-            int field = CHANNELS * layer + channel;
+    private static float[] layer(Fields fields, int layer, TermsLayout layout, GridResampler resampler, Order order) {
+        int stride = CHANNELS * layout.together();
+        float[] texels = new float[stride * resampler.size()];
+        for (int offset = 0; offset < stride; offset++) {
+            int field = stride * layer + offset;
             if (field < fields.count()) {
-                resampler.resample(fields.field(field), texels, channel, CHANNELS, order);
+                resampler.resample(fields.field(field), texels, offset, stride, order);
             }
         }
         return texels;

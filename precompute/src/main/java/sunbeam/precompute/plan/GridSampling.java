@@ -13,9 +13,9 @@ import sunbeam.precompute.resample.PowerFields;
 import sunbeam.precompute.shader.ArrayLayout;
 import sunbeam.precompute.shader.CoefficientSource;
 import sunbeam.precompute.shader.ColorArrays;
+import sunbeam.precompute.shader.KernelPolynomials;
 import sunbeam.precompute.shader.MethodUse;
 import sunbeam.precompute.shader.ShaderTables;
-import sunbeam.precompute.shader.SpectrumArrays;
 import sunbeam.precompute.table.FourierTable;
 
 /**
@@ -127,10 +127,6 @@ public record GridSampling(
         return nodes * layers;
     }
 
-    private int kernelSamples() {
-        return budget.roughness().isRough() ? SpectrumArrays.FEW_KERNEL_SAMPLES : SpectrumArrays.MANY_KERNEL_SAMPLES;
-    }
-
     /** The averages that a use asks for. */
     private static List<Average> averages(Plan plan, MethodUse use) {
         return use == MethodUse.SPECTRAL ? List.of(Average.COHERENT, Average.ENSEMBLE) : List.of(plan.average());
@@ -162,7 +158,6 @@ public record GridSampling(
         for (Average average : averages(plan, use)) {
             layouts.addAll(new GridArrays(this, plan, average).layouts(use));
         }
-        layouts.add(SpectrumArrays.kernelLayout(interpolation.taps(), kernelSamples()));
         layouts.add(ColorArrays.cieWeightsLayout());
         return layouts;
     }
@@ -190,16 +185,15 @@ public record GridSampling(
         ShaderTables.Builder tables = new ShaderTables.Builder("full_grid");
         plan.average().defineIn(tables);
         CoefficientSource.SAMPLED.defineIn(tables, table.terms());
-        tables.define("COHERENT_LAYERS", 0)
-                .define("ENSEMBLE_LAYERS", 0)
-                .define("TAPS", interpolation.taps())
+        KernelPolynomials.of(interpolation.taps(), interpolation::kernel).defineIn(tables);
+        tables.define("COHERENT_TEXELS", 0)
+                .define("ENSEMBLE_TEXELS", 0)
                 .define("GRID_ENDS_CUT", endsCut() ? 1 : 0)
                 .reals("heightHalfRange", table.scale().halfRange());
         for (Average average : averages(plan, use)) {
             new GridArrays(this, plan, average).addTo(tables, table, fields(average, plan, table), use);
         }
-        tables.array(SpectrumArrays.kernel(interpolation.taps(), interpolation::kernel, kernelSamples()))
-                .array(ColorArrays.cieWeights(cie));
+        tables.array(ColorArrays.cieWeights(cie));
         if (use == MethodUse.COLOUR) {
             band.addTo(tables);
             tables.reals("gridNodeStep", nodeStep)

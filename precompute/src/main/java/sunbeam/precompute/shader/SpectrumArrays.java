@@ -1,43 +1,10 @@
 package sunbeam.precompute.shader;
 
-import java.util.function.DoubleUnaryOperator;
 import sunbeam.precompute.expansion.CoefficientTable;
 
-/** What shaders need to interpolate spectra: taps' weights, and the expansion's coefficients. */
+/** The expansion's coefficients as shaders read them. */
 public final class SpectrumArrays {
-    /** Linear interpolation between so many weights of a kernel errs by less than 1e-6. */
-    public static final int FEW_KERNEL_SAMPLES = 1024;
-
-    /**
-     * Errs by 4e-9. On the skirt of a bright order, the outermost tap meets a sample that is a thousand times brighter than
-     * what it is for.
-     */
-    public static final int MANY_KERNEL_SAMPLES = 16384;
-
     private SpectrumArrays() {}
-
-    /** Shape of {@link #kernel}. */
-    public static ArrayLayout kernelLayout(int taps, int samples) {
-        return ArrayLayout.flat("gridKernel", samples, (taps + 3) / 4, 4).linear();
-    }
-
-    /**
-     * Weights of taps by the fraction of a position, as shaders/method/grid_tables.glsl reads them.
-     *
-     * @param kernel weight of a sample by its distance in samples
-     */
-    public static TableArray kernel(int taps, DoubleUnaryOperator kernel, int samples) {
-        ArrayLayout layout = kernelLayout(taps, samples);
-        float[] texels = new float[layout.floatsPerLayer()];
-        for (int i = 0; i < samples; i++) {
-            double fraction = (double) i / (samples - 1);
-            for (int tap = 0; tap < taps; tap++) {
-                double distance = fraction + 0.5 * taps - 1 - tap;
-                texels[4 * (tap / 4 * samples + i) + tap % 4] = (float) kernel.applyAsDouble(distance);
-            }
-        }
-        return TableArray.of(layout, texels);
-    }
 
     /** Shape of {@link #coefficients}. */
     public static ArrayLayout coefficientsLayout(String sampler, int samples, int terms, int channels) {

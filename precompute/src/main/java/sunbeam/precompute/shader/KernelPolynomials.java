@@ -1,0 +1,101 @@
+package sunbeam.precompute.shader;
+
+import java.util.Locale;
+import java.util.StringJoiner;
+import java.util.function.DoubleUnaryOperator;
+import java.util.stream.IntStream;
+import org.apache.commons.math3.analysis.polynomials.PolynomialFunctionLagrangeForm;
+
+/**
+ * An interpolation kernel as shaders/method/grid_tables.glsl evaluates it: the weight of each tap as a polynomial of the
+ * place between two samples, x = 2 fraction - 1 in [-1, 1], through the kernel at Chebyshev's points. Kernels that are
+ * smooth where they reach need few powers. Against a table there is nothing to fetch, and float32 rounds in proportion to the
+ * tap's own weights: on the skirt of a bright order, the outermost tap meets a sample that is a thousand times brighter than
+ * what it is for.
+ */
+public final class KernelPolynomials {
+    // What is left out of a kernel whose peak is 1: less than float32 rounds.
+    private static final double ERROR = 2e-8;
+    private static final int MOST_POWERS = 16;
+    private static final int CHECKED = 64;
+
+    private final double[][] coefficients;
+
+    private KernelPolynomials(double[][] coefficients) {
+        this.coefficients = coefficients;
+    }
+
+    /**
+     * The fewest powers that serve, the same of all taps.
+     *
+     * @param kernel weight of a sample by its distance in samples; smooth within {@code taps / 2}
+     * @throws IllegalArgumentException for a kernel that is not smooth
+     */
+    public static KernelPolynomials of(int taps, DoubleUnaryOperator kernel) {
+        for (int powers = 4; powers <= MOST_POWERS; powers++) {
+            int count = powers;
+            KernelPolynomials polynomials = new KernelPolynomials(IntStream.range(0, taps)
+                    .mapToObj(tap -> through(x -> kernel.applyAsDouble(distance(taps, tap, x)), count))
+                    .toArray(double[][]::new));
+            if (polynomials.largestError(kernel) <= ERROR) {
+                return polynomials;
+            }
+        }
+        throw new IllegalArgumentException("no polynomial of " + MOST_POWERS + " powers is near the kernel");
+    }
+
+    private static double distance(int taps, int tap, double x) {
+        return (x + 1) / 2 + 0.5 * taps - 1 - tap;
+    }
+
+    private static double[] through(DoubleUnaryOperator function, int powers) {
+        double[] places = IntStream.range(0, powers)
+                .mapToDouble(i -> Math.cos(Math.PI * (i + 0.5) / powers))
+                .toArray();
+        double[] values = IntStream.range(0, powers)
+                .mapToDouble(i -> function.applyAsDouble(places[i]))
+                .toArray();
+        return new PolynomialFunctionLagrangeForm(places, values).getCoefficients();
+    }
+
+    private double largestError(DoubleUnaryOperator kernel) {
+        double largest = 0;
+        for (int tap = 0; tap < taps(); tap++) {
+            for (int i = 0; i <= CHECKED; i++) {
+                double x = 2.0 * i / CHECKED - 1;
+                // At its very edge a kernel may be cut off.
+                double exact = kernel.applyAsDouble(distance(taps(), tap, x * (1 - 1e-12)));
+                largest = Math.max(largest, Math.abs(weight(tap, x) - exact));
+            }
+        }
+        return largest;
+    }
+
+    /** Weight of a tap at x in [-1, 1] between two samples. */
+    double weight(int tap, double x) {
+        double sum = 0;
+        for (int power = powers() - 1; power >= 0; power--) {
+            sum = sum * x + coefficients[tap][power];
+        }
+        return sum;
+    }
+
+    int taps() {
+        return coefficients.length;
+    }
+
+    int powers() {
+        return coefficients[0].length;
+    }
+
+    /** TAPS, KERNEL_POWERS, and KERNEL, GLSL's array of arrays in one: coefficients of a tap in ascending powers. */
+    public void defineIn(ShaderTables.Builder tables) {
+        StringJoiner numbers = new StringJoiner(", ", "float[](", ")");
+        for (double[] tap : coefficients) {
+            for (double coefficient : tap) {
+                numbers.add(String.format(Locale.ROOT, "%.9e", coefficient));
+            }
+        }
+        tables.define("TAPS", taps()).define("KERNEL_POWERS", powers()).define("KERNEL", numbers);
+    }
+}
