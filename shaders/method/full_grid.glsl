@@ -13,8 +13,9 @@ uniform vec4 gridRaysFirst;
 // Largest of |u|, |v| whose ray crosses fewer columns than this.
 uniform float gridCentreReach;
 uniform int gridFewestNodes;
-// A ray that crosses enough columns stops at every second one, or third, up to this.
-uniform int gridLargestStride;
+// A ray that crosses enough columns stops at every second one, or third, as long as its steps are at most so many columns
+// long.
+uniform float gridLongestStep;
 
 // Each average has tables of its own: a grid for any place (Point), and one for columns, whose layers for columns along x
 // are followed by as many for rows along y (Rays). Colours have those of their average alone, wavelengths have no Rays.
@@ -103,7 +104,8 @@ vec3 diffractedXyz(vec3 uvw) {
     float minorPerColumn = (alongX ? uvw.y : uvw.x) / abs(major) * gridNodeStep * gridRayScale;
     // 1 / lambda = column step / |major|, and the phase grows in proportion.
     float crossed = abs(major) / gridNodeStep * (1.0 / SHORTEST_WAVELENGTH - 1.0 / LONGEST_WAVELENGTH);
-    int stride = clamp(int(crossed) / gridFewestNodes, 1, gridLargestStride);
+    float longest = gridLongestStep * abs(major) / length(uvw.xy);
+    int stride = max(1, int(min(longest, crossed / float(gridFewestNodes))));
     float waveNumberStep = gridNodeStep * float(stride) / abs(major);
     Ray ray = Ray(
             uvw,

@@ -139,7 +139,7 @@ final class PlanNodes {
             return band(cutBand(grid.band(), pair), new PlanNode.Anywhere());
         }
         double crossed = major / grid.nodeStep() * (HIGHEST - LOWEST);
-        int stride = (int) Math.max(1, Math.min(grid.largestStride(), Math.floor(crossed) / grid.fewestNodes()));
+        int stride = grid.stride(major / Math.hypot(pair.u(), pair.v()), crossed);
         double size = grid.nodeStep() * stride / major;
         long first = (long) Math.ceil(LOWEST / size);
         long last = (long) Math.floor(HIGHEST / size);

@@ -2,6 +2,7 @@ package sunbeam.precompute.plan;
 
 import java.util.List;
 import java.util.Locale;
+import java.util.stream.IntStream;
 import sunbeam.precompute.expansion.CoefficientTable;
 import sunbeam.precompute.expansion.Expansion;
 import sunbeam.precompute.resample.AxisGrid;
@@ -181,12 +182,11 @@ final class GridArrays {
     private static float[] layer(Fields fields, int layer, TermsLayout layout, GridResampler resampler, Order order) {
         int stride = CHANNELS * layout.together();
         float[] texels = new float[stride * resampler.size()];
-        for (int offset = 0; offset < stride; offset++) {
-            int field = stride * layer + offset;
-            if (field < fields.count()) {
-                resampler.resample(fields.field(field), texels, offset, stride, order);
-            }
-        }
+        int first = stride * layer;
+        double[][] together = IntStream.range(first, Math.min(fields.count(), first + stride))
+                .mapToObj(fields::field)
+                .toArray(double[][]::new);
+        resampler.resample(together, texels, stride, order);
         return texels;
     }
 }

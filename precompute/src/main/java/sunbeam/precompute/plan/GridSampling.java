@@ -24,7 +24,8 @@ import sunbeam.precompute.table.FourierTable;
  *
  * @param interpolation along that axis
  * @param nodeStep distance of the columns, cycles per metre
- * @param largestStride a ray that crosses many columns stops at every second one, or third, up to this
+ * @param longestStep along a ray, cycles per metre: one that crosses many columns stops at every second one, or third, as
+ *     far as this allows
  * @param fewestNodes directions whose ray crosses fewer columns than this within the visible band, those near the specular
  *     one, take this many wavelengths or more and interpolate both axes
  * @param band the wavelengths of these directions
@@ -34,7 +35,7 @@ import sunbeam.precompute.table.FourierTable;
 public record GridSampling(
         InterpolationDesign interpolation,
         double nodeStep,
-        int largestStride,
+        double longestStep,
         int fewestNodes,
         BandRule band,
         Optional<Neighbourhood> singles,
@@ -74,7 +75,24 @@ public record GridSampling(
     private int mostNodes(VisibleRange range) {
         double waveNumbers = 1 / CieTable.MINIMUM_WAVELENGTH - 1 / CieTable.MAXIMUM_WAVELENGTH;
         return Math.max(
-                fewestNodes, (int) Math.ceil(range.maximumComponent() * waveNumbers / (largestStride * nodeStep)));
+                fewestNodes, (int) Math.ceil(range.maximumComponent() * waveNumbers / (diagonalStride() * nodeStep)));
+    }
+
+    /** Columns per step of a ray that crosses them at 45 degrees, which takes the most steps. */
+    private int diagonalStride() {
+        return stride(Math.sqrt(0.5), Double.POSITIVE_INFINITY);
+    }
+
+    /**
+     * Columns per step of a ray.
+     *
+     * @param cosine of its angle to the columns' normal, 0.7 to 1
+     * @param crossed columns that it crosses
+     */
+    public int stride(double cosine, double crossed) {
+        // The diagonal's own stride is a whole number, however it is rounded.
+        double most = Math.min(longestStep * cosine / nodeStep * (1 + 1e-6), crossed / fewestNodes);
+        return (int) Math.max(1, Math.floor(most));
     }
 
     @Override
@@ -90,9 +108,11 @@ public record GridSampling(
                 String.format(
                         Locale.ROOT,
                         "wavelengths: where the ray (u, v) / lambda crosses columns %.4g cycles per metre apart, with"
-                                + " strides of up to %d, at most %d; where |u|, |v| < %.3f, %s",
+                                + " strides of up to %d (%.4g cycles per metre along the ray), at most %d; where |u|, |v| < %.3f,"
+                                + " %s",
                         nodeStep,
-                        largestStride,
+                        stride(1, Double.POSITIVE_INFINITY),
+                        longestStep,
                         mostNodes(range),
                         centreReach(),
                         band.inWords()));
@@ -141,7 +161,7 @@ public record GridSampling(
                 .orElseGet(() -> new GridSampling(
                         new ErrorBudget(budget.tolerance()).interpolation(Average.ENSEMBLE),
                         nodeStep,
-                        largestStride,
+                        longestStep,
                         fewestNodes,
                         band,
                         singles,
@@ -197,7 +217,7 @@ public record GridSampling(
         if (use == MethodUse.COLOUR) {
             band.addTo(tables);
             tables.reals("gridNodeStep", nodeStep)
-                    .integers("gridLargestStride", largestStride)
+                    .reals("gridLongestStep", longestStep / nodeStep * (1 + 1e-6))
                     .reals("gridCentreReach", centreReach())
                     .integers("gridFewestNodes", fewestNodes)
                     .reals("cieWhite", ColorArrays.cieWhite(cie));

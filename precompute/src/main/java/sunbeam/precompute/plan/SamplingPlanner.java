@@ -23,8 +23,11 @@ final class SamplingPlanner {
     // h^2 / 12 times that, beside an order's sqrt(2 pi) deviations: three tolerances where h^2 is so many deviations
     // per tolerance.
     private static final double CORNER_LENGTH = 4e-6;
-    // Interpolating both axes costs as many taps more as the kernel has; this share of the directions bears it.
-    private static final double LARGEST_CENTRE = 0.25;
+    // Interpolating both axes costs as many taps more as the kernel has: of |u|, |v| so much bears it. The columns that
+    // this
+    // takes let rays that meet them more steeply than at 45 degrees take longer steps, too.
+    private static final double LARGEST_CENTRE = 0.12;
+    private static final double LARGEST_COMPACT_CENTRE = 0.25;
     // Steps of the wavelength per period of the interference between top and bottom of the relief.
     private static final double NODES_PER_FRINGE = 6;
     // Where the window's spectrum is narrower, in bins, its flanks lie bare between orders. Interpolation errs by a
@@ -59,7 +62,9 @@ final class SamplingPlanner {
         if (neighbour < 1e-3 * budget.tolerance()) {
             return List.of(orders());
         }
-        List<Sampling> grids = List.of(grid(budget.interpolation(average)), grid(budget.compactInterpolation(average)));
+        List<Sampling> grids = List.of(
+                grid(budget.interpolation(average), LARGEST_CENTRE),
+                grid(budget.compactInterpolation(average), LARGEST_COMPACT_CENTRE));
         Sampling rays = new RaySampling(bins(), band(fewestNodes()));
         List<Sampling> choices = new ArrayList<>(grids);
         // Where orders are resolved along an axis, a grid fine enough for them is larger than the bins.
@@ -101,7 +106,7 @@ final class SamplingPlanner {
                 band(4 * fewestNodes()));
     }
 
-    private Sampling grid(InterpolationDesign design) {
+    private Sampling grid(InterpolationDesign design, double largestCentre) {
         // Columns are crossed at up to sqrt(2) of their distance. The power of a lone order along the ray is a Gaussian
         // of deviation sigma / sqrt(2), for which the trapezoid rule errs by 2 exp(-2 (pi deviation / step)^2).
         double perStep = Math.sqrt(2 / (Math.PI * Math.PI) * Math.log(2 / budget.wavelengths()));
@@ -110,9 +115,10 @@ final class SamplingPlanner {
         boolean rough = budget.roughness().isRough();
         double step = rough ? uncut : Math.min(uncut, budget.cutSpacing() * deviation / Math.sqrt(2));
         BandRule band = rough ? band(fewestNodes()).evenlyTo(uncut) : band(fewestNodes());
-        double centre = new GridSampling(design, step, 1, fewestNodes(), band, singles(), budget).centreReach();
-        int stride = (int) Math.ceil(centre / LARGEST_CENTRE);
-        return new GridSampling(design, step / stride, stride, fewestNodes(), band, singles(), budget);
+        double longest = Math.sqrt(2) * step;
+        double centre = new GridSampling(design, step, longest, fewestNodes(), band, singles(), budget).centreReach();
+        int stride = (int) Math.ceil(centre / largestCentre);
+        return new GridSampling(design, step / stride, longest, fewestNodes(), band, singles(), budget);
     }
 
     /** Bins that single wavelengths are summed from, where they are not too many. */

@@ -24,16 +24,37 @@ public record GridResampler(AxisResampler alongX, AxisResampler alongY) {
     }
 
     /**
-     * One real field of bins (rows of ascending y bins) to samples.
+     * Real fields of bins (rows of ascending y bins) to samples, in which the fields lie side by side.
      *
+     * @param fields at most {@code stride}
      * @param target samples are stored here
-     * @param offset index of the first
      * @param stride distance of neighbouring samples along the axis that runs fastest
      */
-    public void resample(double[] bins, float[] target, int offset, int stride, Order order) {
-        int binColumns = alongX.band().count();
+    public void resample(double[][] fields, float[] target, int stride, Order order) {
+        double[][] halves = new double[fields.length][];
+        for (int i = 0; i < fields.length; i++) {
+            halves[i] = alongX(fields[i]);
+        }
         int columns = alongX.grid().count();
         int rows = alongY.grid().count();
+        IntStream.range(0, rows).parallel().forEach(row -> {
+            double[][] sums = new double[fields.length][];
+            for (int i = 0; i < fields.length; i++) {
+                sums[i] = row(halves[i], row);
+            }
+            for (int column = 0; column < columns; column++) {
+                int sample = order == Order.COLUMNS ? column * rows + row : row * columns + column;
+                for (int i = 0; i < fields.length; i++) {
+                    target[sample * stride + i] = (float) sums[i][column];
+                }
+            }
+        });
+    }
+
+    /** Rows of bins to rows of samples. */
+    private double[] alongX(double[] bins) {
+        int binColumns = alongX.band().count();
+        int columns = alongX.grid().count();
         double[] half = new double[alongY.band().count() * columns];
         IntStream.range(0, alongY.band().count()).parallel().forEach(binRow -> {
             for (int column = 0; column < columns; column++) {
@@ -46,19 +67,19 @@ public record GridResampler(AxisResampler alongX, AxisResampler alongY) {
                 half[binRow * columns + column] = sum;
             }
         });
-        IntStream.range(0, rows).parallel().forEach(row -> {
-            double[] weights = alongY.weights()[row];
-            double[] sums = new double[columns];
-            for (int j = 0; j < weights.length; j++) {
-                int first = (alongY.firstBin()[row] + j) * columns;
-                for (int column = 0; column < columns; column++) {
-                    sums[column] += weights[j] * half[first + column];
-                }
-            }
+        return half;
+    }
+
+    private double[] row(double[] half, int row) {
+        int columns = alongX.grid().count();
+        double[] weights = alongY.weights()[row];
+        double[] sums = new double[columns];
+        for (int j = 0; j < weights.length; j++) {
+            int first = (alongY.firstBin()[row] + j) * columns;
             for (int column = 0; column < columns; column++) {
-                int sample = order == Order.COLUMNS ? column * rows + row : row * columns + column;
-                target[offset + sample * stride] = (float) sums[column];
+                sums[column] += weights[j] * half[first + column];
             }
-        });
+        }
+        return sums;
     }
 }

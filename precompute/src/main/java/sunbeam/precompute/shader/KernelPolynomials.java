@@ -80,6 +80,10 @@ public final class KernelPolynomials {
         return sum;
     }
 
+    double coefficient(int tap, int power) {
+        return coefficients[tap][power];
+    }
+
     int taps() {
         return coefficients.length;
     }
