@@ -79,12 +79,13 @@ final class PlanWarnings {
     private void checkFrequencies(double tolerance, List<Sentence> lines) {
         double farthest = plan.range().longestUv() / CieTable.MINIMUM_WAVELENGTH;
         double sigma = plan.window().sigmaFrequency();
-        // One deviation from an order's middle its power changes by twice the relative shift; roundings are rarely that
-        // large.
-        double reachable = 2 * TYPICAL_ROUNDING * Math.ulp(1f) * farthest / sigma;
+        // Three deviations from an order's middle, where it has a ten thousandth of its power, that changes by six
+        // times the
+        // relative shift.
+        double reachable = 6 * TYPICAL_ROUNDING * Math.ulp(1f) * farthest / sigma;
         if (reachable > tolerance) {
             lines.add(Sentence.of(format(
-                    "colours far from the specular direction reach only %.0e, not the tolerance %s: the spectrum of a coherence"
+                    "colours on flanks of orders far from the specular direction reach only %.0e, not the tolerance %s: the spectrum of a coherence"
                             + " length of %s is narrower than float32 tells frequencies apart; give a shorter one, or"
                             + " a wavelength each ('reflectance'), whose frequencies are found in double precision",
                     reachable, shown(tolerance), Lengths.format(plan.window().coherenceLength()))));

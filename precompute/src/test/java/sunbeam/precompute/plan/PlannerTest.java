@@ -169,7 +169,7 @@ class PlannerTest {
         assertThat(warnings(withTolerance(wide, 1e-4)))
                 .singleElement()
                 .asString()
-                .contains("colours far from", "1 mm");
+                .contains("colours on flanks of orders", "1 mm");
         assertThat(warnings(withTolerance(wide, 1e-3))).isEmpty();
     }
 
