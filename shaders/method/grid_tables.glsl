@@ -3,8 +3,8 @@
 
 // Spectra that were windowed and resampled beforehand (sunbeam.precompute.resample), and how they are interpolated.
 
-// Of each tap the coefficients of KERNEL_POWERS powers of the place between two samples.
-const float kernel[TAPS * KERNEL_POWERS] = KERNEL;
+// KERNEL_AT_PLACE: the weights of the TAPS taps at a place between two samples, -1 to 1; polynomials without a loop,
+// of whose steps drivers allow so many (include/loops.glsl).
 
 // The taps around a position along one axis of a grid.
 struct Taps {
@@ -19,15 +19,8 @@ Taps tapsAround(float position, float origin) {
     float below = floor(edge);
     Taps taps;
     taps.first = int(below) - int(origin) + 1;
-    // From -1 to 1.
     float place = 2.0 * (edge - below) - 1.0;
-    for (int i = 0; i < TAPS; ++i) {
-        float weight = kernel[i * KERNEL_POWERS + KERNEL_POWERS - 1];
-        for (int power = KERNEL_POWERS - 2; power >= 0; --power) {
-            weight = weight * place + kernel[i * KERNEL_POWERS + power];
-        }
-        taps.weights[i] = weight;
-    }
+    taps.weights = KERNEL_AT_PLACE;
     return taps;
 }
 

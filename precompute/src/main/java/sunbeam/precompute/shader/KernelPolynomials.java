@@ -92,14 +92,20 @@ public final class KernelPolynomials {
         return coefficients[0].length;
     }
 
-    /** TAPS, KERNEL_POWERS, and KERNEL, GLSL's array of arrays in one: coefficients of a tap in ascending powers. */
+    /** TAPS, and KERNEL_AT_PLACE, an array of their weights at the variable place, by Horner's rule. */
     public void defineIn(ShaderTables.Builder tables) {
-        StringJoiner numbers = new StringJoiner(", ", "float[](", ")");
+        StringJoiner weights = new StringJoiner(", ", "float[](", ")");
         for (double[] tap : coefficients) {
-            for (double coefficient : tap) {
-                numbers.add(String.format(Locale.ROOT, "%.9e", coefficient));
+            StringBuilder weight = new StringBuilder(literal(tap[powers() - 1]));
+            for (int power = powers() - 2; power >= 0; power--) {
+                weight.insert(0, "(").append(") * place + ").append(literal(tap[power]));
             }
+            weights.add(weight);
         }
-        tables.define("TAPS", taps()).define("KERNEL_POWERS", powers()).define("KERNEL", numbers);
+        tables.define("TAPS", taps()).define("KERNEL_AT_PLACE", weights);
+    }
+
+    private static String literal(double coefficient) {
+        return String.format(Locale.ROOT, "(%.9e)", coefficient);
     }
 }
