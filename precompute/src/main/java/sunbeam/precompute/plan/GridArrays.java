@@ -43,10 +43,6 @@ final class GridArrays {
         this.taps = sampling.interpolation().taps();
     }
 
-    /**
-     * Shapes of all arrays. The ensemble has about twice as many terms as the expansion, but real ones, four a texel, where
-     * two complex terms share one.
-     */
     private int samples() {
         double low = plan.expansion().minimumPhase();
         double high = plan.expansion().maximumPhase();
@@ -55,19 +51,23 @@ final class GridArrays {
                 : CoefficientTable.sampleCount(low, high);
     }
 
+    /**
+     * Shapes of all arrays. The ensemble has about twice as many terms as the expansion, but real ones, four a texel, where
+     * two complex terms share one.
+     */
     List<ArrayLayout> layouts(MethodUse use) {
         Expansion expansion = plan.expansion();
-        int layers = (2 * expansion.terms() + CHANNELS - 1) / CHANNELS;
+        int texels = (2 * expansion.terms() + CHANNELS - 1) / CHANNELS;
         int samples = samples();
-        int functions = average == Average.COHERENT ? expansion.terms() : CHANNELS * layers;
+        int functions = average == Average.COHERENT ? expansion.terms() : CHANNELS * texels;
         ArrayLayout coefficients =
                 SpectrumArrays.coefficientsLayout(name + "Coefficients", samples, functions, CHANNELS);
         return use == MethodUse.SPECTRAL
-                ? List.of(coefficients, pointLayout(layers, use).array())
+                ? List.of(coefficients, pointLayout(texels, use).array())
                 : List.of(
                         coefficients,
-                        pointLayout(layers, use).array(),
-                        raysLayout(layers).array());
+                        pointLayout(texels, use).array(),
+                        raysLayout(texels).array());
     }
 
     private TermsLayout pointLayout(int texels, MethodUse use) {
