@@ -12,11 +12,15 @@ import sunbeam.precompute.shader.MethodUse;
  *
  * @param heapBytes tables and work space in Java's heap at their peak
  * @param textureBytes the arrays on the graphics card, of the use that takes more
+ * @param largestTextureBytes of one of them
  * @param longestSide texels along the longest side of a texture
  */
-public record MemoryNeed(long heapBytes, long textureBytes, long longestSide) {
+public record MemoryNeed(long heapBytes, long textureBytes, long largestTextureBytes, long longestSide) {
     /** The most that textures of one plan may take: what small graphics cards have. */
     static final long MOST_TEXTURE_BYTES = 3L << 30;
+
+    /** The most that Mesa's software renderer gives to one texture. */
+    static final long LARGEST_TEXTURE_BYTES = (2L << 30) - 1;
 
     /** The longest side that drivers of OpenGL 3.3 in use have in common. */
     static final long LONGEST_SIDE = 16384;
@@ -43,6 +47,7 @@ public record MemoryNeed(long heapBytes, long textureBytes, long longestSide) {
         return new MemoryNeed(
                 table + Math.max(transform, plan.sampling().workBytes(plan)),
                 Math.max(colour.textureBytes, spectral.textureBytes),
+                Math.max(colour.largestTextureBytes, spectral.largestTextureBytes),
                 Math.max(colour.longestSide, spectral.longestSide));
     }
 
@@ -52,7 +57,7 @@ public record MemoryNeed(long heapBytes, long textureBytes, long longestSide) {
      * @param heapBytes while they are made
      */
     public static MemoryNeed of(long heapBytes, List<ArrayLayout> layouts) {
-        return new MemoryNeed(heapBytes, 0, 0).and(layouts);
+        return new MemoryNeed(heapBytes, 0, 0, 0).and(layouts);
     }
 
     /** With further arrays on the graphics card. */
@@ -60,6 +65,9 @@ public record MemoryNeed(long heapBytes, long textureBytes, long longestSide) {
         return new MemoryNeed(
                 heapBytes,
                 textureBytes + layouts.stream().mapToLong(ArrayLayout::bytes).sum(),
+                Math.max(
+                        largestTextureBytes,
+                        layouts.stream().mapToLong(ArrayLayout::bytes).max().orElse(0)),
                 Math.max(
                         longestSide,
                         layouts.stream()
@@ -76,6 +84,7 @@ public record MemoryNeed(long heapBytes, long textureBytes, long longestSide) {
     boolean fits(long heapLimit) {
         return heapBytes <= USABLE_HEAP * heapLimit
                 && textureBytes <= MOST_TEXTURE_BYTES
+                && largestTextureBytes <= LARGEST_TEXTURE_BYTES
                 && longestSide <= LONGEST_SIDE;
     }
 
@@ -94,6 +103,13 @@ public record MemoryNeed(long heapBytes, long textureBytes, long longestSide) {
                     "need textures of %d texels along a side, more than the %d of common drivers",
                     longestSide,
                     LONGEST_SIDE));
+        }
+        if (largestTextureBytes > LARGEST_TEXTURE_BYTES) {
+            return Optional.of(String.format(
+                    Locale.ROOT,
+                    "need a texture of %s, more than the %s that common drivers give to one",
+                    inWords(largestTextureBytes),
+                    inWords(LARGEST_TEXTURE_BYTES)));
         }
         if (textureBytes > MOST_TEXTURE_BYTES) {
             return Optional.of(String.format(

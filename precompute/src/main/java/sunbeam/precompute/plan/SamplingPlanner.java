@@ -64,6 +64,7 @@ final class SamplingPlanner {
         }
         List<Sampling> grids = List.of(
                 grid(budget.interpolation(average), LARGEST_CENTRE),
+                grid(budget.interpolation(average), LARGEST_COMPACT_CENTRE),
                 grid(budget.compactInterpolation(average), LARGEST_COMPACT_CENTRE));
         Sampling rays = new RaySampling(bins(), band(fewestNodes()));
         List<Sampling> choices = new ArrayList<>(grids);
