@@ -19,8 +19,8 @@ public record MemoryNeed(long heapBytes, long textureBytes, long largestTextureB
     /** The most that textures of one plan may take: what small graphics cards have. */
     static final long MOST_TEXTURE_BYTES = 3L << 30;
 
-    /** The most that Mesa's software renderer gives to one texture. */
-    static final long LARGEST_TEXTURE_BYTES = (2L << 30) - 1;
+    /** The most that Mesa's software renderer gives to one texture: less than 1536 MiB, as it leaves room for coarser levels. */
+    static final long LARGEST_TEXTURE_BYTES = 1500L << 20;
 
     /** The longest side that drivers of OpenGL 3.3 in use have in common. */
     static final long LONGEST_SIDE = 16384;
