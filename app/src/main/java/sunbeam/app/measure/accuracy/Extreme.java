@@ -15,7 +15,7 @@ import sunbeam.precompute.patch.HeightMap;
  */
 record Extreme(String name, Supplier<HeightMap> map, List<Double> coherenceLengths) {
     private static final long SEED = 1;
-    private static final double MICROMETRE = 1e-6;
+    private static final double MICROMETRES_PER_METRE = 1e6;
     private static final double NANOMETRE = 1e-9;
 
     /** The slowest last: mirrors, faint and single things, gratings of few and many lines, thin and vast patches, deep relief, far scales. */
@@ -45,7 +45,7 @@ record Extreme(String name, Supplier<HeightMap> map, List<Double> coherenceLengt
                 name,
                 map,
                 Arrays.stream(coherenceLengthsMicrometres)
-                        .map(length -> length * MICROMETRE)
+                        .map(length -> length / MICROMETRES_PER_METRE)
                         .boxed()
                         .toList());
     }
@@ -77,7 +77,7 @@ record Extreme(String name, Supplier<HeightMap> map, List<Double> coherenceLengt
 
     private static HeightMap dust(int side, double pitchNanometres, double reliefNanometres) {
         double pitch = pitchNanometres * NANOMETRE;
-        double radius = 0.5 * MICROMETRE / (side * pitch);
+        double radius = 0.5 / MICROMETRES_PER_METRE / (side * pitch);
         return RandomSurface.of(
                 side,
                 side,
