@@ -18,6 +18,7 @@ public final class Lengths {
     private static final String[] ENGINEERING_UNITS = {"pm", "nm", "um", "mm", "m"};
     /** Digits that a message shows; a height needs no more to be recognised. */
     private static final int SHOWN_DIGITS = 6;
+
     private static final double SMALLEST = 1e-15;
     /** Digits that tell every double from its neighbours. */
     private static final int MOST_DIGITS = 17;
