@@ -8,16 +8,17 @@ import sunbeam.precompute.numerics.UnitCircle;
 import sunbeam.precompute.patch.HeightMap;
 
 /**
- * Heights times exp(-2 pi i f r), less their plane: a wave of frequency f stands still in it. Samples finer than an
- * eighth of a period are averaged first. The plane is fitted together with the wave, because a plane fitted to a few
- * periods alone would take some of the wave with it.
+ * Heights times exp(-2 pi i f r), less their tilt and bow: a wave of frequency f stands still in it. Samples finer than an
+ * eighth of a period are averaged first. The surface of second degree is fitted together with the wave, because one fitted
+ * to a few periods alone would take some of the wave with it.
  */
 final class DemodulatedHeights {
     // Per period; the averages of that many damp the wave by less than 3 % and shift it by nothing.
     private static final int FEWEST_SAMPLES = 8;
     // The wave and its first overtones, which a sawtooth has, too.
     private static final int OVERTONES = 3;
-    private static final int TERMS = 3 + 2 * OVERTONES;
+    private static final int BOW = 6;
+    private static final int TERMS = BOW + 2 * OVERTONES;
 
     private final int columns;
     private final int rows;
@@ -53,7 +54,7 @@ final class DemodulatedHeights {
                 map.pitchX() * acrossX,
                 map.pitchY() * acrossY,
                 averages(map, acrossX, acrossY));
-        result.subtractPlane(frequencyX, frequencyY);
+        result.subtractBow(frequencyX, frequencyY);
         result.demodulate(frequencyX, frequencyY);
         return result;
     }
@@ -79,10 +80,10 @@ final class DemodulatedHeights {
     }
 
     /**
-     * Least squares of a + b x + c y and the wave with its first overtones; the pseudo-inverse bears single rows and
-     * columns.
+     * Least squares of a surface of second degree and the wave with its first overtones; the pseudo-inverse bears single
+     * rows and columns.
      */
-    private void subtractPlane(double frequencyX, double frequencyY) {
+    private void subtractBow(double frequencyX, double frequencyY) {
         double[][] normal = new double[TERMS][TERMS];
         double[] right = new double[TERMS];
         double[] terms = new double[TERMS];
@@ -91,12 +92,10 @@ final class DemodulatedHeights {
         for (int row = 0; row < rows; row++) {
             wave(frequencyX, frequencyY, row, cosines, sines);
             for (int column = 0; column < columns; column++) {
-                terms[0] = 1;
-                terms[1] = x(column) / width();
-                terms[2] = y(row) / height();
-                terms[3] = cosines[column];
-                terms[4] = sines[column];
-                for (int i = 5; i < TERMS; i += 2) {
+                bow(column, row, terms);
+                terms[BOW] = cosines[column];
+                terms[BOW + 1] = sines[column];
+                for (int i = BOW + 2; i < TERMS; i += 2) {
                     terms[i] = terms[i - 2] * cosines[column] - terms[i - 1] * sines[column];
                     terms[i + 1] = terms[i - 1] * cosines[column] + terms[i - 2] * sines[column];
                 }
@@ -118,10 +117,22 @@ final class DemodulatedHeights {
                 .getSolver()
                 .solve(new ArrayRealVector(right));
         for (int i = 0; i < heights.length; i++) {
-            heights[i] -= fitted.getEntry(0)
-                    + fitted.getEntry(1) * x(i % columns) / width()
-                    + fitted.getEntry(2) * y(i / columns) / height();
+            bow(i % columns, i / columns, terms);
+            for (int j = 0; j < BOW; j++) {
+                heights[i] -= fitted.getEntry(j) * terms[j];
+            }
         }
+    }
+
+    private void bow(int column, int row, double[] terms) {
+        double x = x(column) / width();
+        double y = y(row) / height();
+        terms[0] = 1;
+        terms[1] = x;
+        terms[2] = y;
+        terms[3] = x * x;
+        terms[4] = x * y;
+        terms[5] = y * y;
     }
 
     private void demodulate(double frequencyX, double frequencyY) {
@@ -165,8 +176,9 @@ final class DemodulatedHeights {
     }
 
     /**
-     * The wave's complex amplitude around a place: the mean under Hann windows along the wave and across it, which leave
-     * no trace of a constant, the mirror frequency and the overtones where the one along is whole periods long.
+     * The wave's complex amplitude around a place: the mean under a spline along the wave and a Hann window across it.
+     * Boxes of one period, folded with each other, leave no trace of a constant, the mirror frequency and the overtones;
+     * two of them none of a slope, three none of a bow, of which waviness consists at this scale.
      *
      * @param s metres along the direction from the patch's middle
      * @param t metres across it
@@ -189,7 +201,7 @@ final class DemodulatedHeights {
             double dy = y(row) - centreY;
             for (int column = firstColumn; column <= lastColumn; column++) {
                 double dx = x(column) - centreX;
-                double weight = hann((dx * frame.cosine() + dy * frame.sine()) / frame.along())
+                double weight = spline((dx * frame.cosine() + dy * frame.sine()) / frame.along(), frame.boxes())
                         * hann((dy * frame.cosine() - dx * frame.sine()) / frame.across());
                 sumReal += weight * real[row * columns + column];
                 sumImaginary += weight * imaginary[row * columns + column];
@@ -198,6 +210,19 @@ final class DemodulatedHeights {
         }
         amplitude[0] = weights > 0 ? sumReal / weights : 0;
         amplitude[1] = weights > 0 ? sumImaginary / weights : 0;
+    }
+
+    /** Two boxes folded, a triangle; or three, a bell of parabolas; 0 from half a window away. */
+    private static double spline(double windows, int boxes) {
+        double away = Math.abs(windows) * boxes;
+        if (away >= 0.5 * boxes) {
+            return 0;
+        }
+        double rest = 0.5 * boxes - away;
+        if (boxes == 2) {
+            return rest;
+        }
+        return away < 0.5 ? 0.75 - away * away : 0.5 * rest * rest;
     }
 
     /** cos^2, 0 from half a window away. */
@@ -226,6 +251,7 @@ final class DemodulatedHeights {
      * @param sine of the direction
      * @param along full length of the window along it, metres
      * @param across full length across, metres
+     * @param boxes of one period each, of which the one along is folded: 2 or 3
      */
-    record Frame(double cosine, double sine, double along, double across) {}
+    record Frame(double cosine, double sine, double along, double across, int boxes) {}
 }

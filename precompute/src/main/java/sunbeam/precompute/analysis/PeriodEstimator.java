@@ -17,6 +17,12 @@ public final class PeriodEstimator {
     // A scan's resolution is 1 / its length; no frequency is claimed to better than this share of it.
     private static final double FINEST = 1e-3;
     private static final double FINEST_OF_TWO = 0.02;
+    // Windows that do not overlap: in fewer, two waves explain much of what an uneven grating does, but not all.
+    private static final double FEWEST_FOR_TWO = 4;
+    private static final double NEAT = 1e-3;
+    // Lines that bend are closer to each other than along their mean direction; windows and strips even that out
+    // somewhat.
+    private static final double BENT = 1.5;
     // Strips of a grown surface count by their amplitudes, not alike, and fewer of them than there are are independent;
     // measured on simulated ones.
     private static final double UNEQUAL_STRIPS = 1.5;
@@ -53,27 +59,40 @@ public final class PeriodEstimator {
                 frequency = better;
             }
         }
-        return Optional.of(told(frequency, series));
+        double length = (series.size() + 1) * series.step();
+        double beats =
+                SamplingBeat.error(map, frequency * Math.cos(direction), frequency * Math.sin(direction), length);
+        return Optional.of(told(frequency, series, beats));
     }
 
     private static double moved(double frequency, double slope, PhaseSeries series) {
         return frequency + slope / (2 * Math.PI * series.step());
     }
 
-    private static PeriodEstimate told(double frequency, PhaseSeries series) {
+    private static PeriodEstimate told(double frequency, PhaseSeries series, double beats) {
         PhaseFit fit = new PhaseFit(series);
         double length = (series.size() + 1) * series.step();
         double finest = FINEST / length;
         Optional<TwoWaves> two = series.isStraight() ? TwoWaves.in(series.straight()) : Optional.empty();
-        if (two.isPresent()) {
+        boolean trusted = (series.size() - 1) / series.window() >= FEWEST_FOR_TWO
+                || two.filter(waves -> waves.rest() <= NEAT).isPresent();
+        if (two.isPresent() && trusted) {
             return ofTwo(frequency, series, two.get(), length);
         }
         PhaseFit.Interval slope = fit.slope(PROBABILITY);
         double middle = moved(frequency, slope.median(), series);
         double wider = (series.isStraight() ? 1 : UNEQUAL_STRIPS) * (1 + FEW_WANDERINGS * fit.wandering());
-        finest = Math.max(finest, beat(series) / length);
+        finest = Math.max(finest, beat(series) / length) + beats;
         double low = Math.min(middle + wider * (moved(frequency, slope.low(), series) - middle), middle - finest);
-        double high = Math.max(middle + wider * (moved(frequency, slope.high(), series) - middle), middle + finest);
+        double high = Math.max(middle + wider * (moved(frequency, slope.high(), series) - middle), middle + finest)
+                + BENT * series.bend() * middle;
+        if (two.isPresent()) {
+            // They may be two, or one whose lines are broken: the interval holds whatever is the truth.
+            double first = moved(frequency, two.get().first(), series);
+            double second = moved(frequency, two.get().second(), series);
+            low = Math.min(low, Math.min(first, second) - FINEST_OF_TWO / length);
+            high = Math.max(high, Math.max(first, second) + FINEST_OF_TWO / length);
+        }
         Optional<PeriodEstimate.Drift> drift = drift(frequency, fit, series);
         if (drift.isPresent()) {
             // Which of its periods is meant is not known.

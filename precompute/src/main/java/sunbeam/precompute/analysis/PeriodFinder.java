@@ -12,31 +12,47 @@ import sunbeam.precompute.patch.HeightMap;
  * Finds what repeats in a surface. A patch is first taken as a piece of a surface: its edges are tapered, and a
  * regularity is a peak above the local background of the averaged spectrum that fits at least four times into the patch, or
  * the sharp line of a grating that holds much of the heights' variance ({@link SharpLines}).
- * Where that shows nothing and the patch is small against a coherence area, it is taken as one period of a surface that
- * repeats, as the model takes it: a regularity is then a frequency that holds much of the heights' variance.
+ * Where that shows nothing and the patch is small against a coherence area, it may be taken as one period of a surface that
+ * repeats, as the model takes it: a regularity is then a frequency that holds much of the heights' variance. A piece of a
+ * surface is not: its waviness would be a period as long as the scan.
  */
 public final class PeriodFinder {
     // In half a coherence length or less, the patch's own repetition is what light sees.
     private static final double LARGEST_REPEATED = CoherenceWindow.SUNLIGHT_COHERENCE_LENGTH / 2;
+
+    // Overtones beyond the fifth are weaker than what would hide the fundamental.
+    private static final int LARGEST_DIVISOR = 5;
+    // Lines that differ by less are alike.
+    private static final double LEAST_FUNDAMENTAL = 0.1;
 
     private final HeightSpectrum tapered;
     private final HeightSpectrum periodic;
     private final TaperedPeaks taperedPeaks;
     private final double rms;
 
-    /** @param map heights without missing samples */
+    /** Heights that light sees repeated, without missing samples. */
     public PeriodFinder(HeightMap map) {
+        this(map, true);
+    }
+
+    /**
+     * Prepares.
+     *
+     * @param map heights without missing samples
+     * @param repeated whether light sees the patch repeated; otherwise it is a piece of a surface and nothing else
+     */
+    public PeriodFinder(HeightMap map, boolean repeated) {
         this.rms = HeightStatistics.rms(map.toArray());
         this.tapered = HeightSpectrum.of(map, HeightSpectrum.Edges.TAPERED);
         this.taperedPeaks = new TaperedPeaks(tapered);
-        boolean small = Math.max(map.width(), map.height()) <= LARGEST_REPEATED;
+        boolean small = repeated && Math.max(map.width(), map.height()) <= LARGEST_REPEATED;
         this.periodic = small ? HeightSpectrum.of(map, HeightSpectrum.Edges.PERIODIC) : null;
     }
 
     /** The surface's regularities in all directions. */
     public Periodicity all() {
         Periodicity others = choose(TaperedPeaks::all, PeriodicPeaks::all);
-        return line().map(sharp -> withLine(sharp, others)).orElse(others);
+        return withFundamental(line().map(sharp -> withLine(sharp, others)).orElse(others));
     }
 
     /**
@@ -61,6 +77,36 @@ public final class PeriodFinder {
 
     private Optional<SpectrumPeak> line() {
         return new SharpLines(tapered).strongest(variance(tapered));
+    }
+
+    /**
+     * The strongest wave may be an overtone of another sharp line, which waviness or narrow pairs of lines have hidden: that
+     * comes first where it is the stronger, and second where it only says that neighbouring lines differ.
+     */
+    private Periodicity withFundamental(Periodicity found) {
+        if (!found.found() || found.edges() != HeightSpectrum.Edges.TAPERED) {
+            return found;
+        }
+        SpectrumPeak first = found.peaks().get(0);
+        for (int divisor = LARGEST_DIVISOR; divisor >= 2; divisor--) {
+            Optional<SpectrumPeak> below =
+                    new SharpLines(tapered).at(first.frequencyX() / divisor, first.frequencyY() / divisor);
+            if (below.filter(peak -> peak.rms() >= LEAST_FUNDAMENTAL * first.rms())
+                    .isPresent()) {
+                return withFundamental(found, below.get());
+            }
+        }
+        return found;
+    }
+
+    private static Periodicity withFundamental(Periodicity found, SpectrumPeak below) {
+        List<SpectrumPeak> peaks = new ArrayList<>(found.peaks());
+        // The averaged spectrum may have shown it, too.
+        peaks.removeIf(
+                peak -> Math.hypot(peak.frequencyX() - below.frequencyX(), peak.frequencyY() - below.frequencyY())
+                        < 0.1 * below.frequency());
+        peaks.add(below.rms() >= found.peaks().get(0).rms() ? 0 : 1, below);
+        return new Periodicity(found.edges(), peaks, found.figure(), found.threshold());
     }
 
     private static double across(SpectrumPeak peak, double azimuth) {

@@ -26,7 +26,7 @@ public record Periodicity(HeightSpectrum.Edges edges, List<SpectrumPeak> peaks, 
                 ? String.format(
                         java.util.Locale.ROOT,
                         "the clearest peak of the power spectrum stands %.3g times above its surroundings, %.3g are"
-                                + " needed",
+                                + " needed, of periods that fit four times or more into the scan",
                         figure,
                         threshold)
                 : String.format(

@@ -15,15 +15,23 @@ import sunbeam.precompute.patch.HeightMap;
  * @param strengths amplitude at each place, metres
  * @param straight amplitudes of all strips together, complex, {@code [place][re, im]}, metres
  * @param straightness 0..1: how much of the strips' amplitudes is in step
- * @param window length of the Hann window around each place, in places
+ * @param bend by how much lines that bend are closer than along their mean direction, relative: half the mean square of
+ *     their angle to it, of those that bend alike at all places
+ * @param window length of the window around each place, in places
  */
 record PhaseSeries(
-        double step, double[] phases, double[] strengths, double[][] straight, double straightness, double window) {
+        double step,
+        double[] phases,
+        double[] strengths,
+        double[][] straight,
+        double straightness,
+        double bend,
+        double window) {
 
     // Windows along the wave, in periods: with whole numbers constant, mirror frequency and overtones cancel. Three
     // leave less of what lies beside; few periods need the shorter.
-    private static final double LONG = 3;
-    private static final double SHORT = 2;
+    private static final int LONG = 3;
+    private static final int SHORT = 2;
     private static final double ENOUGH_FOR_LONG = 9;
     private static final double ENOUGH_FOR_WHOLE_STEPS = 12;
     // Width of a strip in periods: wide enough to average noise, narrow enough for rows of a grown surface.
@@ -67,12 +75,13 @@ record PhaseSeries(
         double along = extent(heights.width(), heights.height(), cosine, sine);
         double across = extent(heights.width(), heights.height(), sine, cosine);
         double periods = along * frequency;
-        double window = (periods >= ENOUGH_FOR_LONG ? LONG : SHORT) / frequency;
+        int boxes = periods >= ENOUGH_FOR_LONG ? LONG : SHORT;
+        double window = boxes / frequency;
         double step = (periods >= ENOUGH_FOR_WHOLE_STEPS ? 1 : 0.5) / frequency;
         double strip = Math.min(across, STRIP / frequency);
         int strips = (int) Math.min(MOST_STRIPS, Math.max(1, Math.floor((across - strip) / (0.5 * strip)) + 1));
         double stripStep = strips > 1 ? (across - strip) / (strips - 1) : 0;
-        DemodulatedHeights.Frame frame = new DemodulatedHeights.Frame(cosine, sine, window, strip);
+        DemodulatedHeights.Frame frame = new DemodulatedHeights.Frame(cosine, sine, window, strip, boxes);
         int places = (int) Math.floor((along - window) / step * (1 + 1e-9)) + 1;
         double[][][] amplitudes = new double[Math.max(0, places)][strips][];
         for (int place = 0; place < places; place++) {
@@ -85,7 +94,7 @@ record PhaseSeries(
                 }
             }
         }
-        return joined(amplitudes, step, window);
+        return joined(amplitudes, step, window, 2 * Math.PI * frequency * stripStep);
     }
 
     /** Of the longest line in this direction through the patch's middle, metres. */
@@ -93,7 +102,8 @@ record PhaseSeries(
         return Math.min(width / Math.max(1e-12, Math.abs(cosine)), height / Math.max(1e-12, Math.abs(sine)));
     }
 
-    private static PhaseSeries joined(double[][][] all, double step, double window) {
+    /** @param across radians by which a wave along the strips turns from one to the next */
+    private static PhaseSeries joined(double[][][] all, double step, double window, double across) {
         List<double[][]> run = longestRun(all);
         int count = run.size();
         double[] phases = new double[count];
@@ -124,7 +134,8 @@ record PhaseSeries(
                 phases[k] = phases[k - 1] + Math.atan2(turn[1], turn[0]);
             }
         }
-        return new PhaseSeries(step, phases, strengths, straight, straightness, window / step);
+        double bend = across > 0 ? bend(run, Math.atan2(lean[1], lean[0]), across) : 0;
+        return new PhaseSeries(step, phases, strengths, straight, straightness, bend, window / step);
     }
 
     /** Neighbouring places that share at least one strip. */
@@ -142,6 +153,29 @@ record PhaseSeries(
             best = run.size() > best.size() ? List.copyOf(run) : best;
         }
         return best;
+    }
+
+    /** Half the mean square of the angles at which strips see the lines, against their mean lean. */
+    private static double bend(List<double[][]> run, double lean, double across) {
+        int pairs = run.isEmpty() ? 0 : run.get(0).length - 1;
+        double sum = 0;
+        int count = 0;
+        for (int i = 0; i < pairs; i++) {
+            double[] pair = new double[2];
+            double power = 0;
+            for (double[][] strips : run) {
+                if (strips[i] != null && strips[i + 1] != null) {
+                    addPair(pair, strips[i], strips[i + 1]);
+                    power += Math.hypot(strips[i][0], strips[i][1]) * Math.hypot(strips[i + 1][0], strips[i + 1][1]);
+                }
+            }
+            if (power > 0) {
+                count++;
+                double angle = Math.IEEEremainder(Math.atan2(pair[1], pair[0]) - lean, 2 * Math.PI) / across;
+                sum += Math.hypot(pair[0], pair[1]) > STRAIGHT * power ? angle * angle : 0;
+            }
+        }
+        return count == 0 ? 0 : 0.5 * sum / count;
     }
 
     private static boolean has(double[][] place) {

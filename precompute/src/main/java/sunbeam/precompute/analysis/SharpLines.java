@@ -50,6 +50,20 @@ final class SharpLines {
                 .max(Comparator.comparingDouble(SpectrumPeak::rms));
     }
 
+    /** The sharp line at a frequency, to a bin; empty where there is none, or it is no clear one. */
+    Optional<SpectrumPeak> at(double frequencyX, double frequencyY) {
+        int jx = (int) Math.rint(frequencyX * spectrum.width());
+        int jy = (int) Math.rint(frequencyY * spectrum.height());
+        for (int y = jy - 1; y <= jy + 1; y++) {
+            for (int x = jx - 1; x <= jx + 1; x++) {
+                if (Math.hypot(x, y) >= FEWEST_PERIODS && isTop(x, y)) {
+                    return Optional.of(peak(x, y)).filter(peak -> peak.figure() >= THRESHOLD);
+                }
+            }
+        }
+        return Optional.empty();
+    }
+
     private boolean isTop(int jx, int jy) {
         double here = spectrum.at(jx, jy);
         for (int dy = -LINE_BINS; dy <= LINE_BINS; dy++) {

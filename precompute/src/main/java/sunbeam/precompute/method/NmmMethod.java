@@ -120,8 +120,9 @@ public record NmmMethod(TableChoices table, Optional<Neighbourhood> neighbourhoo
     private record Planned(Surface surface, Plan plan, Weighting weighting) implements MethodPlan {
         @Override
         public String summary() {
-            return "nmm: one wavelength per order" + (weighting == Weighting.STEP ? ", unweighted" : "")
-                    + "; near the specular direction " + new PlanReport(plan).summary();
+            return "thesis's method of single orders (nmm): each order's middle wavelength stands for the whole order"
+                    + (weighting == Weighting.STEP ? ", all orders counting alike" : "")
+                    + "; near the mirror direction " + new PlanReport(plan).summary();
         }
 
         @Override

@@ -199,18 +199,22 @@ public record PqMethod(TableChoices table, PeriodInterpolation interpolation, Re
         public String summary() {
             return String.format(
                     Locale.ROOT,
-                    "pq: %d %s terms, %d x %d replicas with sharp edges, %s interpolation, %d wavelengths",
-                    expansion.terms(),
-                    expansion.kind().label(),
+                    "thesis's method of replicas (pq): the patch %d x %d times side by side with sharp edges, %d wavelengths"
+                            + " a pixel",
                     replicas.alongX(),
                     replicas.alongY(),
-                    interpolation.label(),
                     wavelengths.count());
         }
 
         @Override
         public List<String> reasons() {
             return List.of(
+                    String.format(
+                            Locale.ROOT,
+                            "sizes: %d %s terms, %s interpolation",
+                            expansion.terms(),
+                            expansion.kind().label(),
+                            interpolation.label()),
                     "replicas: as asked for, or as many as come closest to the coherence length",
                     String.format(
                             Locale.ROOT,

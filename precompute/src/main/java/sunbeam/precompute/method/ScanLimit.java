@@ -52,11 +52,15 @@ public record ScanLimit(Choices choices, Optional<Sentence> line) {
                 Optional.of(Sentence.of(
                         String.format(
                                 Locale.ROOT,
-                                "coherence length %s (the scan's %s; %s asked): orders are drawn %.2g times as broad as in sunlight; a larger scan or ",
+                                "coherence length %s (the scan's %s; %s asked): orders are drawn %s times as broad as in sunlight; a larger scan or ",
                                 Lengths.rounded(side, 4),
                                 patch.scan().width() <= side * SLACK ? "width" : "height",
                                 Lengths.format(asked),
-                                CoherenceWindow.SUNLIGHT_COHERENCE_LENGTH / side),
+                                times(CoherenceWindow.SUNLIGHT_COHERENCE_LENGTH / side)),
                         PatchSettings.PERIODIC)));
+    }
+
+    private static String times(double ratio) {
+        return String.format(Locale.ROOT, ratio < 10 ? "%.1f" : "%.0f", ratio);
     }
 }

@@ -67,10 +67,14 @@ public final class PlanReport {
      */
     public String cost(int patchRows) {
         return format(
-                "textures of at most %.3g MB; up to %d texture reads a pixel (the thesis's shader: %d)",
-                MemoryNeed.of(plan, patchRows).textureBytes() * 1e-6,
+                "textures of at most %s; up to %d texture reads a pixel (the thesis's shader: %d)",
+                megabytes(MemoryNeed.of(plan, patchRows).textureBytes()),
                 plan.sampling().reads(plan),
                 THESIS_READS);
+    }
+
+    private static String megabytes(double bytes) {
+        return bytes < 1e9 ? format("%.0f MB", bytes * 1e-6) : format("%.1f GB", bytes * 1e-9);
     }
 
     /** Several lines: each choice and its reason. */

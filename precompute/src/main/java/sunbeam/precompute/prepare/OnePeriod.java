@@ -18,7 +18,20 @@ public final class OnePeriod {
         if (Math.max(field.width(), field.height()) > LARGEST || hasGaps(field)) {
             return false;
         }
-        return Seam.of(field).fits() && lowShare(field) >= LEAST_SHARE;
+        if (!Seam.of(field).fits()) {
+            return false;
+        }
+        double share = lowShare(field);
+        return share >= LEAST_SHARE && share > bowShare(field);
+    }
+
+    /**
+     * The share of the variance that a surface of second degree has: a scanner's bow has equal heights at opposite borders,
+     * too, but is a parabola rather than a wave. Of one sine's period it has at most 0.92, of a triangle's 0.94.
+     */
+    private static double bowShare(HeightField field) {
+        double all = Polynomial.fit(field, 1).variance();
+        return all > 0 ? 1 - Polynomial.fit(field, 6).variance() / all : 0;
     }
 
     /** Whether the heights are one even ramp and nothing else: a tilted mirror, or one period of a blazed grating. */

@@ -18,6 +18,8 @@ public final class Lengths {
     private static final String[] ENGINEERING_UNITS = {"pm", "nm", "um", "mm", "m"};
     /** Digits that a message shows; a height needs no more to be recognised. */
     private static final int SHOWN_DIGITS = 6;
+
+    private static final double SMALLEST = 1e-15;
     /** Digits that tell every double from its neighbours. */
     private static final int MOST_DIGITS = 17;
 
@@ -61,9 +63,9 @@ public final class Lengths {
         return format(metres, SHOWN_DIGITS);
     }
 
-    /** As {@link #format(double)}, with so many digits. */
+    /** As {@link #format(double)}, with so many digits; below a femtometre, where only rounding errors lie, 0. */
     public static String rounded(double metres, int digits) {
-        return format(metres, digits);
+        return format(Math.abs(metres) < SMALLEST ? 0 : metres, digits);
     }
 
     /** As {@link #format(double)}, with as many digits as {@link #parse} needs to give the same number back. */

@@ -153,6 +153,9 @@ class PreparationTest {
         assertThat(OnePeriod.is(tilted)).isFalse();
         assertThat(OnePeriod.isRamp(tilted)).isFalse();
         assertThat(OnePeriod.is(field(PreparationTest::rough))).isFalse();
+        // A scanner's bow has equal borders, too.
+        assertThat(OnePeriod.is(field(i -> 1e-9 * Math.pow(i % COLUMNS - 0.5 * (COLUMNS - 1), 2))))
+                .isFalse();
         assertThat(OnePeriod.isRamp(field(i -> Math.rint(255.0 * (i % COLUMNS) / COLUMNS) * 1e-9)))
                 .isTrue();
     }

@@ -96,4 +96,11 @@ class LengthsTest {
             assertThat(Math.abs(back / metres - 1)).as(Double.toString(metres)).isLessThanOrEqualTo(5.0001e-6);
         }
     }
+
+    /** A plane through a level scan leaves 1e-23 m, which nobody wants to read. */
+    @Test
+    void whatRoundingLeavesIsNothing() {
+        assertThat(Lengths.rounded(1.32e-23, 3)).isEqualTo("0 m");
+        assertThat(Lengths.rounded(2e-15, 3)).isEqualTo("0.002 pm");
+    }
 }

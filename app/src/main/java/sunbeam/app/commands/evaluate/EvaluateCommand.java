@@ -184,7 +184,7 @@ public final class EvaluateCommand implements Callable<Integer> {
     private static List<String> periodLines(Evaluation evaluation) {
         return evaluation
                 .answer()
-                .map(PeriodReport::lines)
+                .map(answer -> PeriodReport.lines(answer, evaluation.target().heights()))
                 .orElse(List.of(
                         "period               not told: the heights show none near --period, so that its uncertainty is"
                                 + " unknown"));

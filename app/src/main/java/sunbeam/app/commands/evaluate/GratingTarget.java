@@ -45,7 +45,7 @@ record GratingTarget(
      * @throws NoPeriodException where neither the user nor the heights name a period
      */
     static GratingTarget of(Patch patch, GratingRequest request, double sigmaFrequency) {
-        PeriodFinder finder = new PeriodFinder(patch.scan());
+        PeriodFinder finder = new PeriodFinder(patch.scan(), patch.repetition() != Patch.Repetition.NONE);
         OptionalDouble given = request.azimuth();
         Periodicity heights = given.isPresent() ? finder.along(given.getAsDouble(), sigmaFrequency) : finder.all();
         if (!heights.found() && (given.isEmpty() || request.period().isEmpty())) {

@@ -5,8 +5,11 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import sunbeam.precompute.analysis.PeriodEstimate;
 import sunbeam.precompute.analysis.PeriodEstimator;
+import sunbeam.precompute.analysis.Periodicity;
+import sunbeam.precompute.analysis.SpectrumPeak;
 import sunbeam.precompute.evaluation.PeriodAnswer;
 
 /** The period and how well it is known: what is printed first. */
@@ -15,8 +18,43 @@ final class PeriodReport {
     // A drift or disagreement below this share of the period is not worth a line.
     private static final double EXACT = 1e-4;
     private static final double WORTH_SAYING = 2e-3;
+    // Of a frequency and the part of another that it is, for few periods.
+    private static final double ALIKE = 0.05;
+    private static final int LARGEST_DIVISOR = 5;
 
     private PeriodReport() {}
+
+    /** @param periods all that the heights show */
+    static List<String> lines(PeriodAnswer answer, Periodicity periods) {
+        List<String> lines = new ArrayList<>(lines(answer));
+        periods.peaks().stream()
+                .flatMap(peak -> unlike(peak, answer.heights(), periods).stream())
+                .findFirst()
+                .ifPresent(lines::add);
+        return lines;
+    }
+
+    /** Where every second or so line differs, and the surface itself repeats only after several. */
+    private static Optional<String> unlike(SpectrumPeak below, PeriodEstimate told, Periodicity periods) {
+        long divisor = Math.round(below.period() / told.period());
+        boolean whole = divisor >= 2 && divisor <= LARGEST_DIVISOR;
+        Optional<SpectrumPeak> first = periods.peaks().stream()
+                .filter(peak -> whole && isMultiple(peak, below, divisor))
+                .findFirst();
+        return first.map(line -> String.format(
+                Locale.ROOT,
+                "lines differ         each from its neighbours, not from the %s next: the surface repeats after about %.0f nm, a wave %.2g times as high",
+                divisor == 2 ? "second" : divisor == 3 ? "third" : divisor + "th",
+                divisor * told.period() * NANOMETRES,
+                below.rms() / line.rms()));
+    }
+
+    private static boolean isMultiple(SpectrumPeak peak, SpectrumPeak below, long divisor) {
+        return Math.hypot(
+                        peak.frequencyX() - divisor * below.frequencyX(),
+                        peak.frequencyY() - divisor * below.frequencyY())
+                <= ALIKE * peak.frequency();
+    }
 
     static List<String> lines(PeriodAnswer answer) {
         List<String> lines = new ArrayList<>();

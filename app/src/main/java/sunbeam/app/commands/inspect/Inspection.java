@@ -49,7 +49,7 @@ record Inspection(
 
     static Inspection of(Patch patch) {
         HeightMap map = patch.scan();
-        PeriodFinder finder = new PeriodFinder(map);
+        PeriodFinder finder = new PeriodFinder(map, patch.repetition() != Patch.Repetition.NONE);
         Periodicity periodicity = finder.all();
         ScanLimit limit = ScanLimit.of(Choices.none(), patch);
         return new Inspection(
@@ -166,9 +166,9 @@ record Inspection(
     private static String describe(PeriodEstimate estimate) {
         String interval = String.format(
                 Locale.ROOT,
-                "the first is known to %s .. %s (95 %%)",
-                rounded(estimate.low()),
-                rounded(estimate.high()));
+                "95 %% interval of the first: %.4g to %.4g nm",
+                estimate.low() * 1e9,
+                estimate.high() * 1e9);
         String second = estimate.second()
                 .map(other -> ", beside a second of " + rounded(other.period()))
                 .orElse("");

@@ -64,7 +64,7 @@ final class InspectCommandTest {
                 .contains("steeper than 30 degrees")
                 .contains("1600.0 nm in direction   0.0 degrees")
                 .contains("plan ")
-                .containsPattern("cost +textures of at most [0-9.e+]+ MB; up to [0-9]+ texture reads a pixel")
+                .containsPattern("cost +textures of at most [0-9.]+ [MG]B; up to [0-9]+ texture reads a pixel")
                 .endsWith(picture() + System.lineSeparator());
         BufferedImage sheet = ImageIO.read(new File(picture()));
         assertThat(sheet.getWidth()).isGreaterThan(1000);

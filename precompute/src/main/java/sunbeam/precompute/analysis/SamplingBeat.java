@@ -1,0 +1,114 @@
+package sunbeam.precompute.analysis;
+
+import sunbeam.precompute.patch.HeightMap;
+
+/**
+ * Walls that are steeper than samples lie apart hold overtones beyond half the sampling frequency. These come back near the
+ * wave itself, fs - n f or n f - fs, and their beat with it moves the wave's phase from one end of the scan to the other.
+ * A slow beat draws the frequency to where there is none, fs / m, so that it does not show in what was found: all that
+ * the windows let pass count alike. In directions between the axes each row has another beat, and their mean has none.
+ */
+final class SamplingBeat {
+    // Multiples of the sampling frequency that are followed.
+    private static final int MULTIPLES = 3;
+    // Overtones below this share of the sampling frequency are seen as they are.
+    private static final double SEEN = 0.45;
+    // A jump's overtones fall as 1 / n; nothing physical falls more slowly.
+    private static final double STEEPEST = 1;
+
+    private SamplingBeat() {}
+
+    /**
+     * By how much the frequency of a wave may be wrong for its beats, cycles per metre.
+     *
+     * @param map without missing samples
+     * @param frequencyX of the wave, cycles per metre
+     * @param frequencyY cycles per metre, upwards
+     * @param length over which the wave is followed, metres
+     */
+    static double error(HeightMap map, double frequencyX, double frequencyY, double length) {
+        double x = Math.abs(frequencyX);
+        double y = Math.abs(frequencyY);
+        boolean alongX = x >= y;
+        double sampling = 1 / (alongX ? map.pitchX() : map.pitchY());
+        double frequency = Math.max(x, y);
+        // Of the overtone next to the sampling frequency, from one border to the other, in turns.
+        double turned = sampling / frequency * Math.min(x, y) * (alongX ? map.height() : map.width());
+        if (turned > 1) {
+            return 0;
+        }
+        double jump = jump(profile(map, alongX), frequency / sampling);
+        double error = 0;
+        for (int multiple = 1; multiple <= MULTIPLES; multiple++) {
+            long nearest = Math.round(multiple * sampling / frequency);
+            for (long n = Math.max(2, nearest - 2); n <= nearest + 2; n++) {
+                double beat = Math.abs(Math.abs(multiple * sampling - n * frequency) - frequency);
+                double window = sinc(beat / frequency);
+                error += jump / n * Math.abs(window * window * window) / length;
+            }
+        }
+        return error;
+    }
+
+    /** Mean of all rows, or columns. */
+    private static double[] profile(HeightMap map, boolean alongX) {
+        double[] profile = new double[alongX ? map.columns() : map.rows()];
+        for (int row = 0; row < map.rows(); row++) {
+            for (int column = 0; column < map.columns(); column++) {
+                profile[alongX ? column : row] += map.at(column, row);
+            }
+        }
+        return profile;
+    }
+
+    /**
+     * A bound of n A(n) / A(1) for overtones that come back, from those that are seen: 1 for a saw of which each wall lies
+     * between two samples, next to nothing for a wave without walls. What falls from the lower half of those seen to the
+     * upper one falls on, at half that rate or more.
+     *
+     * @param turn of the wave from one sample to the next, in cycles
+     */
+    private static double jump(double[] profile, double turn) {
+        int highest = (int) Math.floor(SEEN / turn);
+        double first = amplitude(profile, turn);
+        if (highest < 2 || first == 0) {
+            return STEEPEST;
+        }
+        int middle = Math.max(1, highest / 2);
+        double upper = largest(profile, turn, middle + 1, highest) / first;
+        double lower = middle < 3 ? upper : largest(profile, turn, middle / 2 + 1, middle) / first;
+        // From the middle of the upper half to 1 / turn there are some four times as many as between the halves'
+        // middles.
+        double falling = upper < lower ? Math.pow(upper / lower, 2) : 1;
+        return Math.min(STEEPEST, upper * falling);
+    }
+
+    private static double largest(double[] profile, double turn, int from, int to) {
+        double largest = 0;
+        for (int n = from; n <= to; n++) {
+            largest = Math.max(largest, n * amplitude(profile, n * turn));
+        }
+        return largest;
+    }
+
+    /** Under a Hann window, relative; the mean is left out. */
+    private static double amplitude(double[] profile, double turn) {
+        double mean = 0;
+        for (double height : profile) {
+            mean += height / profile.length;
+        }
+        double real = 0;
+        double imaginary = 0;
+        for (int i = 0; i < profile.length; i++) {
+            double sine = Math.sin(Math.PI * (i + 0.5) / profile.length);
+            double weighted = sine * sine * (profile[i] - mean);
+            real += weighted * Math.cos(2 * Math.PI * turn * i);
+            imaginary += weighted * Math.sin(2 * Math.PI * turn * i);
+        }
+        return Math.hypot(real, imaginary);
+    }
+
+    private static double sinc(double x) {
+        return x == 0 ? 1 : Math.sin(Math.PI * x) / (Math.PI * x);
+    }
+}

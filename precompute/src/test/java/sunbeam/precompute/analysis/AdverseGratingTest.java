@@ -1,0 +1,135 @@
+package sunbeam.precompute.analysis;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.function.DoubleBinaryOperator;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.prepare.Levelling;
+
+/** Gratings that once had an answer stated with confidence and wrong. */
+class AdverseGratingTest {
+    private static HeightMap scan(int columns, int rows, double pitch, DoubleBinaryOperator height) {
+        double[] heights = new double[columns * rows];
+        for (int i = 0; i < heights.length; i++) {
+            heights[i] =
+                    height.applyAsDouble((i % columns - 0.5 * columns) * pitch, (0.5 * rows - i / columns) * pitch);
+        }
+        return new HeightMap(columns, rows, pitch, pitch, heights).levelled(Levelling.PLANE);
+    }
+
+    private static double part(double turns) {
+        return turns - Math.floor(turns);
+    }
+
+    /** Ridges as wide as the gaps between them, with walls of a fiftieth of a period. */
+    private static double ridge(double turns) {
+        return 1 / (1 + Math.exp((Math.abs(part(turns) - 0.5) - 0.25) / 0.02));
+    }
+
+    private static Periodicity periods(HeightMap map) {
+        return new PeriodFinder(map, false).all();
+    }
+
+    private static PeriodEstimate estimate(HeightMap map) {
+        return PeriodEstimator.estimate(map, periods(map).peaks().get(0)).orElseThrow();
+    }
+
+    /** A bow's slope, which grows from end to end, drew 1084 nm to 1087.1 nm, 95 % 1087.0 to 1087.1 nm. */
+    @Test
+    void aScannersBowDoesNotMoveThePeriod() {
+        double width = 454 * 55.3e-9;
+        PeriodEstimate estimate = estimate(scan(
+                454, 60, 55.3e-9, (x, y) -> 60e-9 * ridge(x / 1084.4e-9 + 0.2) + 4e-6 * x * x / (width * width)));
+        assertThat(1084.4e-9).isBetween(estimate.low(), estimate.high());
+        // The interval is the sampling's: a wall's overtones beat with the wave.
+        assertThat(estimate.halfWidth()).isLessThan(0.01 * 1084e-9);
+        assertThat(estimate.period()).isCloseTo(1084.4e-9, within(0.5e-9));
+    }
+
+    /** Sampled 15.1 times a period, a saw's 14th overtone comes back beside the wave and draws it to 15 samples. */
+    @ParameterizedTest
+    @CsvSource({"143, 259.44, 3920, 0.0", "143, 259.44, 3920, 0.3", "400, 100, 1510, 0.6"})
+    void wallsBetweenSamplesBeatWithTheWave(int columns, double pitchNm, double periodNm, double start) {
+        PeriodEstimate estimate =
+                estimate(scan(columns, 40, pitchNm * 1e-9, (x, y) -> 1e-7 * part(x / (periodNm * 1e-9) + start)));
+        assertThat(periodNm * 1e-9).isBetween(estimate.low(), estimate.high());
+    }
+
+    /** The interval of a wave without walls stays as narrow as the scan allows: no overtone comes back. */
+    @Test
+    void aSineHasNoBeat() {
+        HeightMap sine = scan(143, 40, 259.44e-9, (x, y) -> 1e-7 * Math.sin(2 * Math.PI * x / 3920e-9));
+        assertThat(SamplingBeat.error(sine, 1 / 3920e-9, 0, 30e-6)).isLessThan(1e-4 / 30e-6);
+    }
+
+    /** Waviness hid the first order of ridges, and their third was taken for the period. */
+    @Test
+    void anOvertoneIsNotThePeriod() {
+        HeightMap map = scan(
+                240,
+                131,
+                144.4e-9,
+                (x, y) -> 100e-9 * ridge(x / 1923e-9)
+                        + 90e-9 * Math.cos(2 * Math.PI * (0.07e6 * x + 0.03e6 * y) + 1)
+                        + 70e-9 * Math.cos(2 * Math.PI * (-0.02e6 * x + 0.09e6 * y) + 2));
+        PeriodEstimate estimate = estimate(map);
+        assertThat(1923e-9).isBetween(estimate.low(), estimate.high());
+        assertThat(estimate.period()).isCloseTo(1923e-9, within(10e-9));
+    }
+
+    /** Ridges in pairs repeat after two of their distances, and that is told beside it. */
+    @Test
+    void pairsOfLinesShowBothDistances() {
+        HeightMap map = scan(
+                394,
+                60,
+                80.5e-9,
+                (x, y) -> 1e-7 * Math.exp(-Math.pow((part(x / 848e-9) - 0.3) / 0.08, 2))
+                        + 0.7e-7 * Math.exp(-Math.pow((part(x / 848e-9) - 0.7) / 0.1, 2)));
+        assertThat(periods(map).peaks())
+                .anySatisfy(peak -> assertThat(peak.period()).isCloseTo(424e-9, within(1e-9)));
+        // To a tenth of a bin of 37 periods.
+        assertThat(periods(map).peaks())
+                .anySatisfy(peak -> assertThat(peak.period()).isCloseTo(848e-9, within(3e-9)));
+    }
+
+    /** Where the middle of eight lines is broken away, two waves fit as well as one, and neither is the truth. */
+    @Test
+    void fewBrokenLinesAreNotTwoPeriods() {
+        for (int missing = -3; missing < 3; missing++) {
+            int gap = missing;
+            HeightMap map = scan(111, 46, 79.3e-9, (x, y) -> {
+                double line = Math.floor(x / 1122e-9);
+                return line == gap || line == gap + 1
+                        ? 0
+                        : 1e-7 * Math.exp(-Math.pow((part(x / 1122e-9) - 0.5) / 0.15, 2));
+            });
+            for (SpectrumPeak peak : periods(map).peaks()) {
+                PeriodEstimator.estimate(map, peak)
+                        .filter(told -> Math.abs(told.period() / 1122e-9 - 1) < 0.3)
+                        .ifPresent(told -> assertThat(1122e-9).isBetween(told.low(), told.high()));
+            }
+        }
+    }
+
+    /** Along the mean direction bent lines seem farther apart, here by 0.2 %. */
+    @Test
+    void bentLinesAreCloserThanAlongTheirMeanDirection() {
+        PeriodEstimate estimate = estimate(scan(
+                304, 229, 96.7e-9, (x, y) -> 0.5e-7 * Math.cos(2 * Math.PI * Math.hypot(x + 58.8e-6, y) / 1823e-9)));
+        assertThat(1823e-9).isBetween(estimate.low(), estimate.high());
+        assertThat(estimate.halfWidth()).isLessThan(0.01 * 1823e-9);
+    }
+
+    /** "20 um, 79 % of the variance" was said of a scan of 20 um that is no period of its surface. */
+    @Test
+    void wavinessIsNoPeriodOfAPiece() {
+        HeightMap map = scan(128, 128, 156e-9, (x, y) -> 1e-8 * Math.cos(2 * Math.PI * y / 20e-6 + 0.4));
+        assertThat(new PeriodFinder(map, true).all().found()).isTrue();
+        assertThat(periods(map).found()).isFalse();
+    }
+}
