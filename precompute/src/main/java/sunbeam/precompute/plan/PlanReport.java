@@ -68,7 +68,7 @@ public final class PlanReport {
     public String cost(int patchRows) {
         return format(
                 "textures of at most %s; up to %d texture reads a pixel (the thesis's shader: %d)",
-                megabytes(MemoryNeed.of(plan, patchRows).textureBytes()),
+                megabytes((double) MemoryNeed.of(plan, patchRows).textureBytes()),
                 plan.sampling().reads(plan),
                 THESIS_READS);
     }

@@ -15,8 +15,8 @@ class AdverseGratingTest {
     private static HeightMap scan(int columns, int rows, double pitch, DoubleBinaryOperator height) {
         double[] heights = new double[columns * rows];
         for (int i = 0; i < heights.length; i++) {
-            heights[i] =
-                    height.applyAsDouble((i % columns - 0.5 * columns) * pitch, (0.5 * rows - i / columns) * pitch);
+            int row = i / columns;
+            heights[i] = height.applyAsDouble((i % columns - 0.5 * columns) * pitch, (0.5 * rows - row) * pitch);
         }
         return new HeightMap(columns, rows, pitch, pitch, heights).levelled(Levelling.PLANE);
     }
