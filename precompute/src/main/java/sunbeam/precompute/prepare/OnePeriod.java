@@ -26,12 +26,15 @@ public final class OnePeriod {
     }
 
     /**
-     * The share of the variance that a surface of second degree has: a scanner's bow has equal heights at opposite borders,
-     * too, but is a parabola rather than a wave. Of one sine's period it has at most 0.92, of a triangle's 0.94.
+     * The share of the variance that a surface of second degree has and a plane has not: a scanner's bow has equal heights at
+     * opposite borders, too, but is a parabola rather than a wave. Of one sine's period it has at most 0.92, of a triangle's
+     * 0.94, of a blazed grating's, which is a plane with a fall, next to nothing.
      */
     private static double bowShare(HeightField field) {
         double all = Polynomial.fit(field, 1).variance();
-        return all > 0 ? 1 - Polynomial.fit(field, 6).variance() / all : 0;
+        double beyondPlane =
+                Polynomial.fit(field, 3).variance() - Polynomial.fit(field, 6).variance();
+        return all > 0 ? beyondPlane / all : 0;
     }
 
     /** Whether the heights are one even ramp and nothing else: a tilted mirror, or one period of a blazed grating. */

@@ -156,6 +156,9 @@ class PreparationTest {
         // A scanner's bow has equal borders, too.
         assertThat(OnePeriod.is(field(i -> 1e-9 * Math.pow(i % COLUMNS - 0.5 * (COLUMNS - 1), 2))))
                 .isFalse();
+        // One period of a blazed grating is nearly a plane, and falls back in its last column.
+        assertThat(OnePeriod.is(field(i -> 1e-9 * (i % COLUMNS % (COLUMNS - 1)))))
+                .isTrue();
         assertThat(OnePeriod.isRamp(field(i -> Math.rint(255.0 * (i % COLUMNS) / COLUMNS) * 1e-9)))
                 .isTrue();
     }

@@ -163,7 +163,7 @@ class TableMethodTest {
                 .hasMessageContaining("coarser --tolerance");
         assertThatThrownBy(() -> probe.plan(map, "--method", "table", "--coherence-length", "600um"))
                 .isInstanceOf(SettingException.class)
-                .hasMessageMatching("(?s).*need [0-9.]+ [GM]B of .*");
+                .hasMessageMatching("(?s).*need a texture of [0-9.]+ GB, more than .*");
         assertThatThrownBy(() -> probe.plan(VisibleRange.all(), "--method", "table", "--coherence-length", "10mm"))
                 .as("on a mesh")
                 .isInstanceOf(SettingException.class)
