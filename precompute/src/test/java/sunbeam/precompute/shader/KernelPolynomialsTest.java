@@ -22,8 +22,8 @@ class KernelPolynomialsTest {
             double fraction = random.nextDouble();
             for (int tap = 0; tap < taps; tap++) {
                 double distance = fraction + 0.5 * taps - 1 - tap;
-                // 2e-8 of the peak, 1, is what polynomials may leave out; the places they are chosen at are 64 a tap.
-                assertEquals(design.kernel(distance), polynomials.weight(tap, 2 * fraction - 1), 2.5e-8);
+                // 2e-9 of the peak, 1, is what polynomials may leave out; the places they are chosen at are 64 a tap.
+                assertEquals(design.kernel(distance), polynomials.weight(tap, 2 * fraction - 1), 2.5e-9);
             }
         }
     }
