@@ -15,9 +15,6 @@ import sunbeam.app.scene.texture.BodyTexture;
 import sunbeam.app.scene.texture.BodyTextures;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.options.PatchOptions;
-import sunbeam.precompute.colourtable.ColourSource;
-import sunbeam.precompute.colourtable.TableLevels;
-import sunbeam.precompute.method.LevelledPlan;
 import sunbeam.precompute.method.MethodPlan;
 import sunbeam.precompute.method.ScanLimit;
 import sunbeam.precompute.patch.Patch;
@@ -104,23 +101,10 @@ public final class SceneLoader {
         Choices choices = scene.method().choices();
         MethodPlan method =
                 choices.located(() -> scene.method().seeing(patch).method().plan(setup.surface(), VisibleRange.all()));
-        Optional<LevelSources> levels = method.levelled().map(plan -> new SetupSources(setup, plan));
+        Optional<LevelSources> levels = method.levelled().map(plan -> new LevelsOfSetup(setup, plan));
         ShaderTables tables = levels.isPresent()
                 ? setup.freshTables(method, MethodUse.COLOUR, GpuColours::of)
                 : setup.tables(method, MethodUse.COLOUR, GpuColours::of);
         return new SceneData(scene, mesh, patch, method, tables, levels, body);
-    }
-
-    /** Levels by the tables of their methods, which are made, or read from the cache, when one is asked for. */
-    private record SetupSources(DiffractionSetup setup, LevelledPlan plan) implements LevelSources {
-        @Override
-        public TableLevels levels() {
-            return plan.levels();
-        }
-
-        @Override
-        public ColourSource open(int level, long places) {
-            return GpuColours.of(setup.tables(plan.source(level), MethodUse.COLOUR, GpuColours::of), places);
-        }
     }
 }

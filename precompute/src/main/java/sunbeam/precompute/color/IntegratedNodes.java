@@ -7,7 +7,7 @@ import org.apache.commons.math3.analysis.integration.gauss.GaussIntegrator;
 import org.apache.commons.math3.analysis.integration.gauss.GaussIntegratorFactory;
 
 /**
- * Wavelengths at equal steps of 1 / lambda, along which diffraction orders are equally wide, with weights that integrate
+ * Wavelengths at equal steps of 1 / lambda, along which diffraction orders are equally wide, or of its logarithm, with weights that integrate
  * the tabulated colour matching functions, linear between whole nanometres, exactly against the polynomial of degree 11
  * through neighbouring powers. Sampling these functions at the nodes instead errs by up to 1e-3 for a narrow blue order
  * even in steps of 1 nm, because where they grow exponentially the chord lies above the curve.
@@ -15,19 +15,51 @@ import org.apache.commons.math3.analysis.integration.gauss.GaussIntegratorFactor
 public final class IntegratedNodes {
     private static final int POINTS = 12;
     private static final int BEFORE = POINTS / 2 - 1;
-    // A piece is at most 1 nm and one step long: the integrand is a polynomial there, but for 1 / lambda.
+    // A piece is at most 1 nm and one step long: the integrand is a polynomial there, but for the scale of wavelengths.
     private static final int GAUSS_POINTS = 8;
 
+    /** What steps are equal in; ascending from the longest wavelength to the shortest. */
+    private enum Scale {
+        WAVE_NUMBER {
+            @Override
+            double of(double wavelength) {
+                return 1 / wavelength;
+            }
+
+            @Override
+            double wavelength(double value) {
+                return 1 / value;
+            }
+        },
+        LOGARITHM {
+            @Override
+            double of(double wavelength) {
+                return -Math.log(wavelength);
+            }
+
+            @Override
+            double wavelength(double value) {
+                return Math.exp(-value);
+            }
+        };
+
+        abstract double of(double wavelength);
+
+        abstract double wavelength(double value);
+    }
+
     private final CieTable cie;
+    private final Scale scale;
     private final double first;
     private final double step;
     private final int intervals;
     private final double[][] weights;
 
-    private IntegratedNodes(CieTable cie, double widestStep) {
-        double low = 1 / CieTable.MAXIMUM_WAVELENGTH;
-        double high = 1 / CieTable.MINIMUM_WAVELENGTH;
+    private IntegratedNodes(CieTable cie, Scale scale, double widestStep) {
+        double low = scale.of(CieTable.MAXIMUM_WAVELENGTH);
+        double high = scale.of(CieTable.MINIMUM_WAVELENGTH);
         this.cie = cie;
+        this.scale = scale;
         this.first = low;
         this.intervals = Math.max(POINTS, (int) Math.ceil((high - low) / widestStep));
         this.step = (high - low) / intervals;
@@ -40,7 +72,16 @@ public final class IntegratedNodes {
      * @param widestStep of 1 / lambda, cycles per metre
      */
     public static WavelengthNodes of(CieTable cie, double widestStep) {
-        return new IntegratedNodes(cie, widestStep).integrate();
+        return new IntegratedNodes(cie, Scale.WAVE_NUMBER, widestStep).integrate();
+    }
+
+    /**
+     * As {@link #of}, at equal steps of the logarithm of the wavelength.
+     *
+     * @param widestStep of ln lambda
+     */
+    public static WavelengthNodes logarithmic(CieTable cie, double widestStep) {
+        return new IntegratedNodes(cie, Scale.LOGARITHM, widestStep).integrate();
     }
 
     private WavelengthNodes integrate() {
@@ -57,7 +98,7 @@ public final class IntegratedNodes {
         double[][] ascending = new double[weights.length][];
         for (int i = 0; i < weights.length; i++) {
             int node = weights.length - 1 - i;
-            wavelengths[i] = 1 / (first + (node - BEFORE) * step);
+            wavelengths[i] = scale.wavelength(first + (node - BEFORE) * step);
             ascending[i] = weights[node];
         }
         return new WavelengthNodes(wavelengths, ascending);
@@ -67,14 +108,14 @@ public final class IntegratedNodes {
     private double[] pieces() {
         int knots = (int) Math.round((CieTable.MAXIMUM_WAVELENGTH - CieTable.MINIMUM_WAVELENGTH) * 1e9);
         DoubleStream table = IntStream.rangeClosed(0, knots).mapToDouble(i -> CieTable.MINIMUM_WAVELENGTH + i * 1e-9);
-        DoubleStream nodes = IntStream.range(1, intervals).mapToDouble(i -> 1 / (first + i * step));
+        DoubleStream nodes = IntStream.range(1, intervals).mapToDouble(i -> scale.wavelength(first + i * step));
         double[] ends = DoubleStream.concat(table, nodes).toArray();
         Arrays.sort(ends);
         return ends;
     }
 
     private void add(double wavelength, double length) {
-        double position = (1 / wavelength - first) / step;
+        double position = (scale.of(wavelength) - first) / step;
         int interval = (int) Math.max(0, Math.min(intervals - 1.0, Math.floor(position)));
         double fraction = position - interval;
         double[] matching = {cie.at(wavelength, 0), cie.at(wavelength, 1), cie.at(wavelength, 2)};

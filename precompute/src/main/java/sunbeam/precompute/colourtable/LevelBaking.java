@@ -20,20 +20,22 @@ public final class LevelBaking {
     private static final int SIDE = LevelGrid.SIDE;
     private static final int COLOURS = 3;
     private static final int CHANNELS = 4;
-    // Places that are evaluated at once: 3 MB each way.
-    private static final int BATCH = 1 << 18;
+    // Places that are evaluated at once: 50 MB each way. Few, and sources by rays would go along the same rays again.
+    private static final int BATCH = 1 << 22;
 
     /** A page as the shader has it: {@link LevelGrid#STORED_SIDE} rows of as many texels, 4 values each. */
     public static final int PAGE_FLOATS = LevelGrid.STORED_SIDE * LevelGrid.STORED_SIDE * CHANNELS;
 
     private final LevelGrid grid;
     // Of each page's own texels: square roots of X, Y, Z, and which of them are known.
-    private final Map<Integer, float[]> samples = new TreeMap<>();
-    private final Map<Integer, BitSet> known = new TreeMap<>();
+    private final float[][] samples;
+    private final BitSet[] known;
 
     /** @param grid of the level */
     public LevelBaking(LevelGrid grid) {
         this.grid = grid;
+        this.samples = new float[grid.pages()][];
+        this.known = new BitSet[grid.pages()];
     }
 
     /** Bytes of the samples of pages in Java's heap. */
@@ -73,7 +75,11 @@ public final class LevelBaking {
                 }
             }
         });
-        needed.forEach((page, texels) -> texels.andNot(known.getOrDefault(page, new BitSet())));
+        needed.forEach((page, texels) -> {
+            if (known[page] != null) {
+                texels.andNot(known[page]);
+            }
+        });
         return needed;
     }
 
@@ -100,7 +106,7 @@ public final class LevelBaking {
         }
     }
 
-    /** Slice after slice in {@link MortonOrder}: neighbours, which read nearly the same, are asked for together. */
+    /** In {@link MortonOrder}, all slices of a place together: those that read the same, or nearly so, are asked for together. */
     private long[] inOrder(Map<Integer, BitSet> needed) {
         LongStream.Builder texels = LongStream.builder();
         needed.forEach((page, inPage) -> {
@@ -108,17 +114,25 @@ public final class LevelBaking {
             inPage.stream().forEach(texel -> {
                 int row = texel / SIDE;
                 long number = MortonOrder.number(place[0] * SIDE + texel % SIDE, place[1] * SIDE + row);
-                texels.add((long) place[2] << Integer.SIZE | number);
+                texels.add(number << Short.SIZE | place[2]);
             });
         });
         return texels.build().parallel().sorted().toArray();
     }
 
+    private static int number(long texel) {
+        return (int) (texel >> Short.SIZE);
+    }
+
+    private static int slice(long texel) {
+        return (int) (texel & 0xffff);
+    }
+
     private void evaluate(long[] texels, ColourSource source) {
         float[] uvw = new float[3 * texels.length];
         IntStream.range(0, texels.length).parallel().forEach(i -> {
-            int number = (int) texels[i];
-            int slice = (int) (texels[i] >> Integer.SIZE);
+            int number = number(texels[i]);
+            int slice = slice(texels[i]);
             double[] place = grid.uvw(MortonOrder.x(number), MortonOrder.y(number), slice);
             for (int axis = 0; axis < 3; axis++) {
                 uvw[3 * i + axis] = (float) place[axis];
@@ -131,16 +145,20 @@ public final class LevelBaking {
     }
 
     private void keep(long texel, float[] xyz, int from) {
-        int column = MortonOrder.x((int) texel);
-        int row = MortonOrder.y((int) texel);
-        int page = page(column, row, (int) (texel >> Integer.SIZE));
+        int column = MortonOrder.x(number(texel));
+        int row = MortonOrder.y(number(texel));
+        int page = page(column, row, slice(texel));
         int inPage = row % SIDE * SIDE + column % SIDE;
-        float[] roots = samples.computeIfAbsent(page, number -> new float[SIDE * SIDE * COLOURS]);
+        if (samples[page] == null) {
+            samples[page] = new float[SIDE * SIDE * COLOURS];
+            known[page] = new BitSet(SIDE * SIDE);
+        }
+        float[] roots = samples[page];
         for (int c = 0; c < COLOURS; c++) {
             // A sum of the expansion's terms may leave a dark direction a little below nothing.
             roots[COLOURS * inPage + c] = (float) Math.sqrt(Math.max(0, xyz[from + c]));
         }
-        known.computeIfAbsent(page, number -> new BitSet()).set(inPage);
+        known[page].set(inPage);
     }
 
     /** The page of a texel. */
@@ -171,7 +189,7 @@ public final class LevelBaking {
 
     /** Copies a texel of the grid into the planes. */
     private void put(float[][] planes, int to, int column, int row, int slice) {
-        float[] roots = samples.get(page(column, row, slice));
+        float[] roots = samples[page(column, row, slice)];
         for (int c = 0; c < COLOURS; c++) {
             planes[c][to] = roots[COLOURS * (row % SIDE * SIDE + column % SIDE) + c];
         }

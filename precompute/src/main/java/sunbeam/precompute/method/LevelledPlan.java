@@ -1,6 +1,8 @@
 package sunbeam.precompute.method;
 
+import java.util.Optional;
 import sunbeam.precompute.colourtable.TableLevels;
+import sunbeam.precompute.plan.Plan;
 
 /** A plan whose tables are made page by page, as far as a picture's pixels look, and for pixels of any size. */
 public interface LevelledPlan extends MethodPlan {
@@ -14,4 +16,10 @@ public interface LevelledPlan extends MethodPlan {
      * @param level its number in {@link #levels()}
      */
     MethodPlan source(int level);
+
+    /** The plan of the bins by which all levels of an ensemble average are evaluated; empty for a coherent one. */
+    Optional<Plan> spectrum();
+
+    /** Relative error that evaluated colours may have. */
+    double tolerance();
 }

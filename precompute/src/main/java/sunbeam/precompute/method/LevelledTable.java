@@ -9,11 +9,13 @@ import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.colourtable.LevelGrid;
 import sunbeam.precompute.colourtable.TableLevels;
 import sunbeam.precompute.plan.Accuracy;
+import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.MemoryNeed;
 import sunbeam.precompute.plan.Plan;
 import sunbeam.precompute.plan.Roughness;
 import sunbeam.precompute.plan.TableChoices;
 import sunbeam.precompute.plan.VisibleRange;
+import sunbeam.precompute.rays.RaySpectrum;
 import sunbeam.precompute.setting.Sentence;
 import sunbeam.precompute.shader.ArrayLayout;
 import sunbeam.precompute.shader.MethodUse;
@@ -29,6 +31,7 @@ final class LevelledTable implements LevelledPlan {
 
     private final Surface surface;
     private final TableLevels levels;
+    private final double tolerance;
     private final TableChoices table;
     private final Roughness roughness;
     private final MethodPlan finest;
@@ -41,6 +44,7 @@ final class LevelledTable implements LevelledPlan {
     LevelledTable(Surface surface, TableLevels levels, double tolerance) {
         this.surface = surface;
         this.levels = levels;
+        this.tolerance = tolerance;
         this.table = TableChoices.of(new Accuracy.ByTolerance(tolerance));
         this.roughness = surface.planner().roughness(table, levels.area(), VisibleRange.all());
         this.finest = planned(0);
@@ -59,6 +63,25 @@ final class LevelledTable implements LevelledPlan {
     @Override
     public MethodPlan source(int level) {
         return level == 0 ? finest : planned(level);
+    }
+
+    @Override
+    public double tolerance() {
+        return tolerance;
+    }
+
+    @Override
+    public Optional<Plan> spectrum() {
+        if (levels.area().average() == Average.COHERENT) {
+            return Optional.empty();
+        }
+        TableLevels.Level coarsest = levels.levels().get(levels.levels().size() - 1);
+        return finest.sums()
+                .map(plan -> RaySpectrum.widened(
+                        plan,
+                        surface.map().width(),
+                        surface.map().height(),
+                        coarsest.area().window()));
     }
 
     @Override

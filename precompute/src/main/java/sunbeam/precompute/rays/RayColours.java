@@ -1,0 +1,235 @@
+package sunbeam.precompute.rays;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.function.LongConsumer;
+import java.util.stream.IntStream;
+import sunbeam.precompute.color.WavelengthNodes;
+import sunbeam.precompute.colourtable.ColourSource;
+import sunbeam.precompute.plan.GaussianArea;
+
+/**
+ * Colours of the ensemble average at many (u, v) in few slices of w: evaluated along rays through the origin, for all
+ * wavelengths and places at once ({@link RayConvolution}), and interpolated between them by quintic B-splines through
+ * square roots, which err by a tenth of what cubic splines between the places that are asked for will (docs/colour-tables.md).
+ *
+ * <p>The disc is divided into octaves of |(u, v)|, so that no more rays go inwards than are needed there, and octaves into
+ * sectors, of which only those are evaluated that are asked for. Safe for use by several threads.
+ */
+public final class RayColours implements ColourSource {
+    private static final double FARTHEST = 2;
+    // Within so many steps of the origin directions are evaluated one by one.
+    private static final double INNER_STEPS = 10;
+    // Of rays and of places on them, in steps of the table: quintic splines err by less there than cubic ones do at
+    // one.
+    private static final double SPACING = 1.1;
+    private static final int MOST_SLICES = 512;
+    private static final int CHANNELS = 3;
+    // exp(-reach^2) of a bin is left out: 1e-10 of it in the finest table, beside which a wing of 1e-6 stays right,
+    // 2e-5 in
+    // averages for pixels.
+    private static final double FINE_REACH = 4.8;
+    private static final double COARSE_REACH = 3.3;
+
+    private final RaySpectrum spectrum;
+    private final BlurredPowers powers;
+    private final double step;
+    private final LongConsumer progress;
+
+    /**
+     * Colours under a window.
+     *
+     * @param step of (u, v) between the places that will be asked for
+     * @param fine whether wings of bright orders matter
+     * @param progress told how many places have been evaluated since it was told last; by any thread
+     */
+    public RayColours(RaySpectrum spectrum, GaussianArea area, double step, boolean fine, LongConsumer progress) {
+        this.spectrum = spectrum;
+        this.powers = spectrum.under(area, fine ? FINE_REACH : COARSE_REACH, !fine);
+        this.step = SPACING * step;
+        this.progress = progress;
+    }
+
+    /**
+     * @throws IllegalArgumentException if places have more different w than slices are meant
+     */
+    @Override
+    public float[] xyz(float[] places) {
+        double[] depths = depths(places);
+        List<Octave> octaves = octaves(depths);
+        double inner = octaves.get(octaves.size() - 1).low();
+        List<RaySector.Places> sectors = new ArrayList<>();
+        octaves.forEach(octave -> sectors.addAll(octave.sectors()));
+        RaySector.Places direct = new RaySector.Places(null, 0);
+        for (int i = 0; i < places.length / CHANNELS; i++) {
+            double radius = Math.hypot(places[CHANNELS * i], places[CHANNELS * i + 1]);
+            if (radius < inner) {
+                direct.add(i);
+            } else {
+                octave(octaves, radius)
+                        .sector(places[CHANNELS * i], places[CHANNELS * i + 1])
+                        .add(i);
+            }
+        }
+        float[] xyz = new float[places.length];
+        sectors.removeIf(RaySector.Places::isEmpty);
+        // Sectors of one octave share kernels; those of the next are prepared by the time that they are needed.
+        IntStream.range(0, sectors.size()).parallel().forEach(i -> {
+            RaySector.Places sector = sectors.get(i);
+            new RaySector(sector.octave(), powers, sector).evaluate(places, depths, xyz);
+            progress.accept(sector.count());
+        });
+        new DirectColours(spectrum, powers).evaluate(direct, places, depths, xyz);
+        progress.accept(direct.count());
+        return xyz;
+    }
+
+    private static Octave octave(List<Octave> octaves, double radius) {
+        for (Octave octave : octaves) {
+            if (radius >= octave.low()) {
+                return octave;
+            }
+        }
+        throw new IllegalStateException("no octave holds " + radius);
+    }
+
+    private List<Octave> octaves(double[] depths) {
+        List<Octave> octaves = new ArrayList<>();
+        double high = FARTHEST;
+        do {
+            octaves.add(new Octave(spectrum, high, step, depths));
+            high /= 2;
+        } while (high > 2 * INNER_STEPS * step);
+        return octaves;
+    }
+
+    /** |w| of all places, ascending. */
+    private static double[] depths(float[] places) {
+        double[] all = IntStream.range(0, places.length / CHANNELS)
+                .mapToDouble(i -> Math.abs(places[CHANNELS * i + 2]))
+                .distinct()
+                .limit(MOST_SLICES + 1L)
+                .sorted()
+                .toArray();
+        if (all.length > MOST_SLICES) {
+            throw new IllegalArgumentException("places lie in more than " + MOST_SLICES + " slices of w");
+        }
+        return all;
+    }
+
+    /** Rays of an octave of |(u, v)|, and the places on them that belong to each of its sectors. */
+    static final class Octave {
+        // Rays of a sector; those beside it that splines see come on top.
+        private static final int SECTOR_RAYS = 192;
+        // Of ln lambda: colour matching functions have weights of their own, and terms' coefficients turn slower.
+        private static final double WIDEST_STEP = 0.01;
+
+        private static final double LITTLE_LONGER = 1.12;
+
+        private final RaySpectrum spectrum;
+        private final double low;
+        private final int rays;
+        private final double[] depths;
+        private final double widestStep;
+        private final List<RaySector.Places> sectors = new ArrayList<>();
+        private RayConvolution convolution;
+        private WavelengthNodes wavelengths;
+        private double start;
+        private double logStep;
+        private int count;
+
+        Octave(RaySpectrum spectrum, double high, double step, double[] depths) {
+            this.spectrum = spectrum;
+            this.low = high / 2;
+            this.depths = depths;
+            this.widestStep = Math.min(step / high, WIDEST_STEP);
+            this.rays = (int) Math.ceil(2 * Math.PI * high / step);
+            int divided = Math.max(1, rays / SECTOR_RAYS);
+            for (int i = 0; i < divided; i++) {
+                sectors.add(new RaySector.Places(this, (int) ((long) rays * i / divided)));
+            }
+        }
+
+        double low() {
+            return low;
+        }
+
+        int rays() {
+            return rays;
+        }
+
+        double[] depths() {
+            return depths;
+        }
+
+        List<RaySector.Places> sectors() {
+            return sectors;
+        }
+
+        /** Where a place lies among the rays, 0 to {@link #rays()}. */
+        double ray(double u, double v) {
+            double turns = Math.atan2(v, u) / (2 * Math.PI);
+            return (turns < 0 ? turns + 1 : turns) * rays;
+        }
+
+        RaySector.Places sector(double u, double v) {
+            int ray = Math.min(rays - 1, (int) ray(u, v));
+            int at = (int) ((long) ray * sectors.size() / rays);
+            while (at + 1 < sectors.size() && sectors.get(at + 1).firstRay() <= ray) {
+                at++;
+            }
+            while (sectors.get(at).firstRay() > ray) {
+                at--;
+            }
+            return sectors.get(at);
+        }
+
+        /** The first ray beyond a sector. */
+        int end(RaySector.Places sector) {
+            int next = sectors.indexOf(sector) + 1;
+            return next < sectors.size() ? sectors.get(next).firstRay() : rays;
+        }
+
+        /** Made when the first sector needs it. */
+        synchronized RayConvolution convolution() {
+            if (convolution == null) {
+                prepare(widestStep);
+                int power = Integer.highestOneBit(length() - 1);
+                if (length() < LITTLE_LONGER * power) {
+                    // A little coarser, transforms are half as long.
+                    prepare(widestStep * (length() + 2) / power);
+                }
+                convolution = new RayConvolution(start, count, wavelengths, depths, spectrum::coefficients);
+            }
+            return convolution;
+        }
+
+        private void prepare(double step) {
+            wavelengths = spectrum.wavelengths(step);
+            double[] nodes = wavelengths.wavelengths();
+            logStep = Math.log(nodes[nodes.length - 1] / nodes[0]) / (nodes.length - 1);
+            start = Math.log(low) - QuinticSpline.MARGIN * logStep;
+            count = 2 * QuinticSpline.MARGIN + 2 + (int) Math.ceil(Math.log(2) / logStep);
+        }
+
+        private int length() {
+            return count + wavelengths.count() - 1;
+        }
+
+        /** Places on a ray. */
+        int count() {
+            return count;
+        }
+
+        /** Where |(u, v)| lies among the places of a ray. */
+        double onRay(double radius) {
+            return (Math.log(radius) - start) / logStep;
+        }
+
+        @Override
+        public String toString() {
+            return rays + " rays of " + Arrays.toString(new double[] {low, 2 * low});
+        }
+    }
+}

@@ -1,0 +1,182 @@
+package sunbeam.precompute.rays;
+
+import java.util.Arrays;
+import org.apache.commons.math3.transform.DftNormalization;
+import org.apache.commons.math3.transform.FastFourierTransformer;
+import org.apache.commons.math3.transform.TransformType;
+import sunbeam.precompute.color.WavelengthNodes;
+
+/**
+ * Colours along a ray of (u, v) at equal steps of ln |(u, v)|, in several slices of w. A wavelength sees the frequency (u, v) /
+ * lambda, and ln |f| = ln |(u, v)| - ln lambda: for each term of the power the integral over wavelengths is a convolution
+ * of its values along the ray with the colour matching functions times the term's coefficient, which Fourier transforms do
+ * for all places and wavelengths at once. In double precision; its error is 1e-15 of the brightest place on the ray.
+ *
+ * <p>Immutable; each thread takes a {@link Line} of its own.
+ */
+final class RayConvolution {
+    private static final int COLOURS = 3;
+
+    private final int count;
+    private final int nodes;
+    private final int padded;
+    private final double[] frequencies;
+    private final int terms;
+    private final int slices;
+    // Of each pair of results, X and Y of a slice or Z of two: per term real and imaginary parts of the kernel's
+    // transform.
+    private final double[][][][] kernels;
+
+    /** Coefficients of the power's terms. */
+    @FunctionalInterface
+    interface Coefficients {
+        /** One value a term, for a wavelength in metres and the |w| of a slice. */
+        double[] at(double wavelength, double depth);
+    }
+
+    /**
+     * Prepares kernels.
+     *
+     * @param first ln |(u, v)| of the first place
+     * @param count of the places
+     * @param wavelengths at equal steps of their logarithm, which is that of the places
+     * @param depths |w| of the slices
+     */
+    RayConvolution(double first, int count, WavelengthNodes wavelengths, double[] depths, Coefficients coefficients) {
+        this.count = count;
+        this.nodes = wavelengths.count();
+        this.slices = depths.length;
+        int length = count + nodes - 1;
+        this.padded = Math.max(2, Integer.highestOneBit(length - 1) << 1);
+        double longest = Math.log(wavelengths.wavelengths()[nodes - 1]);
+        double step = (longest - Math.log(wavelengths.wavelengths()[0])) / (nodes - 1);
+        this.frequencies = new double[length];
+        Arrays.setAll(frequencies, i -> Math.exp(first - longest + i * step));
+        double[][][] atNodes = new double[slices][nodes][];
+        for (int slice = 0; slice < slices; slice++) {
+            for (int i = 0; i < nodes; i++) {
+                atNodes[slice][i] = coefficients.at(wavelengths.wavelengths()[i], depths[slice]);
+            }
+        }
+        this.terms = atNodes[0][0].length;
+        this.kernels = new double[pairs()][terms][][];
+        for (int pair = 0; pair < pairs(); pair++) {
+            int[] parts = parts(pair);
+            for (int m = 0; m < terms; m++) {
+                double[][] kernel = new double[2][padded];
+                for (int part = 0; part < 2; part++) {
+                    int slice = parts[part] / COLOURS;
+                    if (slice < slices) {
+                        for (int i = 0; i < nodes; i++) {
+                            kernel[part][i] = atNodes[slice][i][m] * wavelengths.weights()[i][parts[part] % COLOURS];
+                        }
+                    }
+                }
+                FastFourierTransformer.transformInPlace(kernel, DftNormalization.STANDARD, TransformType.FORWARD);
+                kernels[pair][m] = kernel;
+            }
+        }
+    }
+
+    /** Pairs of results, of which a complex transform gives two at once: X and Y of each slice, then Z of slices two by two. */
+    private int pairs() {
+        return slices + (slices + 1) / 2;
+    }
+
+    /** Results of a pair: slice times three plus colour; beyond the last slice there is none. */
+    private int[] parts(int pair) {
+        if (pair < slices) {
+            return new int[] {COLOURS * pair, COLOURS * pair + 1};
+        }
+        int slice = 2 * (pair - slices);
+        return new int[] {COLOURS * slice + 2, COLOURS * (slice + 1) + 2};
+    }
+
+    /** Cycles per metre at which terms are asked for along a ray. */
+    double[] frequencies() {
+        return frequencies;
+    }
+
+    /** Room for one ray. */
+    Line line() {
+        return new Line();
+    }
+
+    /** One ray at a time; belongs to a thread. */
+    final class Line {
+        private final double[][] values = new double[terms][padded];
+        private final double[][] transformed = new double[2][padded];
+        private final double[][][] spectra = new double[terms][2][padded];
+        private final double[][] sum = new double[2][padded];
+
+        /**
+         * Colours along a ray.
+         *
+         * @param target takes them: {@code [slice * 3 + colour][first + place]}; null where they are not wanted
+         */
+        void colours(BlurredPowers powers, double cosine, double sine, float[][] target, int first) {
+            powers.alongRay(cosine, sine, frequencies, values);
+            transformTerms();
+            for (int pair = 0; pair < pairs(); pair++) {
+                int[] parts = parts(pair);
+                float[] one = target[parts[0]];
+                float[] other = parts[1] < target.length ? target[parts[1]] : null;
+                if (one == null && other == null) {
+                    continue;
+                }
+                multiply(kernels[pair]);
+                FastFourierTransformer.transformInPlace(sum, DftNormalization.STANDARD, TransformType.INVERSE);
+                put(sum[0], one, first);
+                put(sum[1], other, first);
+            }
+        }
+
+        private void put(double[] from, float[] to, int first) {
+            if (to == null) {
+                return;
+            }
+            for (int i = 0; i < count; i++) {
+                to[first + i] = (float) from[nodes - 1 + i];
+            }
+        }
+
+        /** Two real terms in a complex transform; where there is no second, it is zero. */
+        private void transformTerms() {
+            for (int m = 0; m < terms; m += 2) {
+                System.arraycopy(values[m], 0, transformed[0], 0, padded);
+                if (m + 1 < terms) {
+                    System.arraycopy(values[m + 1], 0, transformed[1], 0, padded);
+                } else {
+                    Arrays.fill(transformed[1], 0);
+                }
+                FastFourierTransformer.transformInPlace(transformed, DftNormalization.STANDARD, TransformType.FORWARD);
+                double[] re = transformed[0];
+                double[] im = transformed[1];
+                for (int k = 0; k < padded; k++) {
+                    int mirrored = k == 0 ? 0 : padded - k;
+                    spectra[m][0][k] = 0.5 * (re[k] + re[mirrored]);
+                    spectra[m][1][k] = 0.5 * (im[k] - im[mirrored]);
+                    if (m + 1 < terms) {
+                        spectra[m + 1][0][k] = 0.5 * (im[k] + im[mirrored]);
+                        spectra[m + 1][1][k] = 0.5 * (re[mirrored] - re[k]);
+                    }
+                }
+            }
+        }
+
+        private void multiply(double[][][] kernel) {
+            Arrays.fill(sum[0], 0);
+            Arrays.fill(sum[1], 0);
+            for (int m = 0; m < terms; m++) {
+                addProduct(spectra[m][0], spectra[m][1], kernel[m][0], kernel[m][1], sum[0], sum[1]);
+            }
+        }
+    }
+
+    private static void addProduct(double[] ar, double[] ai, double[] br, double[] bi, double[] real, double[] imag) {
+        for (int k = 0; k < real.length; k++) {
+            real[k] += ar[k] * br[k] - ai[k] * bi[k];
+            imag[k] += ar[k] * bi[k] + ai[k] * br[k];
+        }
+    }
+}

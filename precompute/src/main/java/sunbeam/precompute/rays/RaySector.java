@@ -1,0 +1,140 @@
+package sunbeam.precompute.rays;
+
+import java.util.Arrays;
+
+/** A sector of an octave: colours on its rays, and interpolated between them. */
+final class RaySector {
+    private static final int COLOURS = 3;
+    private static final int MARGIN = QuinticSpline.MARGIN;
+
+    private final RayColours.Octave octave;
+    private final BlurredPowers powers;
+    private final Places asked;
+    private final int firstRay;
+    private final int rays;
+    private final int count;
+
+    RaySector(RayColours.Octave octave, BlurredPowers powers, Places asked) {
+        this.octave = octave;
+        this.powers = powers;
+        this.asked = asked;
+        octave.convolution();
+        this.firstRay = asked.firstRay() - MARGIN;
+        this.rays = octave.end(asked) - asked.firstRay() + 2 * MARGIN + 1;
+        this.count = octave.count();
+    }
+
+    /** Numbers of places that lie in a sector. */
+    static final class Places {
+        private final RayColours.Octave octave;
+        private final int firstRay;
+        private int[] numbers = new int[16];
+        private int count;
+
+        /** @param firstRay of the sector */
+        Places(RayColours.Octave octave, int firstRay) {
+            this.octave = octave;
+            this.firstRay = firstRay;
+        }
+
+        void add(int number) {
+            if (count == numbers.length) {
+                numbers = Arrays.copyOf(numbers, 2 * count);
+            }
+            numbers[count++] = number;
+        }
+
+        RayColours.Octave octave() {
+            return octave;
+        }
+
+        int firstRay() {
+            return firstRay;
+        }
+
+        int count() {
+            return count;
+        }
+
+        int number(int index) {
+            return numbers[index];
+        }
+
+        boolean isEmpty() {
+            return count == 0;
+        }
+    }
+
+    /**
+     * Evaluates the places that are asked for.
+     *
+     * @param places u, v, w of each place
+     * @param depths |w| of the slices, ascending
+     * @param xyz takes X, Y, Z of each place
+     */
+    void evaluate(float[] places, double[] depths, float[] xyz) {
+        boolean[] wanted = new boolean[depths.length];
+        int[] slices = new int[asked.count()];
+        for (int i = 0; i < slices.length; i++) {
+            slices[i] = Arrays.binarySearch(depths, Math.abs(places[COLOURS * asked.number(i) + 2]));
+            wanted[slices[i]] = true;
+        }
+        float[][] planes = planes(wanted);
+        double[] alongRay = new double[QuinticSpline.TAPS];
+        double[] acrossRays = new double[QuinticSpline.TAPS];
+        for (int i = 0; i < slices.length; i++) {
+            int at = COLOURS * asked.number(i);
+            double place = octave.onRay(Math.hypot(places[at], places[at + 1]));
+            double ray = octave.ray(places[at], places[at + 1]) - firstRay;
+            int column = (int) Math.floor(place);
+            int row = (int) Math.floor(ray);
+            QuinticSpline.weights(place - column, alongRay);
+            QuinticSpline.weights(ray - row, acrossRays);
+            int corner = (row - 2) * count + column - 2;
+            for (int c = 0; c < COLOURS; c++) {
+                double root = interpolated(planes[COLOURS * slices[i] + c], corner, alongRay, acrossRays);
+                xyz[at + c] = (float) (root * root);
+            }
+        }
+    }
+
+    private double interpolated(float[] plane, int corner, double[] alongRay, double[] acrossRays) {
+        double sum = 0;
+        for (int row = 0; row < acrossRays.length; row++) {
+            double line = 0;
+            for (int column = 0; column < alongRay.length; column++) {
+                line += alongRay[column] * plane[corner + row * count + column];
+            }
+            sum += acrossRays[row] * line;
+        }
+        return sum;
+    }
+
+    /** Splines through the square roots of colours, of the slices that are wanted. */
+    private float[][] planes(boolean[] wanted) {
+        float[][] planes = new float[COLOURS * wanted.length][];
+        for (int i = 0; i < planes.length; i++) {
+            planes[i] = wanted[i / COLOURS] ? new float[rays * count] : null;
+        }
+        RayConvolution.Line line = octave.convolution().line();
+        for (int i = 0; i < rays; i++) {
+            double angle = 2 * Math.PI * (firstRay + i) / octave.rays();
+            line.colours(powers, Math.cos(angle), Math.sin(angle), planes, i * count);
+        }
+        for (float[] plane : planes) {
+            if (plane != null) {
+                toSpline(plane);
+            }
+        }
+        return planes;
+    }
+
+    private void toSpline(float[] plane) {
+        for (int i = 0; i < plane.length; i++) {
+            // Sums of terms may leave a dark direction a little below nothing.
+            plane[i] = (float) Math.sqrt(Math.max(0, plane[i]));
+        }
+        QuinticSpline.alongRows(plane, rays, count);
+        QuinticSpline.alongColumns(plane, rays, count);
+    }
+}

@@ -1,0 +1,108 @@
+package sunbeam.precompute.rays;
+
+import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.color.IntegratedNodes;
+import sunbeam.precompute.color.WavelengthNodes;
+import sunbeam.precompute.expansion.HeightScale;
+import sunbeam.precompute.fourier.Band;
+import sunbeam.precompute.optics.CoherenceWindow;
+import sunbeam.precompute.plan.ErrorBudget;
+import sunbeam.precompute.plan.GaussianArea;
+import sunbeam.precompute.plan.Plan;
+import sunbeam.precompute.resample.PowerFields;
+import sunbeam.precompute.table.FourierTable;
+
+/**
+ * The powers of a surface's DFT bins in terms of the phase, from which colours of the ensemble average follow under any window
+ * that is no longer than the one that it was made for. Immutable, safe for use by several threads.
+ */
+public final class RaySpectrum {
+    // Deviations of the widest window whose bins are kept beyond what is visible.
+    private static final double MARGIN = 4;
+
+    // In sigma_f of a window: Gaussians around places so far apart give those between by polynomials of degree 7 to
+    // 1e-3.
+    private static final double FOLDED_SPACING = 0.4;
+
+    private final PowerFields fields;
+    private final HeightScale scale;
+    private final double minimumPhase;
+    private final double maximumPhase;
+    private final BinPlane bins;
+    private final CieTable cie;
+
+    /**
+     * Takes the terms of a table.
+     *
+     * @param plan that the table was made for
+     * @param tolerance relative error of colours
+     */
+    public RaySpectrum(Plan plan, FourierTable table, double tolerance, CieTable cie) {
+        this.fields = new PowerFields(table, plan.expansion(), new ErrorBudget(tolerance).powerBasis());
+        this.scale = table.scale();
+        this.minimumPhase = plan.expansion().minimumPhase();
+        this.maximumPhase = plan.expansion().maximumPhase();
+        this.cie = cie;
+        double[][] terms = new double[fields.count()][];
+        for (int m = 0; m < terms.length; m++) {
+            terms[m] = fields.field(m);
+        }
+        this.bins = BinPlane.of(
+                table.patch().columns() * table.patch().pitchX(),
+                table.patch().rows() * table.patch().pitchY(),
+                table.bandX().first(),
+                table.bandY().first(),
+                table.bandX().count(),
+                table.bandY().count(),
+                terms);
+    }
+
+    /**
+     * A plan with the bins that windows see which are shorter, down to one.
+     *
+     * @param width of the surface, metres
+     * @param height of the surface, metres
+     * @param shortest of the windows
+     */
+    public static Plan widened(Plan plan, double width, double height, CoherenceWindow shortest) {
+        double margin = MARGIN * shortest.sigmaFrequency();
+        return new Plan(
+                plan.accuracy(),
+                plan.range(),
+                plan.expansion(),
+                widened(plan.bandX(), (int) Math.ceil(margin * width)),
+                widened(plan.bandY(), (int) Math.ceil(margin * height)),
+                plan.window(),
+                plan.origin(),
+                plan.average(),
+                plan.sampling());
+    }
+
+    private static Band widened(Band band, int bins) {
+        return Band.of(band.first() - bins, band.last() + bins);
+    }
+
+    /**
+     * The powers under a window.
+     *
+     * @param reach in the window's sigma_f, beyond which a bin is left out
+     * @param folded whether bins that lie close beside the window's width may be taken together, which errs by a thousandth
+     */
+    BlurredPowers under(GaussianArea area, double reach, boolean folded) {
+        double spacing = FOLDED_SPACING * area.window().sigmaFrequency();
+        int foldX = folded ? (int) Math.max(1, spacing * bins.periodX()) : 1;
+        int foldY = folded ? (int) Math.max(1, spacing * bins.periodY()) : 1;
+        return new BlurredPowers(bins.folded(foldX, foldY), area.window(), reach);
+    }
+
+    /** Wavelengths at equal steps of their logarithm. */
+    WavelengthNodes wavelengths(double widestStep) {
+        return IntegratedNodes.logarithmic(cie, widestStep);
+    }
+
+    /** Coefficients of the terms; beyond the phases that they were made for, at the last of them. */
+    double[] coefficients(double wavelength, double depth) {
+        double phase = scale.phase(wavelength, depth);
+        return fields.functions(Math.max(minimumPhase, Math.min(maximumPhase, phase)));
+    }
+}

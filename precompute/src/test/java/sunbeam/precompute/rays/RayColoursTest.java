@@ -1,0 +1,118 @@
+package sunbeam.precompute.rays;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.util.Arrays;
+import java.util.SplittableRandom;
+import java.util.concurrent.atomic.AtomicLong;
+import org.junit.jupiter.api.Test;
+import sunbeam.precompute.Surfaces;
+import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.method.Surface;
+import sunbeam.precompute.optics.CoherenceWindow;
+import sunbeam.precompute.optics.Direction;
+import sunbeam.precompute.optics.DirectionPair;
+import sunbeam.precompute.optics.WindowOrigin;
+import sunbeam.precompute.patch.HeightLevels;
+import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.plan.Accuracy;
+import sunbeam.precompute.plan.Average;
+import sunbeam.precompute.plan.GaussianArea;
+import sunbeam.precompute.plan.Plan;
+import sunbeam.precompute.plan.TableChoices;
+import sunbeam.precompute.plan.VisibleRange;
+import sunbeam.precompute.reference.ReferenceColor;
+import sunbeam.precompute.reference.ReferenceEvaluator;
+import sunbeam.precompute.table.FourierTable;
+import sunbeam.precompute.table.PatchIdentity;
+import sunbeam.precompute.table.TableBuilder;
+
+class RayColoursTest {
+    private static final GaussianArea ENSEMBLE =
+            GaussianArea.STANDARD.with(CoherenceWindow.ofCoherenceLength(20e-6)).with(Average.ENSEMBLE);
+    private static final double STEP = 0.0018 * 65 / 20;
+
+    private static RaySpectrum spectrum(HeightMap map, GaussianArea shortest) {
+        PatchIdentity identity =
+                new PatchIdentity("test", map.columns(), map.rows(), map.pitchX(), map.pitchY(), "digest");
+        Surface surface = new Surface(map, HeightLevels.of(map), identity, CieTable.load());
+        Plan plan = surface.planner()
+                .plan(
+                        TableChoices.of(new Accuracy.ByTolerance(1e-4)),
+                        java.util.Optional.empty(),
+                        ENSEMBLE,
+                        VisibleRange.all());
+        Plan wide = RaySpectrum.widened(plan, map.width(), map.height(), shortest.window());
+        FourierTable table = new TableBuilder(identity, surface.levels(), terms -> {})
+                .build(wide.expansion(), wide.bandX(), wide.bandY());
+        return new RaySpectrum(wide, table, 1e-4, surface.cie());
+    }
+
+    /** Directions from the centre to grazing, in a few slices. */
+    private static float[] places(int count) {
+        SplittableRandom random = new SplittableRandom(11);
+        float[] places = new float[3 * count];
+        for (int i = 0; i < count; i++) {
+            double depth = 0.15 * (1 + random.nextInt(12));
+            double radius = random.nextDouble() * Math.sqrt(4 - depth * depth);
+            double angle = 2 * Math.PI * random.nextDouble();
+            places[3 * i] = (float) (radius * Math.cos(angle));
+            places[3 * i + 1] = (float) (radius * Math.sin(angle));
+            places[3 * i + 2] = (float) -depth;
+        }
+        return places;
+    }
+
+    private static double[] errors(HeightMap map, GaussianArea area, RaySpectrum spectrum, float[] places) {
+        AtomicLong told = new AtomicLong();
+        float[] xyz = new RayColours(spectrum, area, STEP, true, told::addAndGet).xyz(places);
+        assertThat(told.get()).isEqualTo(places.length / 3);
+        ReferenceColor reference = new ReferenceColor(
+                new ReferenceEvaluator(map, area.window(), WindowOrigin.CENTRE), area.window(), CieTable.load());
+        double[] errors = new double[places.length / 3];
+        for (int i = 0; i < errors.length; i++) {
+            // Only the sum of both directions counts.
+            DirectionPair pair = new DirectionPair(
+                    new Direction(-places[3 * i], -places[3 * i + 1], -places[3 * i + 2]), new Direction(0, 0, 0));
+            double[] exact = reference.xyz(pair, true);
+            double largest = Math.max(exact[0], Math.max(exact[1], exact[2]));
+            double difference = 0;
+            for (int c = 0; c < 3; c++) {
+                difference = Math.max(difference, Math.abs(xyz[3 * i + c] - exact[c]));
+            }
+            errors[i] = largest > 1e-9 ? difference / largest : 0;
+        }
+        Arrays.sort(errors);
+        return errors;
+    }
+
+    @Test
+    void coloursAreThoseOfTheReference() {
+        HeightMap map = Surfaces.random(60, 48, 150e-9, 500e-9, 4);
+        double[] errors = errors(map, ENSEMBLE, spectrum(map, ENSEMBLE), places(300));
+        // STEP is 1e-3's by TableDesign: quintic splines err by a tenth of that in the median, and dark places by more.
+        assertThat(errors[errors.length / 2]).isLessThan(1e-4);
+        assertThat(errors[errors.length * 95 / 100]).isLessThan(1e-3);
+    }
+
+    @Test
+    void ordersOfAGratingKeepTheirSkirts() {
+        HeightMap map = Surfaces.of(64, 8, 100e-9, (x, y) -> 150e-9 * Math.sin(2 * Math.PI * x / 1.6e-6));
+        double[] errors = errors(map, ENSEMBLE, spectrum(map, ENSEMBLE), places(300));
+        assertThat(errors[errors.length / 2]).isLessThan(2e-4);
+        assertThat(errors[errors.length * 95 / 100]).isLessThan(1e-2);
+    }
+
+    @Test
+    void placesInNoSlicesAreRefused() {
+        HeightMap map = Surfaces.random(12, 12, 150e-9, 100e-9, 4);
+        float[] places = new float[3 * 1000];
+        for (int i = 0; i < 1000; i++) {
+            places[3 * i] = 0.5f;
+            places[3 * i + 2] = -1e-3f * i;
+        }
+        RayColours colours = new RayColours(spectrum(map, ENSEMBLE), ENSEMBLE, STEP, true, done -> {});
+        assertThatThrownBy(() -> colours.xyz(places)).hasMessageContaining("slices");
+    }
+}
