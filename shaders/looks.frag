@@ -13,24 +13,25 @@ uniform float samplesAcross;
 // Standard deviation in (u, v) of what the finest level shows of a sharp order; each further level's is sqrt(2) times as large.
 uniform float finestSigma;
 uniform int levels;
+// Beyond so many places along the wide side a coarser level blurs the narrow side, too.
+uniform float mostPlaces;
 
 // (u, v, w) in the middle; w is the level, or -1 where nothing is diffracted.
 layout(location = 0) out vec4 place;
-// By how much (u, v, w) changes across the pixel and along it; w is in how many places it looks.
-layout(location = 1) out vec4 across;
-layout(location = 2) out vec4 along;
+// By how much (u, v, w) changes along the wide side of what it sees; w is in how many places it looks there.
+layout(location = 1) out vec4 wideLook;
+// As much of the narrow side. Seen from there, the parallelogram is a trapezoid: the fraction of w is 0.9 times the ratio of its
+// shorter edge to its longer one.
+layout(location = 2) out vec4 narrowLook;
 
 // A level may blur by this share of the variance of what is seen along the narrow side; the places lie so much closer that the
-// variance stays. Three quarters make a Gaussian's bell of the even mean over a pixel.
+// variance stays.
 const float BLUR = 0.75;
 // Of what a pixel of several samples sees, a level may blur by this share: their places are not moved.
 const float PIXEL_BLUR = 0.2;
 // Distance of the places that are looked at, in standard deviations of what the level shows of a sharp order: at 1.6 of them a row
 // of Gaussians is even within 2 exp(-2 pi^2 / 1.6^2) = 9e-4.
 const float SPACING = 1.6;
-// Beyond so many places along a side a coarser level blurs the narrow side, too.
-const float MOST_PLACES = 32.0;
-
 bool isSkin(ivec2 pixel, ivec2 size) {
     return all(greaterThanEqual(pixel, ivec2(0))) && all(lessThan(pixel, size)) && texelFetch(views, pixel, 0).w > 0.0;
 }
@@ -74,10 +75,11 @@ vec2 variances(vec2 a, vec2 b) {
     return trace > 0.0 ? vec2(determinant / wide, wide) : vec2(0.0);
 }
 
-// A vector, narrower across and along the wide side of the parallelogram of a and b.
-vec3 narrowed(vec3 vector, vec2 side, vec2 factors) {
-    vec2 onSide = dot(vector.xy, side) * side;
-    return vec3(factors.x * (vector.xy - onSide) + factors.y * onSide, factors.y * vector.z);
+// By how much (u, v, w) changes over what is seen along a unit vector of (u, v): of w, what goes with it.
+vec3 changeAlong(vec3 a, vec3 b, vec2 side, float length) {
+    vec2 shares = vec2(dot(a.xy, side), dot(b.xy, side));
+    float depth = dot(vec2(a.z, b.z), shares) / max(dot(shares, shares), 1e-30);
+    return length * vec3(side, depth);
 }
 
 // Unit vector along the wide side of a parallelogram: the eigenvector of a a^T + b b^T.
@@ -101,8 +103,8 @@ void main() {
     vec3 wr = texelFetch(views, pixel, 0).xyz;
     if (wi.z <= 0.0 || wr.z <= 0.0) {
         place = vec4(0.0, 0.0, 0.0, -1.0);
-        across = vec4(0.0);
-        along = vec4(0.0);
+        wideLook = vec4(0.0);
+        narrowLook = vec4(0.0);
         return;
     }
     vec3 uvw = diffractionVector(wi, wr);
@@ -112,18 +114,22 @@ void main() {
     float variance = finestSigma * finestSigma;
     float blur = max(BLUR, samplesAcross > 1.0 ? PIXEL_BLUR * samplesAcross * samplesAcross : 0.0) * seen.x;
     float narrow = log2(1.0 + blur / variance);
-    float longest = max(length(a.xy), length(b.xy));
-    float wide = 2.0 * log2(max(longest / (MOST_PLACES * SPACING * finestSigma), 1.0));
+    vec2 side = wideSide(a.xy, b.xy, 12.0 * seen.y);
+    // The trapezoid's edges, seen from the narrow side.
+    vec2 edges = abs(vec2(dot(a.xy, side), dot(b.xy, side)));
+    float longer = edges.x + edges.y;
+    float wide = 2.0 * log2(max(longer / (mostPlaces * SPACING * finestSigma), 1.0));
     int level = clamp(int(max(floor(narrow), ceil(wide))), 0, levels - 1);
     // Level l blurs by (2^l - 1) of the finest level's variance.
     float blurred = (exp2(float(level)) - 1.0) * variance;
-    vec2 factors = sqrt(max(1.0 - blurred / max(seen, vec2(1e-30)), 0.0));
-    vec2 side = wideSide(a.xy, b.xy, 12.0 * seen.y);
-    a = narrowed(a, side, factors);
-    b = narrowed(b, side, factors);
+    vec2 rest = max(seen - blurred, 0.0);
+    // Along the wide side the trapezoid shrinks; along the narrow one an even line has what is left of the variance.
+    float wideLength = longer * sqrt(rest.y / max(seen.y, 1e-30));
+    float narrowLength = sqrt(12.0 * rest.x);
     float spacing = SPACING * finestSigma * exp2(0.5 * float(level));
-    vec2 places = clamp(ceil(vec2(length(a.xy), length(b.xy)) / spacing), 1.0, MOST_PLACES);
+    vec2 places = clamp(ceil(vec2(wideLength, narrowLength) / spacing), 1.0, mostPlaces);
     place = vec4(uvw, float(level));
-    across = vec4(a, places.x);
-    along = vec4(b, places.y);
+    wideLook = vec4(changeAlong(a, b, side, wideLength), places.x);
+    float shorter = abs(edges.x - edges.y) / max(longer, 1e-30);
+    narrowLook = vec4(changeAlong(a, b, vec2(-side.y, side.x), narrowLength), places.y + 0.9 * shorter);
 }

@@ -4,10 +4,13 @@
 // pixels that see more than a point (docs/colour-tables.md).
 
 // How the pixel of each fragment looks into them (looks.frag): (u, v, w) in the middle, and the level, or -1 where nothing is
-// diffracted; by how much (u, v, w) changes across the pixel and along it, and in how many places it looks.
+// diffracted; by how much (u, v, w) changes along the wide and the narrow side of what it sees, and in how many places it looks.
 uniform sampler2D lookPlaces;
-uniform sampler2D lookAcross;
-uniform sampler2D lookAlong;
+uniform sampler2D lookWide;
+uniform sampler2D lookNarrow;
+
+// Levels that may stand in, one after the other, where pages of a finer one do not exist yet; 0 where all must.
+uniform int colourStandIns;
 
 // Number of each page's cell among the texels, plus one; 0 for those that do not exist. Slices of one level, then of the next.
 uniform sampler2DArray colourPages;
@@ -50,28 +53,44 @@ vec3 levelXyz(vec3 uvw, int level, vec4 grid) {
     return xyz;
 }
 
-// The mean over what the pixel of this fragment sees.
+// The mean over what the pixel of this fragment sees, in a level.
+vec3 seenXyz(int level, vec3 middle, vec4 wide, vec4 narrow) {
+    vec4 grid = texelFetch(colourLevels, ivec2(level, 0), 0);
+    float rows = floor(narrow.w);
+    // A trapezoid's density falls from the end of its shorter edge to that of the longer one; these are halves of a length of 1.
+    float shorter = 0.5 * min((narrow.w - rows) / 0.9, 0.999);
+    vec3 sum = vec3(0.0);
+    float weights = 0.0;
+    for (float i = 0.5; i < wide.w; i += 1.0) {
+        float t = i / wide.w - 0.5;
+        float weight = clamp((0.5 - abs(t)) / (0.5 - shorter), 0.0, 1.0);
+        weights += weight;
+        for (float j = 0.5; j < rows; j += 1.0) {
+            vec3 xyz = levelXyz(middle + t * wide.xyz + (j / rows - 0.5) * narrow.xyz, level, grid);
+            if (xyz.y == MISSING) {
+                return xyz;
+            }
+            sum += weight * xyz;
+        }
+    }
+    // Polynomials along w may pass below nothing where all is dark.
+    return max(grid.w / (weights * rows) * sum, vec3(0.0));
+}
+
 vec3 diffractedXyz(vec3 uvw) {
     ivec2 slot = ivec2(gl_FragCoord.xy);
     vec4 place = texelFetch(lookPlaces, slot, 0);
     if (place.w < 0.0) {
         return vec3(0.0);
     }
-    vec4 across = texelFetch(lookAcross, slot, 0);
-    vec4 along = texelFetch(lookAlong, slot, 0);
+    vec4 wide = texelFetch(lookWide, slot, 0);
+    vec4 narrow = texelFetch(lookNarrow, slot, 0);
     int level = int(place.w);
-    vec4 grid = texelFetch(colourLevels, ivec2(level, 0), 0);
-    vec3 sum = vec3(0.0);
-    for (float i = 0.5; i < across.w; i += 1.0) {
-        for (float j = 0.5; j < along.w; j += 1.0) {
-            vec3 seen = place.xyz + (i / across.w - 0.5) * across.xyz + (j / along.w - 0.5) * along.xyz;
-            vec3 xyz = levelXyz(seen, level, grid);
-            if (xyz.y == MISSING) {
-                return xyz;
-            }
-            sum += xyz;
-        }
+    int last = min(level + colourStandIns, textureSize(colourLevels, 0).x - 1);
+    vec3 xyz = seenXyz(level, place.xyz, wide, narrow);
+    while (xyz.y == MISSING && level < last) {
+        ++level;
+        xyz = seenXyz(level, place.xyz, wide, narrow);
     }
-    // Polynomials along w may pass below nothing where all is dark.
-    return max(grid.w / (across.w * along.w) * sum, vec3(0.0));
+    return xyz;
 }

@@ -16,8 +16,10 @@ import sunbeam.app.gpu.colours.LevelSources;
 
 /** How a skin's pixels look into levels of colours (shaders/looks.frag), and the pages that they look into. */
 final class SkinLooks implements AutoCloseable {
-    private static final List<String> SAMPLERS = List.of("lookPlaces", "lookAcross", "lookAlong");
+    private static final List<String> SAMPLERS = List.of("lookPlaces", "lookWide", "lookNarrow");
     private static final int CHANNELS = 4;
+    // Along the wide side of what a pixel sees.
+    private static final int MOST_PLACES = 32;
     // MISSING in table_levels.glsl is 1e30; weights and gains leave it far above anything that light does.
     private static final float MISSING = 1e20f;
 
@@ -33,6 +35,7 @@ final class SkinLooks implements AutoCloseable {
         this.target = context.createFloatTarget(
                 "looks", new FloatTargetSpec(Packing.COLUMNS, Packing.ROWS, SAMPLERS.size(), false));
         program.set("finestSigma", (float) sources.levels().sigma());
+        program.set("mostPlaces", (float) MOST_PLACES);
         program.set("levels", sources.levels().levels().size());
     }
 

@@ -66,7 +66,7 @@ final class FuzzRun {
                 "-max_len=20000",
                 "-print_final_stats=1",
                 // Of the clock, for inputs that wait; the budget of the processor's time is asserted.
-                "-timeout=60",
+                "-timeout=600",
                 "-report_slow_units=3600",
                 corpus.toString()));
         Path kept = KEPT.resolve(reader.corpus());

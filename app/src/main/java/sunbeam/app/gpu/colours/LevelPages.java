@@ -55,17 +55,17 @@ public final class LevelPages implements AutoCloseable {
      * Notes what a pixel looks into.
      *
      * @param places as shaders/looks.frag has it: u, v, w and level
-     * @param across change of u, v, w across the pixel, and number of places
-     * @param along change of u, v, w along it, and number of places
+     * @param wide change of u, v, w along the wide side of what the pixel sees, and number of places
+     * @param narrow change of u, v, w along the narrow side, and number of places
      * @param at where in these arrays the pixel begins
      */
-    public void note(float[] places, float[] across, float[] along, int at) {
+    public void note(float[] places, float[] wide, float[] narrow, int at) {
         int level = (int) places[at + 3];
         if (level < 0) {
             return;
         }
-        int columns = (int) across[at + 3];
-        int rows = (int) along[at + 3];
+        int columns = (int) wide[at + 3];
+        int rows = (int) narrow[at + 3];
         LevelGrid grid = grids.get(level);
         BitSet pages = wanted.get(level);
         double[] uvw = new double[CHANNELS - 1];
@@ -73,8 +73,8 @@ public final class LevelPages implements AutoCloseable {
             for (int j = 0; j < rows; j++) {
                 for (int axis = 0; axis < uvw.length; axis++) {
                     uvw[axis] = places[at + axis]
-                            + ((i + 0.5) / columns - 0.5) * across[at + axis]
-                            + ((j + 0.5) / rows - 0.5) * along[at + axis];
+                            + ((i + 0.5) / columns - 0.5) * wide[at + axis]
+                            + ((j + 0.5) / rows - 0.5) * narrow[at + axis];
                 }
                 grid.visit(uvw[0], uvw[1], uvw[2], pages::set);
             }
