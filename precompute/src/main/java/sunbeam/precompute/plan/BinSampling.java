@@ -120,8 +120,7 @@ public record BinSampling(Neighbourhood neighbourhood, WavelengthNodes wavelengt
 
     @Override
     public long loopSteps(Plan plan) {
-        return wavelengths.count()
-                * Math.max(plan.expansion().terms(), neighbourhood.bins() + 2L * neighbourhood.radiusY() + 1);
+        return wavelengths.count() * neighbourhood.loopSteps(plan.expansion().terms(), plan.average());
     }
 
     @Override

@@ -1,5 +1,6 @@
 package sunbeam.precompute.plan;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.IntStream;
@@ -62,12 +63,12 @@ final class GridArrays {
         int functions = average == Average.COHERENT ? expansion.terms() : CHANNELS * texels;
         ArrayLayout coefficients =
                 SpectrumArrays.coefficientsLayout(name + "Coefficients", samples, functions, CHANNELS);
-        return use == MethodUse.SPECTRAL
-                ? List.of(coefficients, pointLayout(texels, use).array())
-                : List.of(
-                        coefficients,
-                        pointLayout(texels, use).array(),
-                        raysLayout(texels).array());
+        List<ArrayLayout> layouts =
+                new ArrayList<>(List.of(coefficients, pointLayout(texels, use).array()));
+        if (use == MethodUse.COLOUR) {
+            raysLayouts(texels).forEach(rays -> layouts.add(rays.array()));
+        }
+        return layouts;
     }
 
     private TermsLayout pointLayout(int texels, MethodUse use) {
@@ -80,13 +81,21 @@ final class GridArrays {
                 1);
     }
 
-    private TermsLayout raysLayout(int texels) {
+    /** Columns along x followed by rows along y in one texture; where drivers have none so large, in one of their own each. */
+    private List<TermsLayout> raysLayouts(int texels) {
+        TermsLayout together = raysLayout("Rays", texels, 2);
+        return together.array().bytes() <= MemoryNeed.LARGEST_TEXTURE_BYTES
+                ? List.of(together)
+                : List.of(raysLayout("Columns", texels, 1), raysLayout("Rows", texels, 1));
+    }
+
+    private TermsLayout raysLayout(String suffix, int texels, int grids) {
         return TermsLayout.of(
-                name + "Rays",
+                name + suffix,
                 Math.max(samplesX().count(), samplesY().count()),
                 Math.max(nodesX().count(), nodesY().count()),
                 texels,
-                2);
+                grids);
     }
 
     /** Where both axes are interpolated: everywhere for single wavelengths, near the specular direction for colours. */
@@ -128,9 +137,10 @@ final class GridArrays {
                 .reals(name + "Scale", 1 / step);
         addPoint(tables, table, fields, point, use);
         if (use == MethodUse.COLOUR) {
-            TermsLayout rays = raysLayout(texels);
-            tables.define(prefix + "_RAYS_TOGETHER", rays.together())
-                    .define(prefix + "_RAYS_LAYERS", rays.layersPerGrid());
+            List<TermsLayout> rays = raysLayouts(texels);
+            tables.define(prefix + "_RAYS_TOGETHER", rays.get(0).together())
+                    .define(prefix + "_RAYS_LAYERS", rays.get(0).layersPerGrid())
+                    .define("RAYS_APART", rays.size() - 1);
             addRays(tables, table, fields, rays);
         }
     }
@@ -153,7 +163,8 @@ final class GridArrays {
      * The grids whose columns (along x) and rows (along y) the rays cross. Each of these lies in one piece, whose samples
      * neighbouring pixels share, as a row of the texture.
      */
-    private void addRays(ShaderTables.Builder tables, FourierTable table, Fields fields, TermsLayout layout) {
+    private void addRays(ShaderTables.Builder tables, FourierTable table, Fields fields, List<TermsLayout> layouts) {
+        TermsLayout layout = layouts.get(0);
         double patchWidth = table.patch().width();
         double patchHeight = table.patch().height();
         GridResampler columns = new GridResampler(
@@ -165,12 +176,19 @@ final class GridArrays {
                         samplesX().extended(layout.samples()), table.bandX(), patchWidth, sampling.interpolation()),
                 AxisResampler.exact(nodesY().extended(layout.array().height()), table.bandY(), patchHeight, sigma));
         int layers = layout.layersPerGrid();
-        tables.array(TableArray.computed(
-                        layout.array(),
-                        layer -> layer < layers
-                                ? layer(fields, layer, layout, columns, Order.COLUMNS)
-                                : layer(fields, layer - layers, layout, rows, Order.ROWS)))
-                .reals("gridRayScale", 1 / step)
+        if (layouts.size() == 1) {
+            tables.array(TableArray.computed(
+                    layout.array(),
+                    layer -> layer < layers
+                            ? layer(fields, layer, layout, columns, Order.COLUMNS)
+                            : layer(fields, layer - layers, layout, rows, Order.ROWS)));
+        } else {
+            tables.array(TableArray.computed(
+                            layout.array(), layer -> layer(fields, layer, layout, columns, Order.COLUMNS)))
+                    .array(TableArray.computed(
+                            layouts.get(1).array(), layer -> layer(fields, layer, layout, rows, Order.ROWS)));
+        }
+        tables.reals("gridRayScale", 1 / step)
                 .reals(
                         "gridRaysFirst",
                         nodesX().first(),

@@ -20,7 +20,7 @@ public record MemoryNeed(long heapBytes, long textureBytes, long largestTextureB
     static final long MOST_TEXTURE_BYTES = 3L << 30;
 
     /** The most that Mesa's software renderer gives to one texture: less than 1536 MiB, as it leaves room for coarser levels. */
-    static final long LARGEST_TEXTURE_BYTES = 1500L << 20;
+    public static final long LARGEST_TEXTURE_BYTES = 1500L << 20;
 
     /** The longest side that drivers of OpenGL 3.3 in use have in common. */
     static final long LONGEST_SIDE = 16384;

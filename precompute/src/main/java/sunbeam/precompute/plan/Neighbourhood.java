@@ -53,6 +53,15 @@ public record Neighbourhood(int radiusX, int radiusY, Anchor anchor) {
         return radiusY + 1;
     }
 
+    /**
+     * Steps of loops that one wavelength takes, at least as many as drivers count (shaders/method/neighbourhood.glsl): of the
+     * ensemble average, whose squares are summed bin by bin, compilers leave the loop over a bin's terms.
+     */
+    long loopSteps(int terms, Average average) {
+        long rows = 2L * radiusY + 1;
+        return average == Average.ENSEMBLE ? 2 * bins() + 3 * rows : Math.max(terms, bins() + rows);
+    }
+
     /** Texture reads of all bins. */
     long reads(int terms) {
         return bins() * terms;

@@ -65,7 +65,7 @@ public record RaySampling(Neighbourhood neighbourhood, BandRule band) implements
     @Override
     public long loopSteps(Plan plan) {
         return mostNodes(plan.range())
-                * Math.max(plan.expansion().terms(), neighbourhood.bins() + 2L * neighbourhood.radiusY() + 1);
+                * neighbourhood.loopSteps(plan.expansion().terms(), plan.average());
     }
 
     @Override

@@ -51,8 +51,8 @@ import sunbeam.precompute.setting.Choices;
 public final class RenderCommand implements Callable<Integer> {
     private static final int MOST_SUPERSAMPLES = 8;
     private static final int MOST_CERTIFIED = 10_000;
-    // Of the points that a certificate compares with.
-    private static final double STANDARD = 1e-3;
+    // Of the points that a picture is compared with: a quarter of what the median of its errors may be.
+    private static final double CERTIFYING = 5e-3;
 
     private final Environment environment;
 
@@ -154,7 +154,7 @@ public final class RenderCommand implements Callable<Integer> {
                         .method()
                         .with(Choices.none()
                                 .with(Methods.METHOD, FullMethod.TYPE)
-                                .with(TOLERANCE, STANDARD)));
+                                .with(TOLERANCE, CERTIFYING)));
         SceneData exact = new SceneLoader(environment, warning -> {}).load(points, data);
         SceneCertificate certificate = frames.certify(context, exact, frames.exposure(), certify);
         out.println("certificate: " + certificate.summary());
