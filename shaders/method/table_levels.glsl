@@ -9,9 +9,6 @@ uniform sampler2D lookPlaces;
 uniform sampler2D lookWide;
 uniform sampler2D lookNarrow;
 
-// Levels that may stand in, one after the other, where pages of a finer one do not exist yet; 0 where all must.
-uniform int colourStandIns;
-
 // Number of each page's cell among the texels, plus one; 0 for those that do not exist. Slices of one level, then of the next.
 uniform sampler2DArray colourPages;
 // One texel a level: u and v of its first texel, texels per unit, pages across, and what its power counts.
@@ -86,11 +83,5 @@ vec3 diffractedXyz(vec3 uvw) {
     vec4 wide = texelFetch(lookWide, slot, 0);
     vec4 narrow = texelFetch(lookNarrow, slot, 0);
     int level = int(place.w);
-    int last = min(level + colourStandIns, textureSize(colourLevels, 0).x - 1);
-    vec3 xyz = seenXyz(level, place.xyz, wide, narrow);
-    while (xyz.y == MISSING && level < last) {
-        ++level;
-        xyz = seenXyz(level, place.xyz, wide, narrow);
-    }
-    return xyz;
+    return seenXyz(level, place.xyz, wide, narrow);
 }

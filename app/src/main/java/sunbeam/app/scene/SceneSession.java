@@ -192,13 +192,45 @@ public final class SceneSession implements AutoCloseable {
         if (skin.looks().isEmpty()) {
             return;
         }
+        note(width, height, parts, samples);
+        skin.looks().get().make();
+    }
+
+    private void note(int width, int height, List<Tile> parts, int samples) {
         SkinGeometry geometry = SkinGeometry.of(scene(), mesh, body, width, height);
         for (Tile part : parts) {
             for (SceneBlocks.Piece piece : SceneBlocks.split(width, height, part)) {
                 shading.look(skin.looks().get(), scene(), drawn(geometry, piece), piece.inBlock(), samples);
             }
         }
-        skin.looks().get().make();
+    }
+
+    /**
+     * From now on makes colours in the background, where the method's are made as they are looked at.
+     *
+     * @param arrived told, by another thread, that there are more; {@link #takeBaked} takes them
+     */
+    public void bakeInBackground(Runnable arrived) {
+        skin.looks().ifPresent(looks -> looks.pages().bakeInBackground(arrived));
+    }
+
+    /** Takes over what has been made in the background; whether there was anything. */
+    public boolean takeBaked() {
+        return skin.looks().map(looks -> looks.pages().takeBaked()).orElse(false);
+    }
+
+    /** Leaves the processors to what is being drawn for a while. */
+    public void holdBaking() {
+        skin.looks().ifPresent(looks -> looks.pages().holdBaking());
+    }
+
+    /** Asks the background for all that a picture looks into; the share of it that is there, 1 where nothing is missing. */
+    public double request(int width, int height) {
+        if (skin.looks().isEmpty()) {
+            return 1;
+        }
+        note(width, height, tiles(width, height, 1), 1);
+        return skin.looks().get().pages().request();
     }
 
     /** Time that has gone to the mesh so far; the rest goes to pixels. */

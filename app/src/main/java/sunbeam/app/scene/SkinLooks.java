@@ -54,13 +54,18 @@ final class SkinLooks implements AutoCloseable {
         textures.add(new Binding("sources", sources));
         context.drawFullScreen(program, textures, target, used);
         float[] places = target.read(0, used);
-        float[] across = target.read(1, used);
-        float[] along = target.read(2, used);
+        float[] wide = target.read(1, used);
+        float[] narrow = target.read(2, used);
         for (int i = 0; i < packing.count(); i++) {
             // Rows are read from the top.
             int row = packing.rows() - 1 - packing.row(i);
-            pages.note(places, across, along, CHANNELS * (row * packing.columns() + packing.column(i)));
+            pages.note(places, wide, narrow, CHANNELS * (row * packing.columns() + packing.column(i)));
         }
+    }
+
+    /** The pages. */
+    LevelPages pages() {
+        return pages;
     }
 
     /** Makes the pages that were noted and are missing. */

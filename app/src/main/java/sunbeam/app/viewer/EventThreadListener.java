@@ -27,6 +27,11 @@ record EventThreadListener(RenderListener there) implements RenderListener {
     }
 
     @Override
+    public void waiting(double share) {
+        SwingUtilities.invokeLater(() -> there.waiting(share));
+    }
+
+    @Override
     public void complete(ViewState state, BufferedImage image, double exposure, long nanoseconds) {
         SwingUtilities.invokeLater(() -> there.complete(state, image, exposure, nanoseconds));
     }

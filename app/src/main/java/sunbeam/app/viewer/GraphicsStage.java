@@ -7,13 +7,16 @@ import jrtr.ContextInfo;
 import jrtr.RenderContext;
 import jrtr.Tile;
 import jrtr.gl.RenderContexts;
+import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.scene.Pick;
 import sunbeam.app.scene.Scene;
+import sunbeam.app.scene.SceneData;
 import sunbeam.app.scene.SceneDisplay;
 import sunbeam.app.scene.ScenePicture;
 import sunbeam.app.scene.ScenePreview;
 import sunbeam.app.scene.SceneSession;
 import sunbeam.precompute.optics.Direction;
+import sunbeam.precompute.shader.ShaderTables;
 
 /** Everything of the viewer that lives on the graphics card. Belongs to the thread that made it. */
 class GraphicsStage implements AutoCloseable {
@@ -22,6 +25,9 @@ class GraphicsStage implements AutoCloseable {
     private final MapStage map;
     private SceneSession fine;
     private SceneSession coarse;
+    private ViewState state;
+    private Optional<ShaderTables> uploadedOf = Optional.empty();
+    private Optional<UploadedTables> uploaded = Optional.empty();
 
     /** Opens a context without a window. */
     GraphicsStage() {
@@ -35,7 +41,12 @@ class GraphicsStage implements AutoCloseable {
     }
 
     /** Goes over to a state; if that fails, the old one stays. */
-    void update(ViewState state) {
+    void update(ViewState next) {
+        goOverTo(next);
+        state = next;
+    }
+
+    private void goOverTo(ViewState state) {
         if (fine == null) {
             SceneSession first = new SceneSession(context, state.fine());
             try {
@@ -58,7 +69,27 @@ class GraphicsStage implements AutoCloseable {
         }
     }
 
+    /**
+     * From now on makes colours in the background, if the method's are made as they are looked at.
+     *
+     * @param arrived told, by another thread, that there are more
+     */
+    void bakeInBackground(Runnable arrived) {
+        fine.bakeInBackground(arrived);
+    }
+
+    /** Takes over what has been made in the background; whether there was anything. */
+    boolean takeBaked() {
+        return fine != null && fine.takeBaked();
+    }
+
+    /** Asks the background for all that a picture looks into; the share of it that is there, 1 where nothing is missing. */
+    double request(int width, int height) {
+        return fine.request(width, height);
+    }
+
     ScenePreview preview(int width, int height, int divisor) {
+        fine.holdBaking();
         return coarse.preview(width, height, divisor);
     }
 
@@ -85,12 +116,25 @@ class GraphicsStage implements AutoCloseable {
 
     /** The BRDF map of the scene's method; null if it was interrupted. */
     BufferedImage map(Direction light, int size, BooleanSupplier interrupted) {
-        return map.draw(fine.method(), light, size, interrupted);
+        return map.draw(mapped().orElse(fine.method()), light, size, interrupted);
+    }
+
+    /** What a scene's tables of colours are made of: those of a mesh's pixels have no map themselves. */
+    private Optional<UploadedTables> mapped() {
+        Optional<ShaderTables> tables = state.mapped().map(SceneData::tables);
+        if (!tables.equals(uploadedOf)) {
+            uploaded.ifPresent(UploadedTables::close);
+            uploaded = Optional.empty();
+            uploaded = tables.map(of -> UploadedTables.upload(context, of));
+            uploadedOf = tables;
+        }
+        return uploaded;
     }
 
     @Override
     public void close() {
         try {
+            uploaded.ifPresent(UploadedTables::close);
             map.close();
             if (fine != null) {
                 fine.close();

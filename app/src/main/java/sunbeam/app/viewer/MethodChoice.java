@@ -25,7 +25,7 @@ import sunbeam.precompute.setting.Setting;
 final class MethodChoice {
     /** All of them. */
     static final List<MethodChoice> ALL = Methods.ALL.stream()
-            .filter(LoadedScene::hasPreviews)
+            .filter(SceneMethod::draws)
             .flatMap(type -> forms(type).stream())
             .toList();
 

@@ -34,6 +34,9 @@ interface RenderListener {
      */
     void complete(ViewState state, BufferedImage image, double exposure, long nanoseconds);
 
+    /** The final picture waits for colours that are being made, of which so large a share is there. */
+    void waiting(double share);
+
     /** A part of the final picture. */
     void tile(ViewState state, BufferedImage image, int x, int y, double shareDone);
 

@@ -29,6 +29,9 @@ final class RenderLoop implements AutoCloseable {
     private MethodPlan measured;
     private final KeptExposure exposures = new KeptExposure();
     private Optional<Finished> finished = Optional.empty();
+    // Waits for colours that are being made.
+    private Optional<ViewState> unfinished = Optional.empty();
+    private double unfinishedExposure;
 
     /** A final picture: as long as nothing but the map changes, it stays. */
     private record Finished(ViewState state, BufferedImage image, double exposure, long nanoseconds) {}
@@ -82,6 +85,14 @@ final class RenderLoop implements AutoCloseable {
         }
     }
 
+    /** Colours have come that a picture which stands still may have waited for. */
+    private void goOn(GraphicsStage stage) {
+        if (stage.takeBaked() && unfinished.isPresent() && !inbox.isInterrupted()) {
+            ViewState state = unfinished.get();
+            guarded(() -> finish(stage, state, unfinishedExposure));
+        }
+    }
+
     private void doTasks(GraphicsStage stage) {
         for (var task = inbox.task(); task.isPresent(); task = inbox.task()) {
             Consumer<GraphicsStage> due = task.get();
@@ -108,10 +119,24 @@ final class RenderLoop implements AutoCloseable {
             return;
         }
         finished = Optional.empty();
+        unfinished = Optional.empty();
+        stage.bakeInBackground(() -> inbox.submit(this::goOn));
         double exposure = preview(stage, state);
         if (isStill(stage)) {
-            check(map(stage, state, false) && refine(stage, state, exposure));
+            finish(stage, state, exposure);
         }
+    }
+
+    /** Refines what stands still, as far as its colours have been made; the rest is taken up when they come. */
+    private void finish(GraphicsStage stage, ViewState state, double exposure) {
+        double share = stage.request(state.width(), state.height());
+        unfinished = share < 1 ? Optional.of(state) : Optional.empty();
+        if (unfinished.isPresent()) {
+            unfinishedExposure = exposure;
+            listener.waiting(share);
+            return;
+        }
+        check(map(stage, state, false) && refine(stage, state, exposure));
     }
 
     private void check(boolean done) {

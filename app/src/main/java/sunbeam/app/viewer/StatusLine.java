@@ -60,6 +60,10 @@ final class StatusLine extends JPanel {
         picture.setText(format("Preview, %.0f %% final · ", 100 * share) + rate());
     }
 
+    void waiting(double share) {
+        picture.setText(format("Preview, %.0f %% of its colours made · ", 100 * share) + rate());
+    }
+
     void complete(long nanoseconds) {
         picture.setText(format("Final · %.2f s · ", nanoseconds * 1e-9) + rate());
     }

@@ -55,7 +55,6 @@ public final class ViewCommand implements Callable<Integer> {
             throw new UsageException("--measure " + measure + " is out of range; give 1 to 600 seconds");
         }
         Scene first = Scenes.load(scene);
-        LoadedScene.requirePreviews(first);
         PrintWriter err = specification.commandLine().getErr();
         Consumer<String> warning = line -> {
             err.println(line);

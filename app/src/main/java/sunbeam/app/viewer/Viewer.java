@@ -181,7 +181,7 @@ final class Viewer {
             return;
         }
         LoadedScene loaded = model.loaded().get();
-        asked = new ViewState(loaded.fine(), loaded.coarse(), width, height, mapLight());
+        asked = new ViewState(loaded.fine(), loaded.coarse(), loaded.mapped(), width, height, mapLight());
         observer.asked(asked);
         loop.show(asked);
     }
@@ -285,6 +285,11 @@ final class Viewer {
             window.status().preview(divisor, nanoseconds);
             // Swing paints before whatever is queued now.
             SwingUtilities.invokeLater(() -> observer.shown(state, divisor));
+        }
+
+        @Override
+        public void waiting(double share) {
+            window.status().waiting(share);
         }
 
         @Override

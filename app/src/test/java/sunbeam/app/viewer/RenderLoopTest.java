@@ -86,6 +86,11 @@ class RenderLoopTest {
         }
 
         @Override
+        public void waiting(double share) {
+            heard.add("waiting");
+        }
+
+        @Override
         public void complete(ViewState shown, BufferedImage image, double exposure, long nanoseconds) {
             completed = image;
             heard.add("complete");
@@ -108,7 +113,13 @@ class RenderLoopTest {
     void start() {
         SceneLoader loader = new SceneLoader(new Environment(Map.of(), folder), warning -> {});
         LoadedScene loaded = LoadedScene.load(loader, ViewerInAWindow.scene(), null);
-        state = new ViewState(loaded.fine(), loaded.coarse(), WIDTH, HEIGHT, Optional.of(Direction.ofDegrees(30, 0)));
+        state = new ViewState(
+                loaded.fine(),
+                loaded.coarse(),
+                loaded.mapped(),
+                WIDTH,
+                HEIGHT,
+                Optional.of(Direction.ofDegrees(30, 0)));
         loop = new RenderLoop(FailingStage::new, new Listener());
         loop.start();
     }
@@ -177,13 +188,18 @@ class RenderLoopTest {
         for (String expected : new String[] {"preview", "map", "complete", "final map"}) {
             assertThat(next()).isEqualTo(expected);
         }
-        loop.show(new ViewState(state.fine(), state.coarse(), WIDTH / 2, HEIGHT, state.mapLight()));
+        loop.show(new ViewState(state.fine(), state.coarse(), state.mapped(), WIDTH / 2, HEIGHT, state.mapLight()));
         assertThat(next()).isEqualTo("preview");
     }
 
     private ViewState picked(double thetaDegrees) {
         return new ViewState(
-                state.fine(), state.coarse(), WIDTH, HEIGHT, Optional.of(Direction.ofDegrees(thetaDegrees, 0)));
+                state.fine(),
+                state.coarse(),
+                state.mapped(),
+                WIDTH,
+                HEIGHT,
+                Optional.of(Direction.ofDegrees(thetaDegrees, 0)));
     }
 
     @Test

@@ -1,5 +1,8 @@
 package sunbeam.precompute.colourtable;
 
+import java.util.BitSet;
+import java.util.Comparator;
+import java.util.stream.IntStream;
 import sunbeam.precompute.shader.ArrayLayout;
 
 /**
@@ -54,6 +57,21 @@ public record LevelGrid(TableDesign design) {
     /** Pages of all slices. */
     public int pages() {
         return Math.multiplyExact(Math.multiplyExact(columns(), columns()), design.slices());
+    }
+
+    /** Pages in an order in which those that lie side by side, as seen from the middle, follow each other. */
+    public IntStream bySide(BitSet pages) {
+        int perSlice = columns() * columns();
+        return pages.stream()
+                .boxed()
+                .sorted(Comparator.comparingDouble((Integer page) -> angle(page % perSlice))
+                        .thenComparing(page -> page % perSlice))
+                .mapToInt(Integer::intValue);
+    }
+
+    private double angle(int inSlice) {
+        int row = inSlice / columns();
+        return Math.atan2(row - 0.5 * columns() + 0.5, inSlice % columns() - 0.5 * columns() + 0.5);
     }
 
     /** Column, row and slice of a page. */

@@ -1,49 +1,45 @@
 package sunbeam.app.gpu.colours;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.BitSet;
 import java.util.List;
 import java.util.Locale;
-import java.util.Map;
-import java.util.TreeMap;
+import java.util.Optional;
 import jrtr.Binding;
 import jrtr.GraphicsException;
 import jrtr.RenderContext;
-import sunbeam.precompute.colourtable.ColourSource;
 import sunbeam.precompute.colourtable.LevelBaking;
 import sunbeam.precompute.colourtable.LevelGrid;
 import sunbeam.precompute.colourtable.TableLevels;
+import sunbeam.precompute.plan.MemoryNeed;
 
 /**
  * Levels of colours in graphics memory, of which those pages are made that pixels look into. Belongs to its context's thread.
  */
 public final class LevelPages implements AutoCloseable {
-    // What small graphics cards have, as of all tables (sunbeam.precompute.plan.MemoryNeed).
-    private static final long MOST_TEXTURE_BYTES = 3L << 30;
+    // They lie in one texture.
+    private static final long MOST_TEXTURE_BYTES = MemoryNeed.LARGEST_TEXTURE_BYTES;
     private static final double USABLE_HEAP = 0.8;
     private static final double MEGABYTE = 1e6;
     private static final int CHANNELS = 4;
 
-    private final LevelSources sources;
-    private final List<LevelGrid> grids = new ArrayList<>();
-    private final List<LevelBaking> bakings = new ArrayList<>();
+    private final PageSources sources;
+    private final List<LevelGrid> grids;
     private final List<BitSet> wanted = new ArrayList<>();
     private final List<BitSet> made = new ArrayList<>();
-    // By level: what a source needs takes longer to get than a few colours.
-    private final Map<Integer, ColourSource> opened = new TreeMap<>();
     private final PageCells cells;
+    private Optional<PageBaker> baker = Optional.empty();
 
     /** Nothing is made yet. */
-    public LevelPages(RenderContext context, LevelSources sources) {
-        this.sources = sources;
-        for (TableLevels.Level level : sources.levels().levels()) {
-            LevelGrid grid = new LevelGrid(level.design());
-            grids.add(grid);
-            bakings.add(new LevelBaking(grid));
+    public LevelPages(RenderContext context, LevelSources levels) {
+        this.sources = new PageSources(levels);
+        this.grids = sources.grids();
+        grids.forEach(grid -> {
             wanted.add(new BitSet());
             made.add(new BitSet());
-        }
-        this.cells = new PageCells(context, sources.levels(), grids);
+        });
+        this.cells = new PageCells(context, levels.levels(), grids);
     }
 
     /** The levels. */
@@ -100,14 +96,71 @@ public final class LevelPages implements AutoCloseable {
     }
 
     private void make(int level, BitSet pages) {
-        LevelBaking baking = bakings.get(level);
-        ColourSource source = opened.computeIfAbsent(level, number -> sources.open(number, baking.missing(pages)));
-        List<float[]> baked = baking.bake(pages, source);
-        int[] numbers = pages.stream().toArray();
-        for (int i = 0; i < numbers.length; i++) {
-            cells.add(level, numbers[i], baked.get(i));
+        add(level, pages.stream().toArray(), sources.bake(level, pages));
+    }
+
+    private void add(int level, int[] pages, List<float[]> coefficients) {
+        for (int i = 0; i < pages.length; i++) {
+            if (!made.get(level).get(pages[i])) {
+                cells.add(level, pages[i], coefficients.get(i));
+                made.get(level).set(pages[i]);
+            }
         }
-        made.get(level).or(pages);
+    }
+
+    /**
+     * From now on {@link #request} has pages made in the background.
+     *
+     * @param arrived told, by another thread, that {@link #takeBaked} has something to take
+     */
+    public void bakeInBackground(Runnable arrived) {
+        if (baker.isEmpty()) {
+            baker = Optional.of(new PageBaker(sources, arrived));
+        }
+    }
+
+    /**
+     * Takes over what has been made in the background.
+     *
+     * @return whether there was anything
+     */
+    public boolean takeBaked() {
+        boolean some = false;
+        while (baker.isPresent()) {
+            Optional<PageBaker.Baked> baked = baker.get().poll();
+            if (baked.isEmpty()) {
+                break;
+            }
+            // Pages come in the order of what is seen, coefficients in that of numbers.
+            int[] pages = Arrays.stream(baked.get().pages()).sorted().toArray();
+            add(baked.get().level(), pages, baked.get().coefficients());
+            some = true;
+        }
+        return some;
+    }
+
+    /** Leaves the processors to what is being drawn for a while. */
+    public void holdBaking() {
+        baker.ifPresent(PageBaker::hold);
+    }
+
+    /**
+     * Asks the background for what was noted.
+     *
+     * @return share of it that is there already, 1 for all
+     * @throws GraphicsException if there is no room for it
+     */
+    public double request() {
+        long all = count(wanted);
+        List<BitSet> missing = new ArrayList<>();
+        for (int level = 0; level < grids.size(); level++) {
+            wanted.get(level).andNot(made.get(level));
+            missing.add((BitSet) wanted.get(level).clone());
+        }
+        requireRoom();
+        wanted.forEach(BitSet::clear);
+        baker.orElseThrow().want(missing);
+        return all == 0 ? 1 : 1 - (double) count(missing) / all;
     }
 
     private static long count(List<BitSet> pages) {
@@ -150,8 +203,7 @@ public final class LevelPages implements AutoCloseable {
 
     @Override
     public void close() {
-        opened.values().forEach(ColourSource::close);
-        opened.clear();
+        baker.ifPresentOrElse(PageBaker::close, sources::close);
         cells.close();
     }
 }

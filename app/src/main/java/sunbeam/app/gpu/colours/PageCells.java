@@ -12,6 +12,7 @@ import jrtr.FloatTextureSpec;
 import jrtr.RenderContext;
 import sunbeam.precompute.colourtable.LevelGrid;
 import sunbeam.precompute.colourtable.TableLevels;
+import sunbeam.precompute.plan.MemoryNeed;
 
 /**
  * The pages of levels on the graphics card: cells beside each other in layers of texels, in the order in which they came, and
@@ -28,6 +29,8 @@ final class PageCells implements AutoCloseable {
     private static final int CHANNELS = 4;
     private static final int PER_LAYER = ACROSS * ACROSS;
     private static final int LAYER_FLOATS = CHANNELS * LAYER_SIDE * LAYER_SIDE;
+    // Beyond, drivers may have no texture; who needs more layers is told so before.
+    private static final int MOST_LAYERS = (int) (MemoryNeed.LARGEST_TEXTURE_BYTES / LAYER_FLOATS / Float.BYTES);
 
     private final RenderContext context;
     private final List<LevelGrid> grids;
@@ -94,10 +97,21 @@ final class PageCells implements AutoCloseable {
         return List.of(new Binding("colourTexels", texels), new Binding("colourPages", pages));
     }
 
+    private void closeTexels() {
+        if (texels != null) {
+            texels.close();
+            texels = null;
+        }
+    }
+
     private void upload() {
         if (texels == null || texels.spec().layers() < layers.size()) {
-            close();
-            FloatTextureSpec spec = FloatTextureSpec.array(LAYER_SIDE, LAYER_SIDE, layers.size(), FloatFormat.RGBA32F);
+            // Whoever has come back for more will again: all is uploaded anew as seldom as the number doubles.
+            int room = texels == null
+                    ? layers.size()
+                    : Math.max(layers.size(), Math.min(2 * texels.spec().layers(), MOST_LAYERS));
+            closeTexels();
+            FloatTextureSpec spec = FloatTextureSpec.array(LAYER_SIDE, LAYER_SIDE, room, FloatFormat.RGBA32F);
             texels = context.createFloatTexture("colours", spec.with(Filter.LINEAR));
             changed.set(0, layers.size());
         }
@@ -114,10 +128,7 @@ final class PageCells implements AutoCloseable {
 
     @Override
     public void close() {
-        if (texels != null) {
-            texels.close();
-            texels = null;
-        }
+        closeTexels();
         if (pages != null) {
             pages.close();
             pages = null;

@@ -1,0 +1,159 @@
+package sunbeam.app.gpu.colours;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.BitSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Queue;
+import java.util.concurrent.ConcurrentLinkedQueue;
+import java.util.concurrent.ForkJoinPool;
+
+/**
+ * Makes pages of levels on a thread of its own, a few at a time: those that were asked for last. It keeps one processor busy, and
+ * none while {@link #hold} says that pictures are being drawn.
+ */
+final class PageBaker implements AutoCloseable {
+    // Pages that are made at once: a second's work. What is asked for meanwhile waits for them.
+    private static final int CHUNK = 1200;
+    private static final long HOLD_NANOSECONDS = 300_000_000;
+    private static final long PATIENCE_MILLISECONDS = 5000;
+
+    /**
+     * Pages that have been made.
+     *
+     * @param level of the pages
+     * @param pages their numbers
+     * @param coefficients of each page
+     */
+    record Baked(int level, int[] pages, List<float[]> coefficients) {}
+
+    private final PageSources sources;
+    private final Runnable arrived;
+    private final Queue<Baked> baked = new ConcurrentLinkedQueue<>();
+    // What has been begun or made, by level.
+    private final List<BitSet> done = new ArrayList<>();
+    // One, so that the others are left to what is drawn meanwhile.
+    private final ForkJoinPool processor = new ForkJoinPool(1);
+    private final Thread thread;
+    // Guarded by this.
+    private List<BitSet> wanted = List.of();
+    private long heldUntil = System.nanoTime();
+    private boolean closed;
+    private RuntimeException failure;
+
+    /**
+     * Begins.
+     *
+     * @param arrived told, on the baker's thread, that there is something to {@link #poll()}
+     */
+    PageBaker(PageSources sources, Runnable arrived) {
+        this.sources = sources;
+        this.arrived = arrived;
+        sources.grids().forEach(grid -> done.add(new BitSet()));
+        this.thread = new Thread(this::run, "colours");
+        thread.setDaemon(true);
+        thread.setPriority(Thread.MIN_PRIORITY);
+        thread.start();
+    }
+
+    /** Asks for pages, by level, in the place of those that were asked for before. */
+    synchronized void want(List<BitSet> pages) {
+        wanted = pages;
+        notifyAll();
+    }
+
+    /** Pictures are being drawn: leaves the processors to them for a while. */
+    synchronized void hold() {
+        heldUntil = System.nanoTime() + HOLD_NANOSECONDS;
+    }
+
+    /**
+     * What has been made and was not told yet.
+     *
+     * @throws RuntimeException what kept pages from being made
+     */
+    Optional<Baked> poll() {
+        Baked next = baked.poll();
+        if (next == null) {
+            synchronized (this) {
+                if (failure != null) {
+                    RuntimeException told = failure;
+                    failure = null;
+                    throw told;
+                }
+            }
+        }
+        return Optional.ofNullable(next);
+    }
+
+    private void run() {
+        try {
+            for (Baked due = next(); due != null; due = next()) {
+                BitSet pages = new BitSet();
+                Arrays.stream(due.pages()).forEach(pages::set);
+                int level = due.level();
+                List<float[]> coefficients =
+                        processor.submit(() -> sources.bake(level, pages)).join();
+                baked.add(new Baked(level, due.pages(), coefficients));
+                arrived.run();
+            }
+        } catch (InterruptedException closing) {
+            Thread.currentThread().interrupt();
+        } catch (RuntimeException problem) {
+            synchronized (this) {
+                failure = problem;
+            }
+            arrived.run();
+        } finally {
+            // Some sources belong to the thread that opened them.
+            processor.submit(sources::close).join();
+            processor.shutdown();
+        }
+    }
+
+    /** Waits for something to do; null in the end. */
+    private synchronized Baked next() throws InterruptedException {
+        while (!closed) {
+            long held = (heldUntil - System.nanoTime()) / 1_000_000;
+            if (held > 0) {
+                wait(held);
+                continue;
+            }
+            Optional<Baked> due = due();
+            if (due.isPresent()) {
+                Arrays.stream(due.get().pages()).forEach(done.get(due.get().level())::set);
+                return due.get();
+            }
+            wait();
+        }
+        return null;
+    }
+
+    private Optional<Baked> due() {
+        for (int level = 0; level < wanted.size(); level++) {
+            BitSet missing = (BitSet) wanted.get(level).clone();
+            missing.andNot(done.get(level));
+            if (!missing.isEmpty()) {
+                int[] pages =
+                        sources.grids().get(level).bySide(missing).limit(CHUNK).toArray();
+                return Optional.of(new Baked(level, pages, List.of()));
+            }
+        }
+        return Optional.empty();
+    }
+
+    /** Ends after the pages at hand. */
+    @Override
+    public void close() {
+        synchronized (this) {
+            closed = true;
+            notifyAll();
+        }
+        try {
+            thread.join(PATIENCE_MILLISECONDS);
+        } catch (InterruptedException interruption) {
+            Thread.currentThread().interrupt();
+        }
+    }
+}

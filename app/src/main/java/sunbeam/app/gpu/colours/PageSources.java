@@ -1,0 +1,52 @@
+package sunbeam.app.gpu.colours;
+
+import java.util.ArrayList;
+import java.util.BitSet;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import sunbeam.precompute.colourtable.ColourSource;
+import sunbeam.precompute.colourtable.LevelBaking;
+import sunbeam.precompute.colourtable.LevelGrid;
+import sunbeam.precompute.colourtable.TableLevels;
+
+/** Makes pages of levels; one thread at a time. */
+final class PageSources implements AutoCloseable {
+    private final LevelSources sources;
+    private final List<LevelGrid> grids = new ArrayList<>();
+    private final List<LevelBaking> bakings = new ArrayList<>();
+    // By level: what a source needs takes longer to get than a few colours.
+    private final Map<Integer, ColourSource> opened = new TreeMap<>();
+
+    PageSources(LevelSources sources) {
+        this.sources = sources;
+        for (TableLevels.Level level : sources.levels().levels()) {
+            LevelGrid grid = new LevelGrid(level.design());
+            grids.add(grid);
+            bakings.add(new LevelBaking(grid));
+        }
+    }
+
+    /** The levels. */
+    TableLevels levels() {
+        return sources.levels();
+    }
+
+    /** Where the pages of each level lie. */
+    List<LevelGrid> grids() {
+        return grids;
+    }
+
+    /** Makes pages of a level, in the order of their numbers; those that are made at the moment are waited for. */
+    synchronized List<float[]> bake(int level, BitSet pages) {
+        LevelBaking baking = bakings.get(level);
+        ColourSource source = opened.computeIfAbsent(level, number -> sources.open(number, baking.missing(pages)));
+        return baking.bake(pages, source);
+    }
+
+    @Override
+    public synchronized void close() {
+        opened.values().forEach(ColourSource::close);
+        opened.clear();
+    }
+}
