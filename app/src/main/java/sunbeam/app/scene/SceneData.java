@@ -55,7 +55,7 @@ public record SceneData(
     /** One index takes the place of another if both are the same at all wavelengths: it is a factor of directions then. */
     private boolean sharesSpectrum(Scene other) {
         return scene.index().equals(other.index())
-                || !scene.index().isByWavelength() && !other.index().isByWavelength();
+                || (!scene.index().isByWavelength() && !other.index().isByWavelength());
     }
 
     /**
