@@ -62,6 +62,9 @@ record ScanFinish(String name, String file, Choices choices, Kind kind) {
         HeightMap scan = HeightMap.of(prepared.scan());
         HeightMap heights = edges == Edges.REPEAT ? scan : HeightMap.of(prepared.surface());
         List<String> warnings = new ArrayList<>(read.warnings());
+        if (kind != Kind.BUILT_IN) {
+            SizeCheck.size(measured).ifPresent(warnings::add);
+        }
         if (prepared.missing() > 0) {
             warnings.add(String.format(
                     Locale.ROOT,
