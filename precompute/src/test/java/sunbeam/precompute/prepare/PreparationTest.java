@@ -148,7 +148,7 @@ class PreparationTest {
     void whatIsMeasuredIsNoPeriodByItsLooks() {
         HeightField step = field(i -> i % COLUMNS < COLUMNS / 2 ? 1e-7 : 0);
         assertThat(OnePeriod.isDrawn(step)).isTrue();
-        assertThat(OnePeriod.isDrawn(field(i -> 1e-7 * Math.cos(2 * Math.PI * (i / COLUMNS) / ROWS))))
+        assertThat(OnePeriod.isDrawn(field(i -> 1e-7 * Math.cos(2 * Math.PI * row(i) / ROWS))))
                 .isTrue();
         double[] profile = new double[COLUMNS];
         for (int i = 0; i < COLUMNS; i++) {
@@ -160,7 +160,7 @@ class PreparationTest {
         HeightField terrace = field(i -> (i % COLUMNS < COLUMNS / 2 ? 1e-7 : 0) + 0.01 * rough(i));
         assertThat(OnePeriod.is(terrace)).isTrue();
         assertThat(OnePeriod.isDrawn(terrace)).isFalse();
-        HeightField wandering = field(i -> 1e-7 * Math.cos(2 * Math.PI * (i / COLUMNS) / ROWS) + 0.01 * rough(i));
+        HeightField wandering = field(i -> 1e-7 * Math.cos(2 * Math.PI * row(i) / ROWS) + 0.01 * rough(i));
         assertThat(OnePeriod.isDrawn(wandering)).isFalse();
     }
 
