@@ -1,9 +1,14 @@
-// Schlick's approximation of Fresnel's reflectance (Schlick 1994).
+// Schlick's approximation of Fresnel's reflectance (Schlick 1994), R0 + (1 - R0) s with s = (1 - cos theta_d)^5.
 
-// Along the normal. Unless a scene says otherwise, ((n - 1) / (n + 1))^2 for keratin, n = 1.5 (thesis section 2.5).
-uniform float normalReflectance = 0.04;
+// Along the normal: ((n - 1) / (n + 1))^2 for keratin, n = 1.5 (thesis section 2.5).
+const float NORMAL_REFLECTANCE = 0.04;
 
-float reflectance(float cosThetaD) {
+// Over that of a flat mirror of the same material seen along the normal: mirrorWeight + grazingWeight s, 1 and (1 - R0) / R0.
+// An index by wavelength has its R0 in the light's spectrum and other weights (app/scene/SkinPart.java).
+uniform float mirrorWeight = 1.0;
+uniform float grazingWeight = 24.0;
+
+float relativeReflectance(float cosThetaD) {
     // Rounding may push the cosine past 1, and pow() of a negative base is undefined.
-    return normalReflectance + (1.0 - normalReflectance) * pow(max(0.0, 1.0 - cosThetaD), 5.0);
+    return mirrorWeight + grazingWeight * pow(max(0.0, 1.0 - cosThetaD), 5.0);
 }

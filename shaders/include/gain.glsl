@@ -10,7 +10,7 @@ float relativeRadiance(vec3 wi, vec3 wr) {
     float kirchhoff = kirchhoffFactor(wi, wr);
     float sum = wi.z + wr.z;
     float cosThetaD = halfAngleCosine(wi, wr);
-    return reflectance(cosThetaD) / normalReflectance * kirchhoff * kirchhoff / (sum * sum * wr.z) * cavityMask(wi, wr, cosThetaD);
+    return relativeReflectance(cosThetaD) * kirchhoff * kirchhoff / (sum * sum * wr.z) * cavityMask(wi, wr, cosThetaD);
 }
 
 // BRDF in 1/sr per power, without the mask. The window's effective area is pi sigma^2.
@@ -18,5 +18,5 @@ float brdfPerPower(vec3 wi, vec3 wr, float wavelength, float windowSigma) {
     float kirchhoff = kirchhoffFactor(wi, wr);
     // One ratio of lengths near 100 instead of squares of lengths near 1e-13.
     float ratio = kirchhoff * windowSigma / (wavelength * (wi.z + wr.z));
-    return reflectance(halfAngleCosine(wi, wr)) * 4.0 * PI * ratio * ratio / (wi.z * wr.z);
+    return NORMAL_REFLECTANCE * relativeReflectance(halfAngleCosine(wi, wr)) * 4.0 * PI * ratio * ratio / (wi.z * wr.z);
 }

@@ -45,6 +45,11 @@ public record Blend(double diffraction, double texture, double diffuse, double a
         return new Blend(weight, texture, diffuse, ambient);
     }
 
+    /** Whether anything of the body is seen. */
+    boolean hasBody() {
+        return texture > 0 && (diffuse > 0 || ambient > 0);
+    }
+
     /** The diffracted light alone. */
     Blend withoutBody() {
         return new Blend(diffraction, 0, 0, 0);

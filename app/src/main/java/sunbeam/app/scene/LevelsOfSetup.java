@@ -4,6 +4,7 @@ import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.gpu.colours.GpuColours;
 import sunbeam.app.gpu.colours.LevelSources;
 import sunbeam.app.terminal.progress.Progress;
+import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.colourtable.ColourSource;
 import sunbeam.precompute.colourtable.TableLevels;
 import sunbeam.precompute.method.LevelledPlan;
@@ -19,11 +20,14 @@ import sunbeam.precompute.shader.MethodUse;
 final class LevelsOfSetup implements LevelSources {
     private final DiffractionSetup setup;
     private final LevelledPlan plan;
+    private final CieTable cie;
     private RaySpectrum spectrum;
 
-    LevelsOfSetup(DiffractionSetup setup, LevelledPlan plan) {
+    /** @param cie the light that the plan is for */
+    LevelsOfSetup(DiffractionSetup setup, LevelledPlan plan, CieTable cie) {
         this.setup = setup;
         this.plan = plan;
+        this.cie = cie;
     }
 
     @Override
@@ -43,7 +47,7 @@ final class LevelsOfSetup implements LevelSources {
 
     private synchronized RaySpectrum spectrum(Plan widened) {
         if (spectrum == null) {
-            spectrum = new RaySpectrum(widened, setup.table(widened), plan.tolerance(), setup.cie());
+            spectrum = new RaySpectrum(widened, setup.table(widened), plan.tolerance(), cie);
         }
         return spectrum;
     }

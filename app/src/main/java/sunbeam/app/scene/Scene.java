@@ -11,7 +11,6 @@ import java.util.function.Consumer;
 import org.joml.Quaternionf;
 import org.joml.Quaternionfc;
 import sunbeam.precompute.method.Methods;
-import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.patch.PatchRequest;
 import sunbeam.precompute.setting.Choices;
 
@@ -30,7 +29,7 @@ import sunbeam.precompute.setting.Choices;
  * @param rotatePatch turns the nanostructure in the tangent plane, radians, counter-clockwise seen from outside
  * @param exposure factor of the linear picture, above 0; empty to choose it from the picture
  * @param blend weights of diffracted light and body
- * @param index of the skin, the same at all wavelengths
+ * @param index of the skin
  * @param background behind the mesh, not exposed
  */
 public record Scene(
@@ -45,7 +44,7 @@ public record Scene(
         double rotatePatch,
         OptionalDouble exposure,
         Blend blend,
-        RefractiveIndex index,
+        SkinIndex index,
         SceneColor background) {
 
     /** Copies; rejects rotations and exposures that are none. */
@@ -56,9 +55,6 @@ public record Scene(
         orientation = new Quaternionf(orientation);
         ROTATE_PATCH.kind().check(rotatePatch);
         EXPOSURE.kind().check(exposure);
-        if (!index.isConstant()) {
-            throw new IllegalArgumentException("a skin has one index for all wavelengths");
-        }
     }
 
     /** The same with what was chosen of {@link SceneSettings} and {@link Methods#SETTINGS} above it. */
@@ -125,7 +121,7 @@ public record Scene(
     }
 
     /** The same of another material. */
-    public Scene withIndex(RefractiveIndex value) {
+    public Scene withIndex(SkinIndex value) {
         return changed(draft -> draft.index = value);
     }
 
@@ -148,7 +144,7 @@ public record Scene(
         private double rotatePatch;
         private OptionalDouble exposure;
         private Blend blend;
-        private RefractiveIndex index;
+        private SkinIndex index;
         private SceneColor background;
 
         private Draft(Scene scene) {

@@ -19,6 +19,7 @@ import sunbeam.precompute.shader.ShaderTables;
  * @param tables what its shader reads
  * @param levels by what its colours are made as pixels look into them, where the method's are
  * @param body its texture
+ * @param part of the skin's light that method and tables are for; all of it where the index is the same at all wavelengths
  */
 public record SceneData(
         Scene scene,
@@ -27,14 +28,34 @@ public record SceneData(
         MethodPlan method,
         ShaderTables tables,
         Optional<LevelSources> levels,
-        BodyTexture body) {
+        BodyTexture body,
+        Optional<SkinPart> part) {
+
+    /** All of the skin's light. */
+    public SceneData(
+            Scene scene,
+            Mesh mesh,
+            Patch patch,
+            MethodPlan method,
+            ShaderTables tables,
+            Optional<LevelSources> levels,
+            BodyTexture body) {
+        this(scene, mesh, patch, method, tables, levels, body, Optional.empty());
+    }
 
     /** Whether another scene can be drawn with these parts: only light, camera, weights and the like differ. */
     public boolean suits(Scene other) {
         return scene.mesh().equals(other.mesh())
                 && scene.patch().equals(other.patch())
                 && scene.texture().equals(other.texture())
-                && scene.method().method().equals(other.method().method());
+                && scene.method().method().equals(other.method().method())
+                && sharesSpectrum(other);
+    }
+
+    /** One index takes the place of another if both are the same at all wavelengths: it is a factor of directions then. */
+    private boolean sharesSpectrum(Scene other) {
+        return scene.index().equals(other.index())
+                || (!scene.index().isByWavelength() && !other.index().isByWavelength());
     }
 
     /**
@@ -47,7 +68,7 @@ public record SceneData(
             throw new IllegalArgumentException(
                     "a scene with another mesh, patch, texture or method must be loaded by a SceneLoader");
         }
-        return new SceneData(other, mesh, patch, method, tables, levels, body);
+        return new SceneData(other, mesh, patch, method, tables, levels, body, part);
     }
 
     // The same object, not an equal one: comparing the values would take as long as loading them.

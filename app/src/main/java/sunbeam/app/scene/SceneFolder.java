@@ -35,6 +35,20 @@ record SceneFolder(Optional<OwnFolder> folder) {
     }
 
     /**
+     * An index, whose file is absolute.
+     *
+     * @throws sunbeam.precompute.setting.SettingException if its file is none, in the words of the place where it was chosen
+     */
+    SkinIndex resolve(Choices choices, Setting<SkinIndex> setting) {
+        SkinIndex index = choices.get(setting);
+        try {
+            return index.isByWavelength() ? SkinIndex.of(resolve(index.file(), List.of())) : index;
+        } catch (IllegalArgumentException wrong) {
+            throw choices.complaint(setting, wrong.getMessage());
+        }
+    }
+
+    /**
      * A built-in name as it is, or the absolute name of a file.
      *
      * @throws IllegalArgumentException if it is neither, with a message that continues "the name ..."
@@ -44,14 +58,21 @@ record SceneFolder(Optional<OwnFolder> folder) {
             return name;
         }
         if (folder.isEmpty() || name.isBlank()) {
-            throw new IllegalArgumentException("is not one of " + String.join(", ", builtIn));
+            throw new IllegalArgumentException(
+                    builtIn.isEmpty()
+                            ? "names a file, which built-in scenes do not"
+                            : "is not one of " + list(builtIn));
         }
         Path file = folder.get().file(name).normalize();
         if (!Files.exists(file)) {
-            throw new IllegalArgumentException("is no file: there is no " + file + "; check the name, or take one of "
-                    + String.join(", ", builtIn));
+            throw new IllegalArgumentException("is no file: there is no " + file + "; check the name"
+                    + (builtIn.isEmpty() ? "" : ", or take one of " + list(builtIn)));
         }
         folder.get().requireNoWayOut(file);
         return file.toString();
+    }
+
+    private static String list(List<String> names) {
+        return String.join(", ", names);
     }
 }

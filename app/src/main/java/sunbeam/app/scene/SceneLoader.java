@@ -3,9 +3,11 @@ package sunbeam.app.scene;
 import static sunbeam.precompute.plan.MethodSettings.COHERENCE_LENGTH;
 
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 import sunbeam.app.files.cache.DiffractionSetup;
+import sunbeam.app.files.input.IndexFile;
 import sunbeam.app.gpu.colours.GpuColours;
 import sunbeam.app.gpu.colours.LevelSources;
 import sunbeam.app.scene.mesh.Mesh;
@@ -15,8 +17,11 @@ import sunbeam.app.scene.texture.BodyTexture;
 import sunbeam.app.scene.texture.BodyTextures;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.options.PatchOptions;
+import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.method.MethodPlan;
 import sunbeam.precompute.method.ScanLimit;
+import sunbeam.precompute.method.Surface;
+import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.Choices;
@@ -45,15 +50,44 @@ public final class SceneLoader {
      *     where it was chosen
      */
     public SceneData load(Scene scene) {
+        requireWhole(scene);
+        return parts(scene).get(0);
+    }
+
+    /**
+     * Loads everything, for each part of the skin's diffracted light: pictures of a skin with an index by wavelength are sums.
+     *
+     * @return one, or those of an index by wavelength
+     * @throws sunbeam.app.files.input.InputException if texture or index cannot be used
+     */
+    public List<SceneData> parts(Scene scene) {
+        List<Optional<SkinPart>> parts = skinParts(scene);
         Mesh mesh = mesh(scene);
         BodyTexture body = BodyTextures.load(scene.texture());
         Patch patch = patch(scene);
         tellLimit(scene, patch);
-        return withTables(scene, mesh, body, patch);
+        return parts.stream()
+                .map(part -> withTables(scene, mesh, body, patch, part))
+                .toList();
+    }
+
+    private static List<Optional<SkinPart>> skinParts(Scene scene) {
+        if (!scene.index().isByWavelength()) {
+            return List.of(Optional.empty());
+        }
+        RefractiveIndex index = IndexFile.read(Path.of(scene.index().file()));
+        return SkinPart.of(index, CieTable.load()).stream().map(Optional::of).toList();
+    }
+
+    private static void requireWhole(Scene scene) {
+        if (scene.index().isByWavelength()) {
+            throw SkinPart.refusal(scene.index().file());
+        }
     }
 
     /** As {@link #load(Scene)}, keeping what has not changed; files are not looked at again. */
     public SceneData load(Scene scene, SceneData previous) {
+        requireWhole(scene);
         Scene before = previous.scene();
         Mesh mesh = before.mesh().equals(scene.mesh()) ? previous.mesh() : mesh(scene);
         BodyTexture body =
@@ -67,12 +101,12 @@ public final class SceneLoader {
         }
         Patch patch = samePatch ? previous.patch() : patch(scene);
         tellLimit(scene, patch);
-        return withTables(scene, mesh, body, patch);
+        return withTables(scene, mesh, body, patch, Optional.empty());
     }
 
     /** A scene that is loaded already, by another method; what is to be said of the patch has been said. */
     public SceneData preview(Scene scene, SceneData loaded) {
-        return withTables(scene, loaded.mesh(), loaded.body(), loaded.patch());
+        return withTables(scene, loaded.mesh(), loaded.body(), loaded.patch(), loaded.part());
     }
 
     private Mesh mesh(Scene scene) {
@@ -96,15 +130,18 @@ public final class SceneLoader {
     }
 
     /** Light and camera may move at any time, so that the plan holds for every pair of directions. */
-    private SceneData withTables(Scene scene, Mesh mesh, BodyTexture body, Patch patch) {
+    private SceneData withTables(Scene scene, Mesh mesh, BodyTexture body, Patch patch, Optional<SkinPart> part) {
         DiffractionSetup setup = new DiffractionSetup(patch, environment, warning);
+        Surface surface = part.map(
+                        found -> setup.surface().under(found.reflection().cie()))
+                .orElse(setup.surface());
         Choices choices = scene.method().choices();
         MethodPlan method =
-                choices.located(() -> scene.method().seeing(patch).method().plan(setup.surface(), VisibleRange.all()));
-        Optional<LevelSources> levels = method.levelled().map(plan -> new LevelsOfSetup(setup, plan));
+                choices.located(() -> scene.method().seeing(patch).method().plan(surface, VisibleRange.all()));
+        Optional<LevelSources> levels = method.levelled().map(plan -> new LevelsOfSetup(setup, plan, surface.cie()));
         ShaderTables tables = levels.isPresent()
                 ? setup.freshTables(method, MethodUse.COLOUR, GpuColours::of)
                 : setup.tables(method, MethodUse.COLOUR, GpuColours::of);
-        return new SceneData(scene, mesh, patch, method, tables, levels, body);
+        return new SceneData(scene, mesh, patch, method, tables, levels, body, part);
     }
 }

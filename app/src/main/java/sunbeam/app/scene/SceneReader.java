@@ -96,7 +96,7 @@ public final class SceneReader {
                 choices.get(ROTATE_PATCH),
                 choices.get(EXPOSURE),
                 Blend.of(weights.choices(SceneSettings.WEIGHTS)),
-                choices.get(INDEX),
+                folder.resolve(choices, INDEX),
                 choices.get(BACKGROUND));
         plan.ifPresent(JsonObject::requireNoOthers);
         weights.requireNoOthers();

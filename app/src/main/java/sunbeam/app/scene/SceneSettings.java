@@ -3,7 +3,6 @@ package sunbeam.app.scene;
 import java.util.List;
 import java.util.OptionalDouble;
 import java.util.function.UnaryOperator;
-import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.setting.Kinds;
 import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.setting.ValueKind;
@@ -54,17 +53,18 @@ public final class SceneSettings {
     public static final Setting<Double> AMBIENT = weight("ambient", "Share of light from everywhere.", 0);
 
     /** Of what the skin is made. */
-    public static final Setting<RefractiveIndex> INDEX = new Setting<>(
+    public static final Setting<SkinIndex> INDEX = new Setting<>(
                     "index",
                     Kinds.of(
                             "N",
                             ValueKind.Form.TEXT,
-                            RefractiveIndex::parse,
+                            SkinIndex::parse,
                             UnaryOperator.identity(),
-                            RefractiveIndex::describe,
-                            "an index such as 1.56 or 0.97+6.5i"),
-                    "Refractive index of the skin: a number, or n+ki for metals and coats of metal.")
-            .withStandard(RefractiveIndex.KERATIN);
+                            SkinIndex::format,
+                            "an index such as 1.56 or 0.97+6.5i, or a file (.csv)"),
+                    "Refractive index of the skin: a number, n+ki for metals and coats of metal, or a CSV file in the"
+                            + " form of refractiveindex.info, by wavelength.")
+            .withStandard(SkinIndex.KERATIN);
 
     /** Behind the mesh. */
     static final Setting<SceneColor> BACKGROUND = new Setting<>(

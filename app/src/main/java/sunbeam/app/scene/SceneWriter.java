@@ -93,8 +93,11 @@ public final class SceneWriter {
         JsonChoices.write(
                 json, Choices.none().with(ROTATE_PATCH, scene.rotatePatch()).with(EXPOSURE, scene.exposure()));
         object("weights", scene.blend().choices());
-        if (!scene.index().isStandard()) {
-            JsonChoices.write(json, Choices.none().with(INDEX, scene.index()));
+        SkinIndex index = scene.index();
+        if (!index.equals(SkinIndex.KERATIN)) {
+            JsonChoices.write(
+                    json,
+                    Choices.none().with(INDEX, index.isByWavelength() ? SkinIndex.of(names.of(index.file())) : index));
         }
         JsonChoices.write(json, Choices.none().with(BACKGROUND, scene.background()));
         json.writeEndObject();

@@ -11,17 +11,22 @@ import jrtr.ShaderProgram;
 import jrtr.Tile;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.color.ReflectionPart;
+import sunbeam.precompute.optics.RefractiveIndex;
 
 /** A diffraction method on a mesh: its tables and the program shaders/skin.frag with it compiled in. */
 final class SkinSurface implements AutoCloseable {
     private final UploadedTables method;
     private final ShaderProgram program;
     private final Optional<SkinLooks> looks;
+    private final Optional<SkinPart> part;
 
-    private SkinSurface(UploadedTables method, ShaderProgram program, Optional<SkinLooks> looks) {
+    private SkinSurface(
+            UploadedTables method, ShaderProgram program, Optional<SkinLooks> looks, Optional<SkinPart> part) {
         this.method = method;
         this.program = program;
         this.looks = looks;
+        this.part = part;
     }
 
     /** Uploads the tables and compiles. */
@@ -31,7 +36,7 @@ final class SkinSurface implements AutoCloseable {
             ShaderProgram program = method.program("skin.frag");
             Optional<SkinLooks> looks = data.levels().map(sources -> new SkinLooks(context, sources));
             looks.ifPresent(found -> found.prepare(program));
-            return new SkinSurface(method, program, looks);
+            return new SkinSurface(method, program, looks, data.part());
         } catch (RuntimeException | OutOfMemoryError failure) {
             method.close();
             throw failure;
@@ -63,13 +68,29 @@ final class SkinSurface implements AutoCloseable {
             FloatTarget target,
             Tile tile) {
         SceneUniforms.set(program, scene);
-        // The same at all wavelengths.
-        program.set("normalReflectance", (float) scene.index().reflectance(CieTable.MINIMUM_WAVELENGTH));
+        setReflection(scene);
         List<Binding> textures = new ArrayList<>(method.bindings());
         textures.addAll(buffer.bindings());
         looks.ifPresent(found -> textures.addAll(found.bindings()));
         textures.add(new Binding("sources", sources));
         context.drawFullScreen(program, textures, target, tile);
+    }
+
+    /** An index that is the same at all wavelengths weights directions alone; otherwise the tables are of a part. */
+    private void setReflection(Scene scene) {
+        if (part.isPresent()) {
+            ReflectionPart reflection = part.get().reflection();
+            program.set("mirrorWeight", (float) reflection.constant());
+            program.set("grazingWeight", (float) reflection.schlick());
+            return;
+        }
+        RefractiveIndex index = scene.index()
+                .constant()
+                .orElseThrow(
+                        () -> new IllegalArgumentException("tables of an index by wavelength are those of a part"));
+        double normal = index.reflectance(CieTable.MINIMUM_WAVELENGTH);
+        program.set("mirrorWeight", 1f);
+        program.set("grazingWeight", (float) ((1 - normal) / normal));
     }
 
     @Override

@@ -7,7 +7,6 @@ import jrtr.scene.Camera;
 import org.joml.Quaternionf;
 import org.joml.Vector3f;
 import sunbeam.app.terminal.Environment;
-import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.patch.PatchRequest;
 
 /** Scenes of the plane, which fills the picture's middle; its patch is small, so that tables are made in a moment. */
@@ -32,7 +31,7 @@ final class PlaneScenes {
                 0,
                 OptionalDouble.of(1),
                 DIFFRACTION_ONLY,
-                RefractiveIndex.KERATIN,
+                SkinIndex.KERATIN,
                 new SceneColor(0x204060));
     }
 

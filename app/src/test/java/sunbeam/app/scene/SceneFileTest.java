@@ -46,12 +46,20 @@ class SceneFileTest {
     @Test
     void anIndexIsReadAndWritten() throws IOException {
         Scene scene = SceneReader.read(write(SCENE.replace("\"exposure\"", "\"index\": \"0.97+6.5i\", \"exposure\"")));
-        assertThat(scene.index()).isEqualTo(RefractiveIndex.constant(0.97, 6.5));
+        assertThat(scene.index()).isEqualTo(SkinIndex.of(RefractiveIndex.constant(0.97, 6.5)));
         Path again = folder.resolve("again.json");
         SceneWriter.write(again, Overwrite.REFUSE, scene);
         assertThat(SceneReader.read(again)).isEqualTo(scene);
-        assertThat(SceneReader.read(write(SCENE)).index()).isEqualTo(RefractiveIndex.KERATIN);
-        refused(SCENE.replace("\"exposure\"", "\"index\": \"gold.csv\", \"exposure\""), "index", "1.56");
+        assertThat(SceneReader.read(write(SCENE)).index()).isEqualTo(SkinIndex.KERATIN);
+        refused(SCENE.replace("\"exposure\"", "\"index\": \"gold.csv\", \"exposure\""), "index", "gold.csv");
+        Files.writeString(folder.resolve("gold.csv"), "wl,n,k\n0.3,1.5,1.9\n0.8,0.15,4.9\n");
+        Scene gold = SceneReader.read(write(SCENE.replace("\"exposure\"", "\"index\": \"gold.csv\", \"exposure\"")));
+        assertThat(gold.index())
+                .isEqualTo(
+                        SkinIndex.of(folder.resolve("gold.csv").toAbsolutePath().toString()));
+        SceneWriter.write(again, Overwrite.REPLACE, gold);
+        assertThat(SceneReader.read(again)).isEqualTo(gold);
+        refused(SCENE.replace("\"exposure\"", "\"index\": \"../gold.csv\", \"exposure\""), "index", "folder");
     }
 
     static Iterable<String> names() {

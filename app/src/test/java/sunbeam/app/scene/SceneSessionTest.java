@@ -70,8 +70,8 @@ class SceneSessionTest {
     void theIndexIsThatOfTheScene() {
         Scene grazing = PlaneScenes.blaze().withLight(new SceneLight(new Vector3f(-0.94f, 0.1f, 0.34f), 1));
         float[] keratin = draw(grazing).rgba();
-        float[] metal =
-                draw(grazing.withIndex(RefractiveIndex.constant(0.97, 6.5))).rgba();
+        float[] metal = draw(grazing.withIndex(SkinIndex.of(RefractiveIndex.constant(0.97, 6.5))))
+                .rgba();
         double largest = 0;
         double least = 1;
         for (int i = 1; i < keratin.length; i += 4) {

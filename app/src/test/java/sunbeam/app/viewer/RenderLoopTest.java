@@ -13,16 +13,25 @@ import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.BooleanSupplier;
 import jrtr.ContextInfo;
 import jrtr.GraphicsException;
+import jrtr.RenderContext;
+import jrtr.gl.RenderContexts;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import sunbeam.app.gpu.NeedsDisplay;
+import sunbeam.app.scene.Scene;
+import sunbeam.app.scene.SceneDisplay;
 import sunbeam.app.scene.SceneLoader;
+import sunbeam.app.scene.ScenePicture;
 import sunbeam.app.scene.ScenePreview;
+import sunbeam.app.scene.SceneSession;
 import sunbeam.app.terminal.Environment;
+import sunbeam.precompute.method.Methods;
+import sunbeam.precompute.method.TableMethod;
 import sunbeam.precompute.optics.Direction;
+import sunbeam.precompute.setting.Choices;
 
 /** A render thread, with real OpenGL but no window, that lives on when something cannot be drawn. */
 @NeedsDisplay
@@ -190,6 +199,37 @@ class RenderLoopTest {
         }
         loop.show(new ViewState(state.fine(), state.coarse(), state.mapped(), WIDTH / 2, HEIGHT, state.mapLight()));
         assertThat(next()).isEqualTo("preview");
+    }
+
+    @Test
+    void coloursThatAPictureLacksAreMadeInTheBackgroundUntilItIsWhole() throws InterruptedException {
+        SceneLoader loader = new SceneLoader(new Environment(Map.of(), folder), warning -> {});
+        Scene scene = ViewerInAWindow.scene();
+        Choices table = Choices.none().with(Methods.METHOD, TableMethod.TYPE);
+        Scene tabulated = scene.withMethod(scene.method().with(table));
+        LoadedScene loaded = LoadedScene.load(loader, tabulated, null);
+        loop.show(new ViewState(loaded.fine(), loaded.coarse(), loaded.mapped(), WIDTH, HEIGHT, state.mapLight()));
+        assertThat(next()).isEqualTo("preview");
+        String said = next();
+        assertThat(said).as("nothing is made yet").isEqualTo("waiting");
+        while (said.equals("waiting")) {
+            said = next();
+        }
+        assertThat(said).isEqualTo("map");
+        assertThat(next()).isEqualTo("complete");
+        assertThat(next()).isEqualTo("final map");
+        BufferedImage shown = completed;
+
+        // As render draws it.
+        try (RenderContext context = RenderContexts.offscreen();
+                SceneSession session = new SceneSession(context, loaded.fine());
+                SceneDisplay display = new SceneDisplay(context)) {
+            ScenePicture picture = session.draw(WIDTH, HEIGHT);
+            BufferedImage rendered =
+                    display.image(picture, SceneDisplay.exposure(tabulated, picture), tabulated.background());
+            assertThat(shown.getRGB(0, 0, WIDTH, HEIGHT, null, 0, WIDTH))
+                    .isEqualTo(rendered.getRGB(0, 0, WIDTH, HEIGHT, null, 0, WIDTH));
+        }
     }
 
     private ViewState picked(double thetaDegrees) {

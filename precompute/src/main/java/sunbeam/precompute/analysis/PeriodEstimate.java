@@ -43,6 +43,11 @@ public record PeriodEstimate(
         }
     }
 
+    /** The same without the second. */
+    PeriodEstimate alone() {
+        return new PeriodEstimate(period, low, high, periods, Optional.empty(), drift);
+    }
+
     /** The larger distance from the period to an end of its interval, metres. */
     public double halfWidth() {
         return Math.max(period - low, high - period);

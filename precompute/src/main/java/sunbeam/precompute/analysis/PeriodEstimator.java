@@ -62,7 +62,19 @@ public final class PeriodEstimator {
         double length = (series.size() + 1) * series.step();
         double beats =
                 SamplingBeat.error(map, frequency * Math.cos(direction), frequency * Math.sin(direction), length);
-        return Optional.of(told(frequency, series, beats));
+        PeriodEstimate told = told(frequency, series, beats);
+        return Optional.of(
+                told.second()
+                                .filter(second -> isMirrored(map, direction, 1 / second.period()))
+                                .isPresent()
+                        ? told.alone()
+                        : told);
+    }
+
+    /** Few samples a period show each wave a second time, mirrored at half the sampling frequency. */
+    private static boolean isMirrored(HeightMap map, double direction, double frequency) {
+        return Math.abs(frequency * Math.cos(direction)) * map.pitchX() > 0.5
+                || Math.abs(frequency * Math.sin(direction)) * map.pitchY() > 0.5;
     }
 
     private static double moved(double frequency, double slope, PhaseSeries series) {

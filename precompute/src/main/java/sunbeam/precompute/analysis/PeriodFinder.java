@@ -22,6 +22,10 @@ public final class PeriodFinder {
 
     // Overtones beyond the fifth are weaker than what would hide the fundamental.
     private static final int LARGEST_DIVISOR = 5;
+    // By its heights, than what stands out of the averaged spectrum.
+    private static final double STRONGER = 2;
+    // Fewer periods might be waviness, whose single bins stand out, too.
+    private static final double FEWEST_OF_HIDDEN = 12;
     // Lines that differ by less are alike.
     private static final double LEAST_FUNDAMENTAL = 0.1;
 
@@ -52,7 +56,17 @@ public final class PeriodFinder {
     /** The surface's regularities in all directions. */
     public Periodicity all() {
         Periodicity others = choose(TaperedPeaks::all, PeriodicPeaks::all);
-        return withFundamental(line().map(sharp -> withLine(sharp, others)).orElse(others));
+        Optional<SpectrumPeak> sharp = line().or(() -> hidden(others));
+        return withFundamental(sharp.map(found -> withLine(found, others)).orElse(others));
+    }
+
+    /** A line beside which what the averaged spectrum shows is weak: a step or bow hides it there, not its overtones. */
+    private Optional<SpectrumPeak> hidden(Periodicity others) {
+        if (!others.found() || others.edges() != HeightSpectrum.Edges.TAPERED) {
+            return Optional.empty();
+        }
+        double rms = STRONGER * others.peaks().get(0).rms();
+        return new SharpLines(tapered).strongest(rms * rms, FEWEST_OF_HIDDEN);
     }
 
     /**

@@ -33,20 +33,28 @@ final class SharpLines {
      * @param variance of the heights less their plane, square metres
      */
     Optional<SpectrumPeak> strongest(double variance) {
+        return strongest(LEAST_SHARE * variance, FEWEST_PERIODS);
+    }
+
+    /**
+     * The strongest line of those that hold more than others.
+     *
+     * @param variance of the others, square metres
+     * @param fewest of its periods across the patch
+     */
+    Optional<SpectrumPeak> strongest(double variance, double fewest) {
         List<int[]> tops = new ArrayList<>();
         for (int jy = 0; jy <= spectrum.bandY().last(); jy++) {
             int first = jy == 0 ? 1 : spectrum.bandX().first();
             for (int jx = first; jx <= spectrum.bandX().last(); jx++) {
-                if (2 * sumAround(jx, jy, 0) > 0.05 * LEAST_SHARE * variance
-                        && Math.hypot(jx, jy) >= FEWEST_PERIODS
-                        && isTop(jx, jy)) {
+                if (2 * sumAround(jx, jy, 0) > 0.05 * variance && Math.hypot(jx, jy) >= fewest && isTop(jx, jy)) {
                     tops.add(new int[] {jx, jy});
                 }
             }
         }
         return tops.stream()
                 .map(top -> peak(top[0], top[1]))
-                .filter(peak -> peak.figure() >= THRESHOLD && peak.rms() * peak.rms() >= LEAST_SHARE * variance)
+                .filter(peak -> peak.figure() >= THRESHOLD && peak.rms() * peak.rms() >= variance)
                 .max(Comparator.comparingDouble(SpectrumPeak::rms));
     }
 

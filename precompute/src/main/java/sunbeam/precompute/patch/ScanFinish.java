@@ -62,6 +62,9 @@ record ScanFinish(String name, String file, Choices choices, Kind kind) {
         HeightMap scan = HeightMap.of(prepared.scan());
         HeightMap heights = edges == Edges.REPEAT ? scan : HeightMap.of(prepared.surface());
         List<String> warnings = new ArrayList<>(read.warnings());
+        if (kind != Kind.BUILT_IN) {
+            SizeCheck.size(measured).ifPresent(warnings::add);
+        }
         if (prepared.missing() > 0) {
             warnings.add(String.format(
                     Locale.ROOT,
@@ -99,9 +102,11 @@ record ScanFinish(String name, String file, Choices choices, Kind kind) {
         }
         boolean described = kind == Kind.DESCRIBED;
         if (!choices.has(CROP) && !choices.has(EDGES)) {
-            // Who describes a ramp means a blazed grating; a ramp that an instrument wrote is a tilt.
+            // Who describes a wave or a ramp means a grating; in what an instrument wrote it is waviness, a step or a
+            // tilt.
             HeightField field = measured.field();
-            if (OnePeriod.is(field) || (described && OnePeriod.isRamp(field))) {
+            boolean one = described ? OnePeriod.is(field) || OnePeriod.isRamp(field) : OnePeriod.isDrawn(field);
+            if (one) {
                 return Patch.Repetition.PERIODIC;
             }
             return described ? Patch.Repetition.ASSUMED : Patch.Repetition.NONE;

@@ -8,6 +8,8 @@ public final class OnePeriod {
     private static final int MOST_PERIODS = 2;
     // Of the heights' variance, in one frequency; noise has less in each.
     private static final double LEAST_SHARE = 0.4;
+    // Of the relief: rounding of computed heights. No instrument measures lines as alike.
+    private static final double SAME = 1e-6;
     // What rounding to 8 bits leaves of an even ramp is a thousandth of it.
     private static final double EVEN = 5e-3;
 
@@ -23,6 +25,39 @@ public final class OnePeriod {
         }
         double share = lowShare(field);
         return share >= LEAST_SHARE && share > bowShare(field);
+    }
+
+    /**
+     * Whether the heights are, beyond that, those of lines that somebody drew or computed: the same all along one axis. A
+     * measured scan has borders that fit and one low frequency, too, where it shows a terrace's step, a plateau or rows
+     * that wander, and nothing in the heights tells that from a grating's one period but that measured lines differ.
+     */
+    public static boolean isDrawn(HeightField field) {
+        boolean alongX = field.columns() > 1 && isSame(field, 0, 1);
+        boolean alongY = field.rows() > 1 && isSame(field, 1, 0);
+        return (alongX || alongY) && is(field);
+    }
+
+    /**
+     * Whether all heights are those of the first column, or row.
+     *
+     * @param columnFactor 0 to compare with the first column, 1 with the own one
+     * @param rowFactor 0 to compare with the first row, 1 with the own one
+     */
+    private static boolean isSame(HeightField field, int columnFactor, int rowFactor) {
+        double largest = 0;
+        double least = Double.POSITIVE_INFINITY;
+        double highest = Double.NEGATIVE_INFINITY;
+        for (int row = 0; row < field.rows(); row++) {
+            for (int column = 0; column < field.columns(); column++) {
+                double here = field.at(column, row);
+                double first = field.at(columnFactor * column, rowFactor * row);
+                largest = Math.max(largest, Math.abs(here - first));
+                least = Math.min(least, here);
+                highest = Math.max(highest, here);
+            }
+        }
+        return largest <= SAME * (highest - least);
     }
 
     /**

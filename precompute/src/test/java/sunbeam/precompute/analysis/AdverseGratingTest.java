@@ -81,6 +81,27 @@ class AdverseGratingTest {
         assertThat(estimate.period()).isCloseTo(1923e-9, within(10e-9));
     }
 
+    /** A step of 200 nm hid the first order of a saw, and its seventh, come back by the sampling, was "177 nm". */
+    @Test
+    void aStepDoesNotHideTheFirstOrder() {
+        HeightMap map = scan(
+                256,
+                256,
+                78.1e-9,
+                (x, y) -> 80e-9 * part((0.966 * x - 0.259 * y) / 900e-9) + (x - 0.2 * y > 1e-6 ? 200e-9 : 0));
+        PeriodEstimate estimate = estimate(map);
+        assertThat(estimate.period()).isCloseTo(900e-9 / Math.hypot(0.966, 0.259), within(5e-9));
+        assertThat(900e-9).isBetween(estimate.low(), estimate.high());
+    }
+
+    /** With 2.4 samples a period, the wave's mirror image was "a second period": the surface had none. */
+    @Test
+    void fewSamplesAPeriodAreNoSecondPeriod() {
+        PeriodEstimate estimate = estimate(scan(64, 64, 625e-9, (x, y) -> 4e-8 * Math.sin(2 * Math.PI * x / 1500e-9)));
+        assertThat(estimate.second()).isEmpty();
+        assertThat(1500e-9).isBetween(estimate.low(), estimate.high());
+    }
+
     /** Ridges in pairs repeat after two of their distances, and that is told beside it. */
     @Test
     void pairsOfLinesShowBothDistances() {

@@ -143,6 +143,27 @@ class PreparationTest {
         assertThat(prepared.surface().heights()).doesNotContain(Double.NaN);
     }
 
+    /** A terrace's step, a plateau or rows that wander had "20000 nm, 95 % interval 19904 to 20000 nm". */
+    @Test
+    void whatIsMeasuredIsNoPeriodByItsLooks() {
+        HeightField step = field(i -> i % COLUMNS < COLUMNS / 2 ? 1e-7 : 0);
+        assertThat(OnePeriod.isDrawn(step)).isTrue();
+        assertThat(OnePeriod.isDrawn(field(i -> 1e-7 * Math.cos(2 * Math.PI * row(i) / ROWS))))
+                .isTrue();
+        double[] profile = new double[COLUMNS];
+        for (int i = 0; i < COLUMNS; i++) {
+            profile[i] = i < COLUMNS / 2 ? 1e-7 : 1e-9 * (i % 3);
+        }
+        // Of a single row nobody knows.
+        assertThat(OnePeriod.isDrawn(new HeightField(COLUMNS, 1, 50e-9, 50e-9, profile)))
+                .isFalse();
+        HeightField terrace = field(i -> (i % COLUMNS < COLUMNS / 2 ? 1e-7 : 0) + 0.01 * rough(i));
+        assertThat(OnePeriod.is(terrace)).isTrue();
+        assertThat(OnePeriod.isDrawn(terrace)).isFalse();
+        HeightField wandering = field(i -> 1e-7 * Math.cos(2 * Math.PI * row(i) / ROWS) + 0.01 * rough(i));
+        assertThat(OnePeriod.isDrawn(wandering)).isFalse();
+    }
+
     @Test
     void onePeriodIsRecognisedAndATiltIsNone() {
         assertThat(OnePeriod.is(field(i -> 1e-7 * Math.cos(2 * Math.PI * (i % COLUMNS) / COLUMNS))))

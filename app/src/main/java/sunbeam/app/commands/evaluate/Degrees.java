@@ -11,6 +11,6 @@ final class Degrees {
     /** To hundredths, without zeros at the end. */
     static String text(double radians) {
         return new DecimalFormat("0.##", DecimalFormatSymbols.getInstance(Locale.ROOT))
-                .format(Math.toDegrees(radians) + 0.0);
+                .format(0.01 * Math.round(100 * Math.toDegrees(radians)));
     }
 }

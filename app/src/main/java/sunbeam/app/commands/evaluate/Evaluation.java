@@ -138,9 +138,9 @@ public final class Evaluation {
         return measurement;
     }
 
-    /** The thesis's figures 4.9 to 4.11: the response in colour, its followed peaks and the grating equation. */
+    /** The thesis's figures 4.9 to 4.11: the response in colour, its followed peaks, and the period by the grating equation. */
     public BufferedImage plot() {
-        return ResponsePlot.draw(title, quantity.label(), response, measurement);
+        return ResponsePlot.draw(title, quantity.label(), response, measurement, answer);
     }
 
     GratingTarget target() {

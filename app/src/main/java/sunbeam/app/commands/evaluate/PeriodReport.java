@@ -60,16 +60,7 @@ final class PeriodReport {
         List<String> lines = new ArrayList<>();
         PeriodEstimate heights = answer.heights();
         int digits = digits(0.5 * (answer.high() - answer.low()));
-        if (heights.halfWidth() > 0 || answer.high() - answer.low() > EXACT * answer.period()) {
-            lines.add(String.format(
-                    Locale.ROOT,
-                    "period               %s nm, 95 %% interval %s to %s nm",
-                    text(answer.period(), digits),
-                    text(answer.low(), digits),
-                    text(answer.high(), digits)));
-        } else {
-            lines.add(String.format(Locale.ROOT, "period               %s nm", text(answer.period(), 2)));
-        }
+        lines.add("period               " + figures(answer));
         lines.add(String.format(
                 Locale.ROOT,
                 "of the heights       %s nm%s",
@@ -103,6 +94,20 @@ final class PeriodReport {
                         drift.first() * NANOMETRES,
                         drift.last() * NANOMETRES)));
         return lines;
+    }
+
+    /** "900.0 nm, 95 % interval 899.9 to 900.1 nm", or the period alone where it is exact. */
+    static String figures(PeriodAnswer answer) {
+        int digits = digits(0.5 * (answer.high() - answer.low()));
+        if (answer.heights().halfWidth() > 0 || answer.high() - answer.low() > EXACT * answer.period()) {
+            return String.format(
+                    Locale.ROOT,
+                    "%s nm, 95 %% interval %s to %s nm",
+                    text(answer.period(), digits),
+                    text(answer.low(), digits),
+                    text(answer.high(), digits));
+        }
+        return text(answer.period(), 2) + " nm";
     }
 
     private static String words(PeriodAnswer.Light light) {

@@ -3,15 +3,20 @@ package sunbeam.app.commands.evaluate;
 import java.awt.image.BufferedImage;
 import java.util.Arrays;
 import java.util.Locale;
+import java.util.Optional;
 import sunbeam.app.files.plot.ColorMap;
 import sunbeam.app.files.plot.HeatMap;
 import sunbeam.app.files.plot.Plot;
 import sunbeam.precompute.evaluation.GratingMeasurement;
+import sunbeam.precompute.evaluation.PeriodAnswer;
 import sunbeam.precompute.evaluation.ResponseGrid;
 import sunbeam.precompute.evaluation.ResponseMatrix;
 import sunbeam.precompute.evaluation.Ridge;
 
-/** The thesis's figures 4.9 to 4.11: the response in colour, its followed peaks and the grating equation. */
+/**
+ * The thesis's figures 4.9 to 4.11: the response in colour and its followed peaks; and the period that is told, as the
+ * curves of the grating equation for it and for the ends of its interval.
+ */
 final class ResponsePlot {
     private static final int WIDTH = 1100;
     private static final int HEIGHT = 800;
@@ -22,7 +27,12 @@ final class ResponsePlot {
 
     private ResponsePlot() {}
 
-    static BufferedImage draw(String title, String quantity, ResponseMatrix response, GratingMeasurement measurement) {
+    static BufferedImage draw(
+            String title,
+            String quantity,
+            ResponseMatrix response,
+            GratingMeasurement measurement,
+            Optional<PeriodAnswer> answer) {
         ResponseGrid grid = response.grid();
         double largest = Arrays.stream(response.values())
                 .flatMapToDouble(Arrays::stream)
@@ -42,13 +52,25 @@ final class ResponsePlot {
                         HeatMap.Values.around(angles),
                         colors,
                         HeatMap.Reduction.LARGEST));
+        answer.ifPresent(told -> draw(told, Math.signum(measurement.fittedFrequency()), grid, map));
         Ridge ridge = measurement.ridge();
-        double frequency = measurement.fittedFrequency();
-        String equation = String.format(Locale.ROOT, "grating equation, d = %.2f nm", measurement.fittedPeriod() * 1e9);
-        map.curve(
-                "peaks of the first order", nanometres(ridge.wavelengths()), degrees(ridge.peakAngles()), PEAKS, false);
-        map.curve(equation, nanometres(ridge.wavelengths()), degrees(ridge.angles(frequency)), EQUATION, true);
+        String peaks = String.format(
+                Locale.ROOT, "brightest angle at each wavelength (as of %.1f nm)", measurement.fittedPeriod() * 1e9);
+        map.curve(peaks, nanometres(ridge.wavelengths()), degrees(ridge.peakAngles()), PEAKS, true);
         return map.draw();
+    }
+
+    /** The grating equation for the period and both ends of its interval. */
+    private static void draw(PeriodAnswer answer, double sign, ResponseGrid grid, HeatMap map) {
+        double[] periods = {answer.period(), answer.low(), answer.high()};
+        double[][] angles = Arrays.stream(periods)
+                .mapToObj(period -> Arrays.stream(grid.wavelengths())
+                        .map(wavelength -> grid.plane().thetaR(sign * wavelength / period))
+                        .map(Math::toDegrees)
+                        .toArray())
+                .toArray(double[][]::new);
+        String name = "the period, " + PeriodReport.figures(answer).replace(", 95 % interval", "; band: 95 % interval");
+        map.band(name, nanometres(grid.wavelengths()), angles[0], angles[1], angles[2], EQUATION);
     }
 
     private static double[][] transposed(double[][] values) {

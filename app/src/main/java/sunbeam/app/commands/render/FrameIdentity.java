@@ -5,6 +5,7 @@ import sunbeam.app.gpu.picture.PictureParameters;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneData;
 import sunbeam.app.scene.SceneWriter;
+import sunbeam.app.scene.SkinPart;
 import sunbeam.app.scene.mesh.Mesh;
 import sunbeam.app.terminal.Version;
 import sunbeam.precompute.files.Sha256;
@@ -31,6 +32,7 @@ final class FrameIdentity {
                 "|",
                 Version.number(),
                 data.patch().digest(),
+                data.part().map(SkinPart::digest).orElse(""),
                 meshAndBody,
                 size.toString(),
                 "supersample " + supersample);

@@ -2,18 +2,19 @@ package sunbeam.app.commands.render;
 
 import java.util.function.LongConsumer;
 import jrtr.Tile;
+import sunbeam.app.scene.PartSum;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.ScenePicture;
 import sunbeam.app.scene.SceneSession;
 
 /** Draws whole pictures, tile by tile; each pixel is the mean of {@code supersample^2}. */
 final class FrameRenderer {
-    private final SceneSession session;
+    private final PartSum parts;
     private final PictureSize size;
     private final int supersample;
 
-    FrameRenderer(SceneSession session, PictureSize size, int supersample) {
-        this.session = session;
+    FrameRenderer(PartSum parts, PictureSize size, int supersample) {
+        this.parts = parts;
         this.size = size;
         this.supersample = supersample;
     }
@@ -24,10 +25,9 @@ final class FrameRenderer {
      * @param progress told after every tile how many pixels are done
      */
     ScenePicture render(Scene scene, LongConsumer progress) {
-        session.update(scene);
         int width = supersample * size.width();
         int height = supersample * size.height();
-        session.prepare(width, height, SceneSession.tiles(width, height, 1), supersample);
+        parts.prepare(scene, width, height, supersample);
         ScenePicture picture = ScenePicture.empty(size.width(), size.height());
         for (Tile tile : SceneSession.tiles(size.width(), size.height(), supersample)) {
             Tile fine = new Tile(
@@ -35,7 +35,7 @@ final class FrameRenderer {
                     supersample * tile.y(),
                     supersample * tile.width(),
                     supersample * tile.height());
-            ScenePicture part = session.draw(width, height, fine);
+            ScenePicture part = parts.draw(scene, width, height, fine);
             picture.put(part.reduced(supersample), tile.x(), tile.y());
             progress.accept(tile.pixels());
         }

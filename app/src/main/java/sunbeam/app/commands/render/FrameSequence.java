@@ -16,6 +16,7 @@ import sunbeam.app.gpu.picture.DoubtfulPicture;
 import sunbeam.app.measure.errors.CertifyOption;
 import sunbeam.app.measure.errors.SceneCertificate;
 import sunbeam.app.measure.errors.SceneCertifier;
+import sunbeam.app.scene.PartSum;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneData;
 import sunbeam.app.scene.SceneDisplay;
@@ -32,19 +33,25 @@ final class FrameSequence implements AutoCloseable {
     private final String renderer;
     private final FrameIdentity identity;
     private final SceneDisplay display;
-    private final SceneSession session;
+    private final List<SceneSession> sessions = new ArrayList<>();
     private double lastExposure = 1;
     private boolean drawn;
     private boolean light;
 
-    FrameSequence(RenderContext context, SceneData data, PictureSize size, int supersample) {
-        this.data = data;
+    /** @param parts whose light adds up; most scenes are one */
+    FrameSequence(RenderContext context, List<SceneData> parts, PictureSize size, int supersample) {
+        this.data = parts.get(0);
         this.size = size;
         this.supersample = supersample;
         this.renderer = context.info().renderer();
         this.identity = new FrameIdentity(data, size, supersample);
         this.display = new SceneDisplay(context);
-        this.session = new SceneSession(context, data);
+        try {
+            parts.forEach(part -> sessions.add(new SceneSession(context, part)));
+        } catch (RuntimeException | OutOfMemoryError failure) {
+            close();
+            throw failure;
+        }
     }
 
     /** What tells the frames apart. */
@@ -64,7 +71,7 @@ final class FrameSequence implements AutoCloseable {
         OptionalDouble exposure = missing.get(0) ? OptionalDouble.empty() : recordedExposure(files.get(0));
         List<Path> places = new ArrayList<>(files);
         try (Progress progress = Progress.start("rendering", frames * size.width() * size.height())) {
-            FrameRenderer frameRenderer = new FrameRenderer(session, size, supersample);
+            FrameRenderer frameRenderer = new FrameRenderer(new PartSum(sessions), size, supersample);
             for (int i = 0; i < scenes.size(); i++) {
                 if (!missing.get(i) && linear == null) {
                     continue;
@@ -94,7 +101,7 @@ final class FrameSequence implements AutoCloseable {
     SceneCertificate certify(RenderContext context, SceneData exact, double exposure, int count) {
         try (SceneSession points = new SceneSession(context, exact)) {
             return new SceneCertifier(size.width(), size.height())
-                    .certify(session, points, supersample, exposure, count, CertifyOption.SEED);
+                    .certify(sessions.get(0), points, supersample, exposure, count, CertifyOption.SEED);
         }
     }
 
@@ -122,7 +129,7 @@ final class FrameSequence implements AutoCloseable {
 
     @Override
     public void close() {
-        session.close();
+        sessions.forEach(SceneSession::close);
         display.close();
     }
 }

@@ -127,16 +127,17 @@ public final class RenderCommand implements Callable<Integer> {
         List<Path> files = animation.isAsked() ? FrameFiles.names(target, scenes.size()) : List.of(target);
         checkOutputs(files, target);
         PrintWriter err = specification.commandLine().getErr();
-        SceneData data = new SceneLoader(environment, warning -> {
+        List<SceneData> parts = new SceneLoader(environment, warning -> {
                     err.println(Messages.warning(warning));
                     err.flush();
                 })
-                .load(scene);
+                .parts(scene);
+        SceneData data = parts.get(0);
         PrintWriter out = StandardOutput.reports(specification.commandLine().getOut(), err, output, linear);
         err.println("plan: " + data.method().summary());
         err.flush();
         try (RenderContext context = RenderContexts.offscreen();
-                FrameSequence frames = new FrameSequence(context, data, size, supersample)) {
+                FrameSequence frames = new FrameSequence(context, parts, size, supersample)) {
             Path place = animation.isAsked() ? OutputFolder.claim(target, mayUse()) : target;
             List<Path> wanted = place.equals(target) ? files : FrameFiles.names(place, scenes.size());
             outputs(place, draw(frames, scenes, wanted, place, err)).forEach(out::println);
@@ -177,6 +178,10 @@ public final class RenderCommand implements Callable<Integer> {
         }
         if (animation.isAsked()) {
             throw new UsageException("--certify is for single pictures; leave --light-sweep and --turntable out");
+        }
+        if (scene.index().isByWavelength()) {
+            throw new UsageException("--certify compares one integral over wavelengths, but a picture of an index by"
+                    + " wavelength is the sum of two; give a number as --index, or leave --certify out");
         }
         MethodType type = scene.method().type();
         if (scene.method().isThesis() || (type != FullMethod.TYPE && type != TableMethod.TYPE)) {

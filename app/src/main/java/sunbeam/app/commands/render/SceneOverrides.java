@@ -1,5 +1,6 @@
 package sunbeam.app.commands.render;
 
+import static sunbeam.app.scene.SceneSettings.INDEX;
 import static sunbeam.app.scene.SceneSettings.MESH;
 import static sunbeam.app.scene.SceneSettings.TEXTURE;
 import static sunbeam.precompute.method.Methods.METHOD;
@@ -12,6 +13,7 @@ import java.util.ArrayList;
 import java.util.List;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
+import sunbeam.app.scene.SkinIndex;
 import sunbeam.app.scene.mesh.BuiltInMeshes;
 import sunbeam.app.scene.texture.BodyTextures;
 import sunbeam.precompute.method.Methods;
@@ -43,7 +45,7 @@ final class SceneOverrides {
      */
     static Scene apply(Scene scene, Choices given) {
         checkAverage(scene, given);
-        Choices chosen = named(named(given, MESH, BuiltInMeshes.names()), TEXTURE, BodyTextures.names());
+        Choices chosen = indexed(named(named(given, MESH, BuiltInMeshes.names()), TEXTURE, BodyTextures.names()));
         return patch(scene.with(chosen), named(given, PATCH, BuiltInPatches.names()));
     }
 
@@ -75,7 +77,17 @@ final class SceneOverrides {
         if (!given.has(setting) || builtIn.contains(given.get(setting))) {
             return given;
         }
-        String file = Path.of(given.get(setting)).toAbsolutePath().normalize().toString();
-        return given.with(setting, file, given.origin(setting));
+        return given.with(setting, absolute(given.get(setting)), given.origin(setting));
+    }
+
+    private static Choices indexed(Choices given) {
+        if (!given.has(INDEX) || !given.get(INDEX).isByWavelength()) {
+            return given;
+        }
+        return given.with(INDEX, SkinIndex.of(absolute(given.get(INDEX).file())), given.origin(INDEX));
+    }
+
+    private static String absolute(String file) {
+        return Path.of(file).toAbsolutePath().normalize().toString();
     }
 }

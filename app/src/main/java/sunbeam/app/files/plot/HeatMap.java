@@ -16,6 +16,7 @@ import org.jfree.chart.axis.ValueAxis;
 import org.jfree.chart.plot.SeriesRenderingOrder;
 import org.jfree.chart.plot.XYPlot;
 import org.jfree.chart.renderer.PaintScale;
+import org.jfree.chart.renderer.xy.DeviationRenderer;
 import org.jfree.chart.renderer.xy.XYLineAndShapeRenderer;
 import org.jfree.chart.title.LegendTitle;
 import org.jfree.chart.title.PaintScaleLegend;
@@ -23,6 +24,8 @@ import org.jfree.chart.ui.Layer;
 import org.jfree.chart.ui.RectangleEdge;
 import org.jfree.chart.ui.RectangleInsets;
 import org.jfree.data.xy.DefaultXYDataset;
+import org.jfree.data.xy.YIntervalSeries;
+import org.jfree.data.xy.YIntervalSeriesCollection;
 
 /**
  * A matrix of values in colour over two axes, with a colour bar, curves and marks on top, in the look of {@link Plot}
@@ -36,6 +39,7 @@ public final class HeatMap {
     private static final double SPACE_BELOW = 64;
     private static final double GAP = 12;
     private static final float CURVE_WIDTH = 1.7f;
+    private static final float BAND_ALPHA = 0.5f;
     private static final BasicStroke SOLID = new BasicStroke(CURVE_WIDTH, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND);
     private static final BasicStroke DASHED =
             new BasicStroke(CURVE_WIDTH, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 1, new float[] {10, 8}, 0);
@@ -44,6 +48,8 @@ public final class HeatMap {
     private final Values values;
     private final DefaultXYDataset curves = new DefaultXYDataset();
     private final XYLineAndShapeRenderer renderer = new XYLineAndShapeRenderer(true, false);
+    private final YIntervalSeriesCollection bands = new YIntervalSeriesCollection();
+    private final DeviationRenderer bandRenderer = new DeviationRenderer(true, false);
 
     /**
      * What stands around the matrix.
@@ -108,6 +114,25 @@ public final class HeatMap {
         return this;
     }
 
+    /**
+     * Adds a curve with a band around it and one entry in the legend, under all curves; where one of the three is NaN there
+     * is nothing.
+     */
+    public HeatMap band(String name, double[] x, double[] y, double[] oneSide, double[] otherSide, int rgb) {
+        YIntervalSeries series = new YIntervalSeries(name);
+        for (int i = 0; i < x.length; i++) {
+            if (Double.isFinite(y[i] + oneSide[i] + otherSide[i])) {
+                series.add(x[i], y[i], Math.min(oneSide[i], otherSide[i]), Math.max(oneSide[i], otherSide[i]));
+            }
+        }
+        int index = bands.getSeriesCount();
+        bands.addSeries(series);
+        bandRenderer.setSeriesPaint(index, new Color(rgb));
+        bandRenderer.setSeriesFillPaint(index, new Color(rgb));
+        bandRenderer.setSeriesStroke(index, SOLID);
+        return this;
+    }
+
     /** Adds a ring around a point with a label beside it. */
     public HeatMap mark(String label, double x, double y) {
         renderer.addAnnotation(Overlay.ring(label, x, y));
@@ -136,10 +161,15 @@ public final class HeatMap {
         plot.setRangeGridlinesVisible(false);
         plot.setDataset(curves);
         plot.setRenderer(renderer);
+        plot.setDataset(1, bands);
+        plot.setRenderer(1, bandRenderer);
+        // Backwards over datasets, as JFreeChart does unless told otherwise: curves lie on bands.
         plot.setSeriesRenderingOrder(SeriesRenderingOrder.FORWARD);
         // Or else each of a curve's pieces begins with a dash of its own.
         renderer.setDrawSeriesLineAsPath(true);
         renderer.setLegendLine(new Line2D.Double(-16, 0, 16, 0));
+        bandRenderer.setLegendLine(new Line2D.Double(-16, 0, 16, 0));
+        bandRenderer.setAlpha(BAND_ALPHA);
         HeatMapCells cells = new HeatMapCells(values);
         renderer.addAnnotation(
                 new Overlay((graphics, area, alongX, alongY) -> cells.paint(graphics, area)), Layer.BACKGROUND);
@@ -149,7 +179,7 @@ public final class HeatMap {
         plot.setFixedRangeAxisSpace(space);
         plot.setFixedDomainAxisSpace(space);
         JFreeChart chart = PlotStyle.chart(frame.title(), plot);
-        if (curves.getSeriesCount() > 0) {
+        if (curves.getSeriesCount() + bands.getSeriesCount() > 0) {
             LegendTitle legend = PlotStyle.legend(plot, RectangleEdge.BOTTOM);
             legend.setBackgroundPaint(new Color(values.colors().map().at(0.2)));
             legend.setItemPaint(Color.WHITE);

@@ -63,6 +63,27 @@ final class HeatMapTest {
     }
 
     @Test
+    void bandsReachFromOneSideToTheOtherAndLeaveOutWhatIsNone() {
+        double[] x = {0, 5, 10};
+        BufferedImage image = map(new double[][] {{0}}, HeatMap.Reduction.LARGEST)
+                .band(
+                        "level",
+                        x,
+                        new double[] {5, 5, Double.NaN},
+                        new double[] {7, 7, 7},
+                        new double[] {4, 4, 4},
+                        0xFFFFFF)
+                .draw(places);
+        // Half of white, between the sides alone, and as far as the middle is known.
+        assertThat(grey(image, 0.25, 0.65)).isBetween(100, 155);
+        assertThat(grey(image, 0.25, 0.45)).isBetween(100, 155);
+        assertThat(grey(image, 0.25, 0.75)).isZero();
+        assertThat(grey(image, 0.25, 0.35)).isZero();
+        assertThat(grey(image, 0.75, 0.65)).isZero();
+        assertThat(grey(image, 0.25, 0.5)).isGreaterThan(150);
+    }
+
+    @Test
     void curvesLieOnTheirValues() {
         BufferedImage image = map(new double[][] {{0}}, HeatMap.Reduction.LARGEST)
                 .curve("level", new double[] {0, 10}, new double[] {7.5, 7.5}, 0xFFFFFF, false)

@@ -26,6 +26,7 @@ import sunbeam.app.scene.SceneLight;
 import sunbeam.app.scene.SceneLoader;
 import sunbeam.app.scene.SceneMethod;
 import sunbeam.app.scene.SceneSession;
+import sunbeam.app.scene.SkinIndex;
 import sunbeam.app.scene.Viewpoint;
 import sunbeam.app.terminal.Environment;
 import sunbeam.precompute.method.FullMethod;
@@ -67,7 +68,7 @@ class SceneTableTest {
                 0,
                 OptionalDouble.of(1),
                 blend,
-                RefractiveIndex.KERATIN,
+                SkinIndex.of(RefractiveIndex.KERATIN),
                 new SceneColor(0));
     }
 

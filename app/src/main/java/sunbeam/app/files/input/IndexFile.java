@@ -1,0 +1,141 @@
+package sunbeam.app.files.input;
+
+import java.io.IOException;
+import java.nio.charset.MalformedInputException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.NavigableMap;
+import java.util.TreeMap;
+import sunbeam.precompute.optics.RefractiveIndex;
+import sunbeam.precompute.units.Decimals;
+
+/** A refractive index by wavelength, as refractiveindex.info exports it. */
+public final class IndexFile {
+    private static final long LARGEST_BYTES = 1 << 20;
+    private static final double FIRST_NM = 380;
+    private static final double LAST_NM = 780;
+
+    private IndexFile() {}
+
+    /** Whether a text names such a file rather than being an index. */
+    public static boolean isName(String text) {
+        return text.strip().toLowerCase(Locale.ROOT).endsWith(".csv");
+    }
+
+    /**
+     * Reads n and k over the wavelength in micrometres: columns {@code wl,n} and, below or beside it, {@code wl,k}.
+     *
+     * @throws InputException when it is missing, no such table, or does not cover 380 to 780 nm
+     */
+    public static RefractiveIndex read(Path file) {
+        NavigableMap<Double, Double> real = new TreeMap<>();
+        NavigableMap<Double, Double> imaginary = new TreeMap<>();
+        List<String> header = List.of();
+        int number = 0;
+        for (String line : lines(file)) {
+            number++;
+            List<String> fields = List.of(line.strip().split("\\s*,\\s*", -1));
+            if (line.isBlank()) {
+                continue;
+            }
+            if (fields.get(0).equals("wl")) {
+                header = fields;
+                continue;
+            }
+            if (header.size() < 2 || fields.size() != header.size()) {
+                throw unusable(file, number, "no header 'wl,n' or 'wl,n,k' says what it holds");
+            }
+            double wavelength = number(file, number, fields.get(0));
+            for (int column = 1; column < header.size(); column++) {
+                double value = number(file, number, fields.get(column));
+                switch (header.get(column)) {
+                    case "n" -> real.put(wavelength, value);
+                    case "k" -> imaginary.put(wavelength, value);
+                    default -> throw unusable(file, number, "column '" + header.get(column) + "' is neither n nor k");
+                }
+            }
+        }
+        return tabulated(file, real, imaginary);
+    }
+
+    private static RefractiveIndex tabulated(
+            Path file, NavigableMap<Double, Double> real, NavigableMap<Double, Double> imaginary) {
+        requireVisible(file, "n", real);
+        if (!imaginary.isEmpty()) {
+            requireVisible(file, "k", imaginary);
+        }
+        List<Double> wavelengths = new ArrayList<>(real.keySet());
+        imaginary.keySet().stream().filter(wl -> !real.containsKey(wl)).forEach(wavelengths::add);
+        wavelengths.sort(null);
+        double[] metres = wavelengths.stream().mapToDouble(wl -> wl * 1e-6).toArray();
+        double[] n = wavelengths.stream().mapToDouble(wl -> at(real, wl)).toArray();
+        double[] k = wavelengths.stream()
+                .mapToDouble(wl -> imaginary.isEmpty() ? 0 : at(imaginary, wl))
+                .toArray();
+        try {
+            return RefractiveIndex.tabulated(metres, n, k);
+        } catch (IllegalArgumentException wrong) {
+            throw new InputException("cannot use " + file + ": " + wrong.getMessage(), wrong);
+        }
+    }
+
+    private static double at(NavigableMap<Double, Double> values, double wavelength) {
+        var below = values.floorEntry(wavelength);
+        var above = values.ceilingEntry(wavelength);
+        if (below == null || above == null) {
+            return (below == null ? above : below).getValue();
+        }
+        double gap = above.getKey() - below.getKey();
+        double share = gap > 0 ? (wavelength - below.getKey()) / gap : 0;
+        return below.getValue() + share * (above.getValue() - below.getValue());
+    }
+
+    private static void requireVisible(Path file, String column, NavigableMap<Double, Double> values) {
+        if (values.isEmpty()) {
+            throw new InputException("cannot use " + file + ": it has no column " + column
+                    + "; export it from refractiveindex.info as CSV, with the header wl,n");
+        }
+        double first = 1e3 * values.firstKey();
+        double last = 1e3 * values.lastKey();
+        if (first > FIRST_NM || last < LAST_NM) {
+            throw new InputException(String.format(
+                    Locale.ROOT,
+                    "cannot use %s: its %s reaches from %.0f to %.0f nm, but 380 to 780 nm are needed (wavelengths are"
+                            + " micrometres)",
+                    file,
+                    column,
+                    first,
+                    last));
+        }
+    }
+
+    private static List<String> lines(Path file) {
+        InputException.requireRegular(file);
+        try {
+            if (Files.isRegularFile(file) && Files.size(file) > LARGEST_BYTES) {
+                throw new InputException(
+                        "cannot use " + file + ": it is larger than 1 MiB; is this a table of an index?");
+            }
+            return Files.readAllLines(file);
+        } catch (MalformedInputException broken) {
+            throw new InputException("cannot use " + file + ": it is no text", broken);
+        } catch (IOException failure) {
+            throw InputException.of(file, failure);
+        }
+    }
+
+    private static double number(Path file, int line, String field) {
+        double value = Decimals.parse(field).orElse(Double.NaN);
+        if (Double.isNaN(value)) {
+            throw unusable(file, line, "'" + field + "' is not a number");
+        }
+        return value;
+    }
+
+    private static InputException unusable(Path file, int line, String problem) {
+        return new InputException("cannot use " + file + ", line " + line + ": " + problem);
+    }
+}

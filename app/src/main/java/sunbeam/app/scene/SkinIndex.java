@@ -1,0 +1,58 @@
+package sunbeam.app.scene;
+
+import java.util.Optional;
+import sunbeam.app.files.input.IndexFile;
+import sunbeam.precompute.optics.RefractiveIndex;
+import sunbeam.precompute.text.Quoted;
+
+/**
+ * The refractive index of a skin: the same at all wavelengths, or a file's.
+ *
+ * @param constant the same at all wavelengths
+ * @param file where it is by wavelength, absolute as all files of scenes; empty otherwise
+ */
+public record SkinIndex(Optional<RefractiveIndex> constant, String file) {
+    /** Keratin's. */
+    static final SkinIndex KERATIN = of(RefractiveIndex.KERATIN);
+
+    /** Either the one or the other. */
+    public SkinIndex {
+        if (constant.isPresent() != file.isEmpty()
+                || !constant.map(RefractiveIndex::isConstant).orElse(true)) {
+            throw new IllegalArgumentException("an index is the same at all wavelengths, or a file's");
+        }
+    }
+
+    /** The same at all wavelengths. */
+    public static SkinIndex of(RefractiveIndex constant) {
+        return new SkinIndex(Optional.of(constant), "");
+    }
+
+    /** By wavelength. */
+    public static SkinIndex of(String file) {
+        return new SkinIndex(Optional.empty(), file);
+    }
+
+    /**
+     * From {@code 1.56}, {@code 0.97+6.5i} or {@code gold.csv}.
+     *
+     * @throws IllegalArgumentException for what is neither index nor file name
+     */
+    static SkinIndex parse(String text) {
+        try {
+            return IndexFile.isName(text) ? of(text.strip()) : of(RefractiveIndex.parse(text));
+        } catch (IllegalArgumentException wrong) {
+            throw new IllegalArgumentException(Quoted.of(text) + ": " + wrong.getMessage(), wrong);
+        }
+    }
+
+    /** As {@link #parse} reads it. */
+    String format() {
+        return constant.map(RefractiveIndex::describe).orElse(file);
+    }
+
+    /** Whether it depends on the wavelength. */
+    public boolean isByWavelength() {
+        return constant.isEmpty();
+    }
+}
