@@ -12,7 +12,7 @@ final class QuinticSpline {
     static final int MARGIN = 14;
 
     // Table 1 of the paper.
-    private static final double[] POLES = {-0.430575347099973791851, -0.0430962882032646542238};
+    private static final double[] POLES = {-0.4305753470999738, -0.04309628820326465};
     private static final double GAIN = gain();
     private static final int HORIZON = 24;
 

@@ -53,7 +53,6 @@ final class PageBaker implements AutoCloseable {
         sources.grids().forEach(grid -> done.add(new BitSet()));
         this.thread = new Thread(this::run, "colours");
         thread.setDaemon(true);
-        thread.setPriority(Thread.MIN_PRIORITY);
         thread.start();
     }
 
