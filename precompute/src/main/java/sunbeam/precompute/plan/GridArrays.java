@@ -81,12 +81,11 @@ final class GridArrays {
                 1);
     }
 
-    /** Columns along x followed by rows along y in one texture; where drivers have none so large, in one of their own each. */
+    /** Columns along x followed by rows along y, in one texture or in one each. */
     private List<TermsLayout> raysLayouts(int texels) {
-        TermsLayout together = raysLayout("Rays", texels, 2);
-        return together.array().bytes() <= MemoryNeed.LARGEST_TEXTURE_BYTES
-                ? List.of(together)
-                : List.of(raysLayout("Columns", texels, 1), raysLayout("Rows", texels, 1));
+        return sampling.apart()
+                ? List.of(raysLayout("Columns", texels, 1), raysLayout("Rows", texels, 1))
+                : List.of(raysLayout("Rays", texels, 2));
     }
 
     private TermsLayout raysLayout(String suffix, int texels, int grids) {

@@ -30,6 +30,7 @@ import sunbeam.precompute.table.FourierTable;
  *     one, take this many wavelengths or more and interpolate both axes
  * @param band the wavelengths of these directions
  * @param singles bins that are summed at single wavelengths, where they are not too many
+ * @param apart whether columns and rows lie in a texture of their own each, for drivers that have none so large for both
  * @param budget what each source may err
  */
 public record GridSampling(
@@ -39,8 +40,14 @@ public record GridSampling(
         int fewestNodes,
         BandRule band,
         Optional<Neighbourhood> singles,
+        boolean apart,
         ErrorBudget budget)
         implements Sampling {
+
+    /** The same with columns and rows apart. */
+    GridSampling intoTwo() {
+        return new GridSampling(interpolation, nodeStep, longestStep, fewestNodes, band, singles, true, budget);
+    }
 
     /**
      * Whether columns resolve an order that the band cuts. Where light goes everywhere, the ends, which the eye hardly sees,
@@ -165,6 +172,7 @@ public record GridSampling(
                         fewestNodes,
                         band,
                         singles,
+                        apart,
                         budget));
     }
 

@@ -62,10 +62,12 @@ final class SamplingPlanner {
         if (neighbour < 1e-3 * budget.tolerance()) {
             return List.of(orders());
         }
+        GridSampling compact = grid(budget.compactInterpolation(average), LARGEST_COMPACT_CENTRE);
         List<Sampling> grids = List.of(
                 grid(budget.interpolation(average), LARGEST_CENTRE),
                 grid(budget.interpolation(average), LARGEST_COMPACT_CENTRE),
-                grid(budget.compactInterpolation(average), LARGEST_COMPACT_CENTRE));
+                compact,
+                compact.intoTwo());
         Sampling rays = new RaySampling(bins(), band(fewestNodes()));
         List<Sampling> choices = new ArrayList<>(grids);
         // Where orders are resolved along an axis, a grid fine enough for them is larger than the bins.
@@ -107,7 +109,7 @@ final class SamplingPlanner {
                 band(4 * fewestNodes()));
     }
 
-    private Sampling grid(InterpolationDesign design, double largestCentre) {
+    private GridSampling grid(InterpolationDesign design, double largestCentre) {
         // Columns are crossed at up to sqrt(2) of their distance. The power of a lone order along the ray is a Gaussian
         // of deviation sigma / sqrt(2), for which the trapezoid rule errs by 2 exp(-2 (pi deviation / step)^2).
         double perStep = Math.sqrt(2 / (Math.PI * Math.PI) * Math.log(2 / budget.wavelengths()));
@@ -117,9 +119,10 @@ final class SamplingPlanner {
         double step = rough ? uncut : Math.min(uncut, budget.cutSpacing() * deviation / Math.sqrt(2));
         BandRule band = rough ? band(fewestNodes()).evenlyTo(uncut) : band(fewestNodes());
         double longest = Math.sqrt(2) * step;
-        double centre = new GridSampling(design, step, longest, fewestNodes(), band, singles(), budget).centreReach();
+        double centre =
+                new GridSampling(design, step, longest, fewestNodes(), band, singles(), false, budget).centreReach();
         int stride = (int) Math.ceil(centre / largestCentre);
-        return new GridSampling(design, step / stride, longest, fewestNodes(), band, singles(), budget);
+        return new GridSampling(design, step / stride, longest, fewestNodes(), band, singles(), false, budget);
     }
 
     /** Bins that single wavelengths are summed from, where they are not too many. */
