@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.Queue;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.ForkJoinPool;
+import java.util.concurrent.TimeUnit;
 
 /**
  * Makes pages of levels on a thread of its own, a few at a time: those that were asked for last. It keeps one processor busy, and
@@ -16,6 +17,7 @@ import java.util.concurrent.ForkJoinPool;
 final class PageBaker implements AutoCloseable {
     // Pages that are made at once: a second's work. What is asked for meanwhile waits for them.
     private static final int CHUNK = 1200;
+    private static final int LONG_DAYS = 1000;
     private static final long HOLD_NANOSECONDS = 300_000_000;
     private static final long PATIENCE_MILLISECONDS = 5000;
 
@@ -33,8 +35,9 @@ final class PageBaker implements AutoCloseable {
     private final Queue<Baked> baked = new ConcurrentLinkedQueue<>();
     // What has been begun or made, by level.
     private final List<BitSet> done = new ArrayList<>();
-    // One, so that the others are left to what is drawn meanwhile.
-    private final ForkJoinPool processor = new ForkJoinPool(1);
+    // One, so that the others are left to what is drawn meanwhile; and always the same, to which sources may belong.
+    private final ForkJoinPool processor = new ForkJoinPool(
+            1, ForkJoinPool.defaultForkJoinWorkerThreadFactory, null, false, 1, 1, 0, null, LONG_DAYS, TimeUnit.DAYS);
     private final Thread thread;
     // Guarded by this.
     private List<BitSet> wanted = List.of();
