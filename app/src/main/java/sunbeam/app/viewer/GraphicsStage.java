@@ -125,6 +125,7 @@ class GraphicsStage implements AutoCloseable {
         if (!tables.equals(uploadedOf)) {
             uploaded.ifPresent(UploadedTables::close);
             uploaded = Optional.empty();
+            uploadedOf = Optional.empty();
             uploaded = tables.map(of -> UploadedTables.upload(context, of));
             uploadedOf = tables;
         }

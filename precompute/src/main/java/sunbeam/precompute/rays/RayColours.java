@@ -1,7 +1,6 @@
 package sunbeam.precompute.rays;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.function.LongConsumer;
 import java.util.stream.IntStream;
@@ -74,7 +73,6 @@ public final class RayColours implements ColourSource {
         }
         float[] xyz = new float[places.length];
         sectors.removeIf(RaySector.Places::isEmpty);
-        // Sectors of one octave share kernels; those of the next are prepared by the time that they are needed.
         IntStream.range(0, sectors.size()).parallel().forEach(i -> {
             RaySector.Places sector = sectors.get(i);
             new RaySector(sector.octave(), powers, sector).evaluate(places, depths, xyz);
@@ -159,10 +157,6 @@ public final class RayColours implements ColourSource {
             return rays;
         }
 
-        double[] depths() {
-            return depths;
-        }
-
         List<RaySector.Places> sectors() {
             return sectors;
         }
@@ -225,11 +219,6 @@ public final class RayColours implements ColourSource {
         /** Where |(u, v)| lies among the places of a ray. */
         double onRay(double radius) {
             return (Math.log(radius) - start) / logStep;
-        }
-
-        @Override
-        public String toString() {
-            return rays + " rays of " + Arrays.toString(new double[] {low, 2 * low});
         }
     }
 }

@@ -6,6 +6,8 @@ import java.util.BitSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Queue;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionException;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.ForkJoinPool;
 import java.util.concurrent.TimeUnit;
@@ -17,7 +19,7 @@ import java.util.concurrent.TimeUnit;
 final class PageBaker implements AutoCloseable {
     // Pages that are made at once: a second's work. What is asked for meanwhile waits for them.
     private static final int CHUNK = 1200;
-    private static final int LONG_DAYS = 1000;
+    private static final int LIFE_DAYS = 1000;
     private static final long HOLD_NANOSECONDS = 300_000_000;
     private static final long PATIENCE_MILLISECONDS = 5000;
 
@@ -37,13 +39,13 @@ final class PageBaker implements AutoCloseable {
     private final List<BitSet> done = new ArrayList<>();
     // One, so that the others are left to what is drawn meanwhile; and always the same, to which sources may belong.
     private final ForkJoinPool processor = new ForkJoinPool(
-            1, ForkJoinPool.defaultForkJoinWorkerThreadFactory, null, false, 1, 1, 0, null, LONG_DAYS, TimeUnit.DAYS);
+            1, ForkJoinPool.defaultForkJoinWorkerThreadFactory, null, false, 1, 1, 0, null, LIFE_DAYS, TimeUnit.DAYS);
     private final Thread thread;
     // Guarded by this.
     private List<BitSet> wanted = List.of();
     private long heldUntil = System.nanoTime();
     private boolean closed;
-    private RuntimeException failure;
+    private Throwable failure;
 
     /**
      * Begins.
@@ -71,47 +73,60 @@ final class PageBaker implements AutoCloseable {
     }
 
     /**
-     * What has been made and was not told yet.
-     *
-     * @throws RuntimeException what kept pages from being made
+     * What has been made and was not told yet. What kept pages from being made is thrown, once; they may be asked for again.
      */
     Optional<Baked> poll() {
-        Baked next = baked.poll();
-        if (next == null) {
-            synchronized (this) {
-                if (failure != null) {
-                    RuntimeException told = failure;
-                    failure = null;
-                    throw told;
-                }
-            }
+        Optional<Baked> next = Optional.ofNullable(baked.poll());
+        if (next.isEmpty()) {
+            throwFailure();
         }
-        return Optional.ofNullable(next);
+        return next;
+    }
+
+    private synchronized void throwFailure() {
+        Throwable told = failure;
+        failure = null;
+        if (told instanceof Error error) {
+            throw error;
+        }
+        if (told instanceof RuntimeException exception) {
+            throw exception;
+        }
     }
 
     private void run() {
         try {
             for (Baked due = next(); due != null; due = next()) {
-                BitSet pages = new BitSet();
-                Arrays.stream(due.pages()).forEach(pages::set);
-                int level = due.level();
-                List<float[]> coefficients =
-                        processor.submit(() -> sources.bake(level, pages)).join();
-                baked.add(new Baked(level, due.pages(), coefficients));
+                make(due);
                 arrived.run();
             }
         } catch (InterruptedException closing) {
             Thread.currentThread().interrupt();
-        } catch (RuntimeException problem) {
-            synchronized (this) {
-                failure = problem;
-            }
-            arrived.run();
         } finally {
             // Some sources belong to the thread that opened them.
             processor.submit(sources::close).join();
             processor.shutdown();
         }
+    }
+
+    private void make(Baked due) {
+        BitSet pages = new BitSet();
+        Arrays.stream(due.pages()).forEach(pages::set);
+        int level = due.level();
+        try {
+            List<float[]> coefficients = CompletableFuture.supplyAsync(() -> sources.bake(level, pages), processor)
+                    .join();
+            baked.add(new Baked(level, due.pages(), coefficients));
+        } catch (CompletionException problem) {
+            giveUp(level, pages, problem.getCause());
+        }
+    }
+
+    /** Nothing more is made before it is asked for again. */
+    private synchronized void giveUp(int level, BitSet pages, Throwable problem) {
+        done.get(level).andNot(pages);
+        wanted = List.of();
+        failure = problem;
     }
 
     /** Waits for something to do; null in the end. */

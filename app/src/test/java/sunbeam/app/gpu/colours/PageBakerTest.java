@@ -1,0 +1,79 @@
+package sunbeam.app.gpu.colours;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.util.BitSet;
+import java.util.List;
+import java.util.concurrent.Semaphore;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicInteger;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import sunbeam.precompute.colourtable.ColourSource;
+import sunbeam.precompute.colourtable.TableLevels;
+import sunbeam.precompute.optics.CoherenceWindow;
+import sunbeam.precompute.plan.Average;
+import sunbeam.precompute.plan.GaussianArea;
+
+@Timeout(60)
+class PageBakerTest {
+    private static final TableLevels LEVELS = TableLevels.within(
+            1e-2,
+            GaussianArea.STANDARD.with(CoherenceWindow.ofCoherenceLength(4e-6)).with(Average.ENSEMBLE),
+            1e-7);
+
+    private final Semaphore arrived = new Semaphore(0);
+
+    /** Fails the first time. */
+    private static LevelSources failingOnce(Throwable failure) {
+        AtomicInteger calls = new AtomicInteger();
+        return new LevelSources() {
+            @Override
+            public TableLevels levels() {
+                return LEVELS;
+            }
+
+            @Override
+            public ColourSource open(int level, long places) {
+                return asked -> {
+                    if (calls.getAndIncrement() == 0 && failure instanceof Error error) {
+                        throw error;
+                    }
+                    if (calls.get() == 1 && failure instanceof RuntimeException exception) {
+                        throw exception;
+                    }
+                    return new float[asked.length];
+                };
+            }
+        };
+    }
+
+    private void makesAfter(Throwable failure) throws InterruptedException {
+        int page = LEVELS.slices() + 40;
+        BitSet pages = new BitSet();
+        pages.set(page);
+        try (PageBaker baker = new PageBaker(new PageSources(failingOnce(failure)), arrived::release)) {
+            baker.want(List.of(pages));
+            assertThat(arrived.tryAcquire(30, TimeUnit.SECONDS)).isTrue();
+            assertThatThrownBy(baker::poll).isSameAs(failure);
+            assertThat(baker.poll()).as("told once").isEmpty();
+
+            baker.want(List.of(pages));
+            assertThat(arrived.tryAcquire(30, TimeUnit.SECONDS)).isTrue();
+            PageBaker.Baked baked = baker.poll().orElseThrow();
+            assertThat(baked.pages()).containsExactly(page);
+            assertThat(baked.coefficients()).hasSize(1);
+        }
+    }
+
+    @Test
+    void whatFailedIsToldOnceAndMadeWhenItIsAskedForAgain() throws InterruptedException {
+        makesAfter(new IllegalStateException("no colours"));
+    }
+
+    @Test
+    void soIsWhatFoundNoMemory() throws InterruptedException {
+        makesAfter(new OutOfMemoryError("Java heap space"));
+    }
+}
