@@ -49,13 +49,7 @@ public record SceneData(
                 && scene.patch().equals(other.patch())
                 && scene.texture().equals(other.texture())
                 && scene.method().method().equals(other.method().method())
-                && sharesSpectrum(other);
-    }
-
-    /** One index takes the place of another if both are the same at all wavelengths: it is a factor of directions then. */
-    private boolean sharesSpectrum(Scene other) {
-        return scene.index().equals(other.index())
-                || (!scene.index().isByWavelength() && !other.index().isByWavelength());
+                && scene.index().sharesSpectrum(other.index());
     }
 
     /**

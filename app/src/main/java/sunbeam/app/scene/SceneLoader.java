@@ -42,29 +42,63 @@ public final class SceneLoader {
     /**
      * Loads everything.
      *
-     * @throws sunbeam.app.scene.mesh.MeshException if the mesh cannot be used
-     * @throws sunbeam.app.files.input.InputException if the texture cannot be used
-     * @throws sunbeam.precompute.patch.PatchException if the patch cannot be used
-     * @throws sunbeam.precompute.json.JsonException if its descriptor cannot be used
-     * @throws sunbeam.precompute.setting.SettingException if what was chosen of patch or method cannot be used; names the place
-     *     where it was chosen
+     * @throws IllegalArgumentException for an index by wavelength, which is several parts
+     * @see #parts(Scene)
      */
     public SceneData load(Scene scene) {
-        requireWhole(scene);
-        return parts(scene).get(0);
+        return whole(parts(scene));
+    }
+
+    /** As {@link #load(Scene)}, keeping what has not changed; files are not looked at again. */
+    public SceneData load(Scene scene, SceneData previous) {
+        return whole(parts(scene, List.of(previous)));
+    }
+
+    private static SceneData whole(List<SceneData> parts) {
+        if (parts.size() > 1) {
+            throw new IllegalArgumentException("a skin with an index by wavelength is the sum of its parts");
+        }
+        return parts.get(0);
     }
 
     /**
      * Loads everything, for each part of the skin's diffracted light: pictures of a skin with an index by wavelength are sums.
      *
      * @return one, or those of an index by wavelength
+     * @throws sunbeam.app.scene.mesh.MeshException if the mesh cannot be used
      * @throws sunbeam.app.files.input.InputException if texture or index cannot be used
+     * @throws sunbeam.precompute.patch.PatchException if the patch cannot be used
+     * @throws sunbeam.precompute.json.JsonException if its descriptor cannot be used
+     * @throws sunbeam.precompute.setting.SettingException if what was chosen of patch or method cannot be used; names the place
+     *     where it was chosen
      */
     public List<SceneData> parts(Scene scene) {
         List<Optional<SkinPart>> parts = skinParts(scene);
         Mesh mesh = mesh(scene);
         BodyTexture body = BodyTextures.load(scene.texture());
-        Patch patch = patch(scene);
+        return withTables(scene, mesh, body, patch(scene), parts);
+    }
+
+    /** As {@link #parts(Scene)}, keeping what has not changed; files are not looked at again. */
+    public List<SceneData> parts(Scene scene, List<SceneData> previous) {
+        SceneData one = previous.get(0);
+        Scene before = one.scene();
+        Mesh mesh = before.mesh().equals(scene.mesh()) ? one.mesh() : mesh(scene);
+        BodyTexture body = before.texture().equals(scene.texture()) ? one.body() : BodyTextures.load(scene.texture());
+        boolean samePatch = before.patch().equals(scene.patch())
+                && before.method().isThesis() == scene.method().isThesis();
+        boolean sameMethod = before.method().method().equals(scene.method().method());
+        if (samePatch && sameMethod && before.index().sharesSpectrum(scene.index())) {
+            return previous.stream()
+                    .map(part -> new SceneData(
+                            scene, mesh, part.patch(), part.method(), part.tables(), part.levels(), body, part.part()))
+                    .toList();
+        }
+        return withTables(scene, mesh, body, samePatch ? one.patch() : patch(scene), skinParts(scene));
+    }
+
+    private List<SceneData> withTables(
+            Scene scene, Mesh mesh, BodyTexture body, Patch patch, List<Optional<SkinPart>> parts) {
         tellLimit(scene, patch);
         return parts.stream()
                 .map(part -> withTables(scene, mesh, body, patch, part))
@@ -75,38 +109,24 @@ public final class SceneLoader {
         if (!scene.index().isByWavelength()) {
             return List.of(Optional.empty());
         }
-        RefractiveIndex index = IndexFile.read(Path.of(scene.index().file()));
-        return SkinPart.of(index, CieTable.load()).stream().map(Optional::of).toList();
+        return SkinPart.of(index(scene), CieTable.load()).stream()
+                .map(Optional::of)
+                .toList();
     }
 
-    private static void requireWhole(Scene scene) {
-        if (scene.index().isByWavelength()) {
-            throw SkinPart.refusal(scene.index().file());
-        }
+    private static RefractiveIndex index(Scene scene) {
+        return IndexFile.read(Path.of(scene.index().file()));
     }
 
-    /** As {@link #load(Scene)}, keeping what has not changed; files are not looked at again. */
-    public SceneData load(Scene scene, SceneData previous) {
-        requireWhole(scene);
-        Scene before = previous.scene();
-        Mesh mesh = before.mesh().equals(scene.mesh()) ? previous.mesh() : mesh(scene);
-        BodyTexture body =
-                before.texture().equals(scene.texture()) ? previous.body() : BodyTextures.load(scene.texture());
-        boolean samePatch = before.patch().equals(scene.patch())
-                && before.method().isThesis() == scene.method().isThesis();
-        boolean sameMethod = before.method().method().equals(scene.method().method());
-        if (samePatch && sameMethod) {
-            return new SceneData(
-                    scene, mesh, previous.patch(), previous.method(), previous.tables(), previous.levels(), body);
-        }
-        Patch patch = samePatch ? previous.patch() : patch(scene);
-        tellLimit(scene, patch);
-        return withTables(scene, mesh, body, patch, Optional.empty());
-    }
-
-    /** A scene that is loaded already, by another method; what is to be said of the patch has been said. */
+    /**
+     * A scene that is loaded already, by another method, as one part: roughly, where it is several. What is to be said of the
+     * patch has been said.
+     */
     public SceneData preview(Scene scene, SceneData loaded) {
-        return withTables(scene, loaded.mesh(), loaded.body(), loaded.patch(), loaded.part());
+        Optional<SkinPart> part = scene.index().isByWavelength()
+                ? Optional.of(SkinPart.approximately(index(scene), CieTable.load()))
+                : Optional.empty();
+        return withTables(scene, loaded.mesh(), loaded.body(), loaded.patch(), part);
     }
 
     private Mesh mesh(Scene scene) {

@@ -51,6 +51,11 @@ public record SkinIndex(Optional<RefractiveIndex> constant, String file) {
         return constant.map(RefractiveIndex::describe).orElse(file);
     }
 
+    /** Whether tables of another serve: those of one that is the same at all wavelengths are those of all such. */
+    public boolean sharesSpectrum(SkinIndex other) {
+        return equals(other) || (!isByWavelength() && !other.isByWavelength());
+    }
+
     /** Whether it depends on the wavelength. */
     public boolean isByWavelength() {
         return constant.isEmpty();

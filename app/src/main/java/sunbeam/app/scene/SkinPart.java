@@ -2,7 +2,6 @@ package sunbeam.app.scene;
 
 import java.util.List;
 import java.util.stream.IntStream;
-import sunbeam.app.files.input.InputException;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.ReflectionPart;
 import sunbeam.precompute.files.Sha256;
@@ -27,10 +26,8 @@ public record SkinPart(ReflectionPart reflection, String digest) {
                 .toList();
     }
 
-    /** What says that a scene cannot be drawn as one part. */
-    static InputException refusal(String file) {
-        return new InputException("cannot use " + file
-                + " here: view draws a skin with one index for all wavelengths; give the scene's key index a number such as"
-                + " \"1.5\", or draw the picture with render");
+    /** All of a skin's light as one part, for pictures that need not be exact: wavelengths as along the normal. */
+    static SkinPart approximately(RefractiveIndex index, CieTable cie) {
+        return new SkinPart(ReflectionPart.approximately(index, cie), "");
     }
 }

@@ -1,6 +1,8 @@
 package sunbeam.app.viewer;
 
 import java.awt.image.BufferedImage;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
 import jrtr.ContextInfo;
@@ -8,6 +10,7 @@ import jrtr.RenderContext;
 import jrtr.Tile;
 import jrtr.gl.RenderContexts;
 import sunbeam.app.gpu.UploadedTables;
+import sunbeam.app.scene.PartSum;
 import sunbeam.app.scene.Pick;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneData;
@@ -23,7 +26,7 @@ class GraphicsStage implements AutoCloseable {
     private final RenderContext context;
     private final SceneDisplay display;
     private final MapStage map;
-    private SceneSession fine;
+    private List<SceneSession> fine = List.of();
     private SceneSession coarse;
     private ViewState state;
     private Optional<ShaderTables> uploadedOf = Optional.empty();
@@ -47,25 +50,44 @@ class GraphicsStage implements AutoCloseable {
     }
 
     private void goOverTo(ViewState state) {
-        if (fine == null) {
-            SceneSession first = new SceneSession(context, state.fine());
-            try {
-                coarse = new SceneSession(context, state.coarse());
-                fine = first;
-            } finally {
-                if (fine == null) {
-                    first.close();
-                }
-            }
+        if (fine.size() != state.parts().size()) {
+            replace(state);
             return;
         }
-        var before = fine.data();
-        fine.update(state.fine());
+        List<SceneData> before = fine.stream().map(SceneSession::data).toList();
         try {
+            update(state.parts());
             coarse.update(state.coarse());
         } catch (RuntimeException | OutOfMemoryError failure) {
-            fine.update(before);
+            update(before);
             throw failure;
+        }
+    }
+
+    private void update(List<SceneData> parts) {
+        for (int i = 0; i < parts.size(); i++) {
+            fine.get(i).update(parts.get(i));
+        }
+    }
+
+    private void replace(ViewState state) {
+        List<SceneSession> made = new ArrayList<>();
+        try {
+            state.parts().forEach(part -> made.add(new SceneSession(context, part)));
+            made.add(new SceneSession(context, state.coarse()));
+        } catch (RuntimeException | OutOfMemoryError failure) {
+            made.forEach(SceneSession::close);
+            throw failure;
+        }
+        closeSessions();
+        coarse = made.remove(made.size() - 1);
+        fine = List.copyOf(made);
+    }
+
+    private void closeSessions() {
+        fine.forEach(SceneSession::close);
+        if (coarse != null) {
+            coarse.close();
         }
     }
 
@@ -75,31 +97,38 @@ class GraphicsStage implements AutoCloseable {
      * @param arrived told, by another thread, that there are more
      */
     void bakeInBackground(Runnable arrived) {
-        fine.bakeInBackground(arrived);
+        fine.forEach(part -> part.bakeInBackground(arrived));
     }
 
     /** Takes over what has been made in the background; whether there was anything. */
     boolean takeBaked() {
-        return fine != null && fine.takeBaked();
+        boolean any = false;
+        for (SceneSession part : fine) {
+            any |= part.takeBaked();
+        }
+        return any;
     }
 
     /** Asks the background for all that a picture looks into; the share of it that is there, 1 where nothing is missing. */
     double request(int width, int height) {
-        return fine.request(width, height);
+        return fine.stream()
+                .mapToDouble(part -> part.request(width, height))
+                .average()
+                .orElse(1);
     }
 
     ScenePreview preview(int width, int height, int divisor) {
-        fine.holdBaking();
+        fine.forEach(SceneSession::holdBaking);
         return coarse.preview(width, height, divisor);
     }
 
     ScenePicture part(int width, int height, Tile tile) {
-        return fine.draw(width, height, tile);
+        return new PartSum(fine).draw(state.fine().scene(), width, height, tile);
     }
 
     /** Time that has gone to the mesh of parts so far. */
     long meshNanoseconds() {
-        return fine.meshNanoseconds();
+        return fine.stream().mapToLong(SceneSession::meshNanoseconds).sum();
     }
 
     double exposure(Scene scene, ScenePicture picture) {
@@ -111,12 +140,12 @@ class GraphicsStage implements AutoCloseable {
     }
 
     Optional<Pick> pick(int x, int y, int width, int height) {
-        return fine == null ? Optional.empty() : fine.pick(x, y, width, height);
+        return fine.isEmpty() ? Optional.empty() : fine.get(0).pick(x, y, width, height);
     }
 
     /** The BRDF map of the scene's method; null if it was interrupted. */
     BufferedImage map(Direction light, int size, BooleanSupplier interrupted) {
-        return map.draw(mapped().orElse(fine.method()), light, size, interrupted);
+        return map.draw(mapped().orElse(fine.get(0).method()), light, size, interrupted);
     }
 
     /** What a scene's tables of colours are made of: those of a mesh's pixels have no map themselves. */
@@ -137,10 +166,7 @@ class GraphicsStage implements AutoCloseable {
         try {
             uploaded.ifPresent(UploadedTables::close);
             map.close();
-            if (fine != null) {
-                fine.close();
-                coarse.close();
-            }
+            closeSessions();
             display.close();
         } finally {
             context.close();

@@ -1,5 +1,6 @@
 package sunbeam.app.viewer;
 
+import java.util.List;
 import java.util.Optional;
 import sunbeam.app.scene.Blend;
 import sunbeam.app.scene.Scene;
@@ -14,15 +15,16 @@ import sunbeam.precompute.patch.Patch;
 /**
  * A scene with its tables for final pictures and for previews.
  *
- * @param fine with the scene's own plan
+ * @param parts with the scene's own plan, of each part of the skin's light
  * @param coarse with {@link PreviewPlan}'s
  * @param mapped of a scene with tables of colours, with what they tabulate: for its BRDF maps
  */
-record LoadedScene(SceneData fine, SceneData coarse, Optional<SceneData> mapped) {
+record LoadedScene(List<SceneData> parts, SceneData coarse, Optional<SceneData> mapped) {
 
     /** Loads all, or what differs from the previous one. May take seconds. */
     static LoadedScene load(SceneLoader loader, Scene scene, LoadedScene previous) {
-        SceneData fine = previous == null ? loader.load(scene) : loader.load(scene, previous.fine);
+        List<SceneData> parts = previous == null ? loader.parts(scene) : loader.parts(scene, previous.parts);
+        SceneData fine = parts.get(0);
         Scene preview = coarse(scene, fine.patch());
         boolean kept = previous != null && previous.coarse.suits(preview);
         SceneData coarse = kept ? previous.coarse.with(preview) : loader.preview(preview, fine);
@@ -31,7 +33,7 @@ record LoadedScene(SceneData fine, SceneData coarse, Optional<SceneData> mapped)
                 .map(full -> before.filter(data -> data.suits(full))
                         .map(data -> data.with(full))
                         .orElseGet(() -> loader.preview(full, fine)));
-        return new LoadedScene(fine, coarse, mapped);
+        return new LoadedScene(parts, coarse, mapped);
     }
 
     /** The scene with the method whose colours its own method tabulates, if it does. */
@@ -47,15 +49,20 @@ record LoadedScene(SceneData fine, SceneData coarse, Optional<SceneData> mapped)
                 : method;
     }
 
+    /** What all parts share, and the first one's plan. */
+    SceneData fine() {
+        return parts.get(0);
+    }
+
     /** Whether another scene needs no loading. */
     boolean suits(Scene scene) {
-        return fine.suits(scene);
+        return fine().suits(scene);
     }
 
     LoadedScene with(Scene scene) {
         return new LoadedScene(
-                fine.with(scene),
-                coarse.with(coarse(scene, fine.patch())),
+                parts.stream().map(part -> part.with(scene)).toList(),
+                coarse.with(coarse(scene, fine().patch())),
                 mapped.map(data -> data.with(scene.withMethod(data.scene().method()))));
     }
 

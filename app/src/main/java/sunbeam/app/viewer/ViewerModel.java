@@ -172,12 +172,14 @@ final class ViewerModel {
         return one.mesh().equals(other.mesh())
                 && one.patch().equals(other.patch())
                 && one.texture().equals(other.texture())
-                && one.method().method().equals(other.method().method());
+                && one.method().method().equals(other.method().method())
+                && one.index().sharesSpectrum(other.index());
     }
 
-    /** The one scene's light, camera and weights with the other's mesh, patch, texture and method. */
+    /** The one scene's light, camera and weights with the other's mesh, patch, texture, method and index by wavelength. */
     private static Scene withPartsOf(Scene scene, Scene parts) {
-        return scene.withMesh(parts.mesh())
+        Scene lit = scene.index().sharesSpectrum(parts.index()) ? scene : scene.withIndex(parts.index());
+        return lit.withMesh(parts.mesh())
                 .withPatch(parts.patch())
                 .withTexture(parts.texture())
                 .withMethod(parts.method());

@@ -22,7 +22,6 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import sunbeam.app.files.input.InputException;
 import sunbeam.app.gpu.NeedsDisplay;
 import sunbeam.app.terminal.Environment;
 import sunbeam.precompute.color.ReflectionPart;
@@ -157,10 +156,10 @@ class PartSumTest {
     }
 
     @Test
-    void whatDrawsOnePartRefusesAnIndexByWavelength() throws IOException {
+    void whatDrawsOnePartTakesNoIndexByWavelength() throws IOException {
         Scene scene = PlaneScenes.blaze().withIndex(file("wl,n\n0.3,2\n0.9,2.1\n"));
         assertThatThrownBy(() -> loader.load(scene))
-                .isInstanceOf(InputException.class)
-                .hasMessageContainingAll("index.csv", "render", "\"1.5\"");
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining("sum of its parts");
     }
 }

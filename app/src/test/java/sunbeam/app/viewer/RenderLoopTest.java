@@ -3,7 +3,11 @@ package sunbeam.app.viewer;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.BlockingQueue;
@@ -14,6 +18,7 @@ import java.util.function.BooleanSupplier;
 import jrtr.ContextInfo;
 import jrtr.GraphicsException;
 import jrtr.RenderContext;
+import jrtr.Tile;
 import jrtr.gl.RenderContexts;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -21,12 +26,14 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import sunbeam.app.gpu.NeedsDisplay;
+import sunbeam.app.scene.PartSum;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneDisplay;
 import sunbeam.app.scene.SceneLoader;
 import sunbeam.app.scene.ScenePicture;
 import sunbeam.app.scene.ScenePreview;
 import sunbeam.app.scene.SceneSession;
+import sunbeam.app.scene.SkinIndex;
 import sunbeam.app.terminal.Environment;
 import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.method.TableMethod;
@@ -123,7 +130,7 @@ class RenderLoopTest {
         SceneLoader loader = new SceneLoader(new Environment(Map.of(), folder), warning -> {});
         LoadedScene loaded = LoadedScene.load(loader, ViewerInAWindow.scene(), null);
         state = new ViewState(
-                loaded.fine(),
+                loaded.parts(),
                 loaded.coarse(),
                 loaded.mapped(),
                 WIDTH,
@@ -197,7 +204,7 @@ class RenderLoopTest {
         for (String expected : new String[] {"preview", "map", "complete", "final map"}) {
             assertThat(next()).isEqualTo(expected);
         }
-        loop.show(new ViewState(state.fine(), state.coarse(), state.mapped(), WIDTH / 2, HEIGHT, state.mapLight()));
+        loop.show(new ViewState(state.parts(), state.coarse(), state.mapped(), WIDTH / 2, HEIGHT, state.mapLight()));
         assertThat(next()).isEqualTo("preview");
     }
 
@@ -208,7 +215,7 @@ class RenderLoopTest {
         Choices table = Choices.none().with(Methods.METHOD, TableMethod.TYPE);
         Scene tabulated = scene.withMethod(scene.method().with(table));
         LoadedScene loaded = LoadedScene.load(loader, tabulated, null);
-        loop.show(new ViewState(loaded.fine(), loaded.coarse(), loaded.mapped(), WIDTH, HEIGHT, state.mapLight()));
+        loop.show(new ViewState(loaded.parts(), loaded.coarse(), loaded.mapped(), WIDTH, HEIGHT, state.mapLight()));
         assertThat(next()).isEqualTo("preview");
         String said = next();
         assertThat(said).as("nothing is made yet").isEqualTo("waiting");
@@ -218,23 +225,59 @@ class RenderLoopTest {
         assertThat(said).isEqualTo("map");
         assertThat(next()).isEqualTo("complete");
         assertThat(next()).isEqualTo("final map");
-        BufferedImage shown = completed;
+        assertShownAsRendered(loaded);
+    }
 
-        // As render draws it.
-        try (RenderContext context = RenderContexts.offscreen();
-                SceneSession session = new SceneSession(context, loaded.fine());
-                SceneDisplay display = new SceneDisplay(context)) {
-            ScenePicture picture = session.draw(WIDTH, HEIGHT);
-            BufferedImage rendered =
-                    display.image(picture, SceneDisplay.exposure(tabulated, picture), tabulated.background());
-            assertThat(shown.getRGB(0, 0, WIDTH, HEIGHT, null, 0, WIDTH))
-                    .isEqualTo(rendered.getRGB(0, 0, WIDTH, HEIGHT, null, 0, WIDTH));
+    @Test
+    void aSkinWithAnIndexByWavelengthIsDrawnAsRenderDrawsIt() throws InterruptedException, IOException {
+        loop.show(state);
+        while (!next().equals("final map")) {
+            // a skin with one index, before
         }
+        BufferedImage keratin = completed;
+        Path copper = Files.writeString(
+                folder.resolve("copper.csv"), "wl,n,k\n0.38,1.2,2.2\n0.55,1.0,2.6\n0.6,0.3,3.3\n0.8,0.25,5\n");
+        SceneLoader loader = new SceneLoader(new Environment(Map.of(), folder), warning -> {});
+        Scene scene = ViewerInAWindow.scene().withIndex(SkinIndex.of(copper.toString()));
+        LoadedScene loaded = LoadedScene.load(loader, scene, null);
+        assertThat(loaded.parts()).hasSize(2);
+        for (LoadedScene shown : List.of(loaded, LoadedScene.load(loader, scene, loaded))) {
+            loop.show(new ViewState(shown.parts(), shown.coarse(), shown.mapped(), WIDTH, HEIGHT, state.mapLight()));
+            while (!next().equals("final map")) {
+                // previews and the map
+            }
+            assertShownAsRendered(shown);
+            assertThat(pixels(completed)).isNotEqualTo(pixels(keratin));
+        }
+        loop.show(state);
+        while (!next().equals("final map")) {
+            // and back
+        }
+        assertThat(pixels(completed)).isEqualTo(pixels(keratin));
+    }
+
+    private void assertShownAsRendered(LoadedScene loaded) {
+        Scene scene = loaded.fine().scene();
+        List<SceneSession> sessions = new ArrayList<>();
+        try (RenderContext context = RenderContexts.offscreen();
+                SceneDisplay display = new SceneDisplay(context)) {
+            loaded.parts().forEach(part -> sessions.add(new SceneSession(context, part)));
+            PartSum sum = new PartSum(sessions);
+            sum.prepare(scene, WIDTH, HEIGHT, 1);
+            ScenePicture picture = sum.draw(scene, WIDTH, HEIGHT, Tile.whole(WIDTH, HEIGHT));
+            BufferedImage rendered = display.image(picture, SceneDisplay.exposure(scene, picture), scene.background());
+            sessions.forEach(SceneSession::close);
+            assertThat(pixels(completed)).isEqualTo(pixels(rendered));
+        }
+    }
+
+    private static int[] pixels(BufferedImage image) {
+        return image.getRGB(0, 0, WIDTH, HEIGHT, null, 0, WIDTH);
     }
 
     private ViewState picked(double thetaDegrees) {
         return new ViewState(
-                state.fine(),
+                state.parts(),
                 state.coarse(),
                 state.mapped(),
                 WIDTH,

@@ -25,8 +25,20 @@ public record ReflectionPart(CieTable cie, double constant, double schlick) {
         if (index.isConstant()) {
             return List.of(new ReflectionPart(cie, 1, (1 - mirror) / mirror));
         }
-        CieTable coloured = cie.times(wavelength -> index.reflectance(wavelength) / mirror);
-        return List.of(new ReflectionPart(coloured, 1, -1), new ReflectionPart(cie, 0, 1 / mirror));
+        return List.of(new ReflectionPart(coloured(index, cie, mirror), 1, -1), new ReflectionPart(cie, 0, 1 / mirror));
+    }
+
+    /**
+     * All light of a material as one part: the colour is that along the normal in all directions, the luminance of light
+     * that is the same at all wavelengths is right in all.
+     */
+    public static ReflectionPart approximately(RefractiveIndex index, CieTable cie) {
+        double mirror = mirror(index, cie);
+        return new ReflectionPart(coloured(index, cie, mirror), 1, (1 - mirror) / mirror);
+    }
+
+    private static CieTable coloured(RefractiveIndex index, CieTable cie, double mirror) {
+        return cie.times(wavelength -> index.reflectance(wavelength) / mirror);
     }
 
     /** The mean of the reflectance along the normal, weighted by luminance. */
