@@ -21,6 +21,9 @@ final class PlanChecks {
     // to a coherent power, and what to an ensemble's, SampledWindow tells and PlanWarnings say.
     private static final double FEWEST_SAMPLES = 2.8;
 
+    // Metres: the first order of a period of two samples is then 3 degrees from the mirror direction at 550 nm.
+    private static final double COARSEST_PITCH = 5e-6;
+
     private PlanChecks() {}
 
     /** A window that the patch has too few samples for. */
@@ -33,10 +36,13 @@ final class PlanChecks {
                     coherenceLength,
                     String.format(
                             Locale.ROOT,
-                            "is less than %.1f samples of the patch, which are %s apart; give %s or more",
+                            "is less than %.1f samples of the patch, which are %s apart; %s",
                             FEWEST_SAMPLES,
                             Lengths.format(pitch),
-                            Lengths.format(FEWEST_SAMPLES * pitch)));
+                            pitch > COARSEST_PITCH
+                                    ? "no structure that diffracts light shows in samples so far apart: check the scan's"
+                                            + " size and its unit"
+                                    : "give " + Lengths.format(FEWEST_SAMPLES * pitch) + " or more"));
         }
     }
 

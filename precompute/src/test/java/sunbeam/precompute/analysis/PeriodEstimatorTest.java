@@ -89,9 +89,7 @@ class PeriodEstimatorTest {
         List<String> missed = new ArrayList<>();
         for (long seed = 500; seed < 525; seed++) {
             SimulatedGrating grating = SimulatedGrating.draw(kind, seed);
-            Periodicity found = new PeriodFinder(grating.map()).all();
-            Optional<PeriodEstimate> estimate =
-                    found.peaks().stream().findFirst().flatMap(peak -> PeriodEstimator.estimate(grating.map(), peak));
+            Optional<PeriodEstimate> estimate = grating.estimate();
             if (estimate.isPresent()) {
                 tried++;
                 if (!grating.holdsTruth(estimate.get())) {

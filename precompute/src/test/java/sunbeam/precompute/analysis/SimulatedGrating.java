@@ -2,6 +2,7 @@ package sunbeam.precompute.analysis;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 import java.util.SplittableRandom;
 import sunbeam.precompute.patch.HeightMap;
 
@@ -31,6 +32,20 @@ record SimulatedGrating(HeightMap map, Kind kind, double[] truths, String words)
         CHIRPED,
         /** Rows of lines that know nothing of each other. */
         ROWS
+    }
+
+    /** What the program answers. */
+    Optional<PeriodEstimate> estimate() {
+        return new PeriodFinder(map)
+                .all().peaks().stream().findFirst().flatMap(peak -> PeriodEstimator.estimate(map, peak));
+    }
+
+    /** Of the answer, relative to the truth that it is nearer to. */
+    double error(PeriodEstimate estimate) {
+        return Arrays.stream(truths)
+                .map(truth -> Math.abs(estimate.period() / truth - 1))
+                .min()
+                .orElseThrow();
     }
 
     boolean holdsTruth(PeriodEstimate estimate) {

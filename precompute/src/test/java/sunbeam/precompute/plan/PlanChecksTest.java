@@ -1,0 +1,30 @@
+package sunbeam.precompute.plan;
+
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import org.junit.jupiter.api.Test;
+import sunbeam.precompute.optics.CoherenceWindow;
+import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.setting.SettingException;
+
+class PlanChecksTest {
+    private static void check(double pitch) {
+        HeightMap map = new HeightMap(16, 16, pitch, pitch, new double[256]);
+        PlanChecks.check(CoherenceWindow.ofCoherenceLength(5e-6), map);
+    }
+
+    @Test
+    void aWindowOfFewSamplesIsToldHowLargeItMayBe() {
+        check(1.7e-6);
+        assertThatThrownBy(() -> check(2e-6))
+                .isInstanceOf(SettingException.class)
+                .hasMessageContaining("give 5.6 um or more");
+    }
+
+    @Test
+    void samplesThatShowNoStructureAreNotGivenALargerWindow() {
+        assertThatThrownBy(() -> check(78e-6))
+                .isInstanceOf(SettingException.class)
+                .hasMessageContaining("check the scan's size and its unit");
+    }
+}
