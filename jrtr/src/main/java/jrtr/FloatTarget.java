@@ -34,6 +34,14 @@ public interface FloatTarget extends Resource {
     float[] read(int color, Tile tile);
 
     /**
+     * Reads part of an image as screens show it: 0xAARRGGBB a pixel, each value clamped to [0, 1] and rounded to 8 bits, the
+     * tile's top row first.
+     *
+     * @throws IllegalArgumentException if the tile is not inside
+     */
+    int[] readColors(int color, Tile tile);
+
+    /**
      * An image as a texture (nearest, clamped) for a later draw into another target. Here {@code gl_FragCoord}'s row
      * order holds: texel row 0 is the bottom.
      *

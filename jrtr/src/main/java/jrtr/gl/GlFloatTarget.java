@@ -1,7 +1,10 @@
 package jrtr.gl;
 
 import com.jogamp.opengl.GL3;
+import java.lang.reflect.Array;
+import java.nio.Buffer;
 import java.nio.FloatBuffer;
+import java.nio.IntBuffer;
 import java.util.ArrayList;
 import java.util.List;
 import jrtr.ContextLimits;
@@ -152,41 +155,49 @@ final class GlFloatTarget extends GlResource implements FloatTarget {
     public float[] read(int color, Tile tile) {
         requireColor(color);
         requireInside(tile);
-        GL3 gl = gl();
-        gl.glBindFramebuffer(GL3.GL_FRAMEBUFFER, framebuffer[0]);
-        gl.glReadBuffer(GL3.GL_COLOR_ATTACHMENT0 + color);
-        return readPixels(gl, tile);
-    }
-
-    private float[] readPixels(GL3 gl, Tile tile) {
-        long length = tile.pixels() * CHANNELS;
-        if (length > Integer.MAX_VALUE - 8) {
-            throw new GraphicsException("reading " + tile.width() + " x " + tile.height() + " pixels of '" + label()
-                    + "' needs " + length + " floats, more than an array has; read smaller tiles");
-        }
-        float[] pixels = new float[(int) length];
-        // Drawing ends before the copy begins: the copy pins the array, and with it the garbage collector.
-        gl.glFinish();
-        gl.glPixelStorei(GL3.GL_PACK_ALIGNMENT, 4);
-        gl.glReadPixels(
-                tile.x(),
-                bottomOf(tile),
-                tile.width(),
-                tile.height(),
-                GL3.GL_RGBA,
-                GL3.GL_FLOAT,
-                FloatBuffer.wrap(pixels));
-        device().check(gl, "reading '" + label() + "'");
-        turnUpsideDown(pixels, tile.width() * CHANNELS);
+        float[] pixels = new float[length(tile, CHANNELS)];
+        readPixels(color, tile, GL3.GL_RGBA, GL3.GL_FLOAT, FloatBuffer.wrap(pixels));
+        turnUpsideDown(pixels, new float[CHANNELS * tile.width()]);
         return pixels;
     }
 
-    private static void turnUpsideDown(float[] pixels, int rowLength) {
-        float[] row = new float[rowLength];
-        for (int top = 0, bottom = pixels.length - rowLength; top < bottom; top += rowLength, bottom -= rowLength) {
-            System.arraycopy(pixels, top, row, 0, rowLength);
-            System.arraycopy(pixels, bottom, pixels, top, rowLength);
-            System.arraycopy(row, 0, pixels, bottom, rowLength);
+    @Override
+    public int[] readColors(int color, Tile tile) {
+        requireColor(color);
+        requireInside(tile);
+        int[] pixels = new int[length(tile, 1)];
+        readPixels(color, tile, GL3.GL_BGRA, GL3.GL_UNSIGNED_INT_8_8_8_8_REV, IntBuffer.wrap(pixels));
+        turnUpsideDown(pixels, new int[tile.width()]);
+        return pixels;
+    }
+
+    private int length(Tile tile, int channels) {
+        long length = tile.pixels() * channels;
+        if (length > Integer.MAX_VALUE - 8) {
+            throw new GraphicsException("reading " + tile.width() + " x " + tile.height() + " pixels of '" + label()
+                    + "' needs " + length + " values, more than an array has; read smaller tiles");
+        }
+        return (int) length;
+    }
+
+    private void readPixels(int color, Tile tile, int format, int type, Buffer pixels) {
+        GL3 gl = gl();
+        gl.glBindFramebuffer(GL3.GL_FRAMEBUFFER, framebuffer[0]);
+        gl.glReadBuffer(GL3.GL_COLOR_ATTACHMENT0 + color);
+        // Drawing ends before the copy begins: the copy pins the array, and with it the garbage collector.
+        gl.glFinish();
+        gl.glPixelStorei(GL3.GL_PACK_ALIGNMENT, 4);
+        gl.glReadPixels(tile.x(), bottomOf(tile), tile.width(), tile.height(), format, type, pixels);
+        device().check(gl, "reading '" + label() + "'");
+    }
+
+    /** @param row room for one, an array of the same type */
+    private static void turnUpsideDown(Object pixels, Object row) {
+        int length = Array.getLength(row);
+        for (int top = 0, bottom = Array.getLength(pixels) - length; top < bottom; top += length, bottom -= length) {
+            System.arraycopy(pixels, top, row, 0, length);
+            System.arraycopy(pixels, bottom, pixels, top, length);
+            System.arraycopy(row, 0, pixels, bottom, length);
         }
     }
 

@@ -6,6 +6,7 @@ import sunbeam.app.gpu.colours.LevelSources;
 import sunbeam.app.terminal.progress.Progress;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.colourtable.ColourSource;
+import sunbeam.precompute.colourtable.KeptPages;
 import sunbeam.precompute.colourtable.TableLevels;
 import sunbeam.precompute.method.LevelledPlan;
 import sunbeam.precompute.plan.Plan;
@@ -33,6 +34,11 @@ final class LevelsOfSetup implements LevelSources {
     @Override
     public TableLevels levels() {
         return plan.levels();
+    }
+
+    @Override
+    public KeptPages kept() {
+        return setup.pages(plan);
     }
 
     @Override

@@ -264,6 +264,32 @@ public final class SceneSession implements AutoCloseable {
         return new ScenePreview(picture, split, meshNanoseconds - meshBefore, pixelNanoseconds - pixelsBefore);
     }
 
+    /** Whether {@link #moving} can draw: where the method's colours are made as they are looked at, and coarse ones are there. */
+    public boolean canMove() {
+        return skin.looks().map(looks -> looks.pages().hasResident()).orElse(false);
+    }
+
+    /**
+     * Draws a picture in full resolution by those colours that are there, with few looks a pixel; nothing is made for it.
+     *
+     * @return as a screen shows it: 0xffRRGGBB, top row first
+     */
+    public int[] moving(int width, int height, double exposure) {
+        SkinGeometry geometry = SkinGeometry.of(scene(), mesh, body, width, height);
+        int[] picture = new int[width * height];
+        for (SceneBlocks.Piece piece : SceneBlocks.split(width, height, Tile.whole(width, height))) {
+            long start = System.nanoTime();
+            GeometryBuffer buffer = buffers.of(geometry, piece.block(), piece.inBlock());
+            meshNanoseconds += System.nanoTime() - start;
+            int[] part = skin.move(context, scene(), buffer, exposure, piece.block());
+            int columns = piece.inBlock().width();
+            for (int row = 0; row < piece.inBlock().height(); row++) {
+                System.arraycopy(part, row * columns, picture, (piece.y() + row) * width + piece.x(), columns);
+            }
+        }
+        return picture;
+    }
+
     private static Tile reduced(int width, int height, int divisor) {
         return Tile.whole((width + divisor - 1) / divisor, (height + divisor - 1) / divisor);
     }

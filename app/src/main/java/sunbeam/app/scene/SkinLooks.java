@@ -34,9 +34,19 @@ final class SkinLooks implements AutoCloseable {
         this.program = context.createFullScreenProgram(Shaders.library().load("looks.frag"));
         this.target = context.createFloatTarget(
                 "looks", new FloatTargetSpec(Packing.COLUMNS, Packing.ROWS, SAMPLERS.size(), false));
-        program.set("finestSigma", (float) sources.levels().sigma());
-        program.set("mostPlaces", (float) MOST_PLACES);
-        program.set("levels", sources.levels().levels().size());
+        setLevels(program, MOST_PLACES);
+    }
+
+    private void setLevels(ShaderProgram looking, int mostPlaces) {
+        looking.set("finestSigma", (float) pages.levels().sigma());
+        looking.set("mostPlaces", (float) mostPlaces);
+        looking.set("levels", pages.levels().levels().size());
+    }
+
+    /** Tells a program that looks by itself how levels and texels lie. */
+    void prepare(ShaderProgram looking, int mostPlaces) {
+        setLevels(looking, mostPlaces);
+        prepare(looking);
     }
 
     /**

@@ -20,6 +20,8 @@ final class SkinSurface implements AutoCloseable {
     private final ShaderProgram program;
     private final Optional<SkinLooks> looks;
     private final Optional<SkinPart> part;
+    // Compiled when something moves for the first time.
+    private MovingSkin moving;
 
     private SkinSurface(
             UploadedTables method, ShaderProgram program, Optional<SkinLooks> looks, Optional<SkinPart> part) {
@@ -67,8 +69,7 @@ final class SkinSurface implements AutoCloseable {
             FloatTexture sources,
             FloatTarget target,
             Tile tile) {
-        SceneUniforms.set(program, scene);
-        setReflection(scene);
+        setLight(program, scene);
         List<Binding> textures = new ArrayList<>(method.bindings());
         textures.addAll(buffer.bindings());
         looks.ifPresent(found -> textures.addAll(found.bindings()));
@@ -76,8 +77,26 @@ final class SkinSurface implements AutoCloseable {
         context.drawFullScreen(program, textures, target, tile);
     }
 
+    /**
+     * Draws a block of a picture of what moves (see {@link MovingSkin}).
+     *
+     * @throws java.util.NoSuchElementException unless its colours are made as pixels look into them
+     */
+    int[] move(RenderContext context, Scene scene, GeometryBuffer buffer, double exposure, Tile block) {
+        if (moving == null) {
+            moving = new MovingSkin(context, method.program("moving.frag"), looks.orElseThrow());
+        }
+        setLight(moving.program(), scene);
+        return moving.draw(scene, buffer, method.bindings(), exposure, block);
+    }
+
+    private void setLight(ShaderProgram program, Scene scene) {
+        SceneUniforms.set(program, scene);
+        setReflection(program, scene);
+    }
+
     /** An index that is the same at all wavelengths weights directions alone; otherwise the tables are of a part. */
-    private void setReflection(Scene scene) {
+    private void setReflection(ShaderProgram program, Scene scene) {
         if (part.isPresent()) {
             ReflectionPart reflection = part.get().reflection();
             program.set("mirrorWeight", (float) reflection.constant());
@@ -95,6 +114,9 @@ final class SkinSurface implements AutoCloseable {
 
     @Override
     public void close() {
+        if (moving != null) {
+            moving.close();
+        }
         looks.ifPresent(SkinLooks::close);
         program.close();
         method.close();

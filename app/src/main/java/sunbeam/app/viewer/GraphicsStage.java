@@ -117,9 +117,26 @@ class GraphicsStage implements AutoCloseable {
                 .orElse(1);
     }
 
-    ScenePreview preview(int width, int height, int divisor) {
+    /** Leaves the processors to what is being drawn for a while. */
+    void holdBaking() {
         fine.forEach(SceneSession::holdBaking);
+    }
+
+    ScenePreview preview(int width, int height, int divisor) {
         return coarse.preview(width, height, divisor);
+    }
+
+    /** Whether {@link #moving} can draw the state. */
+    boolean canMove() {
+        return fine.size() == 1 && fine.get(0).canMove();
+    }
+
+    /** What moves, in full resolution. */
+    BufferedImage moving(int width, int height, double exposure) {
+        int[] pixels = fine.get(0).moving(width, height, exposure);
+        BufferedImage image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
+        image.setRGB(0, 0, width, height, pixels, 0, width);
+        return image;
     }
 
     ScenePicture part(int width, int height, Tile tile) {

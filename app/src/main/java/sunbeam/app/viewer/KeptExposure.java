@@ -1,5 +1,6 @@
 package sunbeam.app.viewer;
 
+import java.util.OptionalDouble;
 import java.util.function.DoubleSupplier;
 import sunbeam.app.scene.SceneData;
 
@@ -10,16 +11,38 @@ import sunbeam.app.scene.SceneData;
 final class KeptExposure {
     private SceneData last;
     private double exposure;
+    private SceneData lastPreview;
+    private double ofLastPreview;
 
     /** @param fromPicture gives the scene's exposure, or that which the preview's picture asks for */
     double ofPreview(SceneData data, DoubleSupplier fromPicture) {
+        OptionalDouble kept = ofFinal(data);
+        if (kept.isPresent()) {
+            return kept.getAsDouble();
+        }
+        lastPreview = data;
+        ofLastPreview = fromPicture.getAsDouble();
+        return ofLastPreview;
+    }
+
+    /** The scene's exposure, or that of its last final picture, or else of its last preview; none before. */
+    OptionalDouble known(SceneData data) {
+        if (data.scene().exposure().isPresent()) {
+            return data.scene().exposure();
+        }
+        OptionalDouble kept = ofFinal(data);
+        return kept.isEmpty() && showTheSame(data, lastPreview) ? OptionalDouble.of(ofLastPreview) : kept;
+    }
+
+    private OptionalDouble ofFinal(SceneData data) {
         boolean automatic = data.scene().exposure().isEmpty();
-        return automatic && last != null && showsTheSame(data) ? exposure : fromPicture.getAsDouble();
+        return automatic && showTheSame(data, last) ? OptionalDouble.of(exposure) : OptionalDouble.empty();
     }
 
     @SuppressWarnings("ReferenceEquality") // the same objects as long as nothing is loaded anew
-    private boolean showsTheSame(SceneData data) {
-        return data.method() == last.method()
+    private static boolean showTheSame(SceneData data, SceneData last) {
+        return last != null
+                && data.method() == last.method()
                 && data.mesh() == last.mesh()
                 && data.body() == last.body()
                 && data.scene().blend().equals(last.scene().blend());

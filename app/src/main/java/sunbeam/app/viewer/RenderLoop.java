@@ -2,6 +2,7 @@ package sunbeam.app.viewer;
 
 import java.awt.image.BufferedImage;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import jrtr.Tile;
@@ -133,6 +134,9 @@ final class RenderLoop implements AutoCloseable {
         unfinished = share < 1 ? Optional.of(state) : Optional.empty();
         if (unfinished.isPresent()) {
             unfinishedExposure = exposure;
+            if (stage.canMove()) {
+                moving(stage, state, exposure);
+            }
             listener.waiting(share);
             return;
         }
@@ -161,7 +165,24 @@ final class RenderLoop implements AutoCloseable {
         }
     }
 
+    /** Shows what moves: in full resolution where colours for that are there, else as large as there is time for. */
     private double preview(GraphicsStage stage, ViewState state) {
+        stage.holdBaking();
+        OptionalDouble known = exposures.known(state.fine());
+        if (known.isEmpty() || !stage.canMove()) {
+            return reduced(stage, state);
+        }
+        moving(stage, state, known.getAsDouble());
+        return known.getAsDouble();
+    }
+
+    private void moving(GraphicsStage stage, ViewState state, double exposure) {
+        long start = System.nanoTime();
+        BufferedImage image = stage.moving(state.width(), state.height(), exposure);
+        listener.preview(state, image, 1, exposure, System.nanoTime() - start);
+    }
+
+    private double reduced(GraphicsStage stage, ViewState state) {
         long start = System.nanoTime();
         Scene scene = state.coarse().scene();
         int divisor = scale.divisor();

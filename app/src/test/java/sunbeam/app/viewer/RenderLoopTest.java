@@ -20,6 +20,7 @@ import jrtr.GraphicsException;
 import jrtr.RenderContext;
 import jrtr.Tile;
 import jrtr.gl.RenderContexts;
+import org.joml.Vector3f;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -29,6 +30,7 @@ import sunbeam.app.gpu.NeedsDisplay;
 import sunbeam.app.scene.PartSum;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneDisplay;
+import sunbeam.app.scene.SceneLight;
 import sunbeam.app.scene.SceneLoader;
 import sunbeam.app.scene.ScenePicture;
 import sunbeam.app.scene.ScenePreview;
@@ -54,6 +56,7 @@ class RenderLoopTest {
     private final AtomicReference<Throwable> mapFailure = new AtomicReference<>();
     private final AtomicReference<Throwable> previewFailure = new AtomicReference<>();
     private volatile BufferedImage completed;
+    private volatile BufferedImage previewed;
     private volatile Runnable atFirstTile = () -> {};
     private RenderLoop loop;
     private ViewState state;
@@ -98,6 +101,7 @@ class RenderLoopTest {
 
         @Override
         public void preview(ViewState shown, BufferedImage image, int divisor, double exposure, long nanoseconds) {
+            previewed = image;
             heard.add("preview");
         }
 
@@ -219,13 +223,31 @@ class RenderLoopTest {
         assertThat(next()).isEqualTo("preview");
         String said = next();
         assertThat(said).as("nothing is made yet").isEqualTo("waiting");
-        while (said.equals("waiting")) {
+        while (said.equals("waiting") || said.equals("preview")) {
             said = next();
         }
         assertThat(said).isEqualTo("map");
         assertThat(next()).isEqualTo("complete");
         assertThat(next()).isEqualTo("final map");
         assertShownAsRendered(loaded);
+
+        // Its colours are there: what moves is drawn in full resolution, and is nearly what stands still in the end.
+        SceneLight light = new SceneLight(new Vector3f(0.32f, -0.62f, -0.4f), 1);
+        LoadedScene moved = loaded.with(tabulated.withLight(light));
+        loop.show(new ViewState(moved.parts(), moved.coarse(), moved.mapped(), WIDTH, HEIGHT, state.mapLight()));
+        assertThat(next()).isEqualTo("preview");
+        assertThat(previewed.getWidth()).isEqualTo(WIDTH);
+        int[] moving = pixels(previewed);
+        while (!next().equals("complete")) {
+            // waits for what came into view
+        }
+        int[] still = pixels(completed);
+        double sum = 0;
+        for (int i = 0; i < still.length; i++) {
+            sum += Math.abs((moving[i] >> 8 & 0xff) - (still[i] >> 8 & 0xff));
+        }
+        // Of 255: fewer looks into colours as coarse as they are there, and at the silhouette no neighbours.
+        assertThat(sum / still.length).isLessThan(3);
     }
 
     @Test

@@ -21,6 +21,8 @@ public record LevelGrid(TableDesign design) {
     /** Length of (u, v) that no two directions exceed. */
     static final double REACH = 2;
 
+    // Pixels see a little more than directions that there are. In (u, v, w).
+    private static final double RIM = 0.1;
     // Of a texel and of a slice: processor and card may see a place on different sides of an edge.
     private static final double ROUNDING = 0.02;
 
@@ -57,6 +59,33 @@ public record LevelGrid(TableDesign design) {
     /** Pages of all slices. */
     public int pages() {
         return Math.multiplyExact(Math.multiplyExact(columns(), columns()), design.slices());
+    }
+
+    /** Pages that look-ups for two directions, and for what a little beside them, read. */
+    public BitSet reachable() {
+        BitSet pages = new BitSet();
+        double side = SIDE * design.step();
+        for (int row = 1; row < columns() - 1; row++) {
+            for (int column = 1; column < columns() - 1; column++) {
+                double u = nearest(origin() + column * side, side);
+                double v = nearest(origin() + row * side, side);
+                double radius = Math.hypot(u, v);
+                if (radius > REACH + RIM) {
+                    continue;
+                }
+                double deepest = Math.sqrt(Math.max(0, REACH * REACH - radius * radius)) + RIM;
+                int last = firstSlice(deepest / design.sliceStep() + ROUNDING) + TableDesign.TAPS - 1;
+                for (int slice = 0; slice <= last; slice++) {
+                    pages.set((slice * columns() + row) * columns() + column);
+                }
+            }
+        }
+        return pages;
+    }
+
+    /** The number nearest to 0 from one on, so far. */
+    private static double nearest(double from, double length) {
+        return Math.max(from, Math.min(0, from + length));
     }
 
     /** Pages in an order in which those that lie side by side, as seen from the middle, follow each other. */

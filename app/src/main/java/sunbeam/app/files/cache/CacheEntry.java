@@ -19,11 +19,16 @@ public record CacheEntry(Path file, long bytes, Instant lastUsed) {
     static final String SHADER = "tables";
     /** Of a table of colours that is being made, or was when its process was stopped. */
     static final String COLOURS = "colours";
+    /** Of colours that are made as pictures look at them. */
+    static final String PAGES = "pages";
 
     /** Whether a file's name is one of a table. */
     static boolean isOne(Path file) {
         String name = file.getFileName().toString();
-        return name.endsWith("." + FOURIER) || name.endsWith("." + SHADER) || name.endsWith("." + COLOURS);
+        return name.endsWith("." + FOURIER)
+                || name.endsWith("." + SHADER)
+                || name.endsWith("." + COLOURS)
+                || name.endsWith("." + PAGES);
     }
 
     /**
@@ -35,6 +40,9 @@ public record CacheEntry(Path file, long bytes, Instant lastUsed) {
         String name = file.getFileName().toString();
         if (name.endsWith("." + COLOURS)) {
             return KeptColours.labelOf(file);
+        }
+        if (name.endsWith("." + PAGES)) {
+            return PageFile.labelOf(file);
         }
         return name.endsWith("." + FOURIER) ? TableFile.label(file) : ShaderTablesFile.label(file);
     }

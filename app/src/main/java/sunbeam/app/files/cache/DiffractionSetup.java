@@ -8,6 +8,8 @@ import sunbeam.app.terminal.OptionOrigin;
 import sunbeam.app.terminal.options.PatchOptions;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.colourtable.ColourSources;
+import sunbeam.precompute.colourtable.KeptPages;
+import sunbeam.precompute.method.LevelledPlan;
 import sunbeam.precompute.method.Method;
 import sunbeam.precompute.method.MethodPlan;
 import sunbeam.precompute.method.Methods;
@@ -121,6 +123,11 @@ public final class DiffractionSetup {
     public ShaderTables tables(MethodPlan plan, MethodUse use, ColourSources colours) {
         requireAnswer(plan, use);
         return store.tables(plan, use, colours);
+    }
+
+    /** Pages of a plan's levels of colours that are kept for later runs; to be closed by the caller. */
+    public KeptPages pages(LevelledPlan plan) {
+        return store.pages(plan);
     }
 
     private static void requireAnswer(MethodPlan plan, MethodUse use) {

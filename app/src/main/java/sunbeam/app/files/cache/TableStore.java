@@ -13,8 +13,10 @@ import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.progress.Progress;
 import sunbeam.precompute.colourtable.ColourSource;
 import sunbeam.precompute.colourtable.ColourSources;
+import sunbeam.precompute.colourtable.KeptPages;
 import sunbeam.precompute.expansion.Expansion;
 import sunbeam.precompute.files.Sha256;
+import sunbeam.precompute.method.LevelledPlan;
 import sunbeam.precompute.method.MethodPlan;
 import sunbeam.precompute.method.Surface;
 import sunbeam.precompute.method.TableSources;
@@ -71,6 +73,27 @@ public final class TableStore {
             // Again from the file, so that no more than one layer at a time need be in memory.
             return read(file.get(), reader).orElse(made);
         });
+    }
+
+    /** Pages of levels of colours that are kept for later runs; none without a cache folder. */
+    KeptPages pages(LevelledPlan plan) {
+        String key = String.join(
+                "|",
+                "pages " + ShaderTablesFile.VERSION,
+                plan.key(MethodUse.COLOUR),
+                String.valueOf(plan.tolerance()),
+                plan.spectrum().map(Plan::key).orElse(""));
+        TableLabel label = new TableLabel(surface.identity().name(), plan.summary());
+        Optional<Path> file = file(key, CacheEntry.PAGES);
+        if (file.isEmpty()) {
+            return KeptPages.NONE;
+        }
+        Path path = file.get();
+        long most = folder.limit(warning);
+        KeptPages pages = PageFile.of(path, key, label, most, warning, () -> folder.shrink(most, Optional.of(path)));
+        folder.used(path);
+        folder.shrink(most, file);
+        return pages;
     }
 
     /** What is in the file, else what is made, by one process at a time. */

@@ -23,12 +23,16 @@ public final class LevelPages implements AutoCloseable {
     private static final double USABLE_HEAP = 0.8;
     private static final double MEGABYTE = 1e6;
     private static final int CHANNELS = 4;
+    // Some seconds of one processor.
+    private static final int MOST_RESIDENT = 6000;
 
     private final PageSources sources;
     private final List<LevelGrid> grids;
     private final List<BitSet> wanted = new ArrayList<>();
     private final List<BitSet> made = new ArrayList<>();
     private final PageCells cells;
+    // Coarse levels as a whole, so that whatever comes into view has colours at once.
+    private final List<BitSet> resident = new ArrayList<>();
     private Optional<PageBaker> baker = Optional.empty();
 
     /** Nothing is made yet. */
@@ -38,8 +42,30 @@ public final class LevelPages implements AutoCloseable {
         grids.forEach(grid -> {
             wanted.add(new BitSet());
             made.add(new BitSet());
+            resident.add(new BitSet());
         });
+        chooseResident();
         this.cells = new PageCells(context, levels.levels(), grids);
+    }
+
+    private void chooseResident() {
+        int pages = 0;
+        for (int level = grids.size() - 1; level >= 0; level--) {
+            BitSet all = grids.get(level).reachable();
+            pages += all.cardinality();
+            if (pages > MOST_RESIDENT) {
+                return;
+            }
+            resident.set(level, all);
+        }
+    }
+
+    /** Whether every look-up finds a page, if only of a coarse level. */
+    public boolean hasResident() {
+        BitSet missing = (BitSet) resident.get(resident.size() - 1).clone();
+        boolean any = !missing.isEmpty();
+        missing.andNot(made.get(resident.size() - 1));
+        return any && missing.isEmpty();
     }
 
     /** The levels. */
@@ -155,12 +181,17 @@ public final class LevelPages implements AutoCloseable {
         List<BitSet> missing = new ArrayList<>();
         for (int level = 0; level < grids.size(); level++) {
             wanted.get(level).andNot(made.get(level));
+        }
+        long absent = count(wanted);
+        for (int level = 0; level < grids.size(); level++) {
+            wanted.get(level).or(resident.get(level));
+            wanted.get(level).andNot(made.get(level));
             missing.add((BitSet) wanted.get(level).clone());
         }
         requireRoom();
         wanted.forEach(BitSet::clear);
         baker.orElseThrow().want(missing);
-        return all == 0 ? 1 : 1 - (double) count(missing) / all;
+        return all == 0 ? 1 : 1 - (double) absent / all;
     }
 
     private static long count(List<BitSet> pages) {

@@ -1,6 +1,7 @@
 package sunbeam.app.gpu.colours;
 
 import sunbeam.precompute.colourtable.ColourSource;
+import sunbeam.precompute.colourtable.KeptPages;
 import sunbeam.precompute.colourtable.TableLevels;
 
 /** By what levels of colours are made. */
@@ -8,6 +9,11 @@ public interface LevelSources {
 
     /** The levels. */
     TableLevels levels();
+
+    /** Pages that are kept for later runs, to be closed by the caller; may be none. */
+    default KeptPages kept() {
+        return KeptPages.NONE;
+    }
 
     /**
      * A source of a level's colours, to be closed by the caller.

@@ -19,6 +19,8 @@ import java.util.concurrent.TimeUnit;
 final class PageBaker implements AutoCloseable {
     // Pages that are made at once: a second's work. What is asked for meanwhile waits for them.
     private static final int CHUNK = 1200;
+    // Pages that are read at once: a tenth of a second's work.
+    private static final int MOST_AT_ONCE = 20_000;
     private static final int LIFE_DAYS = 1000;
     private static final long HOLD_NANOSECONDS = 300_000_000;
     private static final long PATIENCE_MILLISECONDS = 5000;
@@ -147,10 +149,17 @@ final class PageBaker implements AutoCloseable {
         return null;
     }
 
+    /** What an earlier run has made comes first, then coarse levels before fine ones. */
     private Optional<Baked> due() {
-        for (int level = 0; level < wanted.size(); level++) {
-            BitSet missing = (BitSet) wanted.get(level).clone();
-            missing.andNot(done.get(level));
+        for (int level = wanted.size() - 1; level >= 0; level--) {
+            BitSet kept = sources.kept(level, missing(level));
+            if (!kept.isEmpty()) {
+                int[] pages = kept.stream().limit(MOST_AT_ONCE).toArray();
+                return Optional.of(new Baked(level, pages, List.of()));
+            }
+        }
+        for (int level = wanted.size() - 1; level >= 0; level--) {
+            BitSet missing = missing(level);
             if (!missing.isEmpty()) {
                 int[] pages =
                         sources.grids().get(level).bySide(missing).limit(CHUNK).toArray();
@@ -158,6 +167,12 @@ final class PageBaker implements AutoCloseable {
             }
         }
         return Optional.empty();
+    }
+
+    private BitSet missing(int level) {
+        BitSet missing = (BitSet) wanted.get(level).clone();
+        missing.andNot(done.get(level));
+        return missing;
     }
 
     /** Ends after the pages at hand. */

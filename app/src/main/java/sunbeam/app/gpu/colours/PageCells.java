@@ -114,6 +114,10 @@ final class PageCells implements AutoCloseable {
             FloatTextureSpec spec = FloatTextureSpec.array(LAYER_SIDE, LAYER_SIDE, room, FloatFormat.RGBA32F);
             texels = context.createFloatTexture("colours", spec.with(Filter.LINEAR));
             changed.set(0, layers.size());
+            FloatBuffer empty = FloatBuffer.wrap(new float[LAYER_FLOATS]);
+            for (int layer = layers.size(); layer < room; layer++) {
+                texels.uploadLayer(layer, empty.rewind());
+            }
         }
         changed.stream().forEach(layer -> texels.uploadLayer(layer, FloatBuffer.wrap(layers.get(layer))));
         changed.clear();

@@ -2,10 +2,12 @@ package sunbeam.app.gpu.colours;
 
 import java.util.ArrayList;
 import java.util.BitSet;
+import java.util.Iterator;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import sunbeam.precompute.colourtable.ColourSource;
+import sunbeam.precompute.colourtable.KeptPages;
 import sunbeam.precompute.colourtable.LevelBaking;
 import sunbeam.precompute.colourtable.LevelGrid;
 import sunbeam.precompute.colourtable.TableLevels;
@@ -17,6 +19,8 @@ final class PageSources implements AutoCloseable {
     private final List<LevelBaking> bakings = new ArrayList<>();
     // By level: what a source needs takes longer to get than a few colours.
     private final Map<Integer, ColourSource> opened = new TreeMap<>();
+    // Opened when the first page is asked for.
+    private KeptPages kept;
 
     PageSources(LevelSources sources) {
         this.sources = sources;
@@ -39,14 +43,42 @@ final class PageSources implements AutoCloseable {
 
     /** Makes pages of a level, in the order of their numbers; those that are made at the moment are waited for. */
     synchronized List<float[]> bake(int level, BitSet pages) {
-        LevelBaking baking = bakings.get(level);
-        ColourSource source = opened.computeIfAbsent(level, number -> sources.open(number, baking.missing(pages)));
-        return baking.bake(pages, source);
+        Map<Integer, float[]> all = new TreeMap<>(kept().read(level, pages));
+        BitSet missing = (BitSet) pages.clone();
+        all.keySet().forEach(missing::clear);
+        if (!missing.isEmpty()) {
+            LevelBaking baking = bakings.get(level);
+            ColourSource source =
+                    opened.computeIfAbsent(level, number -> sources.open(number, baking.missing(missing)));
+            Iterator<float[]> made = baking.bake(missing, source).iterator();
+            missing.stream().forEach(page -> {
+                float[] coefficients = made.next();
+                kept().keep(level, page, coefficients);
+                all.put(page, coefficients);
+            });
+        }
+        return List.copyOf(all.values());
+    }
+
+    /** Those of some pages that were made by an earlier run, and take no time now. */
+    synchronized BitSet kept(int level, BitSet pages) {
+        return kept().kept(level, pages);
+    }
+
+    private KeptPages kept() {
+        if (kept == null) {
+            kept = sources.kept();
+        }
+        return kept;
     }
 
     @Override
     public synchronized void close() {
         opened.values().forEach(ColourSource::close);
         opened.clear();
+        if (kept != null) {
+            kept.close();
+            kept = null;
+        }
     }
 }

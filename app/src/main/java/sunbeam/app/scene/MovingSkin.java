@@ -1,0 +1,64 @@
+package sunbeam.app.scene;
+
+import java.util.ArrayList;
+import java.util.List;
+import jrtr.Binding;
+import jrtr.FloatTarget;
+import jrtr.RenderContext;
+import jrtr.ShaderProgram;
+import jrtr.Tile;
+import sunbeam.app.gpu.KeptTarget;
+
+/**
+ * Draws a skin that moves, by those levels of its colours that exist (shaders/moving.frag): a few looks a pixel, and nothing comes
+ * back from the graphics card but the colours of the screen.
+ */
+final class MovingSkin implements AutoCloseable {
+    // Along the wide side of what a pixel sees; a still picture has up to 32.
+    private static final int MOST_PLACES = 2;
+
+    private final RenderContext context;
+    private final ShaderProgram program;
+    private final SkinLooks looks;
+    private final KeptTarget targets;
+
+    /** @param program shaders/moving.frag with the method compiled in; closed with this */
+    MovingSkin(RenderContext context, ShaderProgram program, SkinLooks looks) {
+        this.context = context;
+        this.program = program;
+        this.looks = looks;
+        this.targets = new KeptTarget(context, "moving");
+        looks.prepare(program, MOST_PLACES);
+        program.set("samplesAcross", 1f);
+    }
+
+    /** The program, for what its uniforms share with others. */
+    ShaderProgram program() {
+        return program;
+    }
+
+    /**
+     * Draws a block of a picture.
+     *
+     * @param method textures of the method's tables
+     * @return 0xffRRGGBB, top row first
+     */
+    int[] draw(Scene scene, GeometryBuffer buffer, List<Binding> method, double exposure, Tile block) {
+        program.set("exposure", (float) exposure);
+        int rgb = scene.background().rgb();
+        program.set("background", new float[] {(rgb >> 16) / 255f, (rgb >> 8 & 0xff) / 255f, (rgb & 0xff) / 255f});
+        List<Binding> textures = new ArrayList<>(method);
+        textures.addAll(buffer.bindings());
+        textures.addAll(looks.pages().bindings());
+        Tile whole = Tile.whole(block.width(), block.height());
+        FloatTarget target = targets.of(block.width(), block.height());
+        context.drawFullScreen(program, textures, target, whole);
+        return target.readColors(0, whole);
+    }
+
+    @Override
+    public void close() {
+        targets.close();
+        program.close();
+    }
+}

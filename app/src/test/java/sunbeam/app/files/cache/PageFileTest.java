@@ -1,0 +1,171 @@
+package sunbeam.app.files.cache;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.BitSet;
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import sunbeam.precompute.colourtable.KeptPages;
+import sunbeam.precompute.colourtable.LevelBaking;
+import sunbeam.precompute.table.TableLabel;
+
+final class PageFileTest {
+    private static final TableLabel LABEL = new TableLabel("bläze", "table: 3 levels");
+    private static final String KEY = "surface and plan";
+    private static final long PLENTY = 1L << 30;
+    private static final int PAGES = 6;
+
+    @TempDir
+    private Path folder;
+
+    private final List<String> warnings = new ArrayList<>();
+
+    private Path file() {
+        return folder.resolve("one.pages");
+    }
+
+    private KeptPages open(String key, long mostBytes) {
+        return PageFile.of(file(), key, LABEL, mostBytes, warnings::add, () -> {});
+    }
+
+    /** As the shader has it: every fourth value is of no use, and 0. */
+    private static float[] coefficients(int level, int page) {
+        float[] values = new float[LevelBaking.PAGE_FLOATS];
+        for (int i = 0; i < values.length; i++) {
+            values[i] = i % 4 == 3 ? 0 : (float) Math.sin(i + 10 * page + 100 * level);
+        }
+        return values;
+    }
+
+    private static BitSet all() {
+        BitSet pages = new BitSet();
+        pages.set(0, PAGES);
+        return pages;
+    }
+
+    private void keepAll() {
+        try (KeptPages pages = open(KEY, PLENTY)) {
+            for (int page = 0; page < PAGES; page++) {
+                pages.keep(page % 2, page, coefficients(page % 2, page));
+            }
+        }
+    }
+
+    /** Pages that a later run finds, each of which must be right. */
+    private int found(String key) {
+        int count = 0;
+        try (KeptPages pages = open(key, PLENTY)) {
+            for (int level = 0; level < 3; level++) {
+                Map<Integer, float[]> found = pages.read(level, all());
+                count += found.size();
+                for (Map.Entry<Integer, float[]> page : found.entrySet()) {
+                    assertThat(page.getKey() % 2).isEqualTo(level);
+                    assertThat(page.getValue()).isEqualTo(coefficients(level, page.getKey()));
+                }
+            }
+        }
+        return count;
+    }
+
+    @Test
+    void aLaterRunFindsThem() {
+        keepAll();
+        assertThat(found(KEY)).isEqualTo(PAGES);
+        assertThat(PageFile.labelOf(file())).isEqualTo(LABEL);
+        assertThat(warnings).isEmpty();
+    }
+
+    @Test
+    void thoseOfAnotherSurfaceOrPlanAreNotUsed() {
+        keepAll();
+        assertThat(found("another")).isZero();
+        assertThat(found(KEY)).as("begun anew").isZero();
+    }
+
+    @Test
+    void aFlippedBitAnywhereIsNoticedAndCostsOnePage() throws IOException {
+        keepAll();
+        byte[] good = Files.readAllBytes(file());
+        for (int at = 0; at < good.length; at += 97) {
+            byte[] bad = good.clone();
+            bad[at] ^= 4;
+            Files.write(file(), bad);
+            int left = found(KEY);
+            boolean inHead = at < good.length - PAGES * recordBytes(good.length);
+            assertThat(left).as("byte %d of %d", at, good.length).isEqualTo(inHead ? 0 : PAGES - 1);
+            Files.write(file(), good);
+        }
+        assertThat(warnings)
+                .isNotEmpty()
+                .allMatch(line -> line.equals("cached colours are made again: some are damaged"));
+    }
+
+    /** Three colours of each texel, level, page and checksum. */
+    private static int recordBytes(int fileBytes) {
+        int record = LevelBaking.PAGE_FLOATS / 4 * 3 * Float.BYTES + 16;
+        assertThat(fileBytes).isGreaterThan(PAGES * record);
+        return record;
+    }
+
+    @Test
+    void oneThatWasCutOffLosesWhatIsMissingAndGoesOn() throws IOException {
+        keepAll();
+        byte[] good = Files.readAllBytes(file());
+        Files.write(file(), Arrays.copyOf(good, good.length - 5));
+        assertThat(found(KEY)).isEqualTo(PAGES - 1);
+        keepAll();
+        assertThat(Files.readAllBytes(file())).isEqualTo(good);
+    }
+
+    @Test
+    void whoComesSecondReadsAndDoesNotWrite() {
+        keepAll();
+        try (KeptPages first = open(KEY, PLENTY);
+                KeptPages second = open(KEY, PLENTY)) {
+            second.keep(2, 1, coefficients(2, 1));
+            first.keep(2, 2, coefficients(2, 2));
+            assertThat(second.read(0, all())).hasSize(PAGES / 2);
+        }
+        try (KeptPages later = open(KEY, PLENTY)) {
+            assertThat(later.kept(2, all()).stream()).containsExactly(2);
+        }
+    }
+
+    @Test
+    void oneThatIsDeletedMeanwhileGoesOnServing() throws IOException {
+        keepAll();
+        try (KeptPages pages = open(KEY, PLENTY)) {
+            Files.delete(file());
+            assertThat(pages.read(0, all())).hasSize(PAGES / 2);
+            pages.keep(2, 1, coefficients(2, 1));
+        }
+        assertThat(file()).doesNotExist();
+    }
+
+    @Test
+    void noMoreIsKeptThanTheCacheMayTake() throws IOException {
+        try (KeptPages pages = open(KEY, 10_000)) {
+            for (int page = 0; page < PAGES; page++) {
+                pages.keep(0, page, coefficients(0, page));
+            }
+            assertThat(pages.kept(0, all()).cardinality()).isEqualTo(2);
+        }
+        assertThat(Files.size(file())).isLessThanOrEqualTo(10_000);
+        assertThat(warnings).hasSize(1).first().asString().contains("cache --limit");
+    }
+
+    @Test
+    void aFolderThatIsGoneKeepsNothing() {
+        KeptPages pages =
+                PageFile.of(folder.resolve("gone").resolve("one.pages"), KEY, LABEL, PLENTY, warnings::add, () -> {});
+        pages.keep(0, 1, coefficients(0, 1));
+        assertThat(pages.read(0, all())).isEmpty();
+    }
+}
