@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
 import jrtr.ContextInfo;
+import jrtr.GraphicsException;
 import jrtr.RenderContext;
 import jrtr.Tile;
 import jrtr.gl.RenderContexts;
@@ -28,6 +29,7 @@ class GraphicsStage implements AutoCloseable {
     private final MapStage map;
     private List<SceneSession> fine = List.of();
     private SceneSession coarse;
+    private Optional<SceneSession> moving = Optional.empty();
     private ViewState state;
     private Optional<ShaderTables> uploadedOf = Optional.empty();
     private Optional<UploadedTables> uploaded = Optional.empty();
@@ -50,61 +52,73 @@ class GraphicsStage implements AutoCloseable {
     }
 
     private void goOverTo(ViewState state) {
-        if (fine.size() != state.parts().size()) {
+        if (fine.size() != state.parts().size()
+                || moving.isPresent() != state.moving().isPresent()) {
             replace(state);
             return;
         }
-        List<SceneData> before = fine.stream().map(SceneSession::data).toList();
+        List<SceneSession> sessions = sessions();
+        List<SceneData> before = sessions.stream().map(SceneSession::data).toList();
         try {
-            update(state.parts());
-            coarse.update(state.coarse());
+            update(sessions, data(state));
         } catch (RuntimeException | OutOfMemoryError failure) {
-            update(before);
+            update(sessions, before);
             throw failure;
         }
     }
 
-    private void update(List<SceneData> parts) {
-        for (int i = 0; i < parts.size(); i++) {
-            fine.get(i).update(parts.get(i));
+    private static void update(List<SceneSession> sessions, List<SceneData> data) {
+        for (int i = 0; i < data.size(); i++) {
+            sessions.get(i).update(data.get(i));
         }
+    }
+
+    /** In the order of {@link #sessions()}. */
+    private static List<SceneData> data(ViewState state) {
+        List<SceneData> all = new ArrayList<>(state.parts());
+        all.add(state.coarse());
+        state.moving().ifPresent(all::add);
+        return all;
+    }
+
+    private List<SceneSession> sessions() {
+        List<SceneSession> all = new ArrayList<>(fine);
+        if (coarse != null) {
+            all.add(coarse);
+        }
+        moving.ifPresent(all::add);
+        return all;
     }
 
     private void replace(ViewState state) {
         List<SceneSession> made = new ArrayList<>();
         try {
-            state.parts().forEach(part -> made.add(new SceneSession(context, part)));
-            made.add(new SceneSession(context, state.coarse()));
+            data(state).forEach(data -> made.add(new SceneSession(context, data)));
         } catch (RuntimeException | OutOfMemoryError failure) {
             made.forEach(SceneSession::close);
             throw failure;
         }
-        closeSessions();
-        coarse = made.remove(made.size() - 1);
-        fine = List.copyOf(made);
-    }
-
-    private void closeSessions() {
-        fine.forEach(SceneSession::close);
-        if (coarse != null) {
-            coarse.close();
-        }
+        sessions().forEach(SceneSession::close);
+        int parts = state.parts().size();
+        fine = List.copyOf(made.subList(0, parts));
+        coarse = made.get(parts);
+        moving = state.moving().map(data -> made.get(parts + 1));
     }
 
     /**
-     * From now on makes colours in the background, if the method's are made as they are looked at.
+     * From now on makes colours in the background, where a method's are made as they are looked at.
      *
      * @param arrived told, by another thread, that there are more
      */
     void bakeInBackground(Runnable arrived) {
-        fine.forEach(part -> part.bakeInBackground(arrived));
+        sessions().forEach(session -> session.bakeInBackground(arrived));
     }
 
     /** Takes over what has been made in the background; whether there was anything. */
     boolean takeBaked() {
         boolean any = false;
-        for (SceneSession part : fine) {
-            any |= part.takeBaked();
+        for (SceneSession session : sessions()) {
+            any |= session.takeBaked();
         }
         return any;
     }
@@ -117,23 +131,36 @@ class GraphicsStage implements AutoCloseable {
                 .orElse(1);
     }
 
+    /** Asks the background for what pictures of what moves look into; nobody waits for it, and without it they are coarse. */
+    void requestMoving(int width, int height) {
+        try {
+            moving.ifPresent(session -> session.request(width, height));
+        } catch (GraphicsException noRoom) {
+            moving.ifPresent(SceneSession::holdBaking);
+        }
+    }
+
     /** Leaves the processors to what is being drawn for a while. */
     void holdBaking() {
-        fine.forEach(SceneSession::holdBaking);
+        sessions().forEach(SceneSession::holdBaking);
     }
 
     ScenePreview preview(int width, int height, int divisor) {
         return coarse.preview(width, height, divisor);
     }
 
-    /** Whether {@link #moving} can draw the state. */
+    /** Whether {@link #moving(int, int, double)} can draw the state. */
     boolean canMove() {
-        return fine.size() == 1 && fine.get(0).canMove();
+        return mover().map(SceneSession::canMove).orElse(false);
     }
 
-    /** What moves, in full resolution. */
+    private Optional<SceneSession> mover() {
+        return moving.isEmpty() && fine.size() == 1 ? Optional.of(fine.get(0)) : moving;
+    }
+
+    /** What moves, in full size. */
     BufferedImage moving(int width, int height, double exposure) {
-        int[] pixels = fine.get(0).moving(width, height, exposure);
+        int[] pixels = mover().orElseThrow().moving(width, height, exposure);
         BufferedImage image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
         image.setRGB(0, 0, width, height, pixels, 0, width);
         return image;
@@ -183,7 +210,7 @@ class GraphicsStage implements AutoCloseable {
         try {
             uploaded.ifPresent(UploadedTables::close);
             map.close();
-            closeSessions();
+            sessions().forEach(SceneSession::close);
             display.close();
         } finally {
             context.close();

@@ -17,9 +17,11 @@ import sunbeam.precompute.patch.Patch;
  *
  * @param parts with the scene's own plan, of each part of the skin's light
  * @param coarse with {@link PreviewPlan}'s
+ * @param moving with tables of colours, for full-size pictures of what moves, where the scene's own method has none; the method
+ *     must be one whose colours can be averaged over what a pixel sees
  * @param mapped of a scene with tables of colours, with what they tabulate: for its BRDF maps
  */
-record LoadedScene(List<SceneData> parts, SceneData coarse, Optional<SceneData> mapped) {
+record LoadedScene(List<SceneData> parts, SceneData coarse, Optional<SceneData> moving, Optional<SceneData> mapped) {
 
     /** Loads all, or what differs from the previous one. May take seconds. */
     static LoadedScene load(SceneLoader loader, Scene scene, LoadedScene previous) {
@@ -28,12 +30,17 @@ record LoadedScene(List<SceneData> parts, SceneData coarse, Optional<SceneData> 
         Scene preview = coarse(scene, fine.patch());
         boolean kept = previous != null && previous.coarse.suits(preview);
         SceneData coarse = kept ? previous.coarse.with(preview) : loader.preview(preview, fine);
-        Optional<SceneData> before = previous == null ? Optional.empty() : previous.mapped;
+        Optional<SceneData> moving = MovingPlan.of(scene, fine.patch())
+                .map(table -> other(loader, table, fine, previous == null ? Optional.empty() : previous.moving));
         Optional<SceneData> mapped = tabulated(scene, fine.patch())
-                .map(full -> before.filter(data -> data.suits(full))
-                        .map(data -> data.with(full))
-                        .orElseGet(() -> loader.preview(full, fine)));
-        return new LoadedScene(parts, coarse, mapped);
+                .map(full -> other(loader, full, fine, previous == null ? Optional.empty() : previous.mapped));
+        return new LoadedScene(parts, coarse, moving, mapped);
+    }
+
+    private static SceneData other(SceneLoader loader, Scene scene, SceneData fine, Optional<SceneData> before) {
+        return before.filter(data -> data.suits(scene))
+                .map(data -> data.with(scene))
+                .orElseGet(() -> loader.preview(scene, fine));
     }
 
     /** The scene with the method whose colours its own method tabulates, if it does. */
@@ -63,6 +70,7 @@ record LoadedScene(List<SceneData> parts, SceneData coarse, Optional<SceneData> 
         return new LoadedScene(
                 parts.stream().map(part -> part.with(scene)).toList(),
                 coarse.with(coarse(scene, fine().patch())),
+                moving.map(data -> data.with(scene.withMethod(data.scene().method()))),
                 mapped.map(data -> data.with(scene.withMethod(data.scene().method()))));
     }
 

@@ -141,6 +141,7 @@ final class RenderLoop implements AutoCloseable {
             return;
         }
         check(map(stage, state, false) && refine(stage, state, exposure));
+        stage.requestMoving(state.width(), state.height());
     }
 
     private void check(boolean done) {

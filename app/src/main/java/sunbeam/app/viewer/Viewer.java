@@ -181,7 +181,8 @@ final class Viewer {
             return;
         }
         LoadedScene loaded = model.loaded().get();
-        asked = new ViewState(loaded.parts(), loaded.coarse(), loaded.mapped(), width, height, mapLight());
+        asked = new ViewState(
+                loaded.parts(), loaded.coarse(), loaded.moving(), loaded.mapped(), width, height, mapLight());
         observer.asked(asked);
         loop.show(asked);
     }

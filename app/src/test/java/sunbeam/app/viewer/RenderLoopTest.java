@@ -136,6 +136,7 @@ class RenderLoopTest {
         state = new ViewState(
                 loaded.parts(),
                 loaded.coarse(),
+                loaded.moving(),
                 loaded.mapped(),
                 WIDTH,
                 HEIGHT,
@@ -208,7 +209,8 @@ class RenderLoopTest {
         for (String expected : new String[] {"preview", "map", "complete", "final map"}) {
             assertThat(next()).isEqualTo(expected);
         }
-        loop.show(new ViewState(state.parts(), state.coarse(), state.mapped(), WIDTH / 2, HEIGHT, state.mapLight()));
+        loop.show(new ViewState(
+                state.parts(), state.coarse(), state.moving(), state.mapped(), WIDTH / 2, HEIGHT, state.mapLight()));
         assertThat(next()).isEqualTo("preview");
     }
 
@@ -219,7 +221,8 @@ class RenderLoopTest {
         Choices table = Choices.none().with(Methods.METHOD, TableMethod.TYPE);
         Scene tabulated = scene.withMethod(scene.method().with(table));
         LoadedScene loaded = LoadedScene.load(loader, tabulated, null);
-        loop.show(new ViewState(loaded.parts(), loaded.coarse(), loaded.mapped(), WIDTH, HEIGHT, state.mapLight()));
+        loop.show(new ViewState(
+                loaded.parts(), loaded.coarse(), loaded.moving(), loaded.mapped(), WIDTH, HEIGHT, state.mapLight()));
         assertThat(next()).isEqualTo("preview");
         String said = next();
         assertThat(said).as("nothing is made yet").isEqualTo("waiting");
@@ -234,7 +237,8 @@ class RenderLoopTest {
         // Its colours are there: what moves is drawn in full resolution, and is nearly what stands still in the end.
         SceneLight light = new SceneLight(new Vector3f(0.32f, -0.62f, -0.4f), 1);
         LoadedScene moved = loaded.with(tabulated.withLight(light));
-        loop.show(new ViewState(moved.parts(), moved.coarse(), moved.mapped(), WIDTH, HEIGHT, state.mapLight()));
+        loop.show(new ViewState(
+                moved.parts(), moved.coarse(), moved.moving(), moved.mapped(), WIDTH, HEIGHT, state.mapLight()));
         assertThat(next()).isEqualTo("preview");
         assertThat(previewed.getWidth()).isEqualTo(WIDTH);
         int[] moving = pixels(previewed);
@@ -264,7 +268,8 @@ class RenderLoopTest {
         LoadedScene loaded = LoadedScene.load(loader, scene, null);
         assertThat(loaded.parts()).hasSize(2);
         for (LoadedScene shown : List.of(loaded, LoadedScene.load(loader, scene, loaded))) {
-            loop.show(new ViewState(shown.parts(), shown.coarse(), shown.mapped(), WIDTH, HEIGHT, state.mapLight()));
+            loop.show(new ViewState(
+                    shown.parts(), shown.coarse(), shown.moving(), shown.mapped(), WIDTH, HEIGHT, state.mapLight()));
             while (!next().equals("final map")) {
                 // previews and the map
             }
@@ -301,6 +306,7 @@ class RenderLoopTest {
         return new ViewState(
                 state.parts(),
                 state.coarse(),
+                state.moving(),
                 state.mapped(),
                 WIDTH,
                 HEIGHT,

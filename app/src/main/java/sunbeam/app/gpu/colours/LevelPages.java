@@ -135,13 +135,14 @@ public final class LevelPages implements AutoCloseable {
     }
 
     /**
-     * From now on {@link #request} has pages made in the background.
+     * From now on {@link #request} has pages made in the background; coarse levels are begun at once.
      *
      * @param arrived told, by another thread, that {@link #takeBaked} has something to take
      */
     public void bakeInBackground(Runnable arrived) {
         if (baker.isEmpty()) {
             baker = Optional.of(new PageBaker(sources, arrived));
+            baker.get().want(resident.stream().map(pages -> (BitSet) pages.clone()).toList());
         }
     }
 
