@@ -21,10 +21,23 @@ vec3 inside(vec3 change, float coverageChange) {
     return coverageChange == 0.0 ? change : vec3(0.0);
 }
 
+// Along the wide side of what the pixel sees, in a level.
+vec3 alongXyz(Look look, int level) {
+    vec4 grid = texelFetch(colourLevels, ivec2(level, 0), 0);
+    vec3 sum = vec3(0.0);
+    for (float i = 0.5; i < look.wide.w; i += 1.0) {
+        vec3 xyz = roughXyz(look.place.xyz + (i / look.wide.w - 0.5) * look.wide.xyz, level, grid);
+        if (xyz.y == MISSING) {
+            return xyz;
+        }
+        sum += xyz;
+    }
+    return sum / look.wide.w;
+}
+
 vec3 existingXyz(Look look) {
-    look.narrow.w = min(look.narrow.w, 1.9);
     for (int level = int(look.place.w); level < levels; ++level) {
-        vec3 xyz = seenXyz(level, look.place.xyz, look.wide, look.narrow);
+        vec3 xyz = alongXyz(look, level);
         if (xyz.y < MISSING) {
             return xyz;
         }
@@ -35,16 +48,18 @@ vec3 existingXyz(Look look) {
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     vec4 view = texelFetch(views, pixel, 0);
-    vec4 normal = texelFetch(normals, pixel, 0);
-    vec3 tangent = texelFetch(tangents, pixel, 0).xyz;
-    vec3 wi = lightDirection(mat3(tangent, normal.w * cross(normal.xyz, tangent), normal.xyz), 0);
-    vec3 uvw = diffractionVector(wi, view.xyz);
-    vec3 a = inside(dFdx(uvw), dFdx(view.w));
-    vec3 b = inside(dFdy(uvw), dFdy(view.w));
+    vec2 coverageChange = vec2(dFdx(view.w), dFdy(view.w));
     if (view.w == 0.0) {
         color = vec4(background, 1.0);
         return;
     }
+    vec4 normal = texelFetch(normals, pixel, 0);
+    vec3 tangent = texelFetch(tangents, pixel, 0).xyz;
+    vec3 wi = lightDirection(mat3(tangent, normal.w * cross(normal.xyz, tangent), normal.xyz), 0);
+    vec3 uvw = diffractionVector(wi, view.xyz);
+    // Beside pixels that have ended they are nothing, and not used.
+    vec3 a = inside(dFdx(uvw), coverageChange.x);
+    vec3 b = inside(dFdy(uvw), coverageChange.y);
     vec3 diffracted = vec3(0.0);
     if (wi.z > 0.0 && view.z > 0.0) {
         vec3 xyz = existingXyz(lookOver(uvw, a, b));

@@ -15,7 +15,7 @@ import sunbeam.app.gpu.KeptTarget;
  */
 final class MovingSkin implements AutoCloseable {
     // Along the wide side of what a pixel sees; a still picture has up to 32.
-    private static final int MOST_PLACES = 2;
+    static final int MOST_PLACES = 2;
 
     private final RenderContext context;
     private final ShaderProgram program;
@@ -28,7 +28,8 @@ final class MovingSkin implements AutoCloseable {
         this.program = program;
         this.looks = looks;
         this.targets = new KeptTarget(context, "moving");
-        looks.prepare(program, MOST_PLACES);
+        looks.prepareLooking(program);
+        program.set("mostPlaces", (float) MOST_PLACES);
         program.set("samplesAcross", 1f);
     }
 

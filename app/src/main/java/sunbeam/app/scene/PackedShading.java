@@ -51,7 +51,7 @@ final class PackedShading implements AutoCloseable {
             Tile used = used(packing);
             if (skin.looks().isPresent()) {
                 SkinLooks looks = skin.looks().get();
-                looks.find(scene, buffer, samplesAcross, sources, packing, used);
+                looks.find(scene, buffer, samplesAcross, SkinLooks.MOST_PLACES, sources, packing, used);
                 looks.make();
             }
             skin.shade(context, scene, buffer, sources, target, used);
@@ -60,13 +60,13 @@ final class PackedShading implements AutoCloseable {
         return lit;
     }
 
-    /** Notes what a part of a block looks into; as {@link #shade}, which makes it at once. */
-    void look(SkinLooks looks, Scene scene, GeometryBuffer buffer, Tile part, int samplesAcross) {
+    /** Notes what a part of a block looks into; as {@link #shade}, which makes it at once, for {@link SkinLooks#MOST_PLACES}. */
+    void look(SkinLooks looks, Scene scene, GeometryBuffer buffer, Tile part, int samplesAcross, int mostPlaces) {
         int[] covered = covered(buffer.views(part), part);
         for (int first = 0; first < covered.length; first += Packing.MOST) {
             Packing packing = new Packing(Math.min(Packing.MOST, covered.length - first));
             upload(packing, covered, first, buffer, part);
-            looks.find(scene, buffer, samplesAcross, sources, packing, used(packing));
+            looks.find(scene, buffer, samplesAcross, mostPlaces, sources, packing, used(packing));
         }
     }
 

@@ -1,5 +1,7 @@
 package sunbeam.app.scene;
 
+import java.awt.image.BufferedImage;
+import java.awt.image.DataBufferInt;
 import java.util.List;
 import java.util.Optional;
 import jrtr.ColorEncoding;
@@ -192,15 +194,15 @@ public final class SceneSession implements AutoCloseable {
         if (skin.looks().isEmpty()) {
             return;
         }
-        note(width, height, parts, samples);
+        note(width, height, parts, samples, SkinLooks.MOST_PLACES);
         skin.looks().get().make();
     }
 
-    private void note(int width, int height, List<Tile> parts, int samples) {
+    private void note(int width, int height, List<Tile> parts, int samples, int mostPlaces) {
         SkinGeometry geometry = SkinGeometry.of(scene(), mesh, body, width, height);
         for (Tile part : parts) {
             for (SceneBlocks.Piece piece : SceneBlocks.split(width, height, part)) {
-                shading.look(skin.looks().get(), scene(), drawn(geometry, piece), piece.inBlock(), samples);
+                shading.look(skin.looks().get(), scene(), drawn(geometry, piece), piece.inBlock(), samples, mostPlaces);
             }
         }
     }
@@ -224,13 +226,26 @@ public final class SceneSession implements AutoCloseable {
         skin.looks().ifPresent(looks -> looks.pages().holdBaking());
     }
 
-    /** Asks the background for all that a picture looks into; the share of it that is there, 1 where nothing is missing. */
+    /**
+     * Asks the background for all that a picture looks into, and what {@link #moving} would; the share of the picture's that
+     * is there, 1 where nothing is missing.
+     */
     public double request(int width, int height) {
         if (skin.looks().isEmpty()) {
             return 1;
         }
-        note(width, height, tiles(width, height, 1), 1);
-        return skin.looks().get().pages().request();
+        note(width, height, tiles(width, height, 1), 1, SkinLooks.MOST_PLACES);
+        double share = skin.looks().get().pages().share();
+        requestMoving(width, height);
+        return share;
+    }
+
+    /** Asks the background for all that {@link #moving} looks into. */
+    public void requestMoving(int width, int height) {
+        skin.looks().ifPresent(looks -> {
+            note(width, height, tiles(width, height, 1), 1, MovingSkin.MOST_PLACES);
+            looks.pages().request();
+        });
     }
 
     /** Time that has gone to the mesh so far; the rest goes to pixels. */
@@ -272,11 +287,13 @@ public final class SceneSession implements AutoCloseable {
     /**
      * Draws a picture in full resolution by those colours that are there, with few looks a pixel; nothing is made for it.
      *
-     * @return as a screen shows it: 0xffRRGGBB, top row first
+     * @return as a screen shows it
      */
-    public int[] moving(int width, int height, double exposure) {
+    public BufferedImage moving(int width, int height, double exposure) {
         SkinGeometry geometry = SkinGeometry.of(scene(), mesh, body, width, height);
-        int[] picture = new int[width * height];
+        BufferedImage image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
+        // Directly: an image that Swing paints once gains nothing from being kept on the graphics card.
+        int[] picture = ((DataBufferInt) image.getRaster().getDataBuffer()).getData();
         for (SceneBlocks.Piece piece : SceneBlocks.split(width, height, Tile.whole(width, height))) {
             long start = System.nanoTime();
             GeometryBuffer buffer = buffers.of(geometry, piece.block(), piece.inBlock());
@@ -287,7 +304,7 @@ public final class SceneSession implements AutoCloseable {
                 System.arraycopy(part, row * columns, picture, (piece.y() + row) * width + piece.x(), columns);
             }
         }
-        return picture;
+        return image;
     }
 
     private static Tile reduced(int width, int height, int divisor) {

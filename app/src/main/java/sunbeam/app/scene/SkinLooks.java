@@ -19,7 +19,7 @@ final class SkinLooks implements AutoCloseable {
     private static final List<String> SAMPLERS = List.of("lookPlaces", "lookWide", "lookNarrow");
     private static final int CHANNELS = 4;
     // Along the wide side of what a pixel sees.
-    private static final int MOST_PLACES = 32;
+    static final int MOST_PLACES = 32;
     // MISSING in table_levels.glsl is 1e30; weights and gains leave it far above anything that light does.
     private static final float MISSING = 1e20f;
 
@@ -34,18 +34,17 @@ final class SkinLooks implements AutoCloseable {
         this.program = context.createFullScreenProgram(Shaders.library().load("looks.frag"));
         this.target = context.createFloatTarget(
                 "looks", new FloatTargetSpec(Packing.COLUMNS, Packing.ROWS, SAMPLERS.size(), false));
-        setLevels(program, MOST_PLACES);
+        setLevels(program);
     }
 
-    private void setLevels(ShaderProgram looking, int mostPlaces) {
+    private void setLevels(ShaderProgram looking) {
         looking.set("finestSigma", (float) pages.levels().sigma());
-        looking.set("mostPlaces", (float) mostPlaces);
         looking.set("levels", pages.levels().levels().size());
     }
 
     /** Tells a program that looks by itself how levels and texels lie. */
-    void prepare(ShaderProgram looking, int mostPlaces) {
-        setLevels(looking, mostPlaces);
+    void prepareLooking(ShaderProgram looking) {
+        setLevels(looking);
         prepare(looking);
     }
 
@@ -53,13 +52,22 @@ final class SkinLooks implements AutoCloseable {
      * Finds how some texels of a block look, and notes into which pages.
      *
      * @param samplesAcross of the mesh along a side of a pixel
+     * @param mostPlaces along the wide side of what a pixel sees
      * @param sources which, as {@link SkinSurface#shade} has them
      * @param packing how many
      * @param used part of the target that they take
      */
-    void find(Scene scene, GeometryBuffer buffer, int samplesAcross, FloatTexture sources, Packing packing, Tile used) {
+    void find(
+            Scene scene,
+            GeometryBuffer buffer,
+            int samplesAcross,
+            int mostPlaces,
+            FloatTexture sources,
+            Packing packing,
+            Tile used) {
         LightUniforms.of(List.of(SceneGraphs.light(scene)).iterator()).applyTo(program);
         program.set("samplesAcross", (float) samplesAcross);
+        program.set("mostPlaces", (float) mostPlaces);
         List<Binding> textures = new ArrayList<>(buffer.bindings());
         textures.add(new Binding("sources", sources));
         context.drawFullScreen(program, textures, target, used);

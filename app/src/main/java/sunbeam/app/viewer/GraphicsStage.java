@@ -6,7 +6,6 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
 import jrtr.ContextInfo;
-import jrtr.GraphicsException;
 import jrtr.RenderContext;
 import jrtr.Tile;
 import jrtr.gl.RenderContexts;
@@ -30,6 +29,7 @@ class GraphicsStage implements AutoCloseable {
     private List<SceneSession> fine = List.of();
     private SceneSession coarse;
     private Optional<SceneSession> moving = Optional.empty();
+    private Optional<SceneData> requested = Optional.empty();
     private ViewState state;
     private Optional<ShaderTables> uploadedOf = Optional.empty();
     private Optional<UploadedTables> uploaded = Optional.empty();
@@ -52,10 +52,12 @@ class GraphicsStage implements AutoCloseable {
     }
 
     private void goOverTo(ViewState state) {
-        if (fine.size() != state.parts().size()
-                || moving.isPresent() != state.moving().isPresent()) {
+        if (fine.size() != state.parts().size()) {
             replace(state);
             return;
+        }
+        if (moving.isPresent() && state.moving().isEmpty()) {
+            closeMoving();
         }
         List<SceneSession> sessions = sessions();
         List<SceneData> before = sessions.stream().map(SceneSession::data).toList();
@@ -65,15 +67,18 @@ class GraphicsStage implements AutoCloseable {
             update(sessions, before);
             throw failure;
         }
+        if (moving.isEmpty()) {
+            moving = state.moving().map(data -> new SceneSession(context, data));
+        }
     }
 
     private static void update(List<SceneSession> sessions, List<SceneData> data) {
-        for (int i = 0; i < data.size(); i++) {
+        for (int i = 0; i < sessions.size(); i++) {
             sessions.get(i).update(data.get(i));
         }
     }
 
-    /** In the order of {@link #sessions()}. */
+    /** In the order of {@link #sessions()}, of which the last one may be missing. */
     private static List<SceneData> data(ViewState state) {
         List<SceneData> all = new ArrayList<>(state.parts());
         all.add(state.coarse());
@@ -105,6 +110,11 @@ class GraphicsStage implements AutoCloseable {
         moving = state.moving().map(data -> made.get(parts + 1));
     }
 
+    private void closeMoving() {
+        moving.ifPresent(SceneSession::close);
+        moving = Optional.empty();
+    }
+
     /**
      * From now on makes colours in the background, where a method's are made as they are looked at.
      *
@@ -131,12 +141,11 @@ class GraphicsStage implements AutoCloseable {
                 .orElse(1);
     }
 
-    /** Asks the background for what pictures of what moves look into; nobody waits for it, and without it they are coarse. */
+    /** Asks the background for what pictures of what moves look into; nobody waits for it. */
     void requestMoving(int width, int height) {
-        try {
-            moving.ifPresent(session -> session.request(width, height));
-        } catch (GraphicsException noRoom) {
-            moving.ifPresent(SceneSession::holdBaking);
+        if (!state.moving().equals(requested)) {
+            requested = state.moving();
+            moving.ifPresent(session -> session.requestMoving(width, height));
         }
     }
 
@@ -160,10 +169,7 @@ class GraphicsStage implements AutoCloseable {
 
     /** What moves, in full size. */
     BufferedImage moving(int width, int height, double exposure) {
-        int[] pixels = mover().orElseThrow().moving(width, height, exposure);
-        BufferedImage image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
-        image.setRGB(0, 0, width, height, pixels, 0, width);
-        return image;
+        return mover().orElseThrow().moving(width, height, exposure);
     }
 
     ScenePicture part(int width, int height, Tile tile) {

@@ -11,6 +11,7 @@ import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.method.TableMethod;
 import sunbeam.precompute.patch.Patch;
+import sunbeam.precompute.setting.SettingException;
 
 /**
  * A scene with its tables for final pictures and for previews.
@@ -20,21 +21,38 @@ import sunbeam.precompute.patch.Patch;
  * @param moving with tables of colours, for full-size pictures of what moves, where the scene's own method has none; the method
  *     must be one whose colours can be averaged over what a pixel sees
  * @param mapped of a scene with tables of colours, with what they tabulate: for its BRDF maps
+ * @param isWhole whether nothing has been left for the next load
  */
-record LoadedScene(List<SceneData> parts, SceneData coarse, Optional<SceneData> moving, Optional<SceneData> mapped) {
+record LoadedScene(
+        List<SceneData> parts,
+        SceneData coarse,
+        Optional<SceneData> moving,
+        Optional<SceneData> mapped,
+        boolean isWhole) {
 
-    /** Loads all, or what differs from the previous one. May take seconds. */
+    /**
+     * Loads all, or what differs from the previous one. May take seconds. Without a previous one, what pictures can do without
+     * is left for the next load, so that the first one comes soon.
+     */
     static LoadedScene load(SceneLoader loader, Scene scene, LoadedScene previous) {
         List<SceneData> parts = previous == null ? loader.parts(scene) : loader.parts(scene, previous.parts);
         SceneData fine = parts.get(0);
         Scene preview = coarse(scene, fine.patch());
         boolean kept = previous != null && previous.coarse.suits(preview);
         SceneData coarse = kept ? previous.coarse.with(preview) : loader.preview(preview, fine);
-        Optional<SceneData> moving = MovingPlan.of(scene, fine.patch())
-                .map(table -> other(loader, table, fine, previous == null ? Optional.empty() : previous.moving));
+        Optional<SceneData> moving = previous == null ? Optional.empty() : moving(loader, scene, fine, previous);
         Optional<SceneData> mapped = tabulated(scene, fine.patch())
                 .map(full -> other(loader, full, fine, previous == null ? Optional.empty() : previous.mapped));
-        return new LoadedScene(parts, coarse, moving, mapped);
+        return new LoadedScene(parts, coarse, moving, mapped, previous != null);
+    }
+
+    /** Tables that cannot be had are done without: what moves is drawn in fewer pixels then, as the status line says. */
+    private static Optional<SceneData> moving(SceneLoader loader, Scene scene, SceneData fine, LoadedScene previous) {
+        try {
+            return MovingPlan.of(scene, fine.patch()).map(table -> other(loader, table, fine, previous.moving));
+        } catch (SettingException refused) {
+            return Optional.empty();
+        }
     }
 
     private static SceneData other(SceneLoader loader, Scene scene, SceneData fine, Optional<SceneData> before) {
@@ -71,7 +89,8 @@ record LoadedScene(List<SceneData> parts, SceneData coarse, Optional<SceneData> 
                 parts.stream().map(part -> part.with(scene)).toList(),
                 coarse.with(coarse(scene, fine().patch())),
                 moving.map(data -> data.with(scene.withMethod(data.scene().method()))),
-                mapped.map(data -> data.with(scene.withMethod(data.scene().method()))));
+                mapped.map(data -> data.with(scene.withMethod(data.scene().method()))),
+                isWhole);
     }
 
     private static Scene coarse(Scene scene, Patch patch) {

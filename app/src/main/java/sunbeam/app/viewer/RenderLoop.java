@@ -112,16 +112,17 @@ final class RenderLoop implements AutoCloseable {
 
     private void show(GraphicsStage stage, ViewState state) {
         stage.update(state);
+        stage.bakeInBackground(() -> inbox.submit(this::goOn));
         Optional<Finished> kept = finished.filter(picture -> picture.state().showsThePictureOf(state));
         if (kept.isPresent()) {
             Finished picture = kept.get();
             listener.complete(state, picture.image(), picture.exposure(), picture.nanoseconds());
             check(map(stage, state, false) && map(stage, state, true));
+            guarded(() -> stage.requestMoving(state.width(), state.height()));
             return;
         }
         finished = Optional.empty();
         unfinished = Optional.empty();
-        stage.bakeInBackground(() -> inbox.submit(this::goOn));
         double exposure = preview(stage, state);
         if (isStill(stage)) {
             finish(stage, state, exposure);
@@ -141,7 +142,7 @@ final class RenderLoop implements AutoCloseable {
             return;
         }
         check(map(stage, state, false) && refine(stage, state, exposure));
-        stage.requestMoving(state.width(), state.height());
+        guarded(() -> stage.requestMoving(state.width(), state.height()));
     }
 
     private void check(boolean done) {

@@ -130,6 +130,9 @@ final class ViewerModel {
         loaded = result.with(withPartsOf(wanted, result.fine().scene()));
         endOpenings(number);
         listener.changed();
+        if (!loaded.isWhole()) {
+            load();
+        }
     }
 
     private void refuse(long number, String message) {

@@ -142,7 +142,8 @@ public final class LevelPages implements AutoCloseable {
     public void bakeInBackground(Runnable arrived) {
         if (baker.isEmpty()) {
             baker = Optional.of(new PageBaker(sources, arrived));
-            baker.get().want(resident.stream().map(pages -> (BitSet) pages.clone()).toList());
+            baker.get()
+                    .want(resident.stream().map(pages -> (BitSet) pages.clone()).toList());
         }
     }
 
@@ -171,19 +172,25 @@ public final class LevelPages implements AutoCloseable {
         baker.ifPresent(PageBaker::hold);
     }
 
+    /** Share of what was noted that is there already, 1 for all. */
+    public double share() {
+        long all = count(wanted);
+        long there = 0;
+        for (int level = 0; level < grids.size(); level++) {
+            BitSet both = (BitSet) wanted.get(level).clone();
+            both.and(made.get(level));
+            there += both.cardinality();
+        }
+        return all == 0 ? 1 : (double) there / all;
+    }
+
     /**
      * Asks the background for what was noted.
      *
-     * @return share of it that is there already, 1 for all
      * @throws GraphicsException if there is no room for it
      */
-    public double request() {
-        long all = count(wanted);
+    public void request() {
         List<BitSet> missing = new ArrayList<>();
-        for (int level = 0; level < grids.size(); level++) {
-            wanted.get(level).andNot(made.get(level));
-        }
-        long absent = count(wanted);
         for (int level = 0; level < grids.size(); level++) {
             wanted.get(level).or(resident.get(level));
             wanted.get(level).andNot(made.get(level));
@@ -192,7 +199,6 @@ public final class LevelPages implements AutoCloseable {
         requireRoom();
         wanted.forEach(BitSet::clear);
         baker.orElseThrow().want(missing);
-        return all == 0 ? 1 : 1 - (double) absent / all;
     }
 
     private static long count(List<BitSet> pages) {
