@@ -32,9 +32,7 @@ class PromiseTest {
 
     /** At 1e-3 the colours below are tried, which are made of powers. */
     @ParameterizedTest
-    @CsvSource({
-        "blaze, 1e-2", "blaze, 1e-4", "elaphe, 1e-2", "elaphe, 1e-4", "xenopeltis, 1e-2", "xenopeltis, 1e-4"
-    })
+    @CsvSource({"blaze, 1e-2", "blaze, 1e-4", "elaphe, 1e-2", "elaphe, 1e-4", "xenopeltis, 1e-2", "xenopeltis, 1e-4"})
     void powerKeepsTheTolerance(String patch, double tolerance) throws Exception {
         CsvFile exact = SharedData.reference("power", patch);
 

@@ -15,6 +15,8 @@ import sunbeam.precompute.plan.Average;
 final class MovingPlan {
     // Nothing that moves is looked at more closely.
     private static final double FINEST_TOLERANCE = 0.02;
+    // Square metres: 100 um x 100 um have a million DFT bins, some 400 MB of heap, that colours are summed over.
+    private static final double LARGEST_AREA = 1e-8;
 
     private MovingPlan() {}
 
@@ -24,6 +26,7 @@ final class MovingPlan {
         if (seen.type() != FullMethod.TYPE
                 || seen.isThesis()
                 || scene.index().isByWavelength()
+                || patch.heights().width() * patch.heights().height() > LARGEST_AREA
                 || seen.area().average() != Average.ENSEMBLE) {
             return Optional.empty();
         }
