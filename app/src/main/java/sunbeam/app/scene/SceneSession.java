@@ -4,17 +4,11 @@ import java.awt.image.BufferedImage;
 import java.awt.image.DataBufferInt;
 import java.util.List;
 import java.util.Optional;
-import jrtr.ColorEncoding;
-import jrtr.ImageTexture;
-import jrtr.ImageTextureSpec;
 import jrtr.RenderContext;
 import jrtr.Tile;
-import jrtr.VertexBuffer;
-import jrtr.Wrap;
 import jrtr.scene.PictureArea;
 import jrtr.scene.SceneRenderer;
 import sunbeam.app.gpu.UploadedTables;
-import sunbeam.app.scene.texture.BodyTexture;
 
 /**
  * A scene in graphics memory, drawn in parts of any size. A pixel depends on the scene, the picture's size and its place
@@ -35,10 +29,7 @@ public final class SceneSession implements AutoCloseable {
     private final GeometryBuffers buffers;
     private final PackedShading shading;
     private final Picking picking;
-    private SceneData data;
-    private VertexBuffer mesh;
-    private ImageTexture body;
-    private SkinSurface skin;
+    private final UploadedScene uploaded;
     private BodyShading bodyShading;
     private int samplesAcross = 1;
     private long meshNanoseconds;
@@ -55,8 +46,12 @@ public final class SceneSession implements AutoCloseable {
         this.buffers = new GeometryBuffers(context, renderer);
         this.shading = new PackedShading(context);
         this.picking = new Picking(context);
+        this.uploaded = upload(data);
+    }
+
+    private UploadedScene upload(SceneData data) {
         try {
-            update(data);
+            return new UploadedScene(context, data);
         } catch (RuntimeException | OutOfMemoryError failure) {
             close();
             throw failure;
@@ -65,17 +60,17 @@ public final class SceneSession implements AutoCloseable {
 
     /** What is being drawn. */
     public SceneData data() {
-        return data;
+        return uploaded.data();
     }
 
     /** The method's tables, for others in this context to draw with until the next update. */
     public UploadedTables method() {
-        return skin.method();
+        return uploaded.skin().method();
     }
 
     /** The scene that is being drawn. */
     public Scene scene() {
-        return data.scene();
+        return data().scene();
     }
 
     /**
@@ -85,28 +80,7 @@ public final class SceneSession implements AutoCloseable {
      * @throws jrtr.GraphicsException if the device has no room for it
      */
     public void update(SceneData next) {
-        VertexBuffer nextMesh = data != null && next.sharesMesh(data) ? mesh : null;
-        ImageTexture nextBody = data != null && next.sharesBody(data) ? body : null;
-        SkinSurface nextSkin = data != null && next.sharesMethod(data) ? skin : null;
-        try {
-            nextMesh = nextMesh != null
-                    ? nextMesh
-                    : context.createVertexBuffer("mesh", next.mesh().toVertexData());
-            nextBody = nextBody != null ? nextBody : upload(next.body());
-            nextSkin = nextSkin != null ? nextSkin : SkinSurface.create(context, next);
-        } catch (RuntimeException | OutOfMemoryError failure) {
-            closeUnlessSame(nextMesh, mesh);
-            closeUnlessSame(nextBody, body);
-            closeUnlessSame(nextSkin, skin);
-            throw failure;
-        }
-        closeUnlessSame(mesh, nextMesh);
-        closeUnlessSame(body, nextBody);
-        closeUnlessSame(skin, nextSkin);
-        mesh = nextMesh;
-        body = nextBody;
-        skin = nextSkin;
-        data = next;
+        uploaded.update(next);
     }
 
     /**
@@ -116,7 +90,7 @@ public final class SceneSession implements AutoCloseable {
      * @throws IllegalArgumentException for a scene that {@link SceneData#suits} does not allow
      */
     public void update(Scene next) {
-        update(data.with(next));
+        update(data().with(next));
     }
 
     /**
@@ -149,13 +123,13 @@ public final class SceneSession implements AutoCloseable {
         if (!tile.fitsIn(width, height)) {
             throw new IllegalArgumentException(tile + " is not inside a picture of " + width + " x " + height);
         }
-        SkinGeometry geometry = SkinGeometry.of(scene(), mesh, body, width, height);
+        SkinGeometry geometry = uploaded.geometry(width, height);
         ScenePicture part = ScenePicture.empty(tile.width(), tile.height());
         for (SceneBlocks.Piece piece : SceneBlocks.split(width, height, tile)) {
             Tile inBlock = piece.inBlock();
             GeometryBuffer buffer = drawn(geometry, piece);
             long start = System.nanoTime();
-            float[] pixels = shading.shade(skin, lit, buffer, inBlock, samplesAcross);
+            float[] pixels = shading.shade(uploaded.skin(), lit, buffer, inBlock, samplesAcross);
             pixelNanoseconds += System.nanoTime() - start;
             part.put(new ScenePicture(inBlock.width(), inBlock.height(), pixels), piece.x(), piece.y());
         }
@@ -164,7 +138,7 @@ public final class SceneSession implements AutoCloseable {
 
     private GeometryBuffer drawn(SkinGeometry geometry, SceneBlocks.Piece piece) {
         long start = System.nanoTime();
-        Tile part = skin.looks().isPresent() ? withNeighbours(piece) : piece.inBlock();
+        Tile part = uploaded.skin().looks().isPresent() ? withNeighbours(piece) : piece.inBlock();
         GeometryBuffer buffer = buffers.of(geometry, piece.block(), part);
         meshNanoseconds += System.nanoTime() - start;
         return buffer;
@@ -191,18 +165,24 @@ public final class SceneSession implements AutoCloseable {
      */
     public void prepare(int width, int height, List<Tile> parts, int samples) {
         samplesAcross = samples;
-        if (skin.looks().isEmpty()) {
+        if (uploaded.skin().looks().isEmpty()) {
             return;
         }
         note(width, height, parts, samples, SkinLooks.MOST_PLACES);
-        skin.looks().get().make();
+        uploaded.skin().looks().get().make();
     }
 
     private void note(int width, int height, List<Tile> parts, int samples, int mostPlaces) {
-        SkinGeometry geometry = SkinGeometry.of(scene(), mesh, body, width, height);
+        SkinGeometry geometry = uploaded.geometry(width, height);
         for (Tile part : parts) {
             for (SceneBlocks.Piece piece : SceneBlocks.split(width, height, part)) {
-                shading.look(skin.looks().get(), scene(), drawn(geometry, piece), piece.inBlock(), samples, mostPlaces);
+                shading.look(
+                        uploaded.skin().looks().get(),
+                        scene(),
+                        drawn(geometry, piece),
+                        piece.inBlock(),
+                        samples,
+                        mostPlaces);
             }
         }
     }
@@ -213,17 +193,17 @@ public final class SceneSession implements AutoCloseable {
      * @param arrived told, by another thread, that there are more; {@link #takeBaked} takes them
      */
     public void bakeInBackground(Runnable arrived) {
-        skin.looks().ifPresent(looks -> looks.pages().bakeInBackground(arrived));
+        uploaded.skin().looks().ifPresent(looks -> looks.pages().bakeInBackground(arrived));
     }
 
     /** Takes over what has been made in the background; whether there was anything. */
     public boolean takeBaked() {
-        return skin.looks().map(looks -> looks.pages().takeBaked()).orElse(false);
+        return uploaded.skin().looks().map(looks -> looks.pages().takeBaked()).orElse(false);
     }
 
     /** Leaves the processors to what is being drawn for a while. */
     public void holdBaking() {
-        skin.looks().ifPresent(looks -> looks.pages().holdBaking());
+        uploaded.skin().looks().ifPresent(looks -> looks.pages().holdBaking());
     }
 
     /**
@@ -231,18 +211,18 @@ public final class SceneSession implements AutoCloseable {
      * is there, 1 where nothing is missing.
      */
     public double request(int width, int height) {
-        if (skin.looks().isEmpty()) {
+        if (uploaded.skin().looks().isEmpty()) {
             return 1;
         }
         note(width, height, tiles(width, height, 1), 1, SkinLooks.MOST_PLACES);
-        double share = skin.looks().get().pages().share();
+        double share = uploaded.skin().looks().get().pages().share();
         requestMoving(width, height);
         return share;
     }
 
     /** Asks the background for all that {@link #moving} looks into. */
     public void requestMoving(int width, int height) {
-        skin.looks().ifPresent(looks -> {
+        uploaded.skin().looks().ifPresent(looks -> {
             note(width, height, tiles(width, height, 1), 1, MovingSkin.MOST_PLACES);
             looks.pages().request();
         });
@@ -270,8 +250,7 @@ public final class SceneSession implements AutoCloseable {
         ScenePicture picture = draw(lit, few.width(), few.height(), few);
         if (split) {
             Tile more = reduced(width, height, BODY_DIVISOR);
-            ScenePicture finer =
-                    bodyShading().draw(scene(), SkinGeometry.of(scene(), mesh, body, more.width(), more.height()));
+            ScenePicture finer = bodyShading().draw(scene(), uploaded.geometry(more.width(), more.height()));
             double intensity = scene().light().intensity();
             double white = Math.max(intensity, 1 / scene().exposure().orElse(1));
             picture = ScenePreview.composed(finer, picture, intensity, white);
@@ -281,7 +260,7 @@ public final class SceneSession implements AutoCloseable {
 
     /** Whether {@link #moving} can draw: where the method's colours are made as they are looked at, and coarse ones are there. */
     public boolean canMove() {
-        return skin.looks().map(looks -> looks.pages().hasResident()).orElse(false);
+        return uploaded.skin().looks().map(looks -> looks.pages().hasResident()).orElse(false);
     }
 
     /**
@@ -290,7 +269,7 @@ public final class SceneSession implements AutoCloseable {
      * @return as a screen shows it
      */
     public BufferedImage moving(int width, int height, double exposure) {
-        SkinGeometry geometry = SkinGeometry.of(scene(), mesh, body, width, height);
+        SkinGeometry geometry = uploaded.geometry(width, height);
         BufferedImage image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
         // Directly: an image that Swing paints once gains nothing from being kept on the graphics card.
         int[] picture = ((DataBufferInt) image.getRaster().getDataBuffer()).getData();
@@ -298,7 +277,7 @@ public final class SceneSession implements AutoCloseable {
             long start = System.nanoTime();
             GeometryBuffer buffer = buffers.of(geometry, piece.block(), piece.inBlock());
             meshNanoseconds += System.nanoTime() - start;
-            int[] part = skin.move(context, scene(), buffer, exposure, piece.block());
+            int[] part = uploaded.skin().move(context, scene(), buffer, exposure, piece.block());
             int columns = piece.inBlock().width();
             for (int row = 0; row < piece.inBlock().height(); row++) {
                 System.arraycopy(part, row * columns, picture, (piece.y() + row) * width + piece.x(), columns);
@@ -339,35 +318,18 @@ public final class SceneSession implements AutoCloseable {
      * @throws IllegalArgumentException if the pixel is outside
      */
     public Optional<Pick> pick(int x, int y, int width, int height) {
-        return picking.pick(scene(), mesh, renderer, new PictureArea(width, height, new Tile(x, y, 1, 1)));
-    }
-
-    private ImageTexture upload(BodyTexture texture) {
-        ImageTexture uploaded = context.createImageTexture(
-                "body", new ImageTextureSpec(texture.width(), texture.height(), ColorEncoding.SRGB, Wrap.REPEAT));
-        uploaded.upload(texture.rgba());
-        return uploaded;
-    }
-
-    private static void closeUnlessSame(AutoCloseable part, AutoCloseable other) {
-        try {
-            if (part != null && part != other) {
-                part.close();
-            }
-        } catch (RuntimeException failure) {
-            throw failure;
-        } catch (Exception failure) {
-            throw new IllegalStateException("parts of a session close without checked exceptions", failure);
-        }
+        return picking.pick(scene(), uploaded.mesh(), renderer, new PictureArea(width, height, new Tile(x, y, 1, 1)));
     }
 
     @Override
     public void close() {
-        closeUnlessSame(skin, null);
-        closeUnlessSame(body, null);
-        closeUnlessSame(mesh, null);
+        if (uploaded != null) {
+            uploaded.close();
+        }
         picking.close();
-        closeUnlessSame(bodyShading, null);
+        if (bodyShading != null) {
+            bodyShading.close();
+        }
         shading.close();
         buffers.close();
     }

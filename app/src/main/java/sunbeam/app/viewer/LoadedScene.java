@@ -79,6 +79,11 @@ record LoadedScene(
         return parts.get(0);
     }
 
+    /** Whether what moves will be drawn in full size, once colours for that have been made. */
+    boolean willMove() {
+        return moving.isPresent() || (parts.size() == 1 && fine().levels().isPresent());
+    }
+
     /** Whether another scene needs no loading. */
     boolean suits(Scene scene) {
         return fine().suits(scene);

@@ -169,11 +169,12 @@ final class RenderLoop implements AutoCloseable {
 
     /** Shows what moves: in full resolution where colours for that are there, else as large as there is time for. */
     private double preview(GraphicsStage stage, ViewState state) {
-        stage.holdBaking();
         OptionalDouble known = exposures.known(state.fine());
         if (known.isEmpty() || !stage.canMove()) {
+            // Baking goes on meanwhile: whoever keeps moving would never come to see the full size.
             return reduced(stage, state);
         }
+        stage.holdBaking();
         moving(stage, state, known.getAsDouble());
         return known.getAsDouble();
     }

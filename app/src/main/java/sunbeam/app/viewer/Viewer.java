@@ -6,7 +6,11 @@ import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 import java.awt.image.BufferedImage;
 import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
 import java.util.function.BiFunction;
 import java.util.function.Supplier;
 import javax.swing.SwingUtilities;
@@ -16,6 +20,8 @@ import sunbeam.precompute.optics.Direction;
 
 /** The viewer: window, scene and render thread put together. Belongs to the event thread. */
 final class Viewer {
+    private static final long LOOK_MILLISECONDS = 100;
+
     private final ViewerModel model;
     private final ViewerWindow window;
     private final RenderLoop loop;
@@ -126,6 +132,33 @@ final class Viewer {
     @SuppressWarnings("ReferenceEquality") // the same request, not an equal one
     boolean isSettled() {
         return asked == completed;
+    }
+
+    /**
+     * Waits until what moves is drawn in full size, if it will be. Not on the event thread.
+     *
+     * @param patience milliseconds
+     * @return whether it is
+     */
+    boolean awaitFullSize(long patience) throws InterruptedException {
+        long end = System.nanoTime() + patience * 1_000_000;
+        while (System.nanoTime() < end) {
+            Optional<LoadedScene> loaded = model.loaded();
+            if (loaded.isPresent() && loaded.get().isWhole() && !loaded.get().willMove()) {
+                return false;
+            }
+            CompletableFuture<Boolean> moves = new CompletableFuture<>();
+            loop.submit(stage -> moves.complete(stage.canMove()));
+            try {
+                if (moves.get(patience, TimeUnit.MILLISECONDS)) {
+                    return true;
+                }
+            } catch (ExecutionException | TimeoutException noAnswer) {
+                return false;
+            }
+            Thread.sleep(LOOK_MILLISECONDS);
+        }
+        return false;
     }
 
     void quit() {

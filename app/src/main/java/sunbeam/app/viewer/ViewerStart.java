@@ -3,6 +3,7 @@ package sunbeam.app.viewer;
 import com.formdev.flatlaf.FlatDarkLaf;
 import java.awt.GraphicsEnvironment;
 import java.lang.reflect.InvocationTargetException;
+import java.util.Locale;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Consumer;
 import javax.swing.SwingUtilities;
@@ -16,6 +17,9 @@ import sunbeam.app.terminal.Messages;
 final class ViewerStart {
     // The tile at hand when the window closes takes no longer, nor does a file; the process ends without it otherwise.
     private static final long PATIENCE_MILLISECONDS = 5000;
+
+    // Until colours for full size have been made; what is measured without them says so by its scale.
+    private static final long LONGEST_WAIT_MILLISECONDS = 180_000;
 
     private ViewerStart() {}
 
@@ -40,14 +44,24 @@ final class ViewerStart {
     static String measure(Scene scene, Environment environment, Consumer<String> warning, double seconds)
             throws InterruptedException {
         requireScreen();
+        long start = System.nanoTime();
         Viewer viewer = open(scene, environment, warning);
         try {
             viewer.firstPicture().await();
-            return ViewMeasurement.of(viewer, seconds);
+            double first = secondsSince(start);
+            String fullSize = viewer.awaitFullSize(LONGEST_WAIT_MILLISECONDS)
+                    ? String.format(Locale.ROOT, "; what moves in full size after %.1f s", secondsSince(start))
+                    : "";
+            String starting = String.format(Locale.ROOT, "first picture after %.1f s%s", first, fullSize);
+            return starting + System.lineSeparator() + ViewMeasurement.of(viewer, seconds);
         } finally {
             SwingUtilities.invokeLater(viewer::quit);
             viewer.awaitEnd(PATIENCE_MILLISECONDS);
         }
+    }
+
+    private static double secondsSince(long start) {
+        return (System.nanoTime() - start) * 1e-9;
     }
 
     private static void requireScreen() {

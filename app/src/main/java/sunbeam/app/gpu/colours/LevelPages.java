@@ -62,10 +62,17 @@ public final class LevelPages implements AutoCloseable {
 
     /** Whether every look-up finds a page, if only of a coarse level. */
     public boolean hasResident() {
-        BitSet missing = (BitSet) resident.get(resident.size() - 1).clone();
-        boolean any = !missing.isEmpty();
-        missing.andNot(made.get(resident.size() - 1));
-        return any && missing.isEmpty();
+        if (resident.get(resident.size() - 1).isEmpty()) {
+            return false;
+        }
+        for (int level = 0; level < resident.size(); level++) {
+            BitSet missing = (BitSet) resident.get(level).clone();
+            missing.andNot(made.get(level));
+            if (!missing.isEmpty()) {
+                return false;
+            }
+        }
+        return true;
     }
 
     /** The levels. */

@@ -1,0 +1,98 @@
+package sunbeam.app.scene;
+
+import jrtr.ColorEncoding;
+import jrtr.ImageTexture;
+import jrtr.ImageTextureSpec;
+import jrtr.RenderContext;
+import jrtr.VertexBuffer;
+import jrtr.Wrap;
+import sunbeam.app.scene.texture.BodyTexture;
+
+/** What of a scene lies in graphics memory: mesh, texture, and the method with its tables. */
+final class UploadedScene implements AutoCloseable {
+    private final RenderContext context;
+    private SceneData data;
+    private VertexBuffer mesh;
+    private ImageTexture body;
+    private SkinSurface skin;
+
+    /** Uploads a scene. */
+    UploadedScene(RenderContext context, SceneData data) {
+        this.context = context;
+        try {
+            update(data);
+        } catch (RuntimeException | OutOfMemoryError failure) {
+            close();
+            throw failure;
+        }
+    }
+
+    SceneData data() {
+        return data;
+    }
+
+    VertexBuffer mesh() {
+        return mesh;
+    }
+
+    SkinSurface skin() {
+        return skin;
+    }
+
+    /** What a picture of it shows. */
+    SkinGeometry geometry(int width, int height) {
+        return SkinGeometry.of(data.scene(), mesh, body, width, height);
+    }
+
+    /** As {@link SceneSession#update(SceneData)}. */
+    void update(SceneData next) {
+        VertexBuffer nextMesh = data != null && next.sharesMesh(data) ? mesh : null;
+        ImageTexture nextBody = data != null && next.sharesBody(data) ? body : null;
+        SkinSurface nextSkin = data != null && next.sharesMethod(data) ? skin : null;
+        try {
+            nextMesh = nextMesh != null
+                    ? nextMesh
+                    : context.createVertexBuffer("mesh", next.mesh().toVertexData());
+            nextBody = nextBody != null ? nextBody : upload(next.body());
+            nextSkin = nextSkin != null ? nextSkin : SkinSurface.create(context, next);
+        } catch (RuntimeException | OutOfMemoryError failure) {
+            closeUnlessSame(nextMesh, mesh);
+            closeUnlessSame(nextBody, body);
+            closeUnlessSame(nextSkin, skin);
+            throw failure;
+        }
+        closeUnlessSame(mesh, nextMesh);
+        closeUnlessSame(body, nextBody);
+        closeUnlessSame(skin, nextSkin);
+        mesh = nextMesh;
+        body = nextBody;
+        skin = nextSkin;
+        data = next;
+    }
+
+    private ImageTexture upload(BodyTexture texture) {
+        ImageTexture uploaded = context.createImageTexture(
+                "body", new ImageTextureSpec(texture.width(), texture.height(), ColorEncoding.SRGB, Wrap.REPEAT));
+        uploaded.upload(texture.rgba());
+        return uploaded;
+    }
+
+    private static void closeUnlessSame(AutoCloseable part, AutoCloseable other) {
+        try {
+            if (part != null && part != other) {
+                part.close();
+            }
+        } catch (RuntimeException failure) {
+            throw failure;
+        } catch (Exception failure) {
+            throw new IllegalStateException("parts of a session close without checked exceptions", failure);
+        }
+    }
+
+    @Override
+    public void close() {
+        closeUnlessSame(skin, null);
+        closeUnlessSame(body, null);
+        closeUnlessSame(mesh, null);
+    }
+}
