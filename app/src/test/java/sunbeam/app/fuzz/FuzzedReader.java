@@ -4,8 +4,11 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Instant;
+import java.util.BitSet;
 import java.util.List;
 import java.util.Locale;
+import sunbeam.app.files.cache.CacheEntry;
 import sunbeam.app.files.input.CsvTable;
 import sunbeam.app.files.input.DirectionList;
 import sunbeam.app.files.input.PngText;
@@ -15,6 +18,8 @@ import sunbeam.app.scene.mesh.MeshReader;
 import sunbeam.app.scene.texture.BodyTextures;
 import sunbeam.app.terminal.OptionOrigin;
 import sunbeam.app.terminal.options.PatchOptions;
+import sunbeam.precompute.colourtable.KeptPages;
+import sunbeam.precompute.colourtable.LevelBaking;
 import sunbeam.precompute.patch.PatchRequest;
 import sunbeam.precompute.patch.PatchSettings;
 import sunbeam.precompute.setting.Choices;
@@ -97,6 +102,20 @@ enum FuzzedReader {
         void read(Path file) {
             ShaderTablesFile.read(file, Seeds.KEY);
         }
+    },
+    PAGES("one.pages", "pages") {
+        @Override
+        void read(Path file) throws IOException {
+            new CacheEntry(file, Files.size(file), Instant.EPOCH).label();
+            BitSet pages = new BitSet();
+            pages.set(0, 8);
+            try (KeptPages kept = Seeds.pages(file)) {
+                for (int level = 0; level < 3; level++) {
+                    kept.read(level, pages);
+                }
+                kept.keep(2, 7, new float[LevelBaking.PAGE_FLOATS]);
+            }
+        }
     };
 
     private final String fileName;
@@ -173,6 +192,7 @@ enum FuzzedReader {
                     """));
             case FOURIER_TABLE -> List.of(Seeds.fourierTable());
             case SHADER_TABLES -> List.of(Seeds.shaderTables());
+            case PAGES -> List.of(Seeds.pages());
         };
     }
 

@@ -11,7 +11,10 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Map;
 import javax.imageio.ImageIO;
+import sunbeam.app.files.cache.PageFile;
 import sunbeam.app.files.output.PngWriter;
+import sunbeam.precompute.colourtable.KeptPages;
+import sunbeam.precompute.colourtable.LevelBaking;
 import sunbeam.precompute.expansion.HeightScale;
 import sunbeam.precompute.expansion.TaylorExpansion;
 import sunbeam.precompute.fourier.Band;
@@ -101,6 +104,19 @@ final class Seeds {
                 .array(TableArray.computed(layout, number -> new float[layout.floatsPerLayer()]))
                 .build(16e-6, 0.04);
         return written(file -> ShaderTablesFile.write(file, KEY, TableLabel.NONE, tables));
+    }
+
+    static KeptPages pages(Path file) {
+        return PageFile.of(file, KEY, TableLabel.NONE, 1 << 20, warning -> {}, () -> {});
+    }
+
+    static byte[] pages() throws IOException {
+        return written(file -> {
+            try (KeptPages kept = pages(file)) {
+                kept.keep(0, 3, new float[LevelBaking.PAGE_FLOATS]);
+                kept.keep(1, 2, new float[LevelBaking.PAGE_FLOATS]);
+            }
+        });
     }
 
     private interface FileWriter {

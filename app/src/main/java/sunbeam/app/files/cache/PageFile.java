@@ -29,7 +29,7 @@ import sunbeam.precompute.table.TableLabel;
  * endian. The checksum is of the key, level, page and coefficients: a record that is damaged, cut off or of something else is
  * passed over, and its page made and appended again. One process at a time appends; the others read.
  */
-final class PageFile implements KeptPages {
+public final class PageFile implements KeptPages {
     private static final String FORMAT = "Sunbeam pages 1";
     private static final int CHANNELS = 4;
     private static final int COLOURS = 3;
@@ -73,7 +73,7 @@ final class PageFile implements KeptPages {
      * @param warning told in one line, once, what is wrong with it
      * @param closed told when it has been closed
      */
-    static KeptPages of(
+    public static KeptPages of(
             Path file, String key, TableLabel label, long mostBytes, Consumer<String> warning, Runnable closed) {
         FileChannel channel = null;
         try {
