@@ -5,6 +5,8 @@ import static sunbeam.precompute.plan.MethodSettings.COHERENCE_LENGTH;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionException;
 import java.util.function.Consumer;
 import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.files.input.IndexFile;
@@ -75,8 +77,26 @@ public final class SceneLoader {
     public List<SceneData> parts(Scene scene) {
         List<Optional<SkinPart>> parts = skinParts(scene);
         Mesh mesh = mesh(scene);
-        BodyTexture body = BodyTextures.load(scene.texture());
-        return withTables(scene, mesh, body, patch(scene), parts);
+        // Beside the patch, most of whose work is one processor's.
+        CompletableFuture<BodyTexture> body = CompletableFuture.supplyAsync(() -> BodyTextures.load(scene.texture()));
+        Patch patch;
+        try {
+            patch = patch(scene);
+        } finally {
+            body.exceptionally(told -> null).join();
+        }
+        return withTables(scene, mesh, joined(body), patch, parts);
+    }
+
+    private static BodyTexture joined(CompletableFuture<BodyTexture> body) {
+        try {
+            return body.join();
+        } catch (CompletionException failure) {
+            if (failure.getCause() instanceof Error error) {
+                throw error;
+            }
+            throw failure.getCause() instanceof RuntimeException cause ? cause : failure;
+        }
     }
 
     /** As {@link #parts(Scene)}, keeping what has not changed; files are not looked at again. */
