@@ -223,8 +223,8 @@ public final class PageFile implements KeptPages {
     private long checksum(ByteBuffer record) {
         CRC32 checksum = new CRC32();
         checksum.update(key.getBytes(StandardCharsets.UTF_8));
-        checksum.update(record.array(), 0, 2 * Integer.BYTES);
-        checksum.update(record.array(), HEAD_BYTES, RECORD_BYTES - HEAD_BYTES);
+        checksum.update(record.slice(0, 2 * Integer.BYTES));
+        checksum.update(record.slice(HEAD_BYTES, RECORD_BYTES - HEAD_BYTES));
         return checksum.getValue();
     }
 
