@@ -63,7 +63,7 @@ final class ColorSheet {
         graphics.setColor(INK);
         graphics.setFont(new Font(Font.SANS_SERIF, Font.PLAIN, 14));
         // Each surface's own coherence length stands in its title.
-        String options = Arrays.stream(settings.get("options").toString().split(", "))
+        String options = Arrays.stream(settings.get("options").toString().split(", ", -1))
                 .filter(option -> !option.startsWith("coherence length"))
                 .collect(Collectors.joining(", "));
         graphics.drawString(
