@@ -67,7 +67,7 @@ class BrdfMapTest {
                 .containsEntry("Method", "full")
                 .containsEntry("Exposure", "2.5")
                 .containsKeys("Software", "Patch", "Plan", "Renderer")
-                .hasEntrySatisfying("Light", light -> assertThat(light).startsWith("theta 20.0, phi 0.0"));
+                .hasEntrySatisfying("Light", light -> assertThat(light).isEqualTo("theta 20, phi 0 degrees"));
         assertThat(workplace.resolve("lit.npy")).hasSameBinaryContentAs(workplace.resolve("dim.npy"));
         assertThat(brightness("lit.png")).isGreaterThan(brightness("dim.png"));
     }

@@ -3,6 +3,7 @@ package sunbeam.app.terminal;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Model.ISetter;
 import picocli.CommandLine.Model.OptionSpec;
@@ -18,21 +19,32 @@ import sunbeam.precompute.setting.ValueKind;
 public class SettingOptions {
     private final List<Setting<?>> settings;
     private final boolean overriding;
+    private final Map<Setting<?>, String> told;
     private final Map<Setting<?>, String> texts = new HashMap<>();
 
     /** Options whose help tells standard values. */
     public SettingOptions(List<Setting<?>> settings) {
-        this(settings, false);
+        this(settings, Map.of());
     }
 
-    private SettingOptions(List<Setting<?>> settings, boolean overriding) {
+    /**
+     * Options of a command that has values of its own where some are not given.
+     *
+     * @param told what its help says of these instead of the standard value; the command itself puts them in
+     */
+    protected SettingOptions(List<Setting<?>> settings, Map<Setting<?>, String> told) {
+        this(settings, false, told);
+    }
+
+    private SettingOptions(List<Setting<?>> settings, boolean overriding, Map<Setting<?>, String> told) {
         this.settings = List.copyOf(settings);
         this.overriding = overriding;
+        this.told = Map.copyOf(told);
     }
 
     /** Options that stand above what is said elsewhere, a scene for example: there are no standard values to tell of. */
     public static SettingOptions overriding(List<Setting<?>> settings) {
-        return new SettingOptions(settings, true);
+        return new SettingOptions(settings, true, Map.of());
     }
 
     @Spec
@@ -68,12 +80,10 @@ public class SettingOptions {
 
     private String description(Setting<?> setting) {
         String help = setting.help().in(OptionOrigin.INSTANCE);
+        Optional<String> standard = Optional.ofNullable(told.get(setting)).or(setting::writtenStandard);
         return overriding
                 ? help
-                : help
-                        + setting.writtenStandard()
-                                .map(standard -> " Default: " + standard + ".")
-                                .orElse("");
+                : help + standard.map(value -> " Default: " + value + ".").orElse("");
     }
 
     /**

@@ -293,7 +293,7 @@ public final class BrdfMapCommand implements Callable<Integer> {
         text.put("Method", choices.get(METHOD).label());
         text.put("Options", Methods.describe(choices));
         text.put("Plan", joined(maps, MaterialMap.Drawn::plan, "; "));
-        text.put("Index", material.describe());
+        text.put("Index", index.describe(material));
         text.put("Exposure", Double.toString(factor));
         text.put("Renderer", context.info().renderer());
         return text;

@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.concurrent.Callable;
@@ -27,6 +28,7 @@ import sunbeam.app.gpu.picture.DoubtfulPicture;
 import sunbeam.app.gpu.picture.ExposureOption;
 import sunbeam.app.gpu.picture.LinearPicture;
 import sunbeam.app.terminal.Environment;
+import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.app.terminal.options.ComparedPatches;
 import sunbeam.app.terminal.options.LightOptions;
@@ -37,9 +39,11 @@ import sunbeam.precompute.method.Method;
 import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.method.ScanLimit;
 import sunbeam.precompute.optics.RefractiveIndex;
+import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.MethodSettings;
 import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.units.Decimals;
 
 /** {@code sunbeam color}: the colour that a surface has from each side, as a picture and as numbers. */
 @Command(
@@ -50,7 +54,10 @@ import sunbeam.precompute.setting.Choices;
                         + " the direction along which the surface varies most (along) and in the plane at right angles to it"
                         + " (across); negative angles lie on the side away from that direction. Writes a picture with the strips"
                         + " of colours, the CIE 1931 diagram and spectra, and the numbers with their uncertainty as CSV and JSON"
-                        + " beside it. See docs/color.md.")
+                        + " beside it. The purest colour is that along, at every degree under the first light, with the largest"
+                        + " product of excitation purity and lightness (at most that of white), whatever --exposure and --step"
+                        + " are. Neither it nor the automatic exposure regards the mirror's surroundings: |(u, v)| up to 0.156,"
+                        + " or as far as a shorter coherence length spreads them. See docs/color.md.")
 public final class ColorCommand implements Callable<Integer> {
     private static final int MOST_LIGHTS = 31;
     private static final int MOST_SPECTRA = 6;
@@ -64,7 +71,8 @@ public final class ColorCommand implements Callable<Integer> {
     private ComparedPatches compared;
 
     @Mixin
-    private LightOptions light;
+    private final LightOptions light = LightOptions.choosingAzimuth(
+            "that of each surface's strongest direction, so that the mirror direction lies in the strip along");
 
     @Option(
             names = "--theta-i-to",
@@ -97,7 +105,7 @@ public final class ColorCommand implements Callable<Integer> {
     private ExposureOption exposure;
 
     @Mixin
-    private MethodOptions methodOptions;
+    private final MethodOptions methodOptions = MethodOptions.choosingAverage("ensemble");
 
     @Mixin
     private ForceOption force;
@@ -145,25 +153,38 @@ public final class ColorCommand implements Callable<Integer> {
         String renderer;
         try (RenderContext context = RenderContexts.offscreen()) {
             renderer = context.info().renderer();
-            List<List<double[]>> colours =
+            List<ColorStrips.Colours> colours =
                     strips.stream().map(strip -> strip.colours(context)).toList();
-            factor = exposed.of(colours.stream().map(ColorCommand::picture).toList());
+            factor = factor(exposed, pictures(strips, colours));
             ColorReports told = new ColorReports(thetas(), spectra, factor, tolerance, material, cie);
             for (int i = 0; i < strips.size(); i++) {
                 reports.add(told.of(context, strips.get(i), colours.get(i)));
             }
         }
         Choices seen = ScanLimit.of(choices, strips.get(0).setup().patch()).choices();
-        Map<String, Object> settings = settings(seen, material, factor, tolerance, renderer);
-        List<Path> written = files.write(reports, settings, new ColorSheet(reports, factor, cie));
+        Map<String, Object> settings = new LinkedHashMap<>();
+        settings.put("light", light(strips));
+        settings.put("method", seen.get(METHOD).label());
+        settings.put("options", Methods.describe(seen));
+        settings.put("index", index.describe(material));
+        settings.put("exposure", factor);
+        settings.put("tolerance", tolerance);
+        settings.put("renderer", renderer);
+        List<Path> written = files.write(reports, settings, new ColorSheet(reports, settings, cie));
         PrintWriter out = specification.commandLine().getOut();
-        reports.forEach(report -> out.println(ColorReports.summary(report)));
+        reports.forEach(report -> out.println(ColorSummary.of(report)));
         written.forEach(out::println);
-        boolean black =
-                reports.stream().anyMatch(report -> report.colours().stream().allMatch(colour -> colour.rgb() == 0));
-        return DoubtfulPicture.judge(
-                        strips.stream().map(strip -> strip.setup().patch()).toList(), black, "the picture", err)
-                .code();
+        boolean black = reports.stream()
+                .anyMatch(report -> report.colours().stream()
+                        .allMatch(colour -> colour.shown().rgb() == 0));
+        List<Patch> patches =
+                strips.stream().map(strip -> strip.setup().patch()).toList();
+        boolean tooSmall = false;
+        for (int i = 0; i < patches.size(); i++) {
+            tooSmall |= SmallScan.judge(reports.get(i), patches.get(i), choices, err);
+        }
+        ExitCode judged = DoubtfulPicture.judge(patches, black, "the picture", err);
+        return (tooSmall ? ExitCode.TOLERANCE_MISSED : judged).code();
     }
 
     private void check() {
@@ -195,7 +216,8 @@ public final class ColorCommand implements Callable<Integer> {
     }
 
     private List<Double> thetas() {
-        double first = Math.toDegrees(light.choices().get(LightOptions.THETA_I));
+        // As it was typed: radians and back spoil the last digits.
+        double first = Double.parseDouble(light.written(LightOptions.THETA_I));
         if (lastTheta == null) {
             return List.of(first);
         }
@@ -214,24 +236,43 @@ public final class ColorCommand implements Callable<Integer> {
                 .collect(Collectors.joining("-"));
     }
 
-    private static LinearPicture picture(List<double[]> colours) {
-        float[] xyz = new float[3 * colours.size()];
-        for (int i = 0; i < xyz.length; i++) {
-            xyz[i] = (float) colours.get(i / 3)[i % 3];
+    /** Of several surfaces each counts alike, lest a bright one leaves the others black: the mean of their logarithms. */
+    private double factor(ExposureOption.Exposure exposed, List<LinearPicture> pictures) {
+        if (!exposure.isOfAll()) {
+            return exposed.of(pictures);
         }
-        return new LinearPicture(colours.size(), 1, xyz);
+        return Math.exp(pictures.stream()
+                .mapToDouble(picture -> Math.log(exposed.of(picture)))
+                .average()
+                .orElseThrow());
     }
 
-    private Map<String, Object> settings(
-            Choices choices, RefractiveIndex material, double factor, double tolerance, String renderer) {
-        Map<String, Object> settings = new LinkedHashMap<>();
-        settings.put("light", light.describe());
-        settings.put("method", choices.get(METHOD).label());
-        settings.put("options", Methods.describe(choices));
-        settings.put("index", material.describe());
-        settings.put("exposure", factor);
-        settings.put("tolerance", tolerance);
-        settings.put("renderer", renderer);
-        return settings;
+    /** What the exposure is chosen from: what the mirror leaves, unless it leaves nothing of any surface. */
+    private static List<LinearPicture> pictures(List<ColorStrips> strips, List<ColorStrips.Colours> colours) {
+        List<LinearPicture> outside = new ArrayList<>();
+        List<LinearPicture> all = new ArrayList<>();
+        for (int i = 0; i < strips.size(); i++) {
+            ColorStrips strip = strips.get(i);
+            outside.add(strip.reach().outside(strip.views(), colours.get(i).shown()));
+            all.add(MirrorReach.picture(colours.get(i).shown()));
+        }
+        outside.removeIf(picture -> picture.width() == 0);
+        return outside.isEmpty() ? all : outside;
+    }
+
+    /** For metadata: where the light stood. */
+    private String light(List<ColorStrips> strips) {
+        String theta = light.written(LightOptions.THETA_I);
+        if (lastTheta != null) {
+            theta += " to " + Decimals.format(lastTheta) + " in " + (thetas().size() - 1) + " steps";
+        }
+        if (light.choices().has(LightOptions.PHI_I)) {
+            return "theta " + theta + ", phi " + light.written(LightOptions.PHI_I) + " degrees";
+        }
+        String azimuths = strips.stream()
+                .map(strip -> String.format(
+                        Locale.ROOT, "%s %.1f", strip.setup().patch().name(), strip.lightAzimuthDegrees() + 0.0))
+                .collect(Collectors.joining(", "));
+        return "theta " + theta + " degrees, phi that of each surface's strongest direction: " + azimuths + " degrees";
     }
 }

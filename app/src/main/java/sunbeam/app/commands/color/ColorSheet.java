@@ -6,123 +6,81 @@ import java.awt.Graphics2D;
 import java.awt.RenderingHints;
 import java.awt.image.BufferedImage;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
+import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import sunbeam.app.files.plot.Plot;
 import sunbeam.precompute.color.Chromaticity;
 import sunbeam.precompute.color.CieTable;
-import sunbeam.precompute.units.Decimals;
 
-/** The picture: a pair of strips for each surface, the chromaticities and the spectra. */
+/** The picture: a pair of strips for each surface, the chromaticities and the spectra; a surface has one colour in all. */
 final class ColorSheet {
     private static final int WIDTH = 1280;
-    private static final int LEFT = 130;
-    private static final int RIGHT = 30;
-    private static final int STRIP = 64;
-    private static final int ROW = 14;
-    private static final int GAP = 34;
-    private static final int TITLE = 30;
-    private static final int PLOT_HEIGHT = 520;
+    private static final int LEFT = 40;
+    private static final int PLOT_HEIGHT = 560;
+    private static final int CAPTION = 48;
+    private static final double TICK = 0.1;
     private static final Color INK = new Color(0x222222);
 
     private final List<ColorReport> reports;
-    private final double exposure;
+    private final Map<String, Object> settings;
     private final CieTable cie;
 
-    ColorSheet(List<ColorReport> reports, double exposure, CieTable cie) {
+    /** @param settings as in the files' text */
+    ColorSheet(List<ColorReport> reports, Map<String, Object> settings, CieTable cie) {
         this.reports = reports;
-        this.exposure = exposure;
+        this.settings = settings;
         this.cie = cie;
     }
 
     BufferedImage draw() {
-        int top = reports.stream().mapToInt(ColorSheet::height).sum();
-        BufferedImage image = new BufferedImage(WIDTH, top + PLOT_HEIGHT + TITLE, BufferedImage.TYPE_INT_RGB);
+        List<StripPanel> panels = IntStream.range(0, reports.size())
+                .mapToObj(i -> new StripPanel(reports.get(i), i, WIDTH))
+                .toList();
+        int top = panels.stream().mapToInt(StripPanel::height).sum();
+        BufferedImage image = new BufferedImage(WIDTH, top + PLOT_HEIGHT + CAPTION, BufferedImage.TYPE_INT_RGB);
         Graphics2D graphics = image.createGraphics();
         graphics.setRenderingHint(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
+        graphics.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
         graphics.setColor(Color.WHITE);
         graphics.fillRect(0, 0, WIDTH, image.getHeight());
         int y = 0;
-        for (ColorReport report : reports) {
-            surface(graphics, report, y);
-            y += height(report);
+        for (StripPanel panel : panels) {
+            panel.draw(graphics, y);
+            y += panel.height();
         }
         graphics.drawImage(chromaticities(), 0, y, null);
         graphics.drawImage(spectra(), WIDTH / 2, y, null);
-        graphics.setColor(INK);
-        graphics.setFont(font(Font.PLAIN, 14));
-        graphics.drawString(
-                String.format(Locale.ROOT, "one exposure for all: %.4g; angles in degrees to the normal", exposure),
-                LEFT,
-                image.getHeight() - 10);
+        caption(graphics, y + PLOT_HEIGHT);
         graphics.dispose();
         return image;
     }
 
-    private static Font font(int style, int size) {
-        return new Font(Font.SANS_SERIF, style, size);
-    }
-
-    private static int stripHeight(ColorReport report) {
-        return report.thetas().size() == 1 ? STRIP : ROW * report.thetas().size();
-    }
-
-    private static int height(ColorReport report) {
-        return TITLE + 2 * (stripHeight(report) + GAP);
-    }
-
-    private void surface(Graphics2D graphics, ColorReport report, int top) {
+    private void caption(Graphics2D graphics, int top) {
         graphics.setColor(INK);
-        graphics.setFont(font(Font.BOLD, 15));
-        List<Double> thetas = report.thetas();
-        String light = thetas.size() == 1
-                ? angle(thetas.get(0))
-                : angle(thetas.get(0)) + " (top) to " + angle(thetas.get(thetas.size() - 1)) + " (bottom)";
+        graphics.setFont(new Font(Font.SANS_SERIF, Font.PLAIN, 14));
+        // Each surface's own coherence length stands in its title.
+        String options = Arrays.stream(settings.get("options").toString().split(", ", -1))
+                .filter(option -> !option.startsWith("coherence length"))
+                .collect(Collectors.joining(", "));
         graphics.drawString(
                 String.format(
                         Locale.ROOT,
-                        "%s: light at %s, azimuth %s; coherence length %s um",
-                        report.name(),
-                        light,
-                        angle(report.lightAzimuthDegrees()),
-                        Decimals.format(Math.round(report.coherenceLength() * 1e8) / 100.0)),
+                        "one exposure for all: %.4g; refractive index %s; method %s, %s",
+                        (Double) settings.get("exposure"),
+                        settings.get("index"),
+                        settings.get("method"),
+                        options),
                 LEFT,
-                top + 20);
-        strip(graphics, report, true, top + TITLE);
-        strip(graphics, report, false, top + TITLE + stripHeight(report) + GAP);
-    }
-
-    private static String angle(double degrees) {
-        return Decimals.format(Math.round(degrees * 10) / 10.0 + 0.0) + "\u00b0";
-    }
-
-    private void strip(Graphics2D graphics, ColorReport report, boolean along, int top) {
-        int width = WIDTH - LEFT - RIGHT;
-        int height = stripHeight(report);
-        int rows = report.thetas().size();
-        for (int row = 0; row < rows; row++) {
-            List<SeenColor> colours = report.strip(along, report.thetas().get(row));
-            int count = colours.size();
-            for (int i = 0; i < count; i++) {
-                int from = LEFT + i * width / count;
-                graphics.setColor(new Color(colours.get(i).rgb()));
-                graphics.fillRect(
-                        from, top + row * height / rows, LEFT + (i + 1) * width / count - from, height / rows);
-            }
-        }
-        graphics.setColor(INK);
-        graphics.setFont(font(Font.PLAIN, 13));
-        double azimuth = report.azimuthDegrees() + (along ? 0 : 90);
-        graphics.drawString(along ? "along" : "across", 12, top + height / 2 - 4);
-        graphics.drawString("azimuth " + angle(azimuth), 12, top + height / 2 + 14);
-        int largest = ColorStrips.LARGEST_VIEW_DEGREES;
-        for (int degrees = -largest; degrees <= largest; degrees += 20) {
-            int x = LEFT + (int) Math.round((degrees + largest) * (double) width / (2 * largest));
-            graphics.drawLine(x, top + height, x, top + height + 4);
-            String label = degrees + "\u00b0";
-            graphics.drawString(label, x - graphics.getFontMetrics().stringWidth(label) / 2, top + height + 18);
-        }
+                top + 14);
+        graphics.drawString(
+                "angles of the view to the normal, negative on the side away from the azimuth; what is brighter than a screen"
+                        + " shows keeps its hue; grey bar: the mirror's reach",
+                LEFT,
+                top + 34);
     }
 
     /** The locus of spectral light, white, and each surface's colours along its strongest direction. */
@@ -137,18 +95,25 @@ final class ColorSheet {
                 Plot.Axis.linear("y"),
                 WIDTH / 2,
                 PLOT_HEIGHT));
-        plot.line("spectral colours", xs(locus), ys(locus));
-        for (ColorReport report : reports) {
-            List<Chromaticity> seen = report.colours().stream()
+        plot.equalScales(TICK).outline("spectral colours", xs(locus), ys(locus));
+        for (int i = 0; i < reports.size(); i++) {
+            List<Chromaticity> seen = reports.get(i).colours().stream()
                     .filter(colour -> colour.view().along() && colour.xyz()[1] > 0)
                     .map(SeenColor::chromaticity)
                     .toList();
             if (!seen.isEmpty()) {
-                plot.points(report.name(), xs(seen), ys(seen));
+                plot.points(reports.get(i).name(), xs(seen), ys(seen), new Plot.Look(i, 0));
             }
         }
         List<Chromaticity> white = List.of(Chromaticity.WHITE);
         plot.rings("white (D65)", xs(white), ys(white));
+        List<Chromaticity> purest = reports.stream()
+                .flatMap(report -> report.purest().stream())
+                .map(found -> found.colour().chromaticity())
+                .toList();
+        if (!purest.isEmpty()) {
+            plot.rings("purest", xs(purest), ys(purest));
+        }
         return plot.draw();
     }
 
@@ -161,27 +126,36 @@ final class ColorSheet {
     }
 
     private BufferedImage spectra() {
+        List<ColorReport.SeenSpectrum> all =
+                reports.stream().flatMap(report -> report.spectra().stream()).toList();
+        // A single line has no legend.
+        String angle =
+                all.size() == 1 ? " at " + StripPanel.angle(all.get(0).view().thetaRDegrees()) : "";
+        String light = StripPanel.angle(all.get(0).view().thetaIDegrees());
         Plot plot = new Plot(new Plot.Frame(
-                "Relative radiance, along",
+                "Spectrum along" + angle + ", light at " + light,
                 Plot.Axis.linear("wavelength / nm"),
-                Plot.Axis.linear("share of its spectrum's maximum"),
+                Plot.Axis.linear("relative radiance, share of its maximum"),
                 WIDTH / 2,
                 PLOT_HEIGHT));
-        for (ColorReport report : reports) {
-            for (ColorReport.SeenSpectrum spectrum : report.spectra()) {
-                double[] nanometres = new double[spectrum.wavelengths().length];
-                double[] shares = new double[nanometres.length];
-                double largest = Double.MIN_NORMAL;
-                for (double value : spectrum.radiances()) {
-                    largest = Math.max(largest, value);
-                }
-                for (int i = 0; i < nanometres.length; i++) {
-                    nanometres[i] = spectrum.wavelengths()[i] * 1e9;
-                    shares[i] = spectrum.radiances()[i] / largest;
-                }
-                plot.line(report.name() + " " + angle(spectrum.view().thetaRDegrees()), nanometres, shares);
+        for (int i = 0; i < reports.size(); i++) {
+            List<ColorReport.SeenSpectrum> spectra = reports.get(i).spectra();
+            for (int j = 0; j < spectra.size(); j++) {
+                add(plot, reports.get(i).name(), spectra.get(j), new Plot.Look(i, j));
             }
         }
         return plot.draw();
+    }
+
+    private static void add(Plot plot, String name, ColorReport.SeenSpectrum spectrum, Plot.Look look) {
+        double[] nanometres = new double[spectrum.wavelengths().length];
+        double[] shares = new double[nanometres.length];
+        double largest = Math.max(
+                Double.MIN_NORMAL, Arrays.stream(spectrum.radiances()).max().orElseThrow());
+        for (int i = 0; i < nanometres.length; i++) {
+            nanometres[i] = spectrum.wavelengths()[i] * 1e9;
+            shares[i] = spectrum.radiances()[i] / largest;
+        }
+        plot.line(name + " at " + StripPanel.angle(spectrum.view().thetaRDegrees()), nanometres, shares, look);
     }
 }

@@ -1,8 +1,11 @@
 package sunbeam.app.commands.color;
 
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.OptionalDouble;
+import java.util.stream.Stream;
 import jrtr.RenderContext;
 import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.gpu.UploadedTables;
@@ -32,8 +35,9 @@ final class ColorStrips {
     private final double azimuthDegrees;
     private final double lightAzimuthDegrees;
     private final List<SeenColor.View> views = new ArrayList<>();
+    private final List<SeenColor.View> candidates = new ArrayList<>();
     private final List<MethodPlan> plans = new ArrayList<>();
-    private CoherenceWindow window;
+    private MirrorReach reach;
 
     /**
      * Lays out the directions and plans them.
@@ -58,15 +62,24 @@ final class ColorStrips {
         for (boolean along : new boolean[] {true, false}) {
             for (double theta : thetas) {
                 for (long i = -each; i <= each; i++) {
-                    views.add(view(along, theta, i * step));
+                    views.add(view(along, theta, rounded(i * step)));
                 }
             }
         }
-        VisibleRange range =
-                VisibleRange.of(views.stream().map(SeenColor.View::pair).toList());
+        for (int degrees = -LARGEST_VIEW_DEGREES; degrees <= LARGEST_VIEW_DEGREES; degrees++) {
+            candidates.add(view(true, thetas.get(0), degrees));
+        }
+        VisibleRange range = VisibleRange.of(Stream.concat(views.stream(), candidates.stream())
+                .map(SeenColor.View::pair)
+                .toList());
         for (ReflectionPart part : parts) {
             plans.add(method.plan(setup.surface().under(part.cie()), range));
         }
+    }
+
+    /** Steps that are not powers of two leave rounding errors. */
+    private static double rounded(double degrees) {
+        return Math.rint(degrees * 1e9) / 1e9;
     }
 
     /** A place of a strip. */
@@ -97,21 +110,47 @@ final class ColorStrips {
         return views;
     }
 
-    /** Of the tables that were drawn with; known after {@link #colours}. */
-    CoherenceWindow window() {
-        return window;
+    /** Every degree along, under the first light, whatever the strips' step: among them is the purest colour. */
+    List<SeenColor.View> candidates() {
+        return candidates;
     }
 
-    /** X, Y, Z of the relative radiance for each view. */
-    List<double[]> colours(RenderContext context) {
+    /** Of the mirror's light under the window that was drawn with; known after {@link #colours}. */
+    MirrorReach reach() {
+        return reach;
+    }
+
+    /**
+     * X, Y, Z of the relative radiance.
+     *
+     * @param shown for each view
+     * @param candidates for each candidate
+     */
+    record Colours(List<double[]> shown, List<double[]> candidates) {}
+
+    /** What is seen. */
+    Colours colours(RenderContext context) {
+        List<SeenColor.View> all =
+                Stream.concat(views.stream(), candidates.stream()).distinct().toList();
+        List<double[]> colours = colours(context, all);
+        Map<SeenColor.View, double[]> byView = new HashMap<>();
+        for (int i = 0; i < all.size(); i++) {
+            byView.put(all.get(i), colours.get(i));
+        }
+        return new Colours(
+                views.stream().map(byView::get).toList(),
+                candidates.stream().map(byView::get).toList());
+    }
+
+    private List<double[]> colours(RenderContext context, List<SeenColor.View> all) {
         List<Query> queries =
-                views.stream().map(view -> new Query(view.pair(), 0)).toList();
+                all.stream().map(view -> new Query(view.pair(), 0)).toList();
         List<double[]> sums = new ArrayList<>();
-        views.forEach(view -> sums.add(new double[3]));
+        all.forEach(view -> sums.add(new double[3]));
         for (int p = 0; p < parts.size(); p++) {
             List<float[]> powers = evaluate(context, p, MethodUse.COLOUR, queries);
             for (int i = 0; i < queries.size(); i++) {
-                double gain = parts.get(p).gain(views.get(i).pair());
+                double gain = parts.get(p).gain(all.get(i).pair());
                 for (int c = 0; c < 3; c++) {
                     sums.get(i)[c] += gain * powers.get(i)[c];
                 }
@@ -159,7 +198,7 @@ final class ColorStrips {
                         UploadedTables.upload(context, setup.tables(plans.get(part), use, GpuColours::of));
                 DirectionsRenderer renderer = new DirectionsRenderer(context, tables, use == MethodUse.SPECTRAL);
                 Progress progress = Progress.start(setup.patch().name(), queries.size())) {
-            window = new CoherenceWindow(tables.windowSigma());
+            reach = new MirrorReach(new CoherenceWindow(tables.windowSigma()));
             return renderer.evaluate(queries, progress::step);
         }
     }

@@ -1,10 +1,15 @@
 package sunbeam.app.commands.color;
 
+import java.math.BigDecimal;
+import java.math.MathContext;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import sunbeam.precompute.color.DisplayColor;
 
 /** The numbers: as rows of a CSV, and as a tree for JSON. */
@@ -26,7 +31,11 @@ final class ColorTables {
             "chroma",
             "hue_deg",
             "delta_e",
-            "blur_nm");
+            "blur_nm",
+            "clipped",
+            "near_mirror");
+
+    private static final int SURE_DIGITS = 12;
 
     private ColorTables() {}
 
@@ -40,8 +49,10 @@ final class ColorTables {
                         colour.view().along() ? "along" : "across",
                         number(colour.view().thetaIDegrees()),
                         number(colour.view().thetaRDegrees()),
-                        DisplayColor.hex(colour.rgb())));
+                        colour.shown().hex()));
                 numbers(colour).values().forEach(value -> cells.add(number(value)));
+                cells.add(clipped(colour).orElse(""));
+                cells.add(colour.nearMirror() ? "yes" : "no");
                 text.append(String.join(",", cells)).append('\n');
             }
         }
@@ -60,9 +71,19 @@ final class ColorTables {
         numbers.put("lightness", colour.lab().lightness());
         numbers.put("chroma", colour.lab().chroma());
         numbers.put("hue_deg", colour.hueAngleDegrees());
-        numbers.put("delta_e", colour.uncertainty());
+        numbers.put("delta_e", colour.uncertainty().colour());
         numbers.put("blur_nm", colour.blurNanometres());
         return numbers;
+    }
+
+    /** What the hex colour leaves out. */
+    private static Optional<String> clipped(SeenColor colour) {
+        String lost = Stream.of(
+                        colour.shown().tooBright() ? "brightness" : "",
+                        colour.shown().tooPure() ? "saturation" : "")
+                .filter(word -> !word.isEmpty())
+                .collect(Collectors.joining(" and "));
+        return lost.isEmpty() ? Optional.empty() : Optional.of(lost);
     }
 
     private static String number(double value) {
@@ -82,8 +103,10 @@ final class ColorTables {
         surface.put("source", report.source());
         surface.put("strongest_direction_deg", report.azimuthDegrees());
         surface.put("light_azimuth_deg", report.lightAzimuthDegrees());
-        surface.put("coherence_length_um", report.coherenceLength() * 1e6);
+        surface.put("coherence_length_um", rounded(report.coherenceLength() * 1e6));
         surface.put("plan", report.plan());
+        surface.put("mirror_reach", report.reach().radius());
+        surface.put("purest", report.purest().map(ColorTables::purest).orElse(null));
         surface.put(
                 "colours", report.colours().stream().map(ColorTables::colour).toList());
         surface.put(
@@ -96,16 +119,43 @@ final class ColorTables {
         values.put("strip", colour.view().along() ? "along" : "across");
         values.put("theta_i", colour.view().thetaIDegrees());
         values.put("theta_r", colour.view().thetaRDegrees());
-        values.put("srgb", DisplayColor.hex(colour.rgb()));
+        values.put("srgb", colour.shown().hex());
         // JSON knows no NaN and no infinity.
         numbers(colour).forEach((key, value) -> values.put(key, Double.isFinite(value) ? value : null));
+        values.put("clipped", clipped(colour).orElse(null));
+        values.put("near_mirror", colour.nearMirror());
         return values;
+    }
+
+    private static Map<String, Object> purest(ColorReport.Purest purest) {
+        Map<String, Object> values = colour(purest.colour());
+        values.put(
+                "srgb_brightest",
+                DisplayColor.Hued.brightest(purest.colour().xyz()).hex());
+        values.put("chroma_computation", purest.colour().uncertainty().chroma());
+        values.put("window_nm", rounded(1e9 * purest.windowWidth()));
+        putWidth(values, purest.width());
+        return values;
+    }
+
+    private static void putWidth(Map<String, Object> values, SpectralWidth width) {
+        values.put("fwhm_nm", rounded(1e9 * width.width()));
+        values.put("fwhm_is_whole", width.whole());
+        values.put("quarter_nm", rounded(1e9 * width.from()));
+        values.put("three_quarters_nm", rounded(1e9 * width.to()));
+        values.put("peak_nm", rounded(1e9 * width.peak()));
+    }
+
+    /** Conversion between units spoils the last digits. */
+    private static double rounded(double value) {
+        return new BigDecimal(value).round(new MathContext(SURE_DIGITS)).doubleValue();
     }
 
     private static Map<String, Object> spectrum(ColorReport.SeenSpectrum spectrum) {
         Map<String, Object> values = new LinkedHashMap<>();
         values.put("theta_i", spectrum.view().thetaIDegrees());
         values.put("theta_r", spectrum.view().thetaRDegrees());
+        putWidth(values, spectrum.width());
         double[] nanometres = spectrum.wavelengths().clone();
         for (int i = 0; i < nanometres.length; i++) {
             nanometres[i] = Math.round(nanometres[i] * 1e12) / 1e3;

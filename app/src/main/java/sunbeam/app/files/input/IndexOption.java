@@ -16,6 +16,11 @@ public final class IndexOption {
                             + " coats of metal (0.97+6.5i), or a CSV file in the form of refractiveindex.info, by wavelength.")
     private String index;
 
+    /** The index that {@link #parse} gave, for metadata; a tabulated one with its file's name. */
+    public String describe(RefractiveIndex parsed) {
+        return IndexFile.isName(index) ? Path.of(index).getFileName() + ", " + parsed.describe() : parsed.describe();
+    }
+
     /**
      * The index that was asked for.
      *

@@ -1,6 +1,8 @@
 package sunbeam.app.files.plot;
 
+import java.awt.Color;
 import java.awt.geom.Line2D;
+import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -8,12 +10,17 @@ import java.util.Arrays;
 import java.util.DoubleSummaryStatistics;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.function.Function;
+import org.jfree.chart.ChartRenderingInfo;
 import org.jfree.chart.JFreeChart;
+import org.jfree.chart.axis.NumberAxis;
+import org.jfree.chart.axis.NumberTickUnit;
 import org.jfree.chart.plot.DatasetRenderingOrder;
 import org.jfree.chart.plot.XYPlot;
 import org.jfree.chart.renderer.xy.XYLineAndShapeRenderer;
 import org.jfree.chart.ui.RectangleEdge;
+import org.jfree.chart.ui.RectangleInsets;
 import org.jfree.data.xy.DefaultXYDataset;
 import org.jfree.data.xy.XYDataset;
 import sunbeam.app.files.output.Overwrite;
@@ -27,15 +34,29 @@ import sunbeam.app.files.output.PngWriter;
 public final class Plot {
     private final Frame frame;
     private final List<Series> allSeries = new ArrayList<>();
+    private Optional<Double> equalStep = Optional.empty();
 
     private enum Form {
         LINE,
         POINTS,
         LINE_WITH_POINTS,
-        RINGS
+        RINGS,
+        OUTLINE
     }
 
-    private record Series(String name, double[] x, double[] y, Form form) {
+    /**
+     * How a series looks that belongs to a group.
+     *
+     * @param colour number of the group's colour and mark, from 0
+     * @param dashes number of the line within the group: 0 for a solid one
+     */
+    public record Look(int colour, int dashes) {}
+
+    private record Series(String name, double[] x, double[] y, Form form, Optional<Look> look) {
+        Series(String name, double[] x, double[] y, Form form) {
+            this(name, x, y, form, Optional.empty());
+        }
+
         XYDataset dataset() {
             DefaultXYDataset dataset = new DefaultXYDataset();
             dataset.addSeries(name, new double[][] {x, y});
@@ -86,6 +107,16 @@ public final class Plot {
         return add(new Series(name, x, y, Form.LINE));
     }
 
+    /** As {@link #line(String, double[], double[])}, as a group looks. */
+    public Plot line(String name, double[] x, double[] y, Look look) {
+        return add(new Series(name, x, y, Form.LINE, Optional.of(look)));
+    }
+
+    /** Adds a thin grey line, such as the border of all that is possible. */
+    public Plot outline(String name, double[] x, double[] y) {
+        return add(new Series(name, x, y, Form.OUTLINE));
+    }
+
     /** Adds points joined by a line, with marks: few points, such as errors over a number of terms. */
     public Plot lineWithPoints(String name, double[] x, double[] y) {
         return add(new Series(name, x, y, Form.LINE_WITH_POINTS));
@@ -94,6 +125,21 @@ public final class Plot {
     /** Adds points alone: scattered measurements. */
     public Plot points(String name, double[] x, double[] y) {
         return add(new Series(name, x, y, Form.POINTS));
+    }
+
+    /** As {@link #points(String, double[], double[])}, as a group looks. */
+    public Plot points(String name, double[] x, double[] y, Look look) {
+        return add(new Series(name, x, y, Form.POINTS, Optional.of(look)));
+    }
+
+    /**
+     * A unit is as long along y as along x; both axes are linear.
+     *
+     * @param step between labels on both
+     */
+    public Plot equalScales(double step) {
+        equalStep = Optional.of(step);
+        return this;
     }
 
     /**
@@ -130,7 +176,31 @@ public final class Plot {
         if (allSeries.size() > 1) {
             chart.addSubtitle(PlotStyle.legend(plot, RectangleEdge.RIGHT));
         }
-        return chart.createBufferedImage(frame.width(), frame.height(), BufferedImage.TYPE_INT_RGB, null);
+        equalStep.ifPresent(step -> equaliseScales(chart, step));
+        return image(chart, null);
+    }
+
+    private BufferedImage image(JFreeChart chart, ChartRenderingInfo info) {
+        return chart.createBufferedImage(frame.width(), frame.height(), BufferedImage.TYPE_INT_RGB, info);
+    }
+
+    /** Leaves free around the axes what one unit's equal length leaves over. */
+    private void equaliseScales(JFreeChart chart, double step) {
+        XYPlot plot = chart.getXYPlot();
+        NumberAxis x = (NumberAxis) plot.getDomainAxis();
+        NumberAxis y = (NumberAxis) plot.getRangeAxis();
+        x.setTickUnit(new NumberTickUnit(step, PlotStyle.NUMBERS));
+        y.setTickUnit(new NumberTickUnit(step, PlotStyle.NUMBERS));
+        plot.setInsets(RectangleInsets.ZERO_INSETS);
+        ChartRenderingInfo info = new ChartRenderingInfo();
+        image(chart, info);
+        Rectangle2D area = info.getPlotInfo().getDataArea();
+        double width = x.getRange().getLength();
+        double height = y.getRange().getLength();
+        double scale = Math.min(area.getWidth() / width, area.getHeight() / height);
+        double besides = 0.5 * (area.getWidth() - scale * width);
+        double above = 0.5 * (area.getHeight() - scale * height);
+        plot.setInsets(new RectangleInsets(above, besides, above, besides));
     }
 
     /**
@@ -171,11 +241,16 @@ public final class Plot {
     }
 
     private XYLineAndShapeRenderer renderer(Series series, int index) {
-        boolean joined = series.form == Form.LINE || series.form == Form.LINE_WITH_POINTS;
-        XYLineAndShapeRenderer renderer = new XYLineAndShapeRenderer(joined, series.form != Form.LINE);
-        renderer.setSeriesPaint(0, series.form == Form.RINGS ? PlotStyle.INK : PlotStyle.colour(index));
-        renderer.setSeriesStroke(0, PlotStyle.LINE);
-        renderer.setSeriesShape(0, PlotStyle.shape(index));
+        boolean outline = series.form == Form.OUTLINE;
+        boolean joined = outline || series.form == Form.LINE || series.form == Form.LINE_WITH_POINTS;
+        boolean marked = !outline && series.form != Form.LINE;
+        XYLineAndShapeRenderer renderer = new XYLineAndShapeRenderer(joined, marked);
+        Look look = series.look.orElse(new Look(index, 0));
+        renderer.setSeriesPaint(0, paint(series.form, look));
+        renderer.setSeriesStroke(0, outline ? PlotStyle.THIN : PlotStyle.line(look.dashes()));
+        // Or else each of a dashed line's pieces begins with a dash of its own.
+        renderer.setDrawSeriesLineAsPath(look.dashes() > 0);
+        renderer.setSeriesShape(0, PlotStyle.shape(look.colour()));
         renderer.setLegendLine(new Line2D.Double(-12, 0, 12, 0));
         if (series.form == Form.RINGS) {
             renderer.setSeriesShape(0, isFirstOfRings(series) ? PlotStyle.RING : PlotStyle.FRAME);
@@ -185,6 +260,14 @@ public final class Plot {
             renderer.setSeriesOutlinePaint(0, PlotStyle.INK);
         }
         return renderer;
+    }
+
+    private static Color paint(Form form, Look look) {
+        return switch (form) {
+            case RINGS -> PlotStyle.INK;
+            case OUTLINE -> PlotStyle.OUTLINE;
+            default -> PlotStyle.colour(look.colour());
+        };
     }
 
     private boolean isFirstOfRings(Series series) {

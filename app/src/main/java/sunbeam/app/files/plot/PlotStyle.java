@@ -58,9 +58,11 @@ final class PlotStyle {
     static final Shape FRAME = new Rectangle2D.Double(-8, -8, 16, 16);
     static final BasicStroke RING_STROKE = new BasicStroke(2.5f);
     static final BasicStroke LINE = new BasicStroke(2, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND);
+    static final BasicStroke THIN = new BasicStroke(1.2f, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND);
+    /** Of lines of one group, after the solid one. */
+    private static final float[][] DASHES = {{9, 5}, {2, 5}, {12, 5, 2, 5}, {5, 3}, {16, 6}};
 
-    private static final NumberFormat NUMBERS =
-            new DecimalFormat("0.######", DecimalFormatSymbols.getInstance(Locale.ROOT));
+    static final NumberFormat NUMBERS = new DecimalFormat("0.######", DecimalFormatSymbols.getInstance(Locale.ROOT));
 
     // Steps of the decimal logarithm.
     private static final TickUnits DECADES = units(1, 2, 3, 5);
@@ -82,6 +84,8 @@ final class PlotStyle {
     static final Font LABEL_FONT = new Font(Font.SANS_SERIF, Font.PLAIN, 16);
     static final Font TICK_FONT = new Font(Font.SANS_SERIF, Font.PLAIN, 14);
 
+    static final Color OUTLINE = new Color(0x888888);
+
     private static final Color GRID = new Color(0xDDDDDD);
     private static final double MARGIN = 16;
 
@@ -90,6 +94,19 @@ final class PlotStyle {
     /** The colour of the series with this index. */
     static Color colour(int index) {
         return COLOURS[index % COLOURS.length];
+    }
+
+    /** Of the line with this number in a group: solid, then dashed. */
+    static BasicStroke line(int number) {
+        return number == 0
+                ? LINE
+                : new BasicStroke(
+                        LINE.getLineWidth(),
+                        BasicStroke.CAP_BUTT,
+                        BasicStroke.JOIN_ROUND,
+                        1,
+                        DASHES[(number - 1) % DASHES.length],
+                        0);
     }
 
     /** The mark of the series with this index. */

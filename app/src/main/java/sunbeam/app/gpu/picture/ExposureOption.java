@@ -47,6 +47,11 @@ public final class ExposureOption {
         return exposure.equals(AUTOMATIC) || exposure.equals(FIRST);
     }
 
+    /** Whether the factor is chosen from all pictures. */
+    public boolean isOfAll() {
+        return exposure.equals(AUTOMATIC);
+    }
+
     private double recorded() {
         String text = PngText.read(Path.of(exposure)).getOrDefault("Exposure", "");
         double value = Decimals.parse(text).orElse(Double.NaN);

@@ -70,7 +70,8 @@ public final class BenchmarkCommand implements Callable<Integer> {
     private LightOptions light;
 
     @Mixin
-    private MethodOptions methodOptions;
+    private final MethodOptions methodOptions =
+            MethodOptions.choosingAverage("both, one after the other, unless a preset is given");
 
     @Option(
             names = "--size",

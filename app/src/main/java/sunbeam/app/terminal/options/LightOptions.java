@@ -1,11 +1,12 @@
 package sunbeam.app.terminal.options;
 
 import java.util.List;
-import java.util.Locale;
+import java.util.Map;
 import sunbeam.app.terminal.SettingOptions;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.setting.Kinds;
 import sunbeam.precompute.setting.Setting;
+import sunbeam.precompute.units.Angles;
 
 /** Where the light comes from; to be used as a picocli mixin. */
 public final class LightOptions extends SettingOptions {
@@ -26,7 +27,20 @@ public final class LightOptions extends SettingOptions {
             .withStandard(0.0);
 
     public LightOptions() {
-        super(List.of(THETA_I, PHI_I));
+        this(Map.of());
+    }
+
+    private LightOptions(Map<Setting<?>, String> told) {
+        super(List.of(THETA_I, PHI_I), told);
+    }
+
+    /**
+     * Options of a command that chooses the azimuth where none is given.
+     *
+     * @param chosen what it chooses, for the help
+     */
+    public static LightOptions choosingAzimuth(String chosen) {
+        return new LightOptions(Map.of(PHI_I, chosen));
     }
 
     /** The unit vector towards the light. */
@@ -36,7 +50,12 @@ public final class LightOptions extends SettingOptions {
 
     /** The angles, for metadata. */
     public String describe() {
-        return String.format(Locale.ROOT, "theta %s, phi %s degrees", degrees(THETA_I), degrees(PHI_I));
+        return "theta " + written(THETA_I) + ", phi " + written(PHI_I) + " degrees";
+    }
+
+    /** In degrees, as it was typed. */
+    public String written(Setting<Double> angle) {
+        return Angles.format(choices().get(angle)).replace(" deg", "");
     }
 
     private double degrees(Setting<Double> angle) {

@@ -2,6 +2,7 @@ package sunbeam.app.terminal.options;
 
 import java.io.PrintWriter;
 import java.util.List;
+import java.util.Map;
 import picocli.CommandLine.Option;
 import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.OptionOrigin;
@@ -9,6 +10,7 @@ import sunbeam.app.terminal.SettingOptions;
 import sunbeam.precompute.method.MethodPlan;
 import sunbeam.precompute.method.MethodType;
 import sunbeam.precompute.method.Methods;
+import sunbeam.precompute.plan.MethodSettings;
 import sunbeam.precompute.plan.Plan;
 import sunbeam.precompute.plan.PlanReport;
 import sunbeam.precompute.setting.Setting;
@@ -20,16 +22,25 @@ public final class MethodOptions extends SettingOptions {
 
     /** Options for all methods. */
     public MethodOptions() {
-        this(Methods.SETTINGS);
+        this(Methods.SETTINGS, Map.of());
     }
 
-    private MethodOptions(List<Setting<?>> settings) {
-        super(settings);
+    private MethodOptions(List<Setting<?>> settings, Map<Setting<?>, String> told) {
+        super(settings, told);
     }
 
     /** Options for one method. */
     public static MethodOptions of(MethodType type) {
-        return new MethodOptions(type.settings());
+        return new MethodOptions(type.settings(), Map.of());
+    }
+
+    /**
+     * Options for all methods, of a command that chooses the average where none is given.
+     *
+     * @param chosen what it chooses, for the help
+     */
+    public static MethodOptions choosingAverage(String chosen) {
+        return new MethodOptions(Methods.SETTINGS, Map.of(MethodSettings.AVERAGE, chosen));
     }
 
     /** Prints a plan with its reasons where they are asked for. */

@@ -10,6 +10,7 @@ import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -31,15 +32,11 @@ class ColorCommandTest {
             "color",
             "--coherence-length",
             "10um",
-            "--step",
-            "2",
             "--output",
             folder.resolve("c.png").toString(),
             "--force"
         };
-        String[] all = new String[first.length + more.length];
-        System.arraycopy(first, 0, all, 0, first.length);
-        System.arraycopy(more, 0, all, first.length, more.length);
+        String[] all = with(List.of(more).contains("--step") ? first : with(first, "--step", "2"), more);
         Environment environment = new Environment(Map.of(), folder);
         return new Sunbeam(environment, new PrintWriter(new StringWriter()), new PrintWriter(err)).run(all);
     }
@@ -100,6 +97,48 @@ class ColorCommandTest {
     }
 
     @Test
+    void thePurestColourDependsNeitherOnTheExposureNorOnTheStep() throws IOException {
+        String[] light = {"--patch", "sinusoid", "--theta-i", "30"};
+        JsonNode told = tell(light);
+        assertThat(told.get("light").asText())
+                .isEqualTo("theta 30 degrees, phi that of each surface's strongest direction: sinusoid 0.0 degrees");
+        JsonNode surface = told.get("surfaces").get(0);
+        assertThat(surface.get("coherence_length_um").asDouble()).isEqualTo(10);
+        assertThat(at(surface, "along", -30).get("theta_i").asDouble()).isEqualTo(30);
+        assertThat(at(surface, "along", -30).get("near_mirror").asBoolean()).isTrue();
+        assertThat(at(surface, "along", -30).get("blur_nm").isNull()).isTrue();
+        JsonNode purest = surface.get("purest");
+        // Five deviations of the spectrum of a window of 10 um, at 780 nm.
+        double reach = 5 * 2 / (Math.PI * 10e-6) * 780e-9;
+        double u = Math.sin(Math.toRadians(30))
+                + Math.sin(Math.toRadians(purest.get("theta_r").asDouble()));
+        assertThat(Math.abs(u)).isGreaterThan(reach);
+        // No spectrum can be narrower than the window makes it.
+        assertThat(purest.get("fwhm_nm").asDouble())
+                .isGreaterThan(0.95 * purest.get("window_nm").asDouble());
+
+        for (String[] other : new String[][] {
+            {"--exposure", Double.toString(1000 * told.get("exposure").asDouble())}, {"--step", "1"}
+        }) {
+            JsonNode same = tell(with(light, other)).get("surfaces").get(0).get("purest");
+            assertThat(same.get("theta_r")).isEqualTo(purest.get("theta_r"));
+            assertThat(same.get("srgb_brightest")).isEqualTo(purest.get("srgb_brightest"));
+            assertThat(same.get("purity").asDouble())
+                    // Another plan for other directions: its tolerance.
+                    .isCloseTo(purest.get("purity").asDouble(), within(3e-3));
+        }
+    }
+
+    @Test
+    void aScanOfAWavelengthTellsNoColour() throws IOException {
+        String[] scan = {"--patch", "sinusoid", "--no-periodic", "--crop", "0um:0.5um,0um:0.5um"};
+        assertThat(run(scan)).isEqualTo(ExitCode.TOLERANCE_MISSED.code());
+        assertThat(err.toString()).contains("is too small to tell any colour");
+        JsonNode told = new ObjectMapper().readTree(folder.resolve("c.json").toFile());
+        assertThat(told.get("surfaces").get(0).get("purest").isNull()).isTrue();
+    }
+
+    @Test
     void aTabulatedIndexColoursTheLightAndAConstantOneInAFileDoesNot() throws IOException {
         Path same = Files.writeString(folder.resolve("same.csv"), "wl,n\n0.3,1.56\n0.9,1.56\n\nwl,k\n0.3,0\n0.9,0\n");
         Path gold = Files.writeString(
@@ -120,6 +159,8 @@ class ColorCommandTest {
                         .isCloseTo(expected, within(1e-5 * Math.abs(expected)));
             }
         }
+        assertThat(PngText.read(folder.resolve("c.png")))
+                .containsEntry("Index", "gold.csv, tabulated from 300 to 800 nm");
         JsonNode mirror = at(golden, "along", -20);
         assertThat(mirror.get("dominant_nm").asDouble()).as("gold").isBetween(570.0, 610.0);
     }
@@ -139,6 +180,7 @@ class ColorCommandTest {
         // 2 strips, 5 lights, 81 angles.
         assertThat(told.get("surfaces").get(1).get("colours")).hasSize(2 * 5 * 81);
         assertThat(Files.readAllLines(folder.resolve("c.csv"))).hasSize(1 + 2 * 2 * 5 * 81);
+        assertThat(told.get("light").asText()).startsWith("theta 0 to 20 in 4 steps degrees, phi that of each");
         assertThat(PngText.read(folder.resolve("c.png")))
                 .containsEntry("Exposure", told.get("exposure").toString())
                 .containsEntry("Index", "1.5");

@@ -2,6 +2,7 @@ package sunbeam.app.files.plot;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
 
 import java.awt.image.BufferedImage;
 import java.nio.file.Path;
@@ -119,5 +120,33 @@ final class PlotTest {
         assertThat(PlotStyle.powerOfTen(256)).isEqualTo("256");
         assertThat(PlotStyle.powerOfTen(2048)).isEqualTo("2048");
         assertThat(PlotStyle.powerOfTen(Math.pow(10, Math.log10(2e-2)))).isEqualTo("0.02");
+    }
+
+    @Test
+    void aUnitIsAsLongAlongBothAxesWhereThatIsAskedFor() {
+        double[] x = {0, 1, 1, 0, 0};
+        double[] y = {0, 0, 1, 1, 0};
+        Frame frame = new Frame("Square", Axis.linear("x"), Axis.linear("y"), 640, 400);
+        BufferedImage image = new Plot(frame)
+                .equalScales(0.5)
+                .line("square", x, y, new Plot.Look(1, 0))
+                .draw();
+        int left = image.getWidth();
+        int right = 0;
+        int top = image.getHeight();
+        int bottom = 0;
+        for (int j = 0; j < image.getHeight(); j++) {
+            for (int i = 0; i < image.getWidth(); i++) {
+                if (image.getRGB(i, j) == VERMILION) {
+                    left = Math.min(left, i);
+                    right = Math.max(right, i);
+                    top = Math.min(top, j);
+                    bottom = Math.max(bottom, j);
+                }
+            }
+        }
+        assertThat(right - left).isGreaterThan(100);
+        // Pixels at a line's border are blended.
+        assertThat(right - left).isCloseTo(bottom - top, within(2));
     }
 }

@@ -135,4 +135,17 @@ class MethodOptionsTest {
         line.parseArgs();
         assertThat(options.choices()).isEqualTo(Choices.none());
     }
+
+    @Test
+    void helpTellsWhatACommandChoosesItself() {
+        MethodOptions options = MethodOptions.choosingAverage("ensemble");
+        String help = new CommandLine(options).getUsageMessage().replaceAll("\\s+", " ");
+        assertThat(help).contains("Default: ensemble.").doesNotContain("Default: coherent");
+        LightOptions light = LightOptions.choosingAzimuth("the strongest direction");
+        CommandLine line = new CommandLine(light);
+        assertThat(line.getUsageMessage().replaceAll("\\s+", " "))
+                .contains("from +x. Default: the strongest direction.", "Default: 0 deg.");
+        line.parseArgs("--theta-i", "30", "--phi-i", "-0.1");
+        assertThat(light.describe()).as("as typed").isEqualTo("theta 30, phi -0.1 degrees");
+    }
 }

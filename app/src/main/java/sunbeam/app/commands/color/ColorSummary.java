@@ -1,0 +1,89 @@
+package sunbeam.app.commands.color;
+
+import java.util.Locale;
+import sunbeam.precompute.color.Chromaticity;
+import sunbeam.precompute.color.DisplayColor;
+import sunbeam.precompute.units.Lengths;
+
+/** What is told of a surface in a few lines. */
+final class ColorSummary {
+    private ColorSummary() {}
+
+    /** Lines for standard output. */
+    static String of(ColorReport report) {
+        String start = String.format(
+                Locale.ROOT,
+                "%s: strongest direction at azimuth %.1f degrees; ",
+                report.name(),
+                report.azimuthDegrees() + 0.0);
+        return start + report.purest().map(ColorSummary::purest).orElseGet(() -> nothing(report));
+    }
+
+    private static String purest(ColorReport.Purest purest) {
+        SeenColor colour = purest.colour();
+        String seen = String.format(
+                Locale.ROOT,
+                "purest colour at %.0f degrees: %s, hue of %s%n",
+                colour.view().thetaRDegrees(),
+                hue(colour.hue()),
+                shown(DisplayColor.Hued.brightest(colour.xyz())));
+        String shown = String.format(
+                Locale.ROOT,
+                "  at this exposure %s, chroma %.0f +- %.2g by computation (another spot of the surface differs by more)%n",
+                shown(colour.shown()),
+                colour.lab().chroma(),
+                colour.uncertainty().chroma());
+        SpectralWidth width = purest.width();
+        String spectrum = String.format(
+                Locale.ROOT,
+                "  its spectrum is highest at %.0f nm and %s%s nm wide at half of that, half of its light within %.0f to %.0f"
+                        + " nm; the coherence length alone makes an order %s nm wide",
+                1e9 * width.peak(),
+                width.whole() ? "" : "more than ",
+                nanometres(width.width()),
+                1e9 * width.from(),
+                1e9 * width.to(),
+                nanometres(purest.windowWidth()));
+        return seen + shown + spectrum;
+    }
+
+    private static String nanometres(double metres) {
+        double value = 1e9 * metres;
+        return String.format(Locale.ROOT, value < 10 ? "%.2g" : "%.0f", value);
+    }
+
+    /** A screen's colour, and what it leaves out. */
+    private static String shown(DisplayColor.Hued colour) {
+        if (!colour.tooBright() && !colour.tooPure()) {
+            return colour.hex();
+        }
+        String lost = colour.tooBright() ? "brighter" + (colour.tooPure() ? " and purer" : "") : "purer";
+        return colour.hex() + " (clipped: it is " + lost + " than a screen shows)";
+    }
+
+    private static String hue(Chromaticity.Hue hue) {
+        double wavelength = hue.nanometres();
+        if (Double.isNaN(wavelength)) {
+            return "no hue";
+        }
+        return String.format(
+                Locale.ROOT,
+                wavelength > 0
+                        ? "dominant wavelength %.0f nm, purity %.2f"
+                        : "purple, complement of %.0f nm, purity %.2f",
+                Math.abs(wavelength),
+                hue.purity());
+    }
+
+    private static String nothing(ColorReport report) {
+        if (report.isAllMirror()) {
+            return String.format(
+                    Locale.ROOT,
+                    "no order to tell the colour of: with a coherence length of %s each is %.0f nm wide or more and lies in"
+                            + " the mirror's light",
+                    Lengths.rounded(report.coherenceLength(), 4),
+                    1e9 * report.narrowestOrder());
+        }
+        return "no order to tell the colour of: along it no light but the mirror's";
+    }
+}
