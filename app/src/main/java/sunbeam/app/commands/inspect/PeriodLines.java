@@ -57,7 +57,8 @@ final class PeriodLines {
             }
         }
         if (!exact && inspection.estimate().isEmpty()) {
-            lines.add(1, "too few of these periods fit into the scan along their direction to say how well it is known");
+            lines.add(
+                    1, "too few of these periods fit into the scan along their direction to say how well it is known");
         }
         int others =
                 inspection.periodicity().peaks().size() - inspection.peaks().size();
