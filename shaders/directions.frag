@@ -11,7 +11,7 @@ uniform sampler2D directions;
 // Standard deviation of the coherence window in metres.
 uniform float windowSigma;
 
-// With a wavelength: coherent power, ensemble power, relative radiance, BRDF. Without: X, Y, Z of power, gain.
+// With a wavelength: coherent power, ensemble power (with ONE_POWER the method's for both), relative radiance, BRDF. Without: X, Y, Z of power, gain.
 layout(location = 0) out vec4 result;
 
 void main() {
@@ -22,9 +22,16 @@ void main() {
     float gain = relativeRadiance(wi, wr);
 #ifdef SPECTRAL
     exactBin = texelFetch(directions, texel + ivec2(0, 3), 0);
+#ifdef ONE_POWER
+    // The other average may take hundreds of times as long, and nobody asks for it.
+    float power = ENSEMBLE ? ensemblePower(uvwLambda.xyz, uvwLambda.w) : coherentPower(uvwLambda.xyz, uvwLambda.w);
+    float coherent = power;
+    float ensemble = power;
+#else
     float coherent = coherentPower(uvwLambda.xyz, uvwLambda.w);
     float ensemble = ensemblePower(uvwLambda.xyz, uvwLambda.w);
     float power = ENSEMBLE ? ensemble : coherent;
+#endif
     result = vec4(coherent, ensemble, gain * power, brdfPerPower(wi, wr, uvwLambda.w, windowSigma) * power);
 #else
     result = vec4(diffractedXyz(uvwLambda.xyz), gain);

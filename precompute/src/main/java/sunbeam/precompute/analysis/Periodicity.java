@@ -1,6 +1,7 @@
 package sunbeam.precompute.analysis;
 
 import java.util.List;
+import sunbeam.precompute.units.Decimals;
 
 /**
  * What repeats in a surface.
@@ -22,6 +23,9 @@ public record Periodicity(HeightSpectrum.Edges edges, List<SpectrumPeak> peaks, 
 
     /** The figure in words, for people. */
     public String describeFigure() {
+        if (edges == HeightSpectrum.Edges.TAPERED && figure == 0) {
+            return "the power spectrum has no maximum at all where four periods or more fit into the scan";
+        }
         return edges == HeightSpectrum.Edges.TAPERED
                 ? String.format(
                         java.util.Locale.ROOT,
@@ -31,8 +35,8 @@ public record Periodicity(HeightSpectrum.Edges edges, List<SpectrumPeak> peaks, 
                         threshold)
                 : String.format(
                         java.util.Locale.ROOT,
-                        "the strongest frequency holds %.2g %% of the heights' variance, %.2g %% are needed",
-                        100 * figure,
-                        100 * threshold);
+                        "the strongest frequency holds %s %% of the heights' variance, %s %% are needed",
+                        Decimals.rounded(100 * figure, 2),
+                        Decimals.rounded(100 * threshold, 2));
     }
 }

@@ -2,9 +2,13 @@ package sunbeam.precompute.patch;
 
 import java.util.Arrays;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.function.DoubleUnaryOperator;
+import sunbeam.precompute.prepare.Crop;
+import sunbeam.precompute.prepare.Edges;
 import sunbeam.precompute.prepare.HeightField;
 import sunbeam.precompute.prepare.Levelling;
+import sunbeam.precompute.prepare.Preparation;
 import sunbeam.precompute.units.Lengths;
 
 /**
@@ -69,6 +73,16 @@ public final class HeightMap {
     /** The same grid with something subtracted. */
     public HeightMap levelled(Levelling levelling) {
         return of(levelling.apply(field()));
+    }
+
+    /**
+     * A part of it, as it is.
+     *
+     * @throws IllegalArgumentException when that leaves the map or holds fewer than two samples
+     */
+    public HeightMap part(Crop crop) {
+        Preparation cropping = new Preparation(Optional.of(crop), Levelling.NONE, false, Edges.REPEAT);
+        return of(cropping.cropped(field()));
     }
 
     public int columns() {

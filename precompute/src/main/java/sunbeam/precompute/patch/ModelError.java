@@ -1,6 +1,7 @@
 package sunbeam.precompute.patch;
 
 import java.util.Locale;
+import sunbeam.precompute.units.Decimals;
 
 /**
  * How much of the reflected light scalar theory sends elsewhere than Maxwell's equations do, by a rule: a power of the mean
@@ -82,10 +83,10 @@ public record ModelError(double meanSlope) {
                         " normal, %s up to 60, %s up to 75 (mean slope %s; docs/validity.md)",
                         percent(expected(Incidence.OBLIQUE)),
                         percent(expected(Incidence.GRAZING)),
-                        String.format(Locale.ROOT, "%.2g", meanSlope));
+                        Decimals.rounded(meanSlope, 2));
     }
 
     private static String percent(double share) {
-        return share >= 1 ? "all" : String.format(Locale.ROOT, "%.2g %%", 100 * share);
+        return share >= 1 ? "all" : Decimals.rounded(100 * share, 2) + " %";
     }
 }

@@ -2,6 +2,7 @@ package sunbeam.precompute.patch;
 
 import java.util.Locale;
 import java.util.Optional;
+import sunbeam.precompute.units.Decimals;
 import sunbeam.precompute.units.Lengths;
 
 /** Whether a scan is fine enough, across and in height, for the shortest wavelength that is rendered. */
@@ -58,6 +59,6 @@ public final class SamplingCheck {
                 Locale.ROOT,
                 "heights are coarse: one grey level is %s, which scatters about %s %% of the light at random; use a 16-bit or float image",
                 Lengths.format(step),
-                String.format(Locale.ROOT, "%.2g", 100 * Math.min(1, phase * phase / 12))));
+                Decimals.rounded(100 * Math.min(1, phase * phase / 12), 2)));
     }
 }

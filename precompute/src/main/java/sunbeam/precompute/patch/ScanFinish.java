@@ -18,6 +18,7 @@ import sunbeam.precompute.prepare.Preparation;
 import sunbeam.precompute.prepare.Seam;
 import sunbeam.precompute.prepare.Tilt;
 import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.units.Lengths;
 
@@ -81,7 +82,8 @@ record ScanFinish(String name, String file, Choices choices, Kind kind) {
             warnOfSeam(prepared.scan(), levelling, edges, warnings);
         }
         SamplingCheck.pitch(heights).ifPresent(warnings::add);
-        SlopeCheck.slopes(heights).ifPresent(warnings::add);
+        // Of what was measured, as inspect tells it: blending bends the border.
+        SlopeCheck.slopes(scan).ifPresent(warnings::add);
         return new Patch(
                 name,
                 heights,
@@ -129,16 +131,22 @@ record ScanFinish(String name, String file, Choices choices, Kind kind) {
         }
     }
 
+    /** A choice as it may be written where the patch was named. */
+    private String named(Setting<?> setting, String value) {
+        return choices.origin(PatchSettings.PATCH).name(setting) + " " + value;
+    }
+
     private void warnOfRamp(HeightMap measured, Levelling levelling, List<String> warnings) {
         boolean levelled = levelling != Levelling.NONE && levelling != Levelling.MEAN;
         if (levelled && OnePeriod.isRamp(measured.field())) {
             warnings.add(
                     "the heights are one even ramp, of which levelling leaves nothing; if it is one period of a blazed"
-                            + " grating, say so (periodic)");
+                            + " grating, say so ("
+                            + choices.origin(PatchSettings.PATCH).name(PERIODIC) + ")");
         }
     }
 
-    private static void warnOfSeam(HeightField scan, Levelling levelling, Edges edges, List<String> warnings) {
+    private void warnOfSeam(HeightField scan, Levelling levelling, Edges edges, List<String> warnings) {
         List<String> faults = new ArrayList<>();
         List<String> remedies = new ArrayList<>();
         boolean tiltStays = levelling == Levelling.NONE || levelling == Levelling.MEAN;
@@ -149,7 +157,7 @@ record ScanFinish(String name, String file, Choices choices, Kind kind) {
                     "it is tilted by %s from corner to corner (%.0f %% of the heights' variance)",
                     Lengths.rounded(tilt.rise(), 3),
                     100 * tilt.share()));
-            remedies.add("level it by its plane");
+            remedies.add("level it by its plane (" + named(LEVEL, Levelling.PLANE.label()) + ")");
         }
         Seam seam = edges == Edges.REPEAT ? Seam.of(scan) : Seam.NONE;
         if (seam.ratio() > TORN) {
@@ -158,7 +166,7 @@ record ScanFinish(String name, String file, Choices choices, Kind kind) {
                     "opposite borders differ by %s rms (neighbours by %s)",
                     Lengths.rounded(seam.jump(), 2),
                     Lengths.rounded(seam.inside(), 2)));
-            remedies.add("blend its edges");
+            remedies.add("blend its edges (" + named(EDGES, Edges.BLEND.label()) + ")");
         }
         if (!faults.isEmpty()) {
             warnings.add("the scan's repetition has a step that draws a cross: " + String.join(", and ", faults) + "; "

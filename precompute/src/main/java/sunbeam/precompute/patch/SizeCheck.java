@@ -4,7 +4,10 @@ import java.util.Locale;
 import java.util.Optional;
 import sunbeam.precompute.units.Lengths;
 
-/** Whether a measured scan is as large as scans are: a wrong unit makes it a thousand times too large or too small. */
+/**
+ * Whether a measured scan is as large as scans are: a wrong unit makes it a thousand times too large or too small. A profilometer's
+ * is millimetres wide and right all the same, so that it is asked, not said.
+ */
 final class SizeCheck {
     // Metres. Force microscopes reach 150 um, interference microscopes a few hundred.
     private static final double LARGEST = 1e-3;
@@ -29,17 +32,19 @@ final class SizeCheck {
             if (likely.isEmpty() && side * factor >= USUAL_FROM && side * factor <= USUAL_TO) {
                 likely = String.format(
                         Locale.ROOT,
-                        ": with the next unit %s it would be %s",
+                        " with the next unit %s it would be %s",
                         factor < 1 ? "below" : "above",
                         Lengths.rounded(side * factor, 3));
             }
         }
         return Optional.of(String.format(
                 Locale.ROOT,
-                "the scan is %s wide, and microscopes of heights scan %s to %s; most likely its unit of length is wrong%s",
+                "the scan is %s wide, %s: is its unit of length right?%s",
                 Lengths.rounded(side, 3),
-                Lengths.format(SMALLEST),
-                Lengths.format(LARGEST),
+                side > LARGEST
+                        ? "which profilometers scan, but hardly any microscope of heights (" + Lengths.format(LARGEST)
+                                + " at most)"
+                        : "less than the " + Lengths.format(SMALLEST) + " that microscopes of heights scan at least",
                 likely));
     }
 }

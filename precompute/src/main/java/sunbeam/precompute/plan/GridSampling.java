@@ -65,17 +65,16 @@ public record GridSampling(
 
     @Override
     public String wavelengths(VisibleRange range) {
-        return String.format(Locale.ROOT, "%d to %d wavelengths a pixel", fewestNodes, mostNodes(range));
+        return Sampling.count(fewestNodes, mostNodes(range)) + " wavelengths a pixel";
     }
 
     @Override
     public String summary(VisibleRange range) {
         return String.format(
                 Locale.ROOT,
-                "grid with %d taps, %d to %d wavelengths",
+                "grid with %d taps, %s wavelengths",
                 interpolation.taps(),
-                fewestNodes,
-                mostNodes(range));
+                Sampling.count(fewestNodes, mostNodes(range)));
     }
 
     /** Columns that the longest ray crosses. */

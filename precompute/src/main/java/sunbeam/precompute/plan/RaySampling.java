@@ -1,7 +1,6 @@
 package sunbeam.precompute.plan;
 
 import java.util.List;
-import java.util.Locale;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.shader.ArrayLayout;
@@ -22,17 +21,12 @@ public record RaySampling(Neighbourhood neighbourhood, BandRule band) implements
 
     @Override
     public String wavelengths(VisibleRange range) {
-        return String.format(Locale.ROOT, "%d to %d wavelengths a pixel", band.fewestNodes(), mostNodes(range));
+        return Sampling.count(band.fewestNodes(), mostNodes(range)) + " wavelengths a pixel";
     }
 
     @Override
     public String summary(VisibleRange range) {
-        return String.format(
-                Locale.ROOT,
-                "%s at %d to %d wavelengths",
-                neighbourhood.summary(),
-                band.fewestNodes(),
-                mostNodes(range));
+        return neighbourhood.summary() + " at " + Sampling.count(band.fewestNodes(), mostNodes(range)) + " wavelengths";
     }
 
     private int mostNodes(VisibleRange range) {

@@ -22,6 +22,11 @@ public sealed interface Sampling permits BinSampling, GridSampling, OrderSamplin
     /** How many wavelengths a pixel adds up, for people. */
     String wavelengths(VisibleRange range);
 
+    /** "60 to 166", or one number where both are equal. */
+    static String count(int fewest, int most) {
+        return fewest == most ? Integer.toString(fewest) : fewest + " to " + most;
+    }
+
     /** Why, one line each. */
     List<String> reasons(VisibleRange range);
 

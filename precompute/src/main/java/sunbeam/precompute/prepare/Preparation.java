@@ -15,6 +15,8 @@ import sunbeam.precompute.units.Lengths;
  * @param edges what becomes of the border
  */
 public record Preparation(Optional<Crop> crop, Levelling levelling, boolean despike, Edges edges) {
+    // Of the heights' variance, in their plane: a hundredth of their roughness. A smaller tilt is chance or rounding.
+    private static final double WORTH_SAYING = 1e-4;
 
     /**
      * A prepared scan.
@@ -54,7 +56,7 @@ public record Preparation(Optional<Crop> crop, Levelling levelling, boolean desp
         Tilt tilt = Tilt.of(field);
         field = levelling.apply(field);
         steps.add("levelling " + levelling.label()
-                + (levelling.takesTilt() && tilt.rise() > 0
+                + (levelling.takesTilt() && tilt.share() > WORTH_SAYING
                         ? String.format(Locale.ROOT, " (tilt of %s across the scan removed)", rounded(tilt.rise()))
                         : ""));
         if (despike) {

@@ -1,5 +1,8 @@
 package sunbeam.precompute.units;
 
+import java.math.BigDecimal;
+import java.math.MathContext;
+import java.math.RoundingMode;
 import java.util.OptionalDouble;
 import java.util.regex.Pattern;
 
@@ -9,6 +12,8 @@ public final class Decimals {
     private static final Pattern DECIMAL = Pattern.compile("[+-]?(\\d+\\.?\\d*|\\.\\d+)([eE][+-]?\\d+)?");
 
     private static final int LONGEST = 100;
+    private static final int MOST_PLACES = 9;
+    private static final int EXACT_PLACES = 2;
 
     private Decimals() {}
 
@@ -17,6 +22,28 @@ public final class Decimals {
         return value == Math.rint(value) && Math.abs(value) < 1e7
                 ? Long.toString((long) value)
                 : Double.toString(value).replace(".0E", "e").replace('E', 'e');
+    }
+
+    /** A finite value to so many digits, never as a power of ten: 100, not 1.0e+02. */
+    public static String rounded(double value, int digits) {
+        return value == 0
+                ? "0"
+                : new BigDecimal(value)
+                        .round(new MathContext(digits, RoundingMode.HALF_EVEN))
+                        .toPlainString();
+    }
+
+    /**
+     * A finite value as far as its uncertainty leaves it known: to two digits of that, nine after the point at most.
+     *
+     * @param uncertainty half the width of an interval, in the value's unit; where it is 0 the value is exact and has two
+     *     digits after the point
+     */
+    public static String within(double value, double uncertainty) {
+        int places = uncertainty > 0 && Double.isFinite(uncertainty)
+                ? (int) Math.min(MOST_PLACES, 1 - Math.floor(Math.log10(uncertainty)))
+                : EXACT_PLACES;
+        return new BigDecimal(value).setScale(places, RoundingMode.HALF_EVEN).toPlainString();
     }
 
     /** The finite number that the text (blanks around it allowed) is, or nothing. */

@@ -20,6 +20,8 @@ import sunbeam.app.files.output.ForceOption;
 import sunbeam.app.files.output.PngWriter;
 import sunbeam.app.gpu.picture.DoubtfulPicture;
 import sunbeam.app.terminal.Environment;
+import sunbeam.app.terminal.ExitCode;
+import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.app.terminal.Version;
 import sunbeam.app.terminal.options.MethodOptions;
@@ -119,8 +121,9 @@ public final class EvaluateCommand implements Callable<Integer> {
         files.checkWritable();
         Choices choices =
                 setup.seen(method.in(asked), specification.commandLine().getErr());
-        evaluate(setup, choices, files, specification.commandLine().getOut());
-        return DoubtfulPicture.ofPatches(List.of(setup.patch())).code();
+        boolean answered =
+                evaluate(setup, choices, files, specification.commandLine().getOut());
+        return answered ? DoubtfulPicture.ofPatches(List.of(setup.patch())).code() : ExitCode.UNUSABLE_INPUT.code();
     }
 
     private List<String> endings() {
@@ -129,7 +132,8 @@ public final class EvaluateCommand implements Callable<Integer> {
                 : List.of(".png", ".json", ".csv", ".npy");
     }
 
-    private void evaluate(DiffractionSetup setup, Choices choices, FileGroup files, PrintWriter out) {
+    /** @return whether there is an answer */
+    private boolean evaluate(DiffractionSetup setup, Choices choices, FileGroup files, PrintWriter out) {
         PrintWriter err = specification.commandLine().getErr();
         Evaluation evaluation = Evaluation.of(
                 setup,
@@ -137,16 +141,24 @@ public final class EvaluateCommand implements Callable<Integer> {
                 choices,
                 method,
                 quantity,
-                planned -> methodOptions.print(planned, err));
+                planned -> methodOptions.print(planned, err),
+                line -> {
+                    err.println(Messages.note(line));
+                    err.flush();
+                });
         GratingTarget target = evaluation.target();
         Map<String, Object> report = describe(setup, choices, evaluation);
         report.put("period", evaluation.answer().map(PeriodReport::tree).orElse(null));
+        report.put("period_not_told", target.doubt().isEmpty() ? null : target.doubt());
         report.putAll(EvaluationReport.tree(evaluation.measurement()));
         String title = evaluation.title();
         out.println(title);
         out.println(String.join(System.lineSeparator(), periodLines(evaluation)));
-        EvaluationReport.lines(evaluation.measurement(), Evaluation.area(choices))
-                .forEach(out::println);
+        String area = Evaluation.area(choices);
+        List<String> ridge = target.isSharp()
+                ? EvaluationReport.lines(evaluation.measurement(), area)
+                : EvaluationReport.roughLines(evaluation.measurement(), area);
+        ridge.forEach(out::println);
         out.flush();
         Map<String, AtomicFile.StreamContent> contents = new LinkedHashMap<>();
         if (positions > 0) {
@@ -179,15 +191,15 @@ public final class EvaluateCommand implements Callable<Integer> {
         evaluation.plan().ifPresent(plan -> text.put("Plan", plan));
         contents.put(".png", stream -> PngWriter.write(stream, evaluation.plot(), text));
         files.write(contents).forEach(out::println);
+        return target.isSharp();
     }
 
     private static List<String> periodLines(Evaluation evaluation) {
         return evaluation
                 .answer()
                 .map(answer -> PeriodReport.lines(answer, evaluation.target().heights()))
-                .orElse(List.of(
-                        "period               not told: the heights show none near --period, so that its uncertainty is"
-                                + " unknown"));
+                .orElseGet(() -> List.of(
+                        "period               not told: " + evaluation.target().doubt()));
     }
 
     private Map<String, Object> describe(DiffractionSetup setup, Choices choices, Evaluation evaluation) {
@@ -204,7 +216,7 @@ public final class EvaluateCommand implements Callable<Integer> {
         report.put("window_origin", area.origin().name().toLowerCase(Locale.ROOT));
         report.put("coherence_length_m", area.window().coherenceLength());
         report.putAll(EvaluationReport.tree(evaluation.grid()));
-        report.put("heights", EvaluationReport.tree(evaluation.target().heights()));
+        report.put("heights", EvaluationReport.tree(evaluation.target()));
         return report;
     }
 

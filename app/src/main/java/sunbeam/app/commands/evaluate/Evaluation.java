@@ -55,22 +55,26 @@ public final class Evaluation {
      * @throws NoPeriodException where the surface or its response has no period
      */
     public static Evaluation ofRadiance(DiffractionSetup setup, GratingRequest grating, Choices choices) {
-        return of(setup, grating, choices, ResponseMethod.FULL, Quantity.RHO, method -> {});
+        return of(setup, grating, choices, ResponseMethod.FULL, Quantity.RHO, method -> {}, line -> {});
     }
 
-    /** @param planned told of the method that a shader uses, once it is planned */
+    /**
+     * @param planned told of the method that a shader uses, once it is planned
+     * @param remark told how long it takes where that is long
+     */
     static Evaluation of(
             DiffractionSetup setup,
             GratingRequest grating,
             Choices choices,
             ResponseMethod method,
             Quantity quantity,
-            Consumer<MethodPlan> planned) {
+            Consumer<MethodPlan> planned,
+            Consumer<String> remark) {
         CoherenceWindow window = GaussianArea.windowOf(choices);
         double sigmaFrequency = window.sigmaFrequency();
         GratingTarget target = GratingTarget.of(setup.patch(), grating, sigmaFrequency);
         ResponseGrid grid = grating.grid(target.plane(), target.order(), window);
-        Responses responses = new Responses(setup, method, choices, grid, planned);
+        Responses responses = new Responses(setup, method, choices, grid, planned, remark);
         ResponseMatrix response = quantity.of(responses.power());
         String title = String.format(
                 Locale.ROOT,

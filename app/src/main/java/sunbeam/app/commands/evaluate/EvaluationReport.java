@@ -10,6 +10,7 @@ import sunbeam.precompute.evaluation.GratingMeasurement;
 import sunbeam.precompute.evaluation.PeriodStatistics;
 import sunbeam.precompute.evaluation.ResponseGrid;
 import sunbeam.precompute.evaluation.RidgeSearch;
+import sunbeam.precompute.units.Lengths;
 
 /** The figures of an evaluation: for people as lines, for programs as a tree of names and values (docs/evaluation.md). */
 final class EvaluationReport {
@@ -70,9 +71,15 @@ final class EvaluationReport {
         return tree;
     }
 
-    static Map<String, Object> tree(Periodicity heights) {
+    /** What the heights show: the period that is told, and the peak of the spectrum, which is rough. */
+    static Map<String, Object> tree(GratingTarget target) {
+        Periodicity heights = target.heights();
+        Double peak = heights.found() ? heights.peaks().get(0).period() * NANOMETRES : null;
         Map<String, Object> tree = new LinkedHashMap<>();
-        tree.put("period_nm", heights.found() ? heights.peaks().get(0).period() * NANOMETRES : null);
+        tree.put(
+                "period_nm",
+                target.estimate().map(told -> told.period() * NANOMETRES).orElse(null));
+        tree.put("spectrum_peak_nm", peak);
         tree.put("figure", heights.figure());
         tree.put("threshold", heights.threshold());
         return tree;
@@ -98,6 +105,16 @@ final class EvaluationReport {
     /** JSON knows no NaN. */
     private static Double finite(double metres) {
         return Double.isFinite(metres) ? metres * NANOMETRES : null;
+    }
+
+    /** Of a ridge that belongs to no period that is told: where it is, without digits that nobody should quote. */
+    static List<String> roughLines(GratingMeasurement measurement, String area) {
+        return List.of(String.format(
+                Locale.ROOT,
+                "The brightest ridge of %s lies where a period of about %s has its order %d: where light goes, not how well a period is known",
+                area,
+                Lengths.rounded(measurement.interpolated().mean(), 2),
+                measurement.order()));
     }
 
     /** @param area whose ridge it is */

@@ -5,6 +5,7 @@ import java.math.MathContext;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import sunbeam.precompute.analysis.FewPeriods;
 import sunbeam.precompute.analysis.HeightSpectrum;
 import sunbeam.precompute.analysis.PeriodEstimate;
 import sunbeam.precompute.analysis.PeriodEstimator;
@@ -26,9 +27,15 @@ import sunbeam.precompute.units.Lengths;
  * @param order where the first order is looked for
  * @param heights the regularities of the heights along the plane, or in all directions
  * @param estimate what the heights tell of the period; empty where the user looks for one that they do not show
+ * @param doubt why the heights tell no such period; empty where they do
  */
 record GratingTarget(
-        String patch, GratingPlane plane, FirstOrder order, Periodicity heights, Optional<PeriodEstimate> estimate) {
+        String patch,
+        GratingPlane plane,
+        FirstOrder order,
+        Periodicity heights,
+        Optional<PeriodEstimate> estimate,
+        String doubt) {
     // A surface that repeats one small patch has its exact period; a grown one strays from the heights' mean period by
     // up to a quarter from one coherence area to the next.
     private static final double EXACT = 1.1;
@@ -36,6 +43,8 @@ record GratingTarget(
     private static final double GIVEN = 1.2;
     // From one end of the scan to the other; less goes into the interval.
     private static final double LARGEST_DRIFT = 1.05;
+    // Of the cosine between a wave and the direction in which light looks at it: 15 degrees.
+    private static final double ALONG = 0.966;
     // Ends of the interval: a period that may be half as large again is none.
     private static final double VAGUEST = 1.5;
 
@@ -58,21 +67,45 @@ record GratingTarget(
                     "%s has no periodicity%s: %s; to look for a ridge all the same give %s",
                     patch.name(),
                     where,
-                    heights.describeFigure(),
+                    few(patch, given).orElse(heights.describeFigure()),
                     remedy));
         }
         double azimuth = given.orElseGet(() -> signed(heights.peaks().get(0)));
         FirstOrder order = request.period().isPresent()
                 ? FirstOrder.around(request.period().getAsDouble(), GIVEN)
                 : FirstOrder.around(heights.peaks().get(0).period(), spread(heights));
-        Optional<PeriodEstimate> estimate = heights.peaks().stream()
+        Optional<SpectrumPeak> near = heights.peaks().stream()
                 .filter(peak -> peak.period() >= order.shortest() && peak.period() <= order.longest())
-                .findFirst()
-                .flatMap(peak -> estimate(patch, heights, peak));
+                .findFirst();
+        Optional<PeriodEstimate> estimate = near.flatMap(peak -> estimate(patch, heights, peak));
         if (request.period().isEmpty()) {
             requireTold(patch.name(), estimate, heights.peaks().get(0));
         }
-        return new GratingTarget(patch.name(), request.plane(azimuth), order, heights, estimate);
+        String doubt = estimate.isPresent() ? "" : doubt(patch, given, heights, near);
+        return new GratingTarget(patch.name(), request.plane(azimuth), order, heights, estimate, doubt);
+    }
+
+    /** Why no period is told near one that was asked for. */
+    private static String doubt(Patch patch, OptionalDouble azimuth, Periodicity heights, Optional<SpectrumPeak> near) {
+        if (near.isPresent()) {
+            return "too few of these periods fit into the scan along their direction to follow them";
+        }
+        return heights.found()
+                ? "the heights show about " + shortly(heights.peaks().get(0).period()) + ", and none near --period"
+                : few(patch, azimuth).orElse("the heights show no periodicity: " + heights.describeFigure());
+    }
+
+    /** A wave along the azimuth that is seen too few times. */
+    private static Optional<String> few(Patch patch, OptionalDouble azimuth) {
+        return FewPeriods.in(patch.scan())
+                .filter(wave ->
+                        azimuth.isEmpty() || Math.abs(Math.cos(wave.direction() - azimuth.getAsDouble())) >= ALONG)
+                .map(FewPeriods::describe);
+    }
+
+    /** Whether the ridge has the digits of a grating's: its surface repeats without end, or its period is told. */
+    boolean isSharp() {
+        return estimate.isPresent() || (heights.found() && heights.edges() == HeightSpectrum.Edges.PERIODIC);
     }
 
     private static Optional<PeriodEstimate> estimate(Patch patch, Periodicity heights, SpectrumPeak peak) {

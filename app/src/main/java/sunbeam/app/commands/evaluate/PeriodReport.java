@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import sunbeam.precompute.analysis.IntervalWords;
 import sunbeam.precompute.analysis.PeriodEstimate;
 import sunbeam.precompute.analysis.PeriodEstimator;
 import sunbeam.precompute.analysis.Periodicity;
@@ -59,26 +60,21 @@ final class PeriodReport {
     static List<String> lines(PeriodAnswer answer) {
         List<String> lines = new ArrayList<>();
         PeriodEstimate heights = answer.heights();
-        int digits = digits(0.5 * (answer.high() - answer.low()));
         lines.add("period               " + figures(answer));
-        lines.add(String.format(
-                Locale.ROOT,
-                "of the heights       %s nm%s",
-                text(heights.period(), digits(heights.halfWidth())),
-                heights.halfWidth() > 0
+        lines.add("of the heights       " + IntervalWords.period(heights.period(), heights.low(), heights.high())
+                + (heights.halfWidth() > 0
                         ? String.format(
                                 Locale.ROOT,
-                                ", interval %s to %s nm; %.1f periods were followed",
-                                text(heights.low(), digits(heights.halfWidth())),
-                                text(heights.high(), digits(heights.halfWidth())),
+                                ", interval %s; %.1f periods were followed",
+                                IntervalWords.interval(heights.low(), heights.high()),
                                 heights.periods())
                         : ", exact: the patch is one period of a surface that repeats"));
         answer.light()
                 .ifPresentOrElse(
                         light -> lines.add(String.format(
                                 Locale.ROOT,
-                                "of the light         %s nm, %s%s",
-                                text(light, Math.min(2, digits)),
+                                "of the light         %s, %s%s",
+                                IntervalWords.period(light, answer.low(), answer.high()),
                                 words(answer.of()),
                                 answer.disagree() && heights.halfWidth() > 0
                                         ? "; the interval reaches from one to the other"
@@ -98,16 +94,10 @@ final class PeriodReport {
 
     /** "900.0 nm, 95 % interval 899.9 to 900.1 nm", or the period alone where it is exact. */
     static String figures(PeriodAnswer answer) {
-        int digits = digits(0.5 * (answer.high() - answer.low()));
         if (answer.heights().halfWidth() > 0 || answer.high() - answer.low() > EXACT * answer.period()) {
-            return String.format(
-                    Locale.ROOT,
-                    "%s nm, 95 %% interval %s to %s nm",
-                    text(answer.period(), digits),
-                    text(answer.low(), digits),
-                    text(answer.high(), digits));
+            return IntervalWords.of(answer.period(), answer.low(), answer.high());
         }
-        return text(answer.period(), 2) + " nm";
+        return IntervalWords.period(answer.period(), answer.period(), answer.period());
     }
 
     private static String words(PeriodAnswer.Light light) {
@@ -117,25 +107,11 @@ final class PeriodReport {
     }
 
     private static String second(PeriodEstimate.Second second) {
-        int digits = digits(0.5 * (second.high() - second.low()));
         return String.format(
                 Locale.ROOT,
-                "a second period      %s nm, 95 %% interval %s to %s nm, %.2g times as high as the first: the surface has two",
-                text(second.period(), digits),
-                text(second.low(), digits),
-                text(second.high(), digits),
+                "a second period      %s, %.2g times as high as the first: the surface has two",
+                IntervalWords.of(second.period(), second.low(), second.high()),
                 second.strength());
-    }
-
-    /** Decimals that show two digits of an uncertainty in metres. */
-    private static int digits(double uncertainty) {
-        return uncertainty > 0
-                ? (int) Math.max(0, Math.min(2, 1 - Math.floor(Math.log10(uncertainty * NANOMETRES))))
-                : 2;
-    }
-
-    private static String text(double metres, int decimals) {
-        return String.format(Locale.ROOT, "%." + decimals + "f", metres * NANOMETRES);
     }
 
     static Map<String, Object> tree(PeriodAnswer answer) {

@@ -2,6 +2,7 @@ package sunbeam.app.commands.evaluate;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.stream.IntStream;
@@ -31,6 +32,9 @@ import sunbeam.precompute.shader.ShaderTables;
 final class Responses {
     // Directions that are handed to the GPU at once; one fragment each.
     private static final int PORTION = 1 << 14;
+    // Of the first portion, which tells how long all of them take.
+    private static final int FIRST = 1 << 10;
+    private static final double LONG_MINUTES = 3;
 
     private final DiffractionSetup setup;
     private final ResponseMethod by;
@@ -38,24 +42,28 @@ final class Responses {
     private final GaussianArea area;
     private final ResponseGrid grid;
     private final Consumer<MethodPlan> planned;
+    private final Consumer<String> remark;
     private String plan;
 
     /**
      * @param choices that suit the method
      * @param planned told of the method that a shader uses, once it is planned
+     * @param remark told how long it takes where that is long
      */
     Responses(
             DiffractionSetup setup,
             ResponseMethod by,
             Choices choices,
             ResponseGrid grid,
-            Consumer<MethodPlan> planned) {
+            Consumer<MethodPlan> planned,
+            Consumer<String> remark) {
         this.setup = setup;
         this.by = by;
         this.method = by.of(choices);
         this.area = GaussianArea.of(choices);
         this.grid = grid;
         this.planned = planned;
+        this.remark = remark;
     }
 
     /** The power that the chosen average means. */
@@ -134,9 +142,18 @@ final class Responses {
         long count = (long) grid.wavelengths().length * directions.size();
         try (RenderContext context = RenderContexts.offscreen();
                 UploadedTables uploaded = UploadedTables.upload(context, tables);
-                DirectionsRenderer renderer = new DirectionsRenderer(context, uploaded, true);
+                DirectionsRenderer renderer = DirectionsRenderer.ofOnePower(context, uploaded);
                 Progress progress = Progress.start("Response", count)) {
             return new ResponseMatrix(grid, render(renderer, directions, progress));
+        }
+    }
+
+    private void tell(double minutes) {
+        if (minutes > LONG_MINUTES) {
+            remark.accept(String.format(
+                    Locale.ROOT,
+                    "the response takes about %.0f min at the speed of its first directions; larger steps of --wavelengths, fewer --angles or a --crop take less",
+                    minutes));
         }
     }
 
@@ -145,14 +162,20 @@ final class Responses {
         double[][] power = new double[grid.wavelengths().length][columns];
         int channel = ensemble() ? 1 : 0;
         int count = power.length * columns;
-        for (int start = 0; start < count; start += PORTION) {
-            List<DirectionsRenderer.Query> portion = new ArrayList<>(PORTION);
-            for (int i = start; i < Math.min(count, start + PORTION); i++) {
+        long began = System.nanoTime();
+        int end;
+        for (int start = 0; start < count; start = end) {
+            end = Math.min(count, start + (start == 0 ? FIRST : PORTION));
+            List<DirectionsRenderer.Query> portion = new ArrayList<>(end - start);
+            for (int i = start; i < end; i++) {
                 portion.add(new DirectionsRenderer.Query(directions.get(i % columns), grid.wavelengths()[i / columns]));
             }
             List<float[]> values = renderer.evaluate(portion, progress::step);
             for (int i = 0; i < values.size(); i++) {
                 power[(start + i) / columns][(start + i) % columns] = values.get(i)[channel];
+            }
+            if (start == 0) {
+                tell((System.nanoTime() - began) * 1e-9 * count / end / 60);
             }
         }
         return power;

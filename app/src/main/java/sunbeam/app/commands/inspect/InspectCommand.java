@@ -80,7 +80,7 @@ public final class InspectCommand implements Callable<Integer> {
         Map<String, String> text = new LinkedHashMap<>();
         text.put("Title", "Inspection of " + loaded.name());
         text.put("Patch", loaded.source());
-        text.put("Plan", inspection.plan().summary());
+        text.put("Plan", inspection.drawing().summary());
         Path place = PngWriter.write(picture, force.overwrite(output), new InspectionSheet(inspection).draw(), text);
         if (json.isAsked()) {
             JsonOption.print(out, new InspectionReport(inspection, place).fields());

@@ -5,7 +5,9 @@ import java.math.MathContext;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import sunbeam.app.terminal.OptionOrigin;
+import sunbeam.precompute.analysis.FewPeriods;
 import sunbeam.precompute.analysis.HeightSpectrum;
 import sunbeam.precompute.analysis.HeightStatistics;
 import sunbeam.precompute.analysis.PeriodEstimate;
@@ -13,15 +15,11 @@ import sunbeam.precompute.analysis.PeriodEstimator;
 import sunbeam.precompute.analysis.PeriodFinder;
 import sunbeam.precompute.analysis.Periodicity;
 import sunbeam.precompute.analysis.SpectrumPeak;
-import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.method.ScanLimit;
-import sunbeam.precompute.method.Surface;
 import sunbeam.precompute.patch.HeightMap;
 import sunbeam.precompute.patch.ModelError;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.patch.SamplingCheck;
-import sunbeam.precompute.plan.PlanReport;
-import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.units.Lengths;
 
@@ -32,18 +30,22 @@ import sunbeam.precompute.units.Lengths;
  * @param statistics of its heights and slopes
  * @param periodicity what repeats in it
  * @param spectrum that the periodicity rests on
- * @param estimates what the scan tells of the first of its periods, with the uncertainty; empty for a period of a surface
+ * @param estimate what the scan tells of the first of its periods, with the uncertainty; empty for a period of a surface
+ * @param few a wave that is seen too few times to be one of its periods
+ * @param remedy what would show a period where none is found
  * @param limit what becomes of the coherence length
- * @param plan for the default tolerance and any pair of directions
+ * @param drawing what a command that draws would do with it
  */
 record Inspection(
         Patch patch,
         HeightStatistics statistics,
         Periodicity periodicity,
         HeightSpectrum spectrum,
-        List<PeriodEstimate> estimates,
+        Optional<PeriodEstimate> estimate,
+        Optional<FewPeriods> few,
+        Optional<String> remedy,
         ScanLimit limit,
-        PlanReport plan) {
+        DrawingPlan drawing) {
     /** Regularities that are told of. */
     static final int PEAKS = 6;
 
@@ -57,22 +59,17 @@ record Inspection(
                 HeightStatistics.of(map),
                 periodicity,
                 finder.spectrum(periodicity),
-                estimates(map, periodicity),
+                estimate(map, periodicity),
+                periodicity.found() ? Optional.empty() : FewPeriods.in(map),
+                periodicity.found() ? Optional.empty() : PeriodRemedy.in(map),
                 limit,
-                plan(patch, FullMethod.of(limit.choices())));
+                DrawingPlan.of(patch, limit.choices()));
     }
 
-    private static List<PeriodEstimate> estimates(HeightMap map, Periodicity periodicity) {
+    private static Optional<PeriodEstimate> estimate(HeightMap map, Periodicity periodicity) {
         return periodicity.edges() == HeightSpectrum.Edges.PERIODIC
-                ? List.of()
-                : periodicity.peaks().stream()
-                        .limit(1)
-                        .flatMap(peak -> PeriodEstimator.estimate(map, peak).stream())
-                        .toList();
-    }
-
-    private static PlanReport plan(Patch patch, FullMethod standard) {
-        return new PlanReport(standard.tablePlan(Surface.withoutIdentity(patch), VisibleRange.all()));
+                ? Optional.empty()
+                : periodicity.peaks().stream().findFirst().flatMap(peak -> PeriodEstimator.estimate(map, peak));
     }
 
     /** The strongest regularities. */
@@ -108,10 +105,13 @@ record Inspection(
                         rounded(statistics.rms()))));
         lines.add(line("slopes", slopes()));
         lines.add(line("model", ModelError.of(map).describe()));
-        lines.addAll(periods());
+        int before = lines.size();
+        for (String period : new PeriodLines(this).lines()) {
+            lines.add(line(lines.size() == before ? "periods" : "", period));
+        }
         limit.line().ifPresent(said -> lines.add(line("light", said.in(OptionOrigin.INSTANCE))));
-        lines.add(line("plan", plan.summary()));
-        lines.add(line("cost", plan.cost(map.rows())));
+        lines.add(line("plan", drawing.summary()));
+        drawing.plan().ifPresent(plan -> lines.add(line("cost", plan.cost(map.rows()))));
         return lines;
     }
 
@@ -126,57 +126,12 @@ record Inspection(
     private String slopes() {
         return String.format(
                 Locale.ROOT,
-                "%.1f degrees rms, steepest %.1f; %.2g %% of the surface steeper than %.0f degrees, where scalar theory"
+                "%.1f degrees rms, steepest %.1f; %.1f %% of the surface steeper than %.0f degrees, where scalar theory"
                         + " fails",
                 Math.toDegrees(Math.atan(statistics.rmsSlope())),
                 Math.toDegrees(Math.atan(statistics.largestSlope())),
                 100 * statistics.steepShare(),
                 HeightStatistics.STEEP_DEGREES);
-    }
-
-    private List<String> periods() {
-        if (!periodicity.found()) {
-            return List.of(line("periods", "no periodicity: " + periodicity.describeFigure()));
-        }
-        List<String> lines = new ArrayList<>();
-        for (SpectrumPeak peak : peaks()) {
-            lines.add(line(lines.isEmpty() ? "periods" : "", describe(peak)));
-        }
-        estimates.forEach(estimate -> lines.add(line("", describe(estimate))));
-        int others = periodicity.peaks().size() - peaks().size();
-        if (others > 0) {
-            lines.add(line("", String.format(Locale.ROOT, "and %d weaker ones", others)));
-        }
-        return lines;
-    }
-
-    private String describe(SpectrumPeak peak) {
-        String figure = periodicity.edges() == HeightSpectrum.Edges.TAPERED
-                ? String.format(Locale.ROOT, "%.3g times above its surroundings", peak.figure())
-                : String.format(Locale.ROOT, "%.3g %% of the heights' variance", 100 * peak.figure());
-        return String.format(
-                Locale.ROOT,
-                "%7.1f nm in direction %5.1f degrees, %.1f nm rms, %s",
-                peak.period() * 1e9,
-                Math.toDegrees(peak.direction()),
-                peak.rms() * 1e9,
-                figure);
-    }
-
-    private static String describe(PeriodEstimate estimate) {
-        String interval = String.format(
-                Locale.ROOT,
-                "95 %% interval of the first: %.4g to %.4g nm",
-                estimate.low() * 1e9,
-                estimate.high() * 1e9);
-        String second = estimate.second()
-                .map(other -> ", beside a second of " + rounded(other.period()))
-                .orElse("");
-        String drift = estimate.drift()
-                .map(ends -> String.format(
-                        Locale.ROOT, ", drifting from %s to %s", rounded(ends.first()), rounded(ends.last())))
-                .orElse("");
-        return interval + second + drift;
     }
 
     /** Four digits: more would be noise. */

@@ -1,15 +1,20 @@
 package sunbeam.app.commands.inspect;
 
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
+import sunbeam.precompute.analysis.HeightSpectrum;
 import sunbeam.precompute.analysis.HeightStatistics;
 import sunbeam.precompute.analysis.PeriodEstimate;
+import sunbeam.precompute.analysis.PeriodEstimator;
 import sunbeam.precompute.analysis.SpectrumPeak;
 import sunbeam.precompute.patch.HeightMap;
 import sunbeam.precompute.patch.ModelError;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.patch.SamplingCheck;
+import sunbeam.precompute.plan.PlanReport;
 
 /**
  * An inspection for programs.
@@ -40,18 +45,45 @@ record InspectionReport(Inspection inspection, Path picture) {
         fields.put(
                 "shareSteeperThan" + Math.round(HeightStatistics.STEEP_DEGREES) + "Degrees", statistics.steepShare());
         fields.put("model", ModelError.of(map).describe());
+        fields.put("periods", periods());
         fields.put(
-                "periods",
+                "spectrumPeaks",
                 inspection.peaks().stream().map(InspectionReport::fields).toList());
         fields.put(
                 "periodIntervals",
-                inspection.estimates().stream().map(InspectionReport::fields).toList());
-        fields.put("plan", inspection.plan().summary());
-        fields.put("cost", inspection.plan().cost(map.rows()));
+                inspection.estimate().map(InspectionReport::fields).stream().toList());
+        fields.put("periodLines", new PeriodLines(inspection).lines());
+        fields.put("plan", inspection.drawing().plan().map(PlanReport::summary).orElse(null));
+        fields.put(
+                "cost",
+                inspection.drawing().plan().map(plan -> plan.cost(map.rows())).orElse(null));
+        fields.put("planRefused", inspection.drawing().refusal());
         fields.put("notes", patch.notes());
         fields.put("warnings", patch.warnings());
         fields.put("picture", picture.toString());
         return fields;
+    }
+
+    /** Those that are known: exactly, or with an interval; the strongest first. */
+    private List<Map<String, Object>> periods() {
+        if (inspection.periodicity().edges() == HeightSpectrum.Edges.PERIODIC) {
+            return inspection.peaks().stream().map(InspectionReport::fields).toList();
+        }
+        List<Map<String, Object>> periods = new ArrayList<>();
+        inspection.estimate().ifPresent(told -> {
+            Map<String, Object> first = fields(told);
+            SpectrumPeak peak = inspection.peaks().get(0);
+            first.put("directionDegrees", Math.toDegrees(peak.direction()));
+            first.put("rmsMetres", peak.rms());
+            periods.add(first);
+            told.second().ifPresent(second -> {
+                Map<String, Object> beside = interval(second.period(), second.low(), second.high());
+                beside.put("directionDegrees", Math.toDegrees(peak.direction()));
+                beside.put("relativeAmplitude", second.strength());
+                periods.add(beside);
+            });
+        });
+        return periods;
     }
 
     private static Map<String, Object> fields(SpectrumPeak peak) {
@@ -63,11 +95,16 @@ record InspectionReport(Inspection inspection, Path picture) {
     }
 
     private static Map<String, Object> fields(PeriodEstimate estimate) {
+        return interval(estimate.period(), estimate.low(), estimate.high());
+    }
+
+    private static Map<String, Object> interval(double period, double low, double high) {
         Map<String, Object> fields = new LinkedHashMap<>();
-        fields.put("periodMetres", estimate.period());
-        fields.put("lowMetres", estimate.low());
-        fields.put("highMetres", estimate.high());
-        fields.put("probability", 0.95);
+        fields.put("periodMetres", period);
+        fields.put("lowMetres", low);
+        // JSON knows no infinity.
+        fields.put("highMetres", Double.isFinite(high) ? high : null);
+        fields.put("probability", PeriodEstimator.PROBABILITY);
         return fields;
     }
 }

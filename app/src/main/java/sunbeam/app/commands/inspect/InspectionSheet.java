@@ -14,6 +14,7 @@ import sunbeam.app.files.plot.HeatMap;
 import sunbeam.app.files.plot.Plot;
 import sunbeam.precompute.analysis.HeightSpectrum;
 import sunbeam.precompute.analysis.Histogram;
+import sunbeam.precompute.analysis.PeriodEstimate;
 import sunbeam.precompute.analysis.SpectrumPeak;
 import sunbeam.precompute.patch.HeightMap;
 import sunbeam.precompute.units.Lengths;
@@ -167,10 +168,20 @@ final class InspectionSheet {
                         colors,
                         HeatMap.Reduction.LARGEST));
         for (SpectrumPeak peak : inspection.peaks()) {
-            String label = String.format(Locale.ROOT, "%.0f nm", peak.period() * NANOMETRES);
+            String label = Lengths.rounded(period(peak), 3);
             picture.mark(label, peak.frequencyX() / MICROMETRES, peak.frequencyY() / MICROMETRES);
         }
         return picture.draw();
+    }
+
+    /** What is told of a peak's period, metres: the first peak's has an interval, whose middle need not be the peak's. */
+    private double period(SpectrumPeak peak) {
+        boolean first = peak.equals(inspection.peaks().get(0));
+        return inspection
+                .estimate()
+                .filter(told -> first)
+                .map(PeriodEstimate::period)
+                .orElse(peak.period());
     }
 
     private BufferedImage histogram() {

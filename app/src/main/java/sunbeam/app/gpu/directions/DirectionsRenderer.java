@@ -36,11 +36,21 @@ public final class DirectionsRenderer implements AutoCloseable {
      * @param spectral whether directions come with a wavelength; else colours are computed
      */
     public DirectionsRenderer(RenderContext context, UploadedTables method, boolean spectral) {
+        this(context, method, spectral, spectral ? Map.of("SPECTRAL", "1") : Map.of());
+    }
+
+    private DirectionsRenderer(
+            RenderContext context, UploadedTables method, boolean spectral, Map<String, String> defines) {
         this.context = context;
         this.method = method;
         this.spectral = spectral;
-        this.program = method.program("directions.frag", spectral ? Map.of("SPECTRAL", "1") : Map.of());
+        this.program = method.program("directions.frag", defines);
         program.set("windowSigma", (float) method.windowSigma());
+    }
+
+    /** For directions with a wavelength, of which the method's own average is computed and stands for both powers. */
+    public static DirectionsRenderer ofOnePower(RenderContext context, UploadedTables method) {
+        return new DirectionsRenderer(context, method, true, Map.of("SPECTRAL", "1", "ONE_POWER", "1"));
     }
 
     /** One direction to evaluate; the wavelength in metres is ignored where colours are computed. */

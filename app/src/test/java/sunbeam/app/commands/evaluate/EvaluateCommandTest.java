@@ -208,6 +208,27 @@ final class EvaluateCommandTest {
         assertThat(files()).containsExactly("noise.png");
     }
 
+    /** Grooves of 4 um on 12.8 um gave "3157.62 nm, standard error 6 nm" and exit code 0. */
+    @Test
+    void tooFewPeriodsAreNoAnswer() throws IOException {
+        StringBuilder text = new StringBuilder();
+        for (int i = 0; i < 128 * 64; i++) {
+            text.append(0.1 * (i % 128) % 3.8 < 1.6 ? 100 : 0).append(i % 128 == 127 ? "\n" : "\t");
+        }
+        Path scan = Files.writeString(folder.resolve("scan.txt"), text);
+        String[] patch = {"--patch", scan.toString(), "--width", "11um", "--height-unit", "nm"};
+        assertThat(run(Stream.concat(Stream.of(patch), Stream.of("--azimuth", "0", "--period", "3.3um"))
+                        .toArray(String[]::new)))
+                .as(err.toString())
+                .isEqualTo(4);
+        assertThat(out.toString())
+                .contains("period               not told: ", "lies where a period of about")
+                .doesNotContain("standard error", "none near");
+        assertThat(report().get("period").isNull()).isTrue();
+        assertThat(report().get("period_not_told").textValue()).containsAnyOf("too few");
+        assertThat(report().at("/heights/period_nm").isNull()).isTrue();
+    }
+
     @Test
     void alongTheRidgesThereIsNoPeriod() throws IOException {
         assertThat(run("--patch", "blaze", "--azimuth", "90")).isEqualTo(4);

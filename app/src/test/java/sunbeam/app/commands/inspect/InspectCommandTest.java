@@ -16,6 +16,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.SplittableRandom;
+import java.util.function.DoubleBinaryOperator;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -62,7 +63,7 @@ final class InspectCommandTest {
                 .contains("relief 110 nm")
                 .contains("fine enough for light of 380 nm")
                 .contains("steeper than 30 degrees")
-                .contains("1600.0 nm in direction   0.0 degrees")
+                .contains("periods   1600.0 nm, 95 % interval 1598", "nm, in direction 0.0 degrees")
                 .contains("plan ")
                 .containsPattern("cost +textures of at most [0-9.]+ [MG]B; up to [0-9]+ texture reads a pixel")
                 .endsWith(picture() + System.lineSeparator());
@@ -107,7 +108,7 @@ final class InspectCommandTest {
     @Test
     void theOptionStandsForTheArgument() {
         assertThat(run("inspect", "--patch", "sinusoid", "--output", picture())).isZero();
-        assertThat(out.toString()).contains("2500.0 nm in direction   0.0 degrees");
+        assertThat(out.toString()).contains("2500.0 nm in direction 0.0 degrees");
     }
 
     @Test
@@ -169,14 +170,15 @@ final class InspectCommandTest {
         List<String> arguments = new ArrayList<>(List.of(
                 "inspect",
                 folder.resolve("scan.txt").toString(),
-                "--width",
-                "10um",
                 "--height-unit",
                 "nm",
                 "--output",
                 picture(),
                 "--force"));
         arguments.addAll(List.of(more));
+        if (!arguments.contains("--width")) {
+            arguments.addAll(List.of("--width", "10um"));
+        }
         assertThat(run(arguments.toArray(String[]::new))).as(err.toString()).isEqualTo(code);
     }
 
@@ -198,6 +200,69 @@ final class InspectCommandTest {
         assertThat(out.toString()).doesNotContain("light     ").contains("levelling mean");
         inspectScan(0, "--no-periodic");
         assertThat(out.toString()).contains("light     coherence length 5 um");
+    }
+
+    /** A spectrum of 20 um shows 1000 and 1110 nm as one peak at 1040 nm, which is neither. */
+    @Test
+    void onePeriodIsOneNumber() throws IOException {
+        text(128, 64, (x, y) -> 25 * Math.sin(2 * Math.PI * x / 1.0) + 22 * Math.sin(2 * Math.PI * x / 1.11));
+        inspectScan(0, "--width", "12.8um");
+        assertThat(out.toString())
+                .containsPattern(
+                        "periods   (999|1000)[.0-9]* nm, 95 % interval 99[.0-9]* to 100[.0-9]* nm, in direction 0.0")
+                .containsPattern("and a second of 11[01][.0-9]* nm, 95 % interval");
+        inspectScan(0, "--width", "12.8um", "--json");
+        JsonNode report = new ObjectMapper().readTree(out.toString());
+        double period = report.at("/periods/0/periodMetres").doubleValue();
+        assertThat(period)
+                .isEqualTo(report.at("/periodIntervals/0/periodMetres").doubleValue());
+        // The interval holds the truth, which a test of the estimate shows; here both are told.
+        assertThat(period).isCloseTo(1000e-9, within(5e-9));
+        assertThat(report.at("/periods/1/periodMetres").doubleValue()).isCloseTo(1110e-9, within(8e-9));
+        assertThat(report.at("/periods/1/lowMetres").doubleValue()).isLessThan(1110e-9);
+    }
+
+    @Test
+    void whatHidesAPeriodIsTold() throws IOException {
+        text(128, 64, (x, y) -> 30 * Math.sin(2 * Math.PI * x / 1.0) + 20 * (x - 6.4) * (x - 6.4) + 20 * y * y);
+        inspectScan(0, "--width", "12.8um");
+        assertThat(out.toString())
+                .containsPattern("periods   none as the scan is, but --level quadratic shows one of about");
+        text(128, 64, (x, y) -> x % 4 < 1.6 ? 400 : 0);
+        inspectScan(0, "--width", "12.8um");
+        assertThat(out.toString()).contains("a wave of about 4 um in direction 0 degrees or so is seen 3.2 times");
+    }
+
+    /** Metres of a scan were nanometres of another: inspect looks at what no command could draw. */
+    @Test
+    void aScanThatCannotBeDrawnIsInspected() throws IOException {
+        text(128, 64, (x, y) -> 500 * Math.sin(2 * Math.PI * x / 1.6) + 100 * Math.sin(2 * Math.PI * y / 1.3));
+        inspectScan(0, "--width", "2mm");
+        assertThat(err.toString()).contains("is its unit of length right?").doesNotContain("likely");
+        assertThat(out.toString())
+                .contains(
+                        "size      2 mm x 1 mm",
+                        "periods   ",
+                        "plan      none;",
+                        "--coherence-length 65 um",
+                        "(--crop ")
+                .doesNotContain("cost ");
+        assertThat(ImageIO.read(new File(picture())).getWidth()).isGreaterThan(1000);
+        inspectScan(0, "--width", "2mm", "--json");
+        JsonNode report = new ObjectMapper().readTree(out.toString());
+        assertThat(report.get("plan").isNull()).isTrue();
+        assertThat(report.get("planRefused").textValue()).contains("--coherence-length");
+    }
+
+    private void text(int columns, int rows, DoubleBinaryOperator nanometres) throws IOException {
+        StringBuilder text = new StringBuilder();
+        for (int row = 0; row < rows; row++) {
+            for (int column = 0; column < columns; column++) {
+                text.append(nanometres.applyAsDouble(0.1 * column, 0.1 * (rows - row)))
+                        .append(column < columns - 1 ? "\t" : "\n");
+            }
+        }
+        Files.writeString(folder.resolve("scan.txt"), text);
     }
 
     @Test

@@ -3,6 +3,7 @@ package sunbeam.precompute.scan.text;
 import java.util.Arrays;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.stream.DoubleStream;
 import sunbeam.precompute.scan.ScanException;
 
 /**
@@ -18,6 +19,11 @@ record PointGrid(Axis axisX, Axis axisY, double[] heights) {
 
     private static final double MOST_MISSING = 0.5;
 
+    // Of the range: coordinates that differ by less are equal.
+    private static final double ROUNDING = 1e-9;
+    // Of the largest gap: the same for coordinates that were each rounded, or measured, by themselves.
+    private static final double ROUNDED = 2 * MOST_OFF;
+
     /**
      * Equidistant coordinates.
      *
@@ -30,45 +36,57 @@ record PointGrid(Axis axisX, Axis axisY, double[] heights) {
             return (int) Math.round((coordinate - first) / pitch);
         }
 
-        /** The axis that all coordinates lie on; nothing when they lie on none or on a single one. */
+        /**
+         * The axis that all coordinates lie on, in whatever order they come; nothing when they lie on none or on a single
+         * one. Sorted once: n log n.
+         */
         static Optional<Axis> of(double[] coordinates) {
-            double least = Double.POSITIVE_INFINITY;
-            double largest = Double.NEGATIVE_INFINITY;
-            for (double coordinate : coordinates) {
-                if (!Double.isFinite(coordinate)) {
-                    return Optional.empty();
-                }
-                least = Math.min(least, coordinate);
-                largest = Math.max(largest, coordinate);
-            }
-            double range = largest - least;
-            double step = medianStep(coordinates, 1e-9 * range);
-            if (!(range > 0) || !(step > 0) || range / step > coordinates.length) {
+            double[] sorted = coordinates.clone();
+            Arrays.sort(sorted);
+            double least = sorted[0];
+            double range = sorted[sorted.length - 1] - least;
+            if (!(range > 0) || !Double.isFinite(range)) {
                 return Optional.empty();
             }
-            int intervals = (int) Math.round(range / step);
-            Axis axis = new Axis(least, range / intervals, intervals + 1);
-            for (double coordinate : coordinates) {
-                double position = (coordinate - least) / axis.pitch;
-                if (Math.abs(position - Math.rint(position)) > MOST_OFF) {
-                    return Optional.empty();
-                }
+            double[] gaps = new double[sorted.length - 1];
+            for (int i = 0; i < gaps.length; i++) {
+                gaps[i] = sorted[i + 1] - sorted[i];
             }
-            return Optional.of(axis);
+            Arrays.sort(gaps);
+            double[] standstills = {ROUNDING * range, ROUNDED * gaps[gaps.length - 1]};
+            return Arrays.stream(standstills)
+                    .mapToObj(standstill -> of(sorted, range, gaps, standstill))
+                    .flatMap(Optional::stream)
+                    .findFirst();
         }
 
-        /** Of the steps between neighbours in the file that are no standstill. */
-        private static double medianStep(double[] coordinates, double standstill) {
-            double[] steps = new double[coordinates.length];
-            int count = 0;
-            for (int i = 1; i < coordinates.length; i++) {
-                double step = Math.abs(coordinates[i] - coordinates[i - 1]);
-                if (step > standstill) {
-                    steps[count++] = step;
-                }
+        /**
+         * An axis with a line at each different coordinate, or, where lines without any point lie between, in steps as most
+         * neighbours have.
+         *
+         * @param gaps between the sorted coordinates, sorted
+         * @param standstill the largest gap between coordinates that are meant to be equal
+         */
+        private static Optional<Axis> of(double[] sorted, double range, double[] gaps, double standstill) {
+            int equal = 0;
+            while (equal < gaps.length && gaps[equal] <= standstill) {
+                equal++;
             }
-            Arrays.sort(steps, 0, count);
-            return count == 0 ? 0 : steps[count / 2];
+            int steps = gaps.length - equal;
+            if (steps == 0) {
+                return Optional.empty();
+            }
+            double usual = range / gaps[equal + steps / 2];
+            return DoubleStream.of(steps, Math.rint(usual))
+                    .filter(intervals -> intervals >= 1 && intervals <= sorted.length)
+                    .mapToObj(intervals -> new Axis(sorted[0], range / intervals, (int) intervals + 1))
+                    .filter(axis -> Arrays.stream(sorted).allMatch(axis::holds))
+                    .findFirst();
+        }
+
+        private boolean holds(double coordinate) {
+            double position = (coordinate - first) / pitch;
+            return Math.abs(position - Math.rint(position)) <= MOST_OFF;
         }
     }
 

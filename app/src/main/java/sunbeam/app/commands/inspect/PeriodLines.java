@@ -1,0 +1,99 @@
+package sunbeam.app.commands.inspect;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import sunbeam.precompute.analysis.FewPeriods;
+import sunbeam.precompute.analysis.HeightSpectrum;
+import sunbeam.precompute.analysis.IntervalWords;
+import sunbeam.precompute.analysis.PeriodEstimate;
+import sunbeam.precompute.analysis.SpectrumPeak;
+import sunbeam.precompute.units.Decimals;
+import sunbeam.precompute.units.Lengths;
+
+/**
+ * What repeats in a surface, for people: a period together with its interval; what is only a peak of the spectrum is called
+ * so, with the digits that such a peak has.
+ */
+final class PeriodLines {
+    // Digits of a peak's place: it is some bins wide.
+    private static final int ROUGH = 2;
+    // Figures above say no more.
+    private static final double CLEAR = 1000;
+
+    private final Inspection inspection;
+
+    PeriodLines(Inspection inspection) {
+        this.inspection = inspection;
+    }
+
+    /** One or more. */
+    List<String> lines() {
+        List<String> lines = new ArrayList<>();
+        if (!inspection.periodicity().found()) {
+            inspection
+                    .few()
+                    .map(FewPeriods::describe)
+                    .map(few -> few + "; take a larger scan")
+                    .ifPresent(lines::add);
+            inspection.remedy().ifPresent(remedy -> lines.add("none as the scan is, but " + remedy));
+            if (lines.isEmpty()) {
+                lines.add("no periodicity: " + inspection.periodicity().describeFigure());
+            }
+            return lines;
+        }
+        boolean exact = inspection.periodicity().edges() == HeightSpectrum.Edges.PERIODIC;
+        for (SpectrumPeak peak : inspection.peaks()) {
+            if (exact) {
+                lines.add(String.format(Locale.ROOT, "%.1f nm in %s", peak.period() * 1e9, describe(peak)));
+            } else if (lines.isEmpty() && inspection.estimate().isPresent()) {
+                addTold(inspection.estimate().get(), peak, lines);
+            } else {
+                lines.add(String.format(
+                        Locale.ROOT,
+                        "a peak of the spectrum at about %s in %s",
+                        Lengths.rounded(peak.period(), ROUGH),
+                        describe(peak)));
+            }
+        }
+        if (!exact && inspection.estimate().isEmpty()) {
+            lines.add(
+                    1, "too few of these periods fit into the scan along their direction to say how well it is known");
+        }
+        int others =
+                inspection.periodicity().peaks().size() - inspection.peaks().size();
+        if (others > 0) {
+            lines.add(String.format(Locale.ROOT, "and %d weaker ones", others));
+        }
+        return lines;
+    }
+
+    private void addTold(PeriodEstimate told, SpectrumPeak peak, List<String> lines) {
+        lines.add(IntervalWords.of(told.period(), told.low(), told.high()) + ", in " + describe(peak));
+        told.second()
+                .ifPresent(second -> lines.add(String.format(
+                        Locale.ROOT,
+                        "and a second of %s, %.2g times as high",
+                        IntervalWords.of(second.period(), second.low(), second.high()),
+                        second.strength())));
+        told.drift()
+                .ifPresent(ends -> lines.add("drifting from about " + Lengths.rounded(ends.first(), 3) + " to "
+                        + Lengths.rounded(ends.last(), 3)));
+    }
+
+    private String describe(SpectrumPeak peak) {
+        // A direction and its opposite are one: 179.96 degrees are 0.
+        double degrees = Math.rint(10 * Math.toDegrees(peak.direction())) / 10 % 180;
+        return String.format(
+                Locale.ROOT, "direction %.1f degrees, %.1f nm rms, %s", degrees, peak.rms() * 1e9, figure(peak));
+    }
+
+    private String figure(SpectrumPeak peak) {
+        if (inspection.periodicity().edges() == HeightSpectrum.Edges.PERIODIC) {
+            return Decimals.rounded(100 * peak.figure(), 3) + " % of the heights' variance";
+        }
+        return peak.figure() > CLEAR
+                ? "more than 1000 times above its surroundings"
+                : Decimals.rounded(peak.figure(), 2) + " times above its surroundings";
+    }
+}
