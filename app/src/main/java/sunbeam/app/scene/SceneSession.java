@@ -264,11 +264,18 @@ public final class SceneSession implements AutoCloseable {
     }
 
     /**
-     * Draws a picture in full resolution by those colours that are there, with few looks a pixel; nothing is made for it.
+     * Draws a picture by those colours that are there, with few looks a pixel; nothing is made for it. Fewer pixels see more each,
+     * and have the mean of that.
      *
+     * @param fullWidth pixels per row of the whole picture
+     * @param fullHeight rows of the whole picture
+     * @param divisor a {@code divisor}-th of columns and rows
      * @return as a screen shows it
      */
-    public BufferedImage moving(int width, int height, double exposure) {
+    public BufferedImage moving(int fullWidth, int fullHeight, int divisor, double exposure) {
+        Tile few = reduced(fullWidth, fullHeight, divisor);
+        int width = few.width();
+        int height = few.height();
         SkinGeometry geometry = uploaded.geometry(width, height);
         BufferedImage image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
         // Directly: an image that Swing paints once gains nothing from being kept on the graphics card.

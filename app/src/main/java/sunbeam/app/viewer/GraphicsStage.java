@@ -158,7 +158,7 @@ class GraphicsStage implements AutoCloseable {
         return coarse.preview(width, height, divisor);
     }
 
-    /** Whether {@link #moving(int, int, double)} can draw the state. */
+    /** Whether {@link #moving(int, int, int, double)} can draw the state. */
     boolean canMove() {
         return mover().map(SceneSession::canMove).orElse(false);
     }
@@ -167,9 +167,9 @@ class GraphicsStage implements AutoCloseable {
         return moving.isEmpty() && fine.size() == 1 ? Optional.of(fine.get(0)) : moving;
     }
 
-    /** What moves, in full size. */
-    BufferedImage moving(int width, int height, double exposure) {
-        return mover().orElseThrow().moving(width, height, exposure);
+    /** What moves, with a {@code divisor}-th of columns and rows. */
+    BufferedImage moving(int width, int height, int divisor, double exposure) {
+        return mover().orElseThrow().moving(width, height, divisor, exposure);
     }
 
     ScenePicture part(int width, int height, Tile tile) {

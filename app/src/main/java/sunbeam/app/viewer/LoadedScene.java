@@ -18,7 +18,7 @@ import sunbeam.precompute.setting.SettingException;
  *
  * @param parts with the scene's own plan, of each part of the skin's light
  * @param coarse with {@link PreviewPlan}'s
- * @param moving with tables of colours, for full-size pictures of what moves, where the scene's own method has none; the method
+ * @param moving with tables of colours, for pictures of what moves, where the scene's own method has none; the method
  *     must be one whose colours can be averaged over what a pixel sees
  * @param mapped of a scene with tables of colours, with what they tabulate: for its BRDF maps
  * @param isWhole whether nothing has been left for the next load
@@ -79,7 +79,7 @@ record LoadedScene(
         return parts.get(0);
     }
 
-    /** Whether what moves will be drawn in full size, once colours for that have been made. */
+    /** Whether what moves will be drawn by tables, once colours for that have been made. */
     boolean willMove() {
         return moving.isPresent() || (parts.size() == 1 && fine().levels().isPresent());
     }

@@ -11,7 +11,7 @@ import sunbeam.precompute.method.TableMethod;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.plan.Average;
 
-/** By which tables of colours pictures of what moves are drawn in full size: those of the ensemble average by {@code full}. */
+/** By which tables of colours pictures of what moves are drawn: those of the ensemble average by {@code full}. */
 final class MovingPlan {
     // Nothing that moves is looked at more closely.
     private static final double FINEST_TOLERANCE = 0.02;

@@ -20,12 +20,15 @@ import sunbeam.precompute.method.MethodPlan;
 final class RenderLoop implements AutoCloseable {
     // Pauses between two events of one drag are shorter.
     private static final long STILL_MILLISECONDS = 150;
+    // Two processors draw this in time.
+    private static final int FIRST_MOVING_DIVISOR = 3;
 
     private final Inbox<ViewState, Consumer<GraphicsStage>> inbox = new Inbox<>();
     private final Supplier<GraphicsStage> opening;
     private final RenderListener listener;
     private final Thread thread;
     private PreviewScale scale = PreviewScale.first();
+    private PreviewScale movingScale = new PreviewScale(FIRST_MOVING_DIVISOR, Double.NaN);
     private TileSide tileSide = TileSide.first();
     private MethodPlan measured;
     private final KeptExposure exposures = new KeptExposure();
@@ -136,7 +139,7 @@ final class RenderLoop implements AutoCloseable {
         if (unfinished.isPresent()) {
             unfinishedExposure = exposure;
             if (stage.canMove()) {
-                moving(stage, state, exposure);
+                moving(stage, state, 1, exposure);
             }
             listener.waiting(share);
             return;
@@ -167,22 +170,25 @@ final class RenderLoop implements AutoCloseable {
         }
     }
 
-    /** Shows what moves: in full resolution where colours for that are there, else as large as there is time for. */
+    /** Shows what moves, as large as there is time for: by tables where colours for that are there, else by the preview's plan. */
     private double preview(GraphicsStage stage, ViewState state) {
         OptionalDouble known = exposures.known(state.fine());
         if (known.isEmpty() || !stage.canMove()) {
-            // Baking goes on meanwhile: whoever keeps moving would never come to see the full size.
+            // Baking goes on meanwhile: whoever keeps moving would never come to see more.
             return reduced(stage, state);
         }
         stage.holdBaking();
-        moving(stage, state, known.getAsDouble());
+        long start = System.nanoTime();
+        int divisor = movingScale.divisor();
+        moving(stage, state, divisor, known.getAsDouble());
+        movingScale = movingScale.after(System.nanoTime() - start, 0);
         return known.getAsDouble();
     }
 
-    private void moving(GraphicsStage stage, ViewState state, double exposure) {
+    private void moving(GraphicsStage stage, ViewState state, int divisor, double exposure) {
         long start = System.nanoTime();
-        BufferedImage image = stage.moving(state.width(), state.height(), exposure);
-        listener.preview(state, image, 1, exposure, System.nanoTime() - start);
+        BufferedImage image = stage.moving(state.width(), state.height(), divisor, exposure);
+        listener.preview(state, image, divisor, exposure, System.nanoTime() - start);
     }
 
     private double reduced(GraphicsStage stage, ViewState state) {

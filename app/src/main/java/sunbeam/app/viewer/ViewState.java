@@ -10,7 +10,7 @@ import sunbeam.precompute.optics.Direction;
  *
  * @param parts the scene with its full plan, of each part of the skin's light
  * @param coarse the same scene with a plan for previews
- * @param moving the same scene with tables by which what moves is drawn in full size; empty where its own are, or there are none
+ * @param moving the same scene with tables by which what moves is drawn; empty where its own are, or there are none
  * @param mapped the same scene with what the BRDF map is drawn by, where its own tables have none
  * @param width pixels per row
  * @param height rows

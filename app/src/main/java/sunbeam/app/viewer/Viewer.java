@@ -135,12 +135,12 @@ final class Viewer {
     }
 
     /**
-     * Waits until what moves is drawn in full size, if it will be. Not on the event thread.
+     * Waits until what moves is drawn by tables of colours, if it will be. Not on the event thread.
      *
      * @param patience milliseconds
      * @return whether it is
      */
-    boolean awaitFullSize(long patience) throws InterruptedException {
+    boolean awaitTables(long patience) throws InterruptedException {
         long end = System.nanoTime() + patience * 1_000_000;
         while (System.nanoTime() < end) {
             Optional<LoadedScene> loaded = model.loaded();

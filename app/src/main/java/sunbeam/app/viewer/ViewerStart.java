@@ -18,7 +18,7 @@ final class ViewerStart {
     // The tile at hand when the window closes takes no longer, nor does a file; the process ends without it otherwise.
     private static final long PATIENCE_MILLISECONDS = 5000;
 
-    // Until colours for full size have been made; what is measured without them says so by its scale.
+    // Until tables for what moves have been made; what is measured without them says so by its scale.
     private static final long LONGEST_WAIT_MILLISECONDS = 180_000;
 
     private ViewerStart() {}
@@ -49,10 +49,10 @@ final class ViewerStart {
         try {
             viewer.firstPicture().await();
             double first = secondsSince(start);
-            String fullSize = viewer.awaitFullSize(LONGEST_WAIT_MILLISECONDS)
-                    ? String.format(Locale.ROOT, "; what moves in full size after %.1f s", secondsSince(start))
+            String tables = viewer.awaitTables(LONGEST_WAIT_MILLISECONDS)
+                    ? String.format(Locale.ROOT, "; tables of colours for what moves after %.1f s", secondsSince(start))
                     : "";
-            String starting = String.format(Locale.ROOT, "first picture after %.1f s%s", first, fullSize);
+            String starting = String.format(Locale.ROOT, "first picture after %.1f s%s", first, tables);
             return starting + System.lineSeparator() + ViewMeasurement.of(viewer, seconds);
         } finally {
             SwingUtilities.invokeLater(viewer::quit);

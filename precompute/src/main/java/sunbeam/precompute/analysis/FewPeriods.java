@@ -9,7 +9,7 @@ import sunbeam.precompute.units.Lengths;
 /**
  * A wave that a scan shows some three times: too few to be sure of a period, but no lack of one. It is told where the scan,
  * moved along its lines' normal, falls onto itself again, and once more after twice that distance (Pearson's correlation of the
- * heights of the overlap). Noise, bumps and fractal surfaces do not, of which simulated ones were tried.
+ * heights of the overlap). Noise and fractal surfaces do not, of which simulated ones were tried.
  *
  * @param period about, metres
  * @param direction across the lines, radians counter-clockwise from +x, 0 to below pi
