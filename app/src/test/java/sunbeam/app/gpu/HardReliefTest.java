@@ -35,7 +35,7 @@ class HardReliefTest extends InAContext {
         HeightMap map = Surface.noise(64, 64, PITCH, relief, 3);
 
         new Comparison(context, map, Requests.of(WINDOW, average))
-                .powerErrors(new Directions(1).queries(200))
+                .powerErrors(new Directions(1).queries(80))
                 .assertWithin(TOLERANCE, "power");
     }
 
@@ -45,7 +45,7 @@ class HardReliefTest extends InAContext {
         HeightMap map = Surface.noise(64, 64, PITCH, relief, 4);
 
         new Comparison(context, map, Requests.of(WINDOW, Average.COHERENT))
-                .colourErrors(new Directions(2).anywhere(20))
+                .colourErrors(new Directions(2).anywhere(10))
                 .assertWithin(TOLERANCE, "XYZ");
     }
 
@@ -57,14 +57,14 @@ class HardReliefTest extends InAContext {
         HeightMap map = Surface.noise(64, 64, PITCH, 250e-9, 5);
 
         new Comparison(context, map, Requests.of(WINDOW, Average.COHERENT, WindowOrigin.CENTRE, Optional.of(kind)))
-                .powerErrors(new Directions(3).queries(100))
+                .powerErrors(new Directions(3).queries(60))
                 .assertWithin(TOLERANCE, kind.label());
     }
 
     @Test
     void aScanThatSitsAMillimetreAboveZero() {
         HeightMap raised = Surface.noise(64, 64, PITCH, 819e-9, 6).map(height -> height + 1e-3);
-        List<Query> queries = new Directions(4).queries(100);
+        List<Query> queries = new Directions(4).queries(60);
 
         new Comparison(context, raised, Requests.of(WINDOW, Average.COHERENT))
                 .powerErrors(queries)

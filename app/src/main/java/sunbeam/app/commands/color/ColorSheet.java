@@ -76,9 +76,10 @@ final class ColorSheet {
                         options),
                 LEFT,
                 top + 14);
+        boolean oneLight = reports.get(0).thetas().size() == 1;
         graphics.drawString(
                 "angles of the view to the normal, negative on the side away from the azimuth; what is brighter than a screen"
-                        + " shows keeps its hue; grey bar: the mirror's reach",
+                        + " shows keeps its hue" + (oneLight ? "; grey bar: the mirror's reach" : ""),
                 LEFT,
                 top + 34);
     }
