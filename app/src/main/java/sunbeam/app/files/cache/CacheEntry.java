@@ -1,5 +1,8 @@
 package sunbeam.app.files.cache;
 
+import java.io.DataInputStream;
+import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Instant;
 import sunbeam.precompute.shader.ShaderTablesFile;
@@ -29,6 +32,18 @@ public record CacheEntry(Path file, long bytes, Instant lastUsed) {
                 || name.endsWith("." + SHADER)
                 || name.endsWith("." + COLOURS)
                 || name.endsWith("." + PAGES);
+    }
+
+    /** From a file of colours, which begins with its format, its surface and what it is. */
+    static TableLabel labelOf(Path file, String format) {
+        try (DataInputStream in = new DataInputStream(Files.newInputStream(file))) {
+            if (in.readUTF().equals(format)) {
+                return new TableLabel(in.readUTF(), in.readUTF());
+            }
+            throw new TableException(file + ": no colours of this version");
+        } catch (IOException failure) {
+            throw new TableException(file + ": cannot be read: " + failure.getMessage());
+        }
     }
 
     /**

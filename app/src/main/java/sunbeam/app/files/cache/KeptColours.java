@@ -1,7 +1,6 @@
 package sunbeam.app.files.cache;
 
 import java.io.ByteArrayOutputStream;
-import java.io.DataInputStream;
 import java.io.DataOutputStream;
 import java.io.IOException;
 import java.nio.ByteBuffer;
@@ -15,7 +14,6 @@ import java.util.Optional;
 import java.util.function.Supplier;
 import java.util.zip.CRC32;
 import sunbeam.precompute.colourtable.ColourSource;
-import sunbeam.precompute.table.TableException;
 import sunbeam.precompute.table.TableLabel;
 
 /**
@@ -95,14 +93,7 @@ final class KeptColours implements ColourSource {
 
     /** As {@link CacheEntry#label}. */
     static TableLabel labelOf(Path file) {
-        try (DataInputStream in = new DataInputStream(Files.newInputStream(file))) {
-            if (in.readUTF().equals(FORMAT)) {
-                return new TableLabel(in.readUTF(), in.readUTF());
-            }
-            throw new TableException(file + ": no colours of this version");
-        } catch (IOException failure) {
-            throw new TableException(file + ": cannot be read: " + failure.getMessage());
-        }
+        return CacheEntry.labelOf(file, FORMAT);
     }
 
     @Override

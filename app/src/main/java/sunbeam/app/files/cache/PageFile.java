@@ -1,14 +1,12 @@
 package sunbeam.app.files.cache;
 
 import java.io.ByteArrayOutputStream;
-import java.io.DataInputStream;
 import java.io.DataOutputStream;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.channels.FileChannel;
 import java.nio.channels.OverlappingFileLockException;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.util.Arrays;
@@ -20,7 +18,6 @@ import java.util.zip.CRC32;
 import sunbeam.precompute.colourtable.KeptPages;
 import sunbeam.precompute.colourtable.LevelBaking;
 import sunbeam.precompute.files.Sha256;
-import sunbeam.precompute.table.TableException;
 import sunbeam.precompute.table.TableLabel;
 
 /**
@@ -124,14 +121,7 @@ public final class PageFile implements KeptPages {
 
     /** As {@link CacheEntry#label}. */
     static TableLabel labelOf(Path file) {
-        try (DataInputStream in = new DataInputStream(Files.newInputStream(file))) {
-            if (in.readUTF().equals(FORMAT)) {
-                return new TableLabel(in.readUTF(), in.readUTF());
-            }
-            throw new TableException(file + ": no colours of this version");
-        } catch (IOException failure) {
-            throw new TableException(file + ": cannot be read: " + failure.getMessage());
-        }
+        return CacheEntry.labelOf(file, FORMAT);
     }
 
     /** Finds what there is; of a record that was cut off, the rest is overwritten. */

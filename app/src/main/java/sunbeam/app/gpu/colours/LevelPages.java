@@ -33,6 +33,7 @@ public final class LevelPages implements AutoCloseable {
     private final PageCells cells;
     // Coarse levels as a whole, so that whatever comes into view has colours at once.
     private final List<BitSet> resident = new ArrayList<>();
+    private boolean residentThere;
     private Optional<PageBaker> baker = Optional.empty();
 
     /** Nothing is made yet. */
@@ -62,6 +63,12 @@ public final class LevelPages implements AutoCloseable {
 
     /** Whether every look-up finds a page, if only of a coarse level. */
     public boolean hasResident() {
+        // Pages never go again, and this is asked for each frame.
+        residentThere = residentThere || isResidentThere();
+        return residentThere;
+    }
+
+    private boolean isResidentThere() {
         if (resident.get(resident.size() - 1).isEmpty()) {
             return false;
         }
