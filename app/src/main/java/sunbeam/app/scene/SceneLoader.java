@@ -5,8 +5,6 @@ import static sunbeam.precompute.plan.MethodSettings.COHERENCE_LENGTH;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
-import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.CompletionException;
 import java.util.function.Consumer;
 import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.files.input.IndexFile;
@@ -19,6 +17,7 @@ import sunbeam.app.scene.texture.BodyTexture;
 import sunbeam.app.scene.texture.BodyTextures;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.options.PatchOptions;
+import sunbeam.app.work.Meanwhile;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.method.MethodPlan;
 import sunbeam.precompute.method.ScanLimit;
@@ -78,25 +77,14 @@ public final class SceneLoader {
         List<Optional<SkinPart>> parts = skinParts(scene);
         Mesh mesh = mesh(scene);
         // Beside the patch, most of whose work is one processor's.
-        CompletableFuture<BodyTexture> body = CompletableFuture.supplyAsync(() -> BodyTextures.load(scene.texture()));
+        Meanwhile<BodyTexture> body = Meanwhile.start(() -> BodyTextures.load(scene.texture()));
         Patch patch;
         try {
             patch = patch(scene);
         } finally {
-            body.exceptionally(told -> null).join();
+            body.settle();
         }
-        return withTables(scene, mesh, joined(body), patch, parts);
-    }
-
-    private static BodyTexture joined(CompletableFuture<BodyTexture> body) {
-        try {
-            return body.join();
-        } catch (CompletionException failure) {
-            if (failure.getCause() instanceof Error error) {
-                throw error;
-            }
-            throw failure.getCause() instanceof RuntimeException cause ? cause : failure;
-        }
+        return withTables(scene, mesh, body.get(), patch, parts);
     }
 
     /** As {@link #parts(Scene)}, keeping what has not changed; files are not looked at again. */

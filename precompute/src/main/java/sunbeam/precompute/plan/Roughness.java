@@ -1,5 +1,6 @@
 package sunbeam.precompute.plan;
 
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.SplittableRandom;
@@ -30,33 +31,58 @@ public record Roughness(double bright, double mean, double dark, double deviatio
     private static final double LEAST_DIFFRACTED = 0.02;
     private static final int MOST_TRIES = 1000;
     private static final int DIRECTIONS = 20;
+    private static final int AT_ONCE = 4;
     // The same directions at every run.
     private static final long SEED = 1936;
 
-    /** Nothing is known: bare skirts everywhere. */
+    /** Nothing is known, or it is not rough: bare skirts everywhere. */
     public static final Roughness NONE = new Roughness(0, 1, 0, 0, 0);
 
     static Roughness measure(HeightMap map, CoherenceWindow window, WindowOrigin origin, VisibleRange range) {
-        CoherentSamples samples = new CoherentSamples(map, window, origin);
+        double deviations = deviations(window, range);
+        // Under a shorter window, which is all that is asked for later, it has fewer.
+        return deviations < FEWEST_DEVIATIONS
+                ? NONE
+                : of(look(new CoherentSamples(map, window, origin), range), deviations);
+    }
+
+    /** What is seen in random directions: of all, or of as many as it takes to see that too many are dark. */
+    private static List<CoherentSamples.Sample> look(CoherentSamples samples, VisibleRange range) {
         SplittableRandom random = new SplittableRandom(SEED);
         Query[] drawn = new Query[DIRECTIONS];
         Arrays.setAll(drawn, i -> draw(random, range));
-        List<CoherentSamples.Sample> seen = Arrays.stream(drawn)
-                .parallel()
-                .map(query -> samples.at(query.pair(), query.wavelength()))
-                .toList();
+        List<CoherentSamples.Sample> seen = new ArrayList<>();
+        while (seen.size() < DIRECTIONS && !isTooDark(seen)) {
+            Arrays.stream(drawn, seen.size(), Math.min(seen.size() + AT_ONCE, DIRECTIONS))
+                    .parallel()
+                    .map(query -> samples.at(query.pair(), query.wavelength()))
+                    .forEachOrdered(seen::add);
+        }
+        return seen;
+    }
+
+    private static boolean isTooDark(List<CoherentSamples.Sample> seen) {
+        long dark = seen.stream().filter(sample -> !isBright(sample)).count();
+        return dark > (1 - FEWEST_BRIGHT) * DIRECTIONS;
+    }
+
+    private static boolean isBright(CoherentSamples.Sample sample) {
+        return sample.coherent() >= ErrorBudget.DARKEST_POWER;
+    }
+
+    private static Roughness of(List<CoherentSamples.Sample> seen, double deviations) {
         double[] powers = seen.stream()
+                .filter(Roughness::isBright)
                 .mapToDouble(CoherentSamples.Sample::coherent)
-                .filter(power -> power >= ErrorBudget.DARKEST_POWER)
                 .sorted()
                 .toArray();
-        return powers.length == 0
+        return isTooDark(seen)
                 ? NONE
                 : new Roughness(
                         (double) powers.length / DIRECTIONS,
                         Arrays.stream(powers).average().orElseThrow(),
                         powers[powers.length / 10],
-                        deviations(window, range),
+                        deviations,
                         seen.stream()
                                 .mapToDouble(sample -> Math.max(0, 1 - sample.specular()))
                                 .average()

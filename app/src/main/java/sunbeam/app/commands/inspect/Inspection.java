@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import sunbeam.app.terminal.OptionOrigin;
+import sunbeam.app.work.Meanwhile;
 import sunbeam.precompute.analysis.FewPeriods;
 import sunbeam.precompute.analysis.HeightSpectrum;
 import sunbeam.precompute.analysis.HeightStatistics;
@@ -51,9 +52,11 @@ record Inspection(
 
     static Inspection of(Patch patch) {
         HeightMap map = patch.scan();
+        ScanLimit limit = ScanLimit.of(Choices.none(), patch);
+        // Half of the time, and much of it no work for two processors at once.
+        Meanwhile<DrawingPlan> drawing = Meanwhile.start(() -> DrawingPlan.of(patch, limit.choices()));
         PeriodFinder finder = new PeriodFinder(map, patch.repetition() != Patch.Repetition.NONE);
         Periodicity periodicity = finder.all();
-        ScanLimit limit = ScanLimit.of(Choices.none(), patch);
         return new Inspection(
                 patch,
                 HeightStatistics.of(map),
@@ -63,7 +66,7 @@ record Inspection(
                 periodicity.found() ? Optional.empty() : FewPeriods.in(map),
                 periodicity.found() ? Optional.empty() : PeriodRemedy.in(map),
                 limit,
-                DrawingPlan.of(patch, limit.choices()));
+                drawing.get());
     }
 
     private static Optional<PeriodEstimate> estimate(HeightMap map, Periodicity periodicity) {

@@ -12,6 +12,7 @@ import java.util.Locale;
 import sunbeam.app.files.plot.ColorMap;
 import sunbeam.app.files.plot.HeatMap;
 import sunbeam.app.files.plot.Plot;
+import sunbeam.app.work.Meanwhile;
 import sunbeam.precompute.analysis.HeightSpectrum;
 import sunbeam.precompute.analysis.Histogram;
 import sunbeam.precompute.analysis.PeriodEstimate;
@@ -50,6 +51,7 @@ final class InspectionSheet {
     }
 
     BufferedImage draw() {
+        Meanwhile<BufferedImage> heights = Meanwhile.start(this::heights);
         List<String> lines = inspection.lines().stream()
                 .flatMap(line -> wrapped(line).stream())
                 .toList();
@@ -62,10 +64,10 @@ final class InspectionSheet {
             graphics.fillRect(0, 0, sheet.getWidth(), sheet.getHeight());
             graphics.setRenderingHint(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
             drawText(graphics, lines);
-            graphics.drawImage(heights(), 0, textHeight, null);
             graphics.drawImage(spectrum(), PANEL_WIDTH, textHeight, null);
             graphics.drawImage(histogram(), 0, textHeight + PICTURE_HEIGHT, null);
             graphics.drawImage(profile(), PANEL_WIDTH, textHeight + PICTURE_HEIGHT, null);
+            graphics.drawImage(heights.get(), 0, textHeight, null);
         } finally {
             graphics.dispose();
         }

@@ -3,6 +3,7 @@ package sunbeam.app.files.plot;
 import java.awt.Graphics2D;
 import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
+import java.awt.image.DataBufferInt;
 
 /** The matrix of a {@link HeatMap}, pixel by pixel: JFreeChart draws a rectangle for each cell, of which there are millions. */
 record HeatMapCells(HeatMap.Values values) {
@@ -11,6 +12,8 @@ record HeatMapCells(HeatMap.Values values) {
         int width = Math.max(1, (int) Math.round(area.getWidth()));
         int height = Math.max(1, (int) Math.round(area.getHeight()));
         BufferedImage cells = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
+        // Pixel by pixel through the image's colour model takes five times as long.
+        int[] pixels = ((DataBufferInt) cells.getRaster().getDataBuffer()).getData();
         int[] columns = edges(width, values.rows()[0].length);
         int[] rows = edges(height, values.rows().length);
         for (int y = 0; y < height; y++) {
@@ -18,7 +21,7 @@ record HeatMapCells(HeatMap.Values values) {
                 double value = values.reduction() == HeatMap.Reduction.LARGEST
                         ? largest(columns, x, rows, height - 1 - y)
                         : values.rows()[middle(rows, height - 1 - y)][middle(columns, x)];
-                cells.setRGB(x, y, values.colors().map().at(values.colors().position(value)));
+                pixels[y * width + x] = values.colors().map().at(values.colors().position(value));
             }
         }
         graphics.drawImage(cells, (int) Math.round(area.getX()), (int) Math.round(area.getY()), null);

@@ -1,0 +1,2 @@
+/** Work beside other work. */
+package sunbeam.app.work;
