@@ -240,7 +240,7 @@ final class ControlPanel extends JPanel {
         SceneMethod chosen = scene.method();
         chosen.choices()
                 .find(SPACING)
-                .ifPresent(metres -> spacing.setText(SPACING.kind().format(metres)));
+                .ifPresent(metres -> show(spacing, SPACING.kind().format(metres)));
         spacing.setVisible(choice.hasSpacing());
         spacingCaption.setVisible(choice.hasSpacing());
         chosen.choices()
@@ -249,7 +249,7 @@ final class ControlPanel extends JPanel {
         tolerance.setEnabled(choice.hasTolerance());
         average.setEnabled(choice.hasAverages());
         if (!coherence.isFocusOwner()) {
-            coherence.setText(COHERENCE_LENGTH.kind().format(chosen.get(COHERENCE_LENGTH)));
+            show(coherence, COHERENCE_LENGTH.kind().format(chosen.get(COHERENCE_LENGTH)));
         }
         average.setSelectedItem(AVERAGE.kind().format(chosen.get(AVERAGE)));
         rotation.follow(scene.rotatePatch());
@@ -262,6 +262,13 @@ final class ControlPanel extends JPanel {
         diffraction.follow(scene.blend().diffraction());
         texture.follow(scene.blend().texture());
         updating = false;
+    }
+
+    /** A field whose text is set is laid out and painted anew, 60 times a second while a hand moves the light. */
+    private static void show(JTextField field, String text) {
+        if (!field.getText().equals(text)) {
+            field.setText(text);
+        }
     }
 
     private static String format(String pattern, Object... values) {

@@ -3,9 +3,11 @@ package sunbeam.app.viewer;
 import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Graphics2D;
+import java.awt.Rectangle;
 import java.awt.RenderingHints;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Path2D;
+import java.awt.geom.Rectangle2D;
 import org.joml.Vector3f;
 import org.joml.Vector3fc;
 
@@ -18,29 +20,53 @@ import org.joml.Vector3fc;
 record LightCone(Vector3fc towards) {
     private static final double REACH = 0.4;
     private static final double HALF_WIDTH = 0.035;
+    private static final float STROKE = 1.4f;
 
     LightCone {
         towards = new Vector3f(towards);
     }
 
-    void paint(Graphics2D graphics, int width, int height) {
-        graphics.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
+    /** Where it is, in a picture. */
+    private record Place(double fromX, double fromY, double lampX, double lampY, double radius) {}
+
+    private Place place(int width, int height) {
         double unit = Math.min(width, height);
         double fromX = 0.5 * width;
         double fromY = 0.5 * height;
-        double lampX = fromX + REACH * unit * towards.x();
-        double lampY = fromY - REACH * unit * towards.y();
-        double radius = HALF_WIDTH * unit * (1 + 0.4 * towards.z());
-        double length = Math.hypot(lampX - fromX, lampY - fromY);
-        Color color = new Color(255, 214, 120, towards.z() > 0 ? 200 : 80);
-        graphics.setColor(color);
-        graphics.setStroke(new BasicStroke(1.4f));
+        return new Place(
+                fromX,
+                fromY,
+                fromX + REACH * unit * towards.x(),
+                fromY - REACH * unit * towards.y(),
+                HALF_WIDTH * unit * (1 + 0.4 * towards.z()));
+    }
+
+    /** What it covers at most. */
+    Rectangle bounds(int width, int height) {
+        Place place = place(width, height);
+        double reach = place.radius() + STROKE;
+        Rectangle2D covered =
+                new Rectangle2D.Double(place.lampX() - reach, place.lampY() - reach, 2 * reach, 2 * reach);
+        covered.add(place.fromX() - STROKE, place.fromY() - STROKE);
+        covered.add(place.fromX() + STROKE, place.fromY() + STROKE);
+        return covered.getBounds();
+    }
+
+    void paint(Graphics2D graphics, int width, int height) {
+        graphics.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
+        Place place = place(width, height);
+        double lampX = place.lampX();
+        double lampY = place.lampY();
+        double radius = place.radius();
+        double length = Math.hypot(lampX - place.fromX(), lampY - place.fromY());
+        graphics.setColor(new Color(255, 214, 120, towards.z() > 0 ? 200 : 80));
+        graphics.setStroke(new BasicStroke(STROKE, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
         if (length > radius) {
-            double acrossX = -(lampY - fromY) / length * radius;
-            double acrossY = (lampX - fromX) / length * radius;
+            double acrossX = -(lampY - place.fromY()) / length * radius;
+            double acrossY = (lampX - place.fromX()) / length * radius;
             Path2D sides = new Path2D.Double();
             sides.moveTo(lampX + acrossX, lampY + acrossY);
-            sides.lineTo(fromX, fromY);
+            sides.lineTo(place.fromX(), place.fromY());
             sides.lineTo(lampX - acrossX, lampY - acrossY);
             graphics.draw(sides);
         }

@@ -125,15 +125,23 @@ final class PictureView extends JComponent {
 
     /** Shows or hides the light. */
     void showCone(Optional<LightCone> value) {
+        Optional<LightCone> before = cone;
         cone = value;
-        repaint();
+        // Each event of a hand moves it; the picture below it comes when it has been drawn.
+        before.ifPresent(this::repaint);
+        value.ifPresent(this::repaint);
+    }
+
+    private void repaint(LightCone light) {
+        repaint(light.bounds(getWidth(), getHeight()));
     }
 
     @Override
     protected void paintComponent(Graphics graphics) {
-        graphics.setColor(getBackground());
-        graphics.fillRect(0, 0, getWidth(), getHeight());
-        if (picture != null) {
+        if (picture == null) {
+            graphics.setColor(getBackground());
+            graphics.fillRect(0, 0, getWidth(), getHeight());
+        } else {
             Graphics2D scaled = (Graphics2D) graphics.create();
             if (isReduced()) {
                 smooth(scaled);

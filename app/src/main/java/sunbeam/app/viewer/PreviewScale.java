@@ -51,7 +51,17 @@ public record PreviewScale(int divisor, double pixelNanoseconds) {
         return new PreviewScale(DIVISORS[DIVISORS.length - 1], pixels);
     }
 
-    private static int indexOf(int divisor) {
+    /** How many there are, from 1 on. */
+    static int divisors() {
+        return DIVISORS.length;
+    }
+
+    static int divisor(int index) {
+        return DIVISORS[index];
+    }
+
+    /** Of a divisor, or of the next larger one. */
+    static int indexOf(int divisor) {
         int index = 0;
         while (DIVISORS[index] < divisor) {
             index++;

@@ -20,15 +20,13 @@ import sunbeam.precompute.method.MethodPlan;
 final class RenderLoop implements AutoCloseable {
     // Pauses between two events of one drag are shorter.
     private static final long STILL_MILLISECONDS = 150;
-    // Two processors draw this in time.
-    private static final int FIRST_MOVING_DIVISOR = 3;
 
     private final Inbox<ViewState, Consumer<GraphicsStage>> inbox = new Inbox<>();
     private final Supplier<GraphicsStage> opening;
     private final RenderListener listener;
     private final Thread thread;
     private PreviewScale scale = PreviewScale.first();
-    private PreviewScale movingScale = new PreviewScale(FIRST_MOVING_DIVISOR, Double.NaN);
+    private final MovingScale movingScale = new MovingScale();
     private TileSide tileSide = TileSide.first();
     private MethodPlan measured;
     private final KeptExposure exposures = new KeptExposure();
@@ -181,7 +179,7 @@ final class RenderLoop implements AutoCloseable {
         long start = System.nanoTime();
         int divisor = movingScale.divisor();
         moving(stage, state, divisor, known.getAsDouble());
-        movingScale = movingScale.after(System.nanoTime() - start, 0);
+        movingScale.frame(System.nanoTime() - start);
         return known.getAsDouble();
     }
 

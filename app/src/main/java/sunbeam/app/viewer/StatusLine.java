@@ -13,6 +13,8 @@ import javax.swing.JProgressBar;
 /** What is on screen, how fast it came, by which plan and which renderer; and the last problem. */
 final class StatusLine extends JPanel {
     private static final long SECOND = 1_000_000_000;
+    // A second, of frames.
+    private static final int MOST_TEXTS = 5;
 
     private final JLabel picture = new JLabel("Loading");
     private final JLabel plan = new JLabel(" ");
@@ -21,6 +23,8 @@ final class StatusLine extends JPanel {
     private final JProgressBar progress = new JProgressBar();
     private final transient Deque<Long> frames = new ArrayDeque<>();
     private long lastNanoseconds;
+    // When a frame was last told of; 0 where something else has been since.
+    private long told;
     private int loads;
 
     StatusLine() {
@@ -52,20 +56,30 @@ final class StatusLine extends JPanel {
             frames.removeFirst();
         }
         lastNanoseconds = nanoseconds;
+        // Nobody reads faster, and each text has the line laid out and painted anew.
+        if (told != 0 && now - told < SECOND / MOST_TEXTS) {
+            return;
+        }
+        told = now;
         String scale = divisor > 1 ? " 1:" + divisor : "";
         picture.setText("Preview" + scale + " · " + rate());
     }
 
     void refining(double share) {
-        picture.setText(format("Preview, %.0f %% final · ", 100 * share) + rate());
+        tell(format("Preview, %.0f %% final · ", 100 * share) + rate());
     }
 
     void waiting(double share) {
-        picture.setText(format("Preview, %.0f %% of its colours made · ", 100 * share) + rate());
+        tell(format("Preview, %.0f %% of its colours made · ", 100 * share) + rate());
     }
 
     void complete(long nanoseconds) {
-        picture.setText(format("Final · %.2f s · ", nanoseconds * 1e-9) + rate());
+        tell(format("Final · %.2f s · ", nanoseconds * 1e-9) + rate());
+    }
+
+    private void tell(String text) {
+        told = 0;
+        picture.setText(text);
     }
 
     /** Frames per second as the last second had them, or as the last frame's time would allow. */
