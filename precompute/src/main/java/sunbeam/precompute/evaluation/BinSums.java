@@ -1,6 +1,7 @@
 package sunbeam.precompute.evaluation;
 
 import java.util.List;
+import java.util.function.DoubleConsumer;
 import java.util.function.IntConsumer;
 import java.util.stream.IntStream;
 import org.apache.commons.math3.complex.Complex;
@@ -42,13 +43,28 @@ public final class BinSums {
 
     /** Transforms the patch for the directions of a grid. */
     public static BinSums of(PatchIdentity patch, HeightLevels heights, CoherenceWindow window, ResponseGrid grid) {
+        return of(patch, heights, window, grid, share -> {});
+    }
+
+    /**
+     * Transforms the patch for the directions of a grid.
+     *
+     * @param transformed told the share, 0..1, of the transforms that are done
+     */
+    public static BinSums of(
+            PatchIdentity patch,
+            HeightLevels heights,
+            CoherenceWindow window,
+            ResponseGrid grid,
+            DoubleConsumer transformed) {
         HeightScale scale = HeightScale.midRange(heights);
         double maximumPhase = scale.phase(grid.wavelengths()[0], grid.maximumW());
         Expansion expansion = ChebyshevExpansion.within(scale, maximumPhase, EXPANSION_TOLERANCE);
         BinAxis alongX = BinAxis.along(patch.width(), window, REACH);
         BinAxis alongY = BinAxis.along(patch.height(), window, REACH);
         double azimuth = grid.plane().azimuth();
-        FourierTable table = new TableBuilder(patch, heights, terms -> {})
+        FourierTable table = new TableBuilder(
+                        patch, heights, terms -> transformed.accept((double) terms / expansion.terms()))
                 .build(expansion, alongX.band(grid, Math.cos(azimuth)), alongY.band(grid, Math.sin(azimuth)));
         return new BinSums(grid, expansion, table, alongX, alongY);
     }

@@ -17,7 +17,9 @@ public record PeriodAnswer(PeriodEstimate heights, OptionalDouble light, Light o
         /** The scan alone, faded to zero at its border. */
         SCAN_ALONE,
         /** The mean over all positions of the window on the repeated scan. */
-        ALL_POSITIONS
+        ALL_POSITIONS,
+        /** None: under the window, orders of such a period run into each other. */
+        NOT_TOLD_APART
     }
 
     /** Metres. */

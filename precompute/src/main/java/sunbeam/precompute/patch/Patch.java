@@ -1,5 +1,6 @@
 package sunbeam.precompute.patch;
 
+import java.util.ArrayList;
 import java.util.List;
 
 /**
@@ -45,6 +46,17 @@ public record Patch(
     /** A period of a surface that comes from no scan. */
     public Patch(String name, HeightMap heights, String source, List<String> warnings) {
         this(name, heights, heights, source, List.of(), List.of(), warnings, Repetition.PERIODIC);
+    }
+
+    /**
+     * The same under another name.
+     *
+     * @param why for people: a note beside the others
+     */
+    public Patch named(String other, String why) {
+        List<String> told = new ArrayList<>(notes);
+        told.add(why);
+        return new Patch(other, heights, scan, source, channels, told, warnings, repetition);
     }
 
     /** The shorter side of what was measured, of axes along which it changes at all; metres, infinite where it is flat. */

@@ -3,6 +3,7 @@ package sunbeam.precompute.evaluation;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.Optional;
+import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import sunbeam.precompute.analysis.PeriodEstimate;
@@ -24,10 +25,12 @@ class FadedRidgeTest {
         double wrong = period * 1.003;
         PeriodEstimate near =
                 new PeriodEstimate(wrong, wrong, wrong, columns * pitch / period, Optional.empty(), Optional.empty());
-        double found = new FadedRidge(scan, plane)
-                .period(near, new double[] {400e-9, 450e-9, 500e-9, 550e-9, 600e-9})
+        AtomicInteger sums = new AtomicInteger();
+        FadedRidge ridge = new FadedRidge(scan, plane);
+        double found = ridge.period(near, new double[] {400e-9, 450e-9, 500e-9, 550e-9, 600e-9}, sums::incrementAndGet)
                 .orElseThrow();
         // Along the order the power falls, which draws its top by a hundredth of its width, 1 / W.
         assertThat(Math.abs(1 / found - 1 / period)).isLessThan(0.02 / (columns * pitch));
+        assertThat(sums.get()).as("what progress is told of").isBetween(1, ridge.mostSums());
     }
 }

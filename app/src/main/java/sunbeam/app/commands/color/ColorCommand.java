@@ -51,8 +51,9 @@ import sunbeam.precompute.units.Decimals;
         header = "Tell the colour of a surface from each viewing angle.",
         description =
                 "Tell which colour is seen from each viewing angle, -80 to 80 degrees to the normal, in the plane of"
-                        + " the direction along which the surface varies most (along) and in the plane at right angles to it"
-                        + " (across); negative angles lie on the side away from that direction. Writes a picture with the strips"
+                        + " the direction in which the surface spreads most colour (along) and in the plane at right angles to it"
+                        + " (across); negative angles lie on the side away from that direction, which is across the lines of a"
+                        + " grating and need not be that of the period which inspect tells. Writes a picture with the strips"
                         + " of colours, the CIE 1931 diagram and spectra, and the numbers with their uncertainty as CSV and JSON"
                         + " beside it. The purest colour is that along, at every degree under the first light, with the largest"
                         + " product of excitation purity and lightness (at most that of white), whatever --exposure and --step"
@@ -72,7 +73,7 @@ public final class ColorCommand implements Callable<Integer> {
 
     @Mixin
     private final LightOptions light = LightOptions.choosingAzimuth(
-            "that of each surface's strongest direction, so that the mirror direction lies in the strip along");
+            "that of each surface's direction of most colour, so that the mirror direction lies in the strip along");
 
     @Option(
             names = "--theta-i-to",
@@ -273,6 +274,7 @@ public final class ColorCommand implements Callable<Integer> {
                 .map(strip -> String.format(
                         Locale.ROOT, "%s %.1f", strip.setup().patch().name(), strip.lightAzimuthDegrees() + 0.0))
                 .collect(Collectors.joining(", "));
-        return "theta " + theta + " degrees, phi that of each surface's strongest direction: " + azimuths + " degrees";
+        return "theta " + theta + " degrees, phi that of each surface's direction of most colour: " + azimuths
+                + " degrees";
     }
 }

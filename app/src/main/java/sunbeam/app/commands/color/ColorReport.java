@@ -8,7 +8,7 @@ import java.util.Optional;
  *
  * @param name of the patch
  * @param source of the patch
- * @param azimuthDegrees of the strongest direction
+ * @param azimuthDegrees of the direction of most colour
  * @param lightAzimuthDegrees of the light
  * @param coherenceLength that was drawn with, metres
  * @param plan its summary

@@ -84,7 +84,7 @@ final class ColorSheet {
                 top + 34);
     }
 
-    /** The locus of spectral light, white, and each surface's colours along its strongest direction. */
+    /** The locus of spectral light, white, and each surface's colours along its direction of most colour. */
     private BufferedImage chromaticities() {
         List<Chromaticity> locus = new ArrayList<>(IntStream.rangeClosed(380, 700)
                 .mapToObj(nanometre -> Chromaticity.ofWavelength(cie, nanometre * 1e-9))

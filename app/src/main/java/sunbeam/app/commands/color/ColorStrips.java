@@ -15,6 +15,7 @@ import sunbeam.app.gpu.directions.DirectionsRenderer.Query;
 import sunbeam.app.terminal.progress.Progress;
 import sunbeam.precompute.analysis.PrincipalDirection;
 import sunbeam.precompute.color.ReflectionPart;
+import sunbeam.precompute.colourtable.ColourSources;
 import sunbeam.precompute.method.Method;
 import sunbeam.precompute.method.MethodPlan;
 import sunbeam.precompute.optics.CoherenceWindow;
@@ -24,7 +25,7 @@ import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.shader.MethodUse;
 
-/** What is seen of one surface along and across its strongest direction. */
+/** What is seen of one surface along and across its direction of most colour. */
 final class ColorStrips {
     /** Viewing angles to the normal, on either side. */
     static final int LARGEST_VIEW_DEGREES = 80;
@@ -42,7 +43,7 @@ final class ColorStrips {
     /**
      * Lays out the directions and plans them.
      *
-     * @param lightAzimuth degrees; empty for a light in the plane of the strongest direction
+     * @param lightAzimuth degrees; empty for a light in the plane of the direction of most colour
      * @param thetas of the light, degrees
      * @param step of the viewing angle, degrees
      */
@@ -193,11 +194,17 @@ final class ColorStrips {
         return spectra;
     }
 
+    /** Whose progress is shown, and of what: several surfaces follow each other. */
+    static String label(String surface, MethodUse use) {
+        return (use == MethodUse.SPECTRAL ? "Spectrum of " : "Colours of ") + surface;
+    }
+
     private List<float[]> evaluate(RenderContext context, int part, MethodUse use, List<Query> queries) {
-        try (UploadedTables tables =
-                        UploadedTables.upload(context, setup.tables(plans.get(part), use, GpuColours::of));
+        String label = label(setup.patch().name(), use);
+        ColourSources colours = (tables, places) -> GpuColours.of(label, tables, places);
+        try (UploadedTables tables = UploadedTables.upload(context, setup.tables(plans.get(part), use, colours));
                 DirectionsRenderer renderer = new DirectionsRenderer(context, tables, use == MethodUse.SPECTRAL);
-                Progress progress = Progress.start(setup.patch().name(), queries.size())) {
+                Progress progress = Progress.start(label, queries.size())) {
             reach = new MirrorReach(new CoherenceWindow(tables.windowSigma()));
             return renderer.evaluate(queries, progress::step);
         }

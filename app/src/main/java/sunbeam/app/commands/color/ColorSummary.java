@@ -13,7 +13,7 @@ final class ColorSummary {
     static String of(ColorReport report) {
         String start = String.format(
                 Locale.ROOT,
-                "%s: strongest direction at azimuth %.1f degrees; ",
+                "%s: direction of most colour at azimuth %.1f degrees; ",
                 report.name(),
                 report.azimuthDegrees() + 0.0);
         return start + report.purest().map(ColorSummary::purest).orElseGet(() -> nothing(report));

@@ -101,7 +101,7 @@ final class ColorTables {
         Map<String, Object> surface = new LinkedHashMap<>();
         surface.put("patch", report.name());
         surface.put("source", report.source());
-        surface.put("strongest_direction_deg", report.azimuthDegrees());
+        surface.put("direction_of_most_colour_deg", report.azimuthDegrees());
         surface.put("light_azimuth_deg", report.lightAzimuthDegrees());
         surface.put("coherence_length_um", rounded(report.coherenceLength() * 1e6));
         surface.put("plan", report.plan());

@@ -39,7 +39,7 @@ record SeenColor(
     /**
      * Where it is seen from.
      *
-     * @param along whether in the plane of the strongest direction, or across it
+     * @param along whether in the plane of the direction of most colour, or across it
      * @param thetaIDegrees of the light to the normal
      * @param thetaRDegrees of the viewer to the normal, negative on the other side
      */

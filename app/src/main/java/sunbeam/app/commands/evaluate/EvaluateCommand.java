@@ -79,7 +79,7 @@ public final class EvaluateCommand implements Callable<Integer> {
             paramLabel = "N",
             defaultValue = "0",
             description = "Also evaluate N random positions of the coherence window (by method bins) and the mean over"
-                    + " all positions, and tell how the period is distributed.")
+                    + " all positions, and tell how the period is distributed; where there is a ridge.")
     private int positions;
 
     @Option(
@@ -150,18 +150,23 @@ public final class EvaluateCommand implements Callable<Integer> {
         Map<String, Object> report = describe(setup, choices, evaluation);
         report.put("period", evaluation.answer().map(PeriodReport::tree).orElse(null));
         report.put("period_not_told", target.doubt().isEmpty() ? null : target.doubt());
-        report.putAll(EvaluationReport.tree(evaluation.measurement()));
+        report.put("ridge_left_out", evaluation.noRidge().orElse(null));
+        evaluation.measurement().map(EvaluationReport::tree).ifPresent(report::putAll);
         String title = evaluation.title();
         out.println(title);
         out.println(String.join(System.lineSeparator(), periodLines(evaluation)));
         String area = Evaluation.area(choices);
-        List<String> ridge = target.isSharp()
-                ? EvaluationReport.lines(evaluation.measurement(), area)
-                : EvaluationReport.roughLines(evaluation.measurement(), area);
-        ridge.forEach(out::println);
+        evaluation
+                .measurement()
+                .map(found -> target.isSharp()
+                        ? EvaluationReport.lines(found, area)
+                        : EvaluationReport.roughLines(found, area))
+                .orElseGet(() -> List.of(
+                        "ridge                left out: " + evaluation.noRidge().orElseThrow()))
+                .forEach(out::println);
         out.flush();
         Map<String, AtomicFile.StreamContent> contents = new LinkedHashMap<>();
-        if (positions > 0) {
+        if (positions > 0 && evaluation.measurement().isPresent()) {
             Positions.Draw draw = new Positions.Draw(
                     positions,
                     seed,

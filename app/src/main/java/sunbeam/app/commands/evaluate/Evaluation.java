@@ -6,6 +6,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.Consumer;
 import sunbeam.app.files.cache.DiffractionSetup;
+import sunbeam.app.terminal.progress.Progress;
 import sunbeam.precompute.analysis.PeriodEstimate;
 import sunbeam.precompute.evaluation.FadedRidge;
 import sunbeam.precompute.evaluation.FirstOrder;
@@ -27,7 +28,8 @@ public final class Evaluation {
     private final Responses responses;
     private final Quantity quantity;
     private final ResponseMatrix response;
-    private final GratingMeasurement measurement;
+    private final Optional<GratingMeasurement> measurement;
+    private final Optional<String> noRidge;
     private final String title;
     private final Optional<PeriodAnswer> answer;
 
@@ -36,7 +38,8 @@ public final class Evaluation {
             Responses responses,
             Quantity quantity,
             ResponseMatrix response,
-            GratingMeasurement measurement,
+            Optional<GratingMeasurement> measurement,
+            Optional<String> noRidge,
             String title,
             Optional<PeriodAnswer> answer) {
         this.target = target;
@@ -44,6 +47,7 @@ public final class Evaluation {
         this.quantity = quantity;
         this.response = response;
         this.measurement = measurement;
+        this.noRidge = noRidge;
         this.title = title;
         this.answer = answer;
     }
@@ -73,7 +77,17 @@ public final class Evaluation {
         CoherenceWindow window = GaussianArea.windowOf(choices);
         double sigmaFrequency = window.sigmaFrequency();
         GratingTarget target = GratingTarget.of(setup.patch(), grating, sigmaFrequency);
-        ResponseGrid grid = grating.grid(target.plane(), target.order(), window);
+        Patch patch = setup.patch();
+        DirectionBudget budget =
+                new DirectionBudget(patch.heights().width(), patch.heights().height(), window);
+        OrdersApart orders = new OrdersApart(
+                target.estimate()
+                        .map(PeriodEstimate::period)
+                        .orElse(target.order().middle()),
+                window,
+                patch.repetition() == Patch.Repetition.NONE ? patch.shorterSide() : Double.POSITIVE_INFINITY);
+        ResponseGrid grid = grating.grid(target.plane(), target.order(), budget);
+        grating.leftOut(grid).ifPresent(remark);
         Responses responses = new Responses(setup, method, choices, grid, planned, remark);
         ResponseMatrix response = quantity.of(responses.power());
         String title = String.format(
@@ -82,9 +96,11 @@ public final class Evaluation {
                 setup.patch().name(),
                 Degrees.text(grid.plane().thetaI()),
                 Degrees.text(grid.plane().azimuth()));
-        GratingMeasurement measurement = target.measure(response, sigmaFrequency);
-        Optional<PeriodAnswer> answer = target.estimate().map(told -> answer(told, setup, grating, responses, window));
-        return new Evaluation(target, responses, quantity, response, measurement, title, answer);
+        Optional<GratingMeasurement> measurement =
+                orders.areTold() ? Optional.of(target.measure(response, sigmaFrequency)) : Optional.empty();
+        Optional<PeriodAnswer> answer =
+                target.estimate().map(told -> answer(told, setup, grating, responses, budget, orders));
+        return new Evaluation(target, responses, quantity, response, measurement, orders.shortfall(), title, answer);
     }
 
     /**
@@ -97,22 +113,33 @@ public final class Evaluation {
             DiffractionSetup setup,
             GratingRequest grating,
             Responses responses,
-            CoherenceWindow window) {
+            DirectionBudget budget,
+            OrdersApart orders) {
         GratingPlane plane = responses.grid().plane();
         FirstOrder order = GratingTarget.near(told);
-        ResponseGrid grid = grating.fewWavelengths(plane, order, window);
+        ResponseGrid grid = grating.fewWavelengths(plane, order, budget);
         boolean repeats = setup.patch().repetition() == Patch.Repetition.PERIODIC;
         if (!repeats && FadedRidge.isSharp(told, setup.patch().scan(), plane)) {
-            OptionalDouble alone = new FadedRidge(setup.patch().scan(), plane).period(told, grid.wavelengths());
+            OptionalDouble alone = alone(told, setup.patch(), plane, grid.wavelengths());
             if (alone.isPresent()) {
                 return new PeriodAnswer(told, alone, PeriodAnswer.Light.SCAN_ALONE);
             }
         }
+        if (!orders.areTold()) {
+            return new PeriodAnswer(told, OptionalDouble.empty(), PeriodAnswer.Light.NOT_TOLD_APART);
+        }
         OptionalDouble mean = GratingMeasurement.of(
-                        responses.binSums(grid).ensemble(row -> {}), order, window.sigmaFrequency())
+                        responses.mean(grid), order, budget.window().sigmaFrequency())
                 .map(found -> OptionalDouble.of(found.interpolated().mean()))
                 .orElse(OptionalDouble.empty());
         return new PeriodAnswer(told, mean, PeriodAnswer.Light.ALL_POSITIONS);
+    }
+
+    private static OptionalDouble alone(PeriodEstimate told, Patch patch, GratingPlane plane, double[] wavelengths) {
+        FadedRidge ridge = new FadedRidge(patch.scan(), plane);
+        try (Progress progress = Progress.start("Light of " + patch.name() + " alone", ridge.mostSums())) {
+            return ridge.period(told, wavelengths, () -> progress.step(1));
+        }
     }
 
     /** What of the surface the ridge belongs to, in words. */
@@ -137,9 +164,14 @@ public final class Evaluation {
         return grid().plane().azimuth();
     }
 
-    /** The ridge of the first order and its periods. */
-    public GratingMeasurement measurement() {
+    /** The ridge of the first order and its periods; empty where light does not tell its orders apart. */
+    public Optional<GratingMeasurement> measurement() {
         return measurement;
+    }
+
+    /** Why there is no ridge; empty where there is one. */
+    Optional<String> noRidge() {
+        return noRidge;
     }
 
     /** The thesis's figures 4.9 to 4.11: the response in colour, its followed peaks, and the period by the grating equation. */

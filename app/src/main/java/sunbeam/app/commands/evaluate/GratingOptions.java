@@ -17,6 +17,7 @@ import sunbeam.precompute.units.Angles;
 /** Light, plane and grid of an evaluation; to be used as a picocli mixin. */
 public final class GratingOptions extends SettingOptions {
     private static final String AUTO = "auto";
+    private static final Range ALL_WAVELENGTHS = new Range(380, 780, 1);
 
     private static final Setting<Double> THETA_I = LightOptions.THETA_I.withStandard(Math.toRadians(75));
     private static final Setting<Double> PHI_I = new Setting<>(
@@ -51,9 +52,9 @@ public final class GratingOptions extends SettingOptions {
     @Option(
             names = "--wavelengths",
             paramLabel = "MIN:MAX:STEP",
-            defaultValue = "380:780:1",
             converter = RangeConverter.class,
-            description = "Wavelengths in nm, within 380..780. Default: ${DEFAULT-VALUE}.")
+            description = "Wavelengths in nm, within 380..780. Default: 380:780:1; of scans so large that this takes"
+                    + " minutes, larger steps and fewer angles, which a line says.")
     private Range wavelengths;
 
     public GratingOptions() {
@@ -72,7 +73,8 @@ public final class GratingOptions extends SettingOptions {
                 light.get(PHI_I),
                 givenAzimuth(),
                 Optional.ofNullable(angles),
-                wavelengths,
+                wavelengths == null ? ALL_WAVELENGTHS : wavelengths,
+                wavelengths != null,
                 light.find(PERIOD).map(OptionalDouble::of).orElseGet(OptionalDouble::empty));
     }
 

@@ -21,6 +21,7 @@ import sunbeam.precompute.units.Lengths;
  * @param azimuth direction of the grating in the patch, radians; empty where the heights are to tell
  * @param angles of the viewer in degrees; empty for all that the first order takes
  * @param wavelengths in nm
+ * @param all whether all of these wavelengths are looked at, however long it takes; else fewer of a large scan
  * @param period to look for, metres; empty where the heights are to tell
  */
 public record GratingRequest(
@@ -29,10 +30,13 @@ public record GratingRequest(
         OptionalDouble azimuth,
         Optional<Range> angles,
         Range wavelengths,
+        boolean all,
         OptionalDouble period) {
-    // Angles that are taken where none are given, as many as the thesis takes.
     private static final int FEW = 21;
-    private static final int ANGLES = 1500;
+    // Angles that are taken where none are given, as many as the thesis takes.
+    private static final int MOST_ANGLES = 1500;
+    // Sums in double precision reach twice as far along each axis.
+    private static final long SHARE_OF_BINS = 4;
     // 160 MB of doubles.
     private static final long MOST_DIRECTIONS = 20_000_000;
     // A ridge is 1.7 deviations wide at half its height; three samples must lie on its top.
@@ -63,7 +67,7 @@ public record GratingRequest(
     /** The thesis's: light at 75 degrees, 380 to 780 nm in steps of 1 nm, all angles that the first order takes. */
     public static GratingRequest ofThesis(OptionalDouble azimuth) {
         return new GratingRequest(
-                Math.toRadians(75), 0, azimuth, Optional.empty(), new Range(380, 780, 1), OptionalDouble.empty());
+                Math.toRadians(75), 0, azimuth, Optional.empty(), new Range(380, 780, 1), true, OptionalDouble.empty());
     }
 
     private static void checkAngles(Optional<Range> given, Range wavelengths, GratingPlane plane) {
@@ -111,29 +115,72 @@ public record GratingRequest(
     }
 
     /**
-     * Angles and wavelengths, checked against the window's resolution.
+     * Angles and wavelengths, checked against the window's resolution: all, or as many as are computed in time.
      *
      * @throws UsageException where the steps are too coarse to see a peak, or the first order is not to be seen
      */
-    ResponseGrid grid(GratingPlane plane, FirstOrder order, CoherenceWindow window) {
-        double[] lambdas =
-                Arrays.stream(wavelengths.values()).map(nm -> nm * 1e-9).toArray();
-        ResponseGrid grid = new ResponseGrid(plane, lambdas, angles(plane, order, lambdas));
-        requireFineAngles(grid, window);
+    ResponseGrid grid(GratingPlane plane, FirstOrder order, DirectionBudget budget) {
+        ResponseGrid grid = grid(plane, order, wavelengths, MOST_ANGLES);
+        requireFineAngles(grid, budget.window());
+        if (all) {
+            return grid;
+        }
+        for (DirectionBudget.Rung rung : DirectionBudget.LADDER) {
+            Range stepped = new Range(wavelengths.minimum(), wavelengths.maximum(), rung.stepNm());
+            ResponseGrid thinner = grid(plane, order, stepped, rung.angles());
+            if (!isFine(thinner, budget.window())) {
+                return grid;
+            }
+            grid = thinner;
+            if (budget.holds((long) grid.wavelengths().length * grid.angles().length)) {
+                return grid;
+            }
+        }
         return grid;
     }
 
+    private ResponseGrid grid(GratingPlane plane, FirstOrder order, Range range, int count) {
+        double[] lambdas = Arrays.stream(range.values()).map(nm -> nm * 1e-9).toArray();
+        return new ResponseGrid(plane, lambdas, angles(plane, order, lambdas, count));
+    }
+
+    /** What is left out of a grid's wavelengths and angles, in words; empty for nothing. */
+    Optional<String> leftOut(ResponseGrid grid) {
+        int taken = grid.wavelengths().length;
+        return taken == wavelengths.count()
+                ? Optional.empty()
+                : Optional.of(String.format(
+                        Locale.ROOT,
+                        "the scan is large, so the response takes only %d wavelengths and %d angles; --wavelengths %s takes all, %.0f times as long",
+                        taken,
+                        grid.angles().length,
+                        text(wavelengths),
+                        (double) wavelengths.count()
+                                * angles.map(Range::count).orElse(MOST_ANGLES)
+                                / taken
+                                / grid.angles().length));
+    }
+
     /** Few of the wavelengths, and all angles at which they show an order: enough for one period. */
-    ResponseGrid fewWavelengths(GratingPlane plane, FirstOrder order, CoherenceWindow window) {
+    ResponseGrid fewWavelengths(GratingPlane plane, FirstOrder order, DirectionBudget budget) {
         double[] all = wavelengths.values();
         double[] few = new double[Math.min(FEW, all.length)];
         for (int i = 0; i < few.length; i++) {
             few[i] = all[(int) Math.round(i * (all.length - 1.0) / (few.length - 1))] * 1e-9;
         }
-        return new ResponseGrid(plane, few, angles(plane, order, few));
+        ResponseGrid grid = new ResponseGrid(plane, few, angles(plane, order, few, MOST_ANGLES));
+        for (DirectionBudget.Rung rung : DirectionBudget.LADDER) {
+            ResponseGrid thinner = new ResponseGrid(plane, few, angles(plane, order, few, rung.angles()));
+            boolean enough = budget.holds(SHARE_OF_BINS * few.length * grid.angles().length);
+            if (enough || !isFine(thinner, budget.window())) {
+                return grid;
+            }
+            grid = thinner;
+        }
+        return grid;
     }
 
-    private double[] angles(GratingPlane plane, FirstOrder order, double[] lambdas) {
+    private double[] angles(GratingPlane plane, FirstOrder order, double[] lambdas, int count) {
         if (angles.isPresent()) {
             return Arrays.stream(angles.get().values()).map(Math::toRadians).toArray();
         }
@@ -146,12 +193,17 @@ public record GratingRequest(
                             Math.toDegrees(thetaI))
                     + " light, or other --wavelengths");
         }
-        double[] values = new double[ANGLES];
-        Arrays.setAll(values, i -> ends[0] + (ends[1] - ends[0]) * i / (ANGLES - 1));
+        double[] values = new double[count];
+        Arrays.setAll(values, i -> ends[0] + (ends[1] - ends[0]) * i / (count - 1));
         return values;
     }
 
-    private static void requireFineAngles(ResponseGrid grid, CoherenceWindow window) {
+    private static boolean isFine(ResponseGrid grid, CoherenceWindow window) {
+        return coarsestStep(grid) <= COARSEST_STEP * window.sigmaFrequency();
+    }
+
+    /** Of u / lambda, cycles per metre. */
+    private static double coarsestStep(ResponseGrid grid) {
         double shortest = grid.wavelengths()[0];
         double[] all = grid.angles();
         double coarsest = 0;
@@ -159,6 +211,12 @@ public record GratingRequest(
             coarsest = Math.max(
                     coarsest, Math.abs(grid.plane().u(all[i]) - grid.plane().u(all[i - 1])) / shortest);
         }
+        return coarsest;
+    }
+
+    private static void requireFineAngles(ResponseGrid grid, CoherenceWindow window) {
+        double coarsest = coarsestStep(grid);
+        double[] all = grid.angles();
         double allowed = COARSEST_STEP * window.sigmaFrequency();
         if (coarsest > allowed) {
             double step = Math.toDegrees(all[1] - all[0]);

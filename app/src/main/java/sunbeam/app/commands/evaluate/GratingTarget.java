@@ -5,6 +5,7 @@ import java.math.MathContext;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import sunbeam.app.terminal.progress.Progress;
 import sunbeam.precompute.analysis.FewPeriods;
 import sunbeam.precompute.analysis.HeightSpectrum;
 import sunbeam.precompute.analysis.PeriodEstimate;
@@ -45,6 +46,11 @@ record GratingTarget(
     private static final double LARGEST_DRIFT = 1.05;
     // Of the cosine between a wave and the direction in which light looks at it: 15 degrees.
     private static final double ALONG = 0.966;
+    // What it takes, in the same unit: the heights' spectrum, its peaks, the phase of one of them; measured on a large
+    // scan.
+    private static final int SPECTRUM = 5;
+    private static final int SEARCH = 3;
+    private static final int ESTIMATE = 2;
     // Ends of the interval: a period that may be half as large again is none.
     private static final double VAGUEST = 1.5;
 
@@ -54,9 +60,17 @@ record GratingTarget(
      * @throws NoPeriodException where neither the user nor the heights name a period
      */
     static GratingTarget of(Patch patch, GratingRequest request, double sigmaFrequency) {
+        try (Progress progress = Progress.start("Heights of " + patch.name(), SPECTRUM + SEARCH + ESTIMATE)) {
+            return of(patch, request, sigmaFrequency, progress);
+        }
+    }
+
+    private static GratingTarget of(Patch patch, GratingRequest request, double sigmaFrequency, Progress progress) {
         PeriodFinder finder = new PeriodFinder(patch.scan(), patch.repetition() != Patch.Repetition.NONE);
+        progress.step(SPECTRUM);
         OptionalDouble given = request.azimuth();
         Periodicity heights = given.isPresent() ? finder.along(given.getAsDouble(), sigmaFrequency) : finder.all();
+        progress.step(SEARCH);
         if (!heights.found() && (given.isEmpty() || request.period().isEmpty())) {
             String where = given.isEmpty()
                     ? ""

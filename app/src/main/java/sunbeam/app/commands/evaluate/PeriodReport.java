@@ -79,7 +79,7 @@ final class PeriodReport {
                                 answer.disagree() && heights.halfWidth() > 0
                                         ? "; the interval reaches from one to the other"
                                         : "")),
-                        () -> lines.add("of the light         no ridge near that, " + words(answer.of())));
+                        () -> lines.add("of the light         " + nothing(answer.of())));
         heights.second().ifPresent(second -> lines.add(second(second)));
         heights.drift()
                 .filter(drift -> drift.ratio() - 1 > WORTH_SAYING)
@@ -98,6 +98,12 @@ final class PeriodReport {
             return IntervalWords.of(answer.period(), answer.low(), answer.high());
         }
         return IntervalWords.period(answer.period(), answer.period(), answer.period());
+    }
+
+    private static String nothing(PeriodAnswer.Light light) {
+        return light == PeriodAnswer.Light.NOT_TOLD_APART
+                ? "not told, as its orders lie too close together"
+                : "no ridge near that, " + words(light);
     }
 
     private static String words(PeriodAnswer.Light light) {

@@ -31,7 +31,7 @@ final class ResponsePlot {
             String title,
             String quantity,
             ResponseMatrix response,
-            GratingMeasurement measurement,
+            Optional<GratingMeasurement> measurement,
             Optional<PeriodAnswer> answer) {
         ResponseGrid grid = response.grid();
         double largest = Arrays.stream(response.values())
@@ -52,12 +52,23 @@ final class ResponsePlot {
                         HeatMap.Values.around(angles),
                         colors,
                         HeatMap.Reduction.LARGEST));
-        answer.ifPresent(told -> draw(told, Math.signum(measurement.fittedFrequency()), grid, map));
+        double away = answer.map(told -> sideAwayFromTheLight(told, grid)).orElse(-1.0);
+        double sign = measurement.map(GratingMeasurement::fittedFrequency).orElse(away);
+        answer.ifPresent(told -> draw(told, Math.signum(sign), grid, map));
+        measurement.ifPresent(found -> draw(found, map));
+        return map.draw();
+    }
+
+    private static void draw(GratingMeasurement measurement, HeatMap map) {
         Ridge ridge = measurement.ridge();
         String peaks = String.format(
                 Locale.ROOT, "brightest angle at each wavelength (as of %.1f nm)", measurement.fittedPeriod() * 1e9);
         map.curve(peaks, nanometres(ridge.wavelengths()), degrees(ridge.peakAngles()), PEAKS, true);
-        return map.draw();
+    }
+
+    /** -1 where the order on that side of the mirror is above the horizon, else 1. */
+    private static double sideAwayFromTheLight(PeriodAnswer answer, ResponseGrid grid) {
+        return Double.isNaN(grid.plane().thetaR(-grid.wavelengths()[0] / answer.period())) ? 1 : -1;
     }
 
     /** The grating equation for the period and both ends of its interval. */

@@ -35,6 +35,7 @@ final class Responses {
     // Of the first portion, which tells how long all of them take.
     private static final int FIRST = 1 << 10;
     private static final double LONG_MINUTES = 3;
+    private static final int PER_CENT = 100;
 
     private final DiffractionSetup setup;
     private final ResponseMethod by;
@@ -121,9 +122,24 @@ final class Responses {
         return binSums(grid);
     }
 
-    /** The same for other directions. */
-    BinSums binSums(ResponseGrid other) {
-        return BinSums.of(setup.surface().identity(), setup.surface().levels(), area.window(), other);
+    private BinSums binSums(ResponseGrid other) {
+        String name = setup.surface().identity().name();
+        try (Progress progress = Progress.start("Fourier tables of " + name, PER_CENT)) {
+            int[] done = {0};
+            return BinSums.of(setup.surface().identity(), setup.surface().levels(), area.window(), other, share -> {
+                int now = (int) (PER_CENT * share);
+                progress.step(now - done[0]);
+                done[0] = now;
+            });
+        }
+    }
+
+    /** The mean over all positions of the window, for other directions. */
+    ResponseMatrix mean(ResponseGrid other) {
+        BinSums sums = binSums(other);
+        try (Progress progress = Progress.start("Mean response", other.wavelengths().length)) {
+            return sums.ensemble(progress::step);
+        }
     }
 
     ResponseGrid grid() {

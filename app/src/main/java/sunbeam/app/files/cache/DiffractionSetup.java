@@ -6,6 +6,7 @@ import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.OptionOrigin;
 import sunbeam.app.terminal.options.PatchOptions;
+import sunbeam.app.terminal.progress.Progress;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.colourtable.ColourSources;
 import sunbeam.precompute.colourtable.KeptPages;
@@ -36,7 +37,15 @@ public final class DiffractionSetup {
      * @param method whose preset may take files as the thesis does
      */
     public DiffractionSetup(PatchOptions options, Choices method, Environment environment, PrintWriter err) {
-        this(options.load(method), environment, err);
+        this(loaded(options, method), environment, err);
+    }
+
+    private static Patch loaded(PatchOptions options, Choices method) {
+        try (Progress progress = Progress.start("Reading the heights", 1)) {
+            Patch patch = options.load(method);
+            progress.step(1);
+            return patch;
+        }
     }
 
     /** Takes a loaded patch and says what the user should know of it. */

@@ -155,7 +155,8 @@ public final class TableStore {
     /** Makes a Fourier table, with progress. */
     public FourierTable freshTable(Plan plan) {
         Expansion expansion = plan.expansion();
-        try (Progress progress = Progress.start("Fourier tables", expansion.terms())) {
+        try (Progress progress =
+                Progress.start("Fourier tables of " + surface.identity().name(), expansion.terms())) {
             int[] done = {0};
             TableBuilder builder = new TableBuilder(surface.identity(), surface.levels(), terms -> {
                 progress.step(terms - done[0]);

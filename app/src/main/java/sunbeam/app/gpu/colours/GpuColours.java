@@ -37,9 +37,9 @@ public final class GpuColours implements ColourSource {
     private FloatTarget target;
     private final List<Binding> bindings = new ArrayList<>();
 
-    private GpuColours(RenderContext context, long places) {
+    private GpuColours(RenderContext context, String label, long places) {
         this.context = context;
-        this.progress = Progress.start("Colours", places);
+        this.progress = Progress.start(label, places);
     }
 
     /**
@@ -49,7 +49,18 @@ public final class GpuColours implements ColourSource {
      * @throws jrtr.GraphicsException if the device has no room for them
      */
     public static GpuColours of(ShaderTables tables, long places) {
-        GpuColours colours = new GpuColours(RenderContexts.offscreen(), places);
+        return of("Colours", tables, places);
+    }
+
+    /**
+     * Uploads a method's tables.
+     *
+     * @param label of the progress: whose colours
+     * @param places that will be asked for in all
+     * @throws jrtr.GraphicsException if the device has no room for them
+     */
+    public static GpuColours of(String label, ShaderTables tables, long places) {
+        GpuColours colours = new GpuColours(RenderContexts.offscreen(), label, places);
         try {
             colours.prepare(tables);
             return colours;

@@ -2,6 +2,8 @@ package sunbeam.app.terminal.options;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
+import java.util.stream.Collectors;
 import picocli.CommandLine.Option;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.precompute.patch.Patch;
@@ -29,7 +31,19 @@ public final class ComparedPatches {
             throw new UsageException("--with is given " + others.size() + " times; give it " + MOST + " times at most");
         }
         List<Patch> patches = new ArrayList<>(List.of(first.load(method)));
-        others.forEach(name -> patches.add(first.load(name, method)));
+        others.forEach(name -> patches.add(distinct(first.load(name, method), patches)));
         return patches;
+    }
+
+    /** Files of one name in two folders are told apart by a number: in pictures, tables and progress. */
+    static Patch distinct(Patch patch, List<Patch> before) {
+        Set<String> taken = before.stream().map(Patch::name).collect(Collectors.toSet());
+        String name = patch.name();
+        for (int i = 2; taken.contains(name); i++) {
+            name = patch.name() + "-" + i;
+        }
+        return name.equals(patch.name())
+                ? patch
+                : patch.named(name, "called so because another surface is called " + patch.name());
     }
 }

@@ -19,7 +19,9 @@ final class TimeLeftRenderer implements ProgressBarRenderer {
         String figures = String.format(Locale.ROOT, " %3.0f %%, %s", Math.floor(100 * done), timeLeft(done, elapsed));
         int room = maxLength - label.length() - figures.length() - " []".length();
         if (room < FEWEST_BAR) {
-            return label + figures;
+            // Of a long name of a file its start; how far and how long stay.
+            int most = Math.max(0, maxLength - figures.length());
+            return (label.length() > most ? label.substring(0, Math.max(0, most - 2)) + ".." : label) + figures;
         }
         int filled = (int) (room * done);
         String arrow = filled < room ? "=".repeat(filled) + ">" + " ".repeat(room - filled - 1) : "=".repeat(room);

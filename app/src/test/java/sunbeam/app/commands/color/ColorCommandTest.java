@@ -19,6 +19,7 @@ import sunbeam.app.files.input.PngText;
 import sunbeam.app.gpu.NeedsDisplay;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;
+import sunbeam.precompute.shader.MethodUse;
 
 @NeedsDisplay
 class ColorCommandTest {
@@ -61,7 +62,7 @@ class ColorCommandTest {
         JsonNode told = tell("--patch", "sinusoid", "--theta-i", "0", "--spectrum", "12");
 
         JsonNode surface = told.get("surfaces").get(0);
-        assertThat(surface.get("strongest_direction_deg").asDouble()).isCloseTo(0, within(0.01));
+        assertThat(surface.get("direction_of_most_colour_deg").asDouble()).isCloseTo(0, within(0.01));
         // lambda = d sin(theta) for a period of 2.5 um; at 12 degrees 520 nm. An order is as wide as blur_nm says, and
         // the eye
         // sees more of its longer half here: half a width.
@@ -96,12 +97,20 @@ class ColorCommandTest {
         assertThat(luminances[2]).isCloseTo(luminances[0], within(1e-6 * luminances[0]));
     }
 
+    /** Two scans of one name from two folders, one after the other on one line of a terminal. */
+    @Test
+    void whatBelongsToWhichSurfaceIsTold() {
+        assertThat(ColorStrips.label("wing", MethodUse.COLOUR)).isEqualTo("Colours of wing");
+        assertThat(ColorStrips.label("wing", MethodUse.SPECTRAL)).isEqualTo("Spectrum of wing");
+    }
+
     @Test
     void thePurestColourDependsNeitherOnTheExposureNorOnTheStep() throws IOException {
         String[] light = {"--patch", "sinusoid", "--theta-i", "30"};
         JsonNode told = tell(light);
         assertThat(told.get("light").asText())
-                .isEqualTo("theta 30 degrees, phi that of each surface's strongest direction: sinusoid 0.0 degrees");
+                .isEqualTo(
+                        "theta 30 degrees, phi that of each surface's direction of most colour: sinusoid 0.0 degrees");
         JsonNode surface = told.get("surfaces").get(0);
         assertThat(surface.get("coherence_length_um").asDouble()).isEqualTo(10);
         assertThat(at(surface, "along", -30).get("theta_i").asDouble()).isEqualTo(30);

@@ -6,10 +6,12 @@ import static org.assertj.core.api.Assertions.within;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import picocli.CommandLine;
 import sunbeam.precompute.method.ScanLimit;
+import sunbeam.precompute.patch.HeightMap;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.plan.MethodSettings;
 import sunbeam.precompute.setting.Choices;
@@ -65,5 +67,18 @@ class PatchOptionsTest {
         // It changes along x only.
         assertThat(ScanLimit.of(standard, patch).choices().get(MethodSettings.COHERENCE_LENGTH))
                 .isCloseTo(4e-6, within(1e-15));
+    }
+
+    /** Files of one name from several folders are three surfaces. */
+    @Test
+    void surfacesOfOneNameAreToldApart() {
+        HeightMap heights = new HeightMap(2, 1, 1e-7, 1e-7, new double[] {0, 1e-8});
+        Patch first = new Patch("wing", heights, "a/wing.gsf", List.of());
+        Patch second = ComparedPatches.distinct(first, List.of(first));
+        Patch third = ComparedPatches.distinct(first, List.of(first, second));
+        assertThat(second.name()).isEqualTo("wing-2");
+        assertThat(second.notes()).anyMatch(note -> note.contains("another surface is called wing"));
+        assertThat(third.name()).isEqualTo("wing-3");
+        assertThat(ComparedPatches.distinct(third, List.of(first, second))).isSameAs(third);
     }
 }

@@ -88,6 +88,8 @@ final class ProgressTest {
                 .endsWith(" 1:30 min left");
         assertThat(TimeLeftRenderer.render("x", 0.1, Duration.ofHours(1), 40)).endsWith(" 9:00 h left");
         assertThat(TimeLeftRenderer.render("x", 0, Duration.ofSeconds(3), 40)).endsWith("time left unknown");
+        assertThat(TimeLeftRenderer.render("Colours of a scan of a very long name", 0.25, Duration.ofSeconds(10), 40))
+                .isEqualTo("Colours of a scan of ..  25 %, 30 s left");
         assertThat(TimeLeftRenderer.render("x", 1, Duration.ofSeconds(3), 40)).contains("=] 100 %");
     }
 
