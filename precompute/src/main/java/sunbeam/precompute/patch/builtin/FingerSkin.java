@@ -49,14 +49,19 @@ public record FingerSkin(double side, int samples, RowLayout layout, FingerShape
         double[] lines = lines(column * OVERSAMPLING, rows);
         double x = column * side / samples;
         int band = 0;
+        Band plates = band(band, lines, rows);
         for (int row = 0; row < samples; row++) {
             // A sample above the first line lies below the last one, a period further down.
             double down = row * side / samples;
             while (down < lines[0]) {
                 down += side;
             }
-            band = bandOf(down, lines, band);
-            heights[row * samples + column] += height(x, down - lines[band], band(band, lines, rows));
+            int next = bandOf(down, lines, band);
+            if (next != band) {
+                band = next;
+                plates = band(band, lines, rows);
+            }
+            heights[row * samples + column] += height(x, down - lines[band], plates);
         }
     }
 

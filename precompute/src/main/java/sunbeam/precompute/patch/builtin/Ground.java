@@ -1,5 +1,7 @@
 package sunbeam.precompute.patch.builtin;
 
+import java.util.stream.IntStream;
+
 /**
  * What lies under the fingers of a {@link FingerSkin}: waviness with a density that falls as a power of the frequency,
  * and fine grain.
@@ -43,19 +45,22 @@ public record Ground(double waviness, double exponent, int modes, double grain, 
 
     /** Convolution along one axis, round the period. */
     private static double[] smoothed(double[] values, double[] kernel, int size, int step, int lineStep) {
+        int reach = kernel.length - 1;
         double[] result = new double[values.length];
-        for (int line = 0; line < size; line++) {
+        IntStream.range(0, size).parallel().forEach(line -> {
+            double[] wrapped = new double[size + 2 * reach];
+            for (int i = 0; i < wrapped.length; i++) {
+                wrapped[i] = values[line * lineStep + Math.floorMod(i - reach, size) * step];
+            }
             for (int i = 0; i < size; i++) {
-                double sum = kernel[0] * values[line * lineStep + i * step];
-                for (int k = 1; k < kernel.length; k++) {
-                    int before = Math.floorMod(i - k, size);
-                    int after = (i + k) % size;
-                    sum += kernel[k]
-                            * (values[line * lineStep + before * step] + values[line * lineStep + after * step]);
+                int middle = i + reach;
+                double sum = kernel[0] * wrapped[middle];
+                for (int k = 1; k <= reach; k++) {
+                    sum += kernel[k] * (wrapped[middle - k] + wrapped[middle + k]);
                 }
                 result[line * lineStep + i * step] = sum;
             }
-        }
+        });
         return result;
     }
 }

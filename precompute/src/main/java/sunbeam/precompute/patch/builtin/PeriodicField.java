@@ -54,13 +54,17 @@ final class PeriodicField {
         double[][] circle = circle(rows);
         double[] field = new double[rows * columns];
         IntStream.range(0, rows).parallel().forEach(row -> {
+            double[] sum = new double[columns];
             for (int q = 0; q <= modesY; q++) {
                 double cos = circle[0][q * row % rows];
                 double sin = circle[1][q * row % rows];
+                double[] realOfQ = real[q];
+                double[] imaginaryOfQ = imaginary[q];
                 for (int column = 0; column < columns; column++) {
-                    field[row * columns + column] += real[q][column] * cos - imaginary[q][column] * sin;
+                    sum[column] += realOfQ[column] * cos - imaginaryOfQ[column] * sin;
                 }
             }
+            System.arraycopy(sum, 0, field, row * columns, columns);
         });
         return field;
     }
