@@ -23,8 +23,16 @@ public final class AnimationOptions {
     @Option(
             names = "--turntable",
             paramLabel = "N",
-            description = "N frames of the mesh turning once about the vertical; light and camera stay.")
+            description = "N frames of the mesh turning about the vertical; light and camera stay.")
     private Integer turntable;
+
+    @Option(
+            names = "--turn",
+            paramLabel = "FROM:TO",
+            converter = AngleSweep.Converter.class,
+            description = "Between which angles --turntable turns the mesh, from where the scene has it. Default: once"
+                    + " round.")
+    private AngleSweep turn;
 
     @Option(
             names = "--frames",
@@ -87,6 +95,9 @@ public final class AnimationOptions {
         if (lightSweep != null && turntable != null) {
             throw new UsageException("--light-sweep and --turntable contradict each other; leave one out");
         }
+        if (turn != null && turntable == null) {
+            throw new UsageException("--turn needs --turntable, whose frames it turns");
+        }
         if (!isAsked() && animation != null) {
             throw new UsageException("--animation needs --light-sweep or --turntable");
         }
@@ -105,6 +116,8 @@ public final class AnimationOptions {
 
     /** The scenes of the frames. */
     List<Scene> scenes(Scene scene) {
-        return turntable != null ? Motion.turntable(scene, turntable) : Motion.lightSweep(scene, lightSweep, frames);
+        return turntable != null
+                ? Motion.turntable(scene, turn != null ? turn : Motion.ONCE_ROUND, turntable)
+                : Motion.lightSweep(scene, lightSweep, frames);
     }
 }

@@ -14,6 +14,7 @@ import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.files.output.PngWriter;
 import sunbeam.app.gpu.picture.DoubtfulPicture;
 import sunbeam.app.measure.errors.CertifyOption;
+import sunbeam.app.measure.errors.CrawlCertificate;
 import sunbeam.app.measure.errors.SceneCertificate;
 import sunbeam.app.measure.errors.SceneCertifier;
 import sunbeam.app.scene.PartSum;
@@ -96,18 +97,34 @@ final class FrameSequence implements AutoCloseable {
      * Compares pixels of the scene that was drawn last.
      *
      * @param exact the same scene by a method that draws points
-     * @param exposure that the picture has
      */
-    SceneCertificate certify(RenderContext context, SceneData exact, double exposure, int count) {
+    SceneCertificate certify(RenderContext context, SceneData exact, int count) {
         try (SceneSession points = new SceneSession(context, exact)) {
             return new SceneCertifier(size.width(), size.height())
-                    .certify(sessions.get(0), points, supersample, exposure, count, CertifyOption.SEED);
+                    .certify(sessions.get(0), points, supersample, lastExposure, count, CertifyOption.SEED);
         }
     }
 
-    /** The exposure of what was drawn last. */
-    double exposure() {
-        return lastExposure;
+    /**
+     * Compares pixels of frames that follow one another.
+     *
+     * @param exact the first of the scenes by a method that draws points
+     * @param scenes of the frames, at least two
+     */
+    CrawlCertificate certify(RenderContext context, SceneData exact, List<Scene> scenes, int count) {
+        List<Scene> points = scenes.stream()
+                .map(scene -> scene.withMethod(exact.scene().method()))
+                .toList();
+        try (SceneSession session = new SceneSession(context, exact)) {
+            return new SceneCertifier(size.width(), size.height())
+                    .certify(
+                            new SceneCertifier.Frames(sessions.get(0), scenes),
+                            new SceneCertifier.Frames(session, points),
+                            supersample,
+                            lastExposure,
+                            count,
+                            CertifyOption.SEED);
+        }
     }
 
     private static OptionalDouble recordedExposure(Path frame) {

@@ -9,6 +9,8 @@ import sunbeam.app.scene.SceneLight;
 
 /** The scenes of an animation's frames. */
 final class Motion {
+    static final AngleSweep ONCE_ROUND = new AngleSweep(0, 2 * Math.PI);
+
     private Motion() {}
 
     /** The light turned about the vertical, counter-clockwise seen from above, by angles from where the scene has it. */
@@ -22,9 +24,8 @@ final class Motion {
                 .toList();
     }
 
-    /** The mesh turned once about the vertical, counter-clockwise seen from above; light and camera stay. */
-    static List<Scene> turntable(Scene scene, int frames) {
-        AngleSweep turn = new AngleSweep(0, 2 * Math.PI);
+    /** The mesh turned about the vertical, counter-clockwise seen from above; light and camera stay. */
+    static List<Scene> turntable(Scene scene, AngleSweep turn, int frames) {
         return IntStream.range(0, frames)
                 .mapToObj(frame -> {
                     Quaternionf rotation = new Quaternionf().rotationZ((float) turn.at(frame, frames));

@@ -1,7 +1,5 @@
 package sunbeam.app.commands.render;
 
-import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
-
 import java.io.PrintWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -24,7 +22,6 @@ import sunbeam.app.files.output.OutputFolder;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.files.output.StandardOutput;
 import sunbeam.app.gpu.picture.DoubtfulPicture;
-import sunbeam.app.measure.errors.SceneCertificate;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneData;
 import sunbeam.app.scene.SceneLoader;
@@ -35,11 +32,6 @@ import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.SettingOptions;
 import sunbeam.app.terminal.ShutdownHook;
 import sunbeam.app.terminal.UsageException;
-import sunbeam.precompute.method.FullMethod;
-import sunbeam.precompute.method.MethodType;
-import sunbeam.precompute.method.Methods;
-import sunbeam.precompute.method.TableMethod;
-import sunbeam.precompute.setting.Choices;
 
 /** {@code sunbeam render}: a scene as a picture, or moving, without a window. */
 @Command(
@@ -50,9 +42,6 @@ import sunbeam.precompute.setting.Choices;
                 + " the frames that are finished; --resume goes on.")
 public final class RenderCommand implements Callable<Integer> {
     private static final int MOST_SUPERSAMPLES = 8;
-    private static final int MOST_CERTIFIED = 10_000;
-    // Of the points that a picture is compared with: a quarter of what the median of its errors may be.
-    private static final double CERTIFYING = 5e-3;
 
     private final Environment environment;
 
@@ -100,15 +89,8 @@ public final class RenderCommand implements Callable<Integer> {
     @Mixin
     private ForceOption force;
 
-    @Option(
-            names = "--certify",
-            paramLabel = "N",
-            description =
-                    "Draw N random pixels of this very picture with 256 points each by method full at tolerance 1e-3 and"
-                            + " state the error of the picture beside their means: median, 95th percentile and maximum of XYZ, mean and"
-                            + " maximum CIEDE2000. Exit code 3 when the median exceeds 2 %% or the mean CIEDE2000 1. For single pictures"
-                            + " by full and table.")
-    private Integer certify;
+    @Mixin
+    private PixelCertificate certificate;
 
     @Spec
     private CommandSpec specification;
@@ -121,8 +103,8 @@ public final class RenderCommand implements Callable<Integer> {
     public Integer call() {
         check();
         Scene scene = SceneOverrides.apply(Scenes.load(sceneName), overrides.choices());
-        checkCertificate(scene);
         List<Scene> scenes = animation.isAsked() ? animation.scenes(scene) : List.of(scene);
+        certificate.check(scenes);
         Path target = target();
         List<Path> files = animation.isAsked() ? FrameFiles.names(target, scenes.size()) : List.of(target);
         checkOutputs(files, target);
@@ -142,52 +124,10 @@ public final class RenderCommand implements Callable<Integer> {
             List<Path> wanted = place.equals(target) ? files : FrameFiles.names(place, scenes.size());
             outputs(place, draw(frames, scenes, wanted, place, err)).forEach(out::println);
             ExitCode doubt = DoubtfulPicture.judge(List.of(data.patch()), frames.isBlack(), "the picture", err);
-            ExitCode certified = certify == null ? ExitCode.OK : certified(context, frames, data, out, err);
+            SceneLoader quiet = new SceneLoader(environment, warning -> {});
+            ExitCode certified =
+                    certificate.print(context, frames, scenes, points -> quiet.load(points, data), out, err);
             return (certified == ExitCode.OK ? doubt : certified).code();
-        }
-    }
-
-    /** Of an anti-aliased picture the body's light and the mesh's normals are part: points of it are the reference. */
-    private ExitCode certified(
-            RenderContext context, FrameSequence frames, SceneData data, PrintWriter out, PrintWriter err) {
-        Scene points = data.scene()
-                .withMethod(data.scene()
-                        .method()
-                        .with(Choices.none()
-                                .with(Methods.METHOD, FullMethod.TYPE)
-                                .with(TOLERANCE, CERTIFYING)));
-        SceneData exact = new SceneLoader(environment, warning -> {}).load(points, data);
-        SceneCertificate certificate = frames.certify(context, exact, frames.exposure(), certify);
-        out.println("certificate: " + certificate.summary());
-        out.flush();
-        if (certificate.missed()) {
-            err.println(Messages.error(certificate.complaint()));
-            err.flush();
-            return ExitCode.TOLERANCE_MISSED;
-        }
-        return ExitCode.OK;
-    }
-
-    /** A certificate compares a picture with points of the same picture. */
-    private void checkCertificate(Scene scene) {
-        if (certify == null) {
-            return;
-        }
-        if (certify < 1 || certify > MOST_CERTIFIED) {
-            throw new UsageException("--certify " + certify + " is out of range; give 1 to " + MOST_CERTIFIED);
-        }
-        if (animation.isAsked()) {
-            throw new UsageException("--certify is for single pictures; leave --light-sweep and --turntable out");
-        }
-        if (scene.index().isByWavelength()) {
-            throw new UsageException("--certify compares one integral over wavelengths, but a picture of an index by"
-                    + " wavelength is the sum of two; give a number as --index, or leave --certify out");
-        }
-        MethodType type = scene.method().type();
-        if (scene.method().isThesis() || (type != FullMethod.TYPE && type != TableMethod.TYPE)) {
-            throw new UsageException("--certify compares with method full at a tolerance, of which "
-                    + (scene.method().isThesis() ? "the thesis's preset" : "method " + type)
-                    + " draws another picture; leave it out");
         }
     }
 

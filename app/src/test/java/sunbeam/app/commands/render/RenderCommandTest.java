@@ -85,10 +85,10 @@ class RenderCommandTest {
         assertThat(render(picture, "--method", "table", "--certify", "6"))
                 .as(err.toString())
                 .isZero();
-        assertThat(render(picture, "--certify", "6", "--turntable", "3")).isEqualTo(ExitCode.USAGE.code());
+        assertThat(render(picture, "--turn", "0:6")).isEqualTo(ExitCode.USAGE.code());
         assertThat(render(picture, "--certify", "0")).isEqualTo(ExitCode.USAGE.code());
         assertThat(render(picture, "--certify", "6", "--method", "nmm")).isEqualTo(ExitCode.USAGE.code());
-        assertThat(err.toString()).contains("single pictures", "--certify 0 is out of range", "method nmm");
+        assertThat(err.toString()).contains("--turn needs --turntable", "--certify 0 is out of range", "method nmm");
     }
 
     @Test

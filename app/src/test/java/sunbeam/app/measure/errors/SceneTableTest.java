@@ -109,10 +109,14 @@ class SceneTableTest {
 
     @Test
     void aPlaneSeenAt80DegreesHasTheMeanOfItsPoints() {
-        // Lines across the line of sight send the green of their first order there.
+        certify(SceneTableTest::grazing);
+    }
+
+    /** Lines across the line of sight send the green of their first order there. */
+    private static Scene grazing(MethodType type) {
         Vector3f eye = new Vector3f(0, -0.394f, 0.0695f);
         Vector3f light = new Vector3f(0, 0.765f, 0.644f);
-        certify(type -> plane(eye, light, 20, ON_A_BODY, type).withRotatePatch(Math.PI / 2));
+        return plane(eye, light, 20, ON_A_BODY, type).withRotatePatch(Math.PI / 2);
     }
 
     /** Pixels are 0.02 wide in (u, v), several times an order's width, as those of a whole snake are. */
@@ -129,6 +133,33 @@ class SceneTableTest {
                     .as("points: %s; table: %s", points.summary(), certificate.summary())
                     .isGreaterThan(3 * certificate.meanDifference());
         }
+    }
+
+    @Test
+    void pointsCrawlAndMeansDoNot() {
+        SceneCertifier certifier = new SceneCertifier(24, 18);
+        try (RenderContext context = RenderContexts.offscreen();
+                SceneSession full = new SceneSession(context, load(grazing(FullMethod.TYPE)));
+                SceneSession table = new SceneSession(context, load(grazing(TableMethod.TYPE)))) {
+            SceneCertifier.Frames exact = turned(full);
+            CrawlCertificate certificate = certifier.certify(turned(table), exact, 1, 1, 30, 1);
+            CrawlCertificate points = certifier.certify(exact, exact, 1, 1, 30, 1);
+            assertThat(certificate.missed()).as(certificate.summary()).isFalse();
+            // Two frames of each of 30 pixels, of which the plane may leave a few in the second.
+            assertThat(certificate.frames().pixels()).isBetween(50, 60);
+            // Orders are narrow beside pixels: means change little, while points come upon orders and lose them.
+            assertThat(points.crawls()).as(points.summary()).isTrue();
+        }
+    }
+
+    private static SceneCertifier.Frames turned(SceneSession session) {
+        Scene scene = session.scene();
+        return new SceneCertifier.Frames(
+                session,
+                IntStream.range(0, 3)
+                        .mapToObj(frame ->
+                                scene.withOrientation(new Quaternionf().rotationZ((float) Math.toRadians(2 * frame))))
+                        .toList());
     }
 
     @Test
