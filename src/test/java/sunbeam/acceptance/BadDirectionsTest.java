@@ -50,9 +50,7 @@ class BadDirectionsTest {
         assertThat(workplace.files()).containsExactly("in.csv");
     }
 
-    private SunbeamResult reflectance() throws IOException, InterruptedException {
-        return workplace
-                .command("reflectance", "--patch", "blaze", "--directions", "in.csv", "--output", "out.csv")
-                .run();
+    private SunbeamResult reflectance() throws IOException {
+        return workplace.here("reflectance", "--patch", "blaze", "--directions", "in.csv", "--output", "out.csv");
     }
 }

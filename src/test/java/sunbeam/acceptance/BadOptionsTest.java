@@ -39,7 +39,7 @@ class BadOptionsTest {
     void areRefusedWithTheOptionItsValueAndWhatWouldDo(String commandLine, String words) throws Exception {
         Workplace workplace = Workplace.in(root);
 
-        SunbeamResult result = workplace.command(commandLine.split(" ", -1)).run();
+        SunbeamResult result = workplace.here(commandLine.split(" ", -1));
 
         Complaint.assertThatIt(result, Complaint.USAGE, words);
         assertThat(workplace.files()).isEmpty();

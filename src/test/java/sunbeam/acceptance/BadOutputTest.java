@@ -109,9 +109,7 @@ class BadOutputTest {
         Files.writeString(workplace.resolve("in.csv"), "theta_i,phi_i,theta_r,phi_r,wavelength\n0,0,10,180,550\n");
     }
 
-    private SunbeamResult run(String commandLine) throws IOException, InterruptedException {
-        return workplace
-                .command((commandLine + " --patch blaze").split(" ", -1))
-                .run();
+    private SunbeamResult run(String commandLine) throws IOException {
+        return workplace.here((commandLine + " --patch blaze").split(" ", -1));
     }
 }

@@ -152,11 +152,11 @@ class BadPatchTest {
 
     private void complains(int exitCode, String options, String... words) throws Exception {
         var before = workplace.files();
-        String[] arguments = Stream.of(("brdf-map --size 8 " + options).split(" ", -1))
+        String[] arguments = Stream.of(("brdf-map --size 8 --output map.png " + options).split(" ", -1))
                 .filter(argument -> !argument.isEmpty())
                 .toArray(String[]::new);
 
-        Complaint.assertThatIt(workplace.command(arguments).run(), exitCode, words);
+        Complaint.assertThatIt(workplace.here(arguments), exitCode, words);
 
         assertThat(workplace.files()).as("files left").isEqualTo(before);
         assertThat(workplace.tables()).as("tables left").isEmpty();

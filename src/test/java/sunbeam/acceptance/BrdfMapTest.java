@@ -78,9 +78,7 @@ class BrdfMapTest {
         Files.writeString(file, "precious");
 
         Complaint.assertThatIt(
-                workplace
-                        .command("brdf-map", "--patch", "blaze", "--size", "8", "--output", "map.png")
-                        .run(),
+                workplace.here("brdf-map", "--patch", "blaze", "--size", "8", "--output", "map.png"),
                 Complaint.CANNOT_WRITE,
                 "cannot write map.png: it exists; add --force to overwrite it, or choose another name");
         assertThat(file).hasContent("precious");
@@ -91,17 +89,18 @@ class BrdfMapTest {
 
     @Test
     void aNameThatSunbeamChoosesGetsANumberWhereItIsTaken() throws Exception {
-        blaze("--size", "8");
+        String[] small = {"brdf-map", "--patch", "blaze", "--size", "8"};
+        workplace.succeed(small);
 
-        assertThat(blaze("--size", "8").stdout()).isEqualTo("brdf-blaze-2.png\n");
+        assertThat(workplace.succeed(small).stdout()).isEqualTo("brdf-blaze-2.png\n");
         assertThat(workplace.files()).containsExactly("brdf-blaze-2.png", "brdf-blaze.png");
     }
 
-    private SunbeamResult blaze(String... options) throws IOException, InterruptedException {
+    private SunbeamResult blaze(String... options) throws IOException {
         String[] arguments = new String[options.length + 3];
         System.arraycopy(new String[] {"brdf-map", "--patch", "blaze"}, 0, arguments, 0, 3);
         System.arraycopy(options, 0, arguments, 3, options.length);
-        return workplace.succeed(arguments);
+        return workplace.succeedHere(arguments);
     }
 
     private long brightness(String name) throws IOException {

@@ -2,16 +2,25 @@ package sunbeam.acceptance;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /** {@code --certify} on pictures that the real shaders draw. */
 final class CertificateTest {
     @TempDir
-    private Path folder;
+    private Path root;
+
+    private Workplace workplace;
+
+    @BeforeEach
+    void layOut() throws IOException {
+        workplace = Workplace.in(root);
+    }
 
     /** An odd size has a row of pixels in the plane v = 0, where the grating's orders lie; elsewhere it is dark. */
     private SunbeamResult map(String... options) throws Exception {
@@ -19,7 +28,7 @@ final class CertificateTest {
         String[] all = new String[common.length + options.length];
         System.arraycopy(common, 0, all, 0, common.length);
         System.arraycopy(options, 0, all, common.length, options.length);
-        return Sunbeam.command(all).in(folder).run();
+        return workplace.here(all);
     }
 
     @Test
@@ -27,7 +36,7 @@ final class CertificateTest {
         SunbeamResult result = map("--tolerance", "1e-3");
         assertThat(result.exitCode()).as(result::toString).isZero();
         assertThat(result.stdout()).contains("certificate: 40 random pixels");
-        String png = Files.readString(folder.resolve("map.png"), StandardCharsets.ISO_8859_1);
+        String png = Files.readString(workplace.resolve("map.png"), StandardCharsets.ISO_8859_1);
         assertThat(png).contains("Certificate").contains("relative error of XYZ median");
     }
 
@@ -40,7 +49,7 @@ final class CertificateTest {
                 .hasSize(1)
                 .allMatch(line -> line.contains("the expansion"))
                 .allMatch(line -> line.contains("leave out --expansion and --terms: the same places then keep"));
-        assertThat(folder.resolve("map.png")).exists();
+        assertThat(workplace.resolve("map.png")).exists();
     }
 
     @Test
@@ -57,7 +66,7 @@ final class CertificateTest {
         SunbeamResult result = map("--method", "gem");
         assertThat(result.exitCode()).as(result::toString).isEqualTo(2);
         assertThat(result.stderr()).contains("--certify").contains("gem").contains("leave out --certify");
-        assertThat(folder.resolve("map.png")).doesNotExist();
+        assertThat(workplace.resolve("map.png")).doesNotExist();
     }
 
     @Test
@@ -69,9 +78,7 @@ final class CertificateTest {
 
     @Test
     void aCertificateOfNoPixelsIsRefused() throws Exception {
-        SunbeamResult result = Sunbeam.command("brdf-map", "--size", "32", "--certify", "0")
-                .in(folder)
-                .run();
+        SunbeamResult result = workplace.here("brdf-map", "--size", "32", "--certify", "0");
         assertThat(result.exitCode()).as(result::toString).isEqualTo(2);
         assertThat(result.stderr()).contains("--certify 0");
     }
@@ -79,7 +86,7 @@ final class CertificateTest {
     /** Rows in and beside the first orders of a grating of 2.5 um. */
     private SunbeamResult reflectance(String... options) throws Exception {
         Files.writeString(
-                folder.resolve("in.csv"),
+                workplace.resolve("in.csv"),
                 "theta_i,phi_i,theta_r,phi_r,wavelength\n0,0,12.7,0,550\n0,0,12.8,180,550\n0,0,0.1,90,500\n30,0,30,180,640\n",
                 StandardCharsets.UTF_8);
         String[] common = {
@@ -88,7 +95,7 @@ final class CertificateTest {
         String[] all = new String[common.length + options.length];
         System.arraycopy(common, 0, all, 0, common.length);
         System.arraycopy(options, 0, all, common.length, options.length);
-        return Sunbeam.command(all).in(folder).run();
+        return workplace.here(all);
     }
 
     @Test
@@ -102,7 +109,7 @@ final class CertificateTest {
     void aTableFromOneTermMissesItsTolerance() throws Exception {
         SunbeamResult result = reflectance("--terms", "1");
         assertThat(result.exitCode()).as(result::toString).isEqualTo(3);
-        assertThat(folder.resolve("out.csv")).exists();
+        assertThat(workplace.resolve("out.csv")).exists();
     }
 
     @Test

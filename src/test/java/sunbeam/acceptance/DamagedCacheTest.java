@@ -87,7 +87,7 @@ class DamagedCacheTest {
     @Test
     void aTableOfAnotherPlan() throws Exception {
         Workplace elsewhere = Workplace.in(Files.createDirectory(root.resolve("elsewhere")));
-        elsewhere.succeed("brdf-map", "--patch", "sinusoid", "--size", "9", "--output", "other.png");
+        elsewhere.succeedHere("brdf-map", "--patch", "sinusoid", "--size", "9", "--output", "other.png");
         Files.copy(elsewhere.tables().get(0), table, StandardCopyOption.REPLACE_EXISTING);
 
         isMadeAgain("tables of another surface or plan");
@@ -112,9 +112,9 @@ class DamagedCacheTest {
         assertThat(table).as("the table made again").hasBinaryContent(goodTable);
     }
 
-    private static SunbeamResult map(String name) throws IOException, InterruptedException {
+    private static SunbeamResult map(String name) throws IOException {
         String commandLine =
                 "brdf-map --patch blaze --size 9 --force --output " + name + ".png --linear " + name + ".npy";
-        return workplace.succeed(commandLine.split(" ", -1));
+        return workplace.succeedHere(commandLine.split(" ", -1));
     }
 }

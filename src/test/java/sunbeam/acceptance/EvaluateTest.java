@@ -49,7 +49,7 @@ class EvaluateTest {
             "--force"
         };
         String[] all = Stream.of(fixed, options).flatMap(Arrays::stream).toArray(String[]::new);
-        workplace.succeed(all);
+        workplace.succeedHere(all);
         return new ObjectMapper().readTree(workplace.resolve("result.json").toFile());
     }
 

@@ -13,21 +13,28 @@ import javax.imageio.ImageIO;
 final class NineBins {
     private static final double SIGMA_FREQUENCY = 1 / (2 * Math.PI * 65e-6 / 4);
 
-    private final Raster raster;
+    private final int columns;
+    private final int rows;
+    /** Row by row, the first at the top. */
+    private final int[] samples;
+
     private final double metresPerStep;
     private final double width;
 
     /** @param fullScale height of the value 255, metres */
     NineBins(Path image, double width, double fullScale) throws IOException {
-        this.raster = ImageIO.read(image.toFile()).getRaster();
+        Raster raster = ImageIO.read(image.toFile()).getRaster();
+        this.columns = raster.getWidth();
+        this.rows = raster.getHeight();
+        this.samples = raster.getSamples(0, 0, columns, rows, 0, (int[]) null);
         this.width = width;
         this.metresPerStep = fullScale / 255;
     }
 
     /** Coherent power with the window on the patch's centre. */
     double power(double u, double v, double w, double wavelength) {
-        double pitch = width / raster.getWidth();
-        double height = raster.getHeight() * pitch;
+        double pitch = width / columns;
+        double height = rows * pitch;
         int firstX = (int) Math.floor(u / wavelength * width) - 1;
         int firstY = (int) Math.floor(v / wavelength * height) - 1;
         double[] sum = new double[2];
@@ -46,8 +53,6 @@ final class NineBins {
 
     /** (1/N) sum exp(i kw h) exp(2 pi i (jx x - jy row)), x and row counted from the centre. */
     private double[] bin(int jx, int jy, double kw) {
-        int columns = raster.getWidth();
-        int rows = raster.getHeight();
         double[] levels = new double[512];
         for (int level = 0; level < 256; level++) {
             levels[2 * level] = Math.cos(kw * level * metresPerStep);
@@ -60,10 +65,9 @@ final class NineBins {
                 .mapToObj(row -> {
                     double real = 0;
                     double imaginary = 0;
-                    int[] samples = raster.getSamples(0, row, columns, 1, 0, (int[]) null);
                     for (int column = 0; column < columns; column++) {
-                        double a = levels[2 * samples[column]];
-                        double b = levels[2 * samples[column] + 1];
+                        double a = levels[2 * samples[row * columns + column]];
+                        double b = levels[2 * samples[row * columns + column] + 1];
                         real += a * turnX[2 * column] - b * turnX[2 * column + 1];
                         imaginary += a * turnX[2 * column + 1] + b * turnX[2 * column];
                     }

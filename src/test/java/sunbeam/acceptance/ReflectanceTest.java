@@ -170,12 +170,12 @@ class ReflectanceTest {
         String commandLine = "reflectance --patch blaze --method reference --directions in.csv --output out.csv";
 
         Complaint.assertThatIt(
-                workplace.command(commandLine.split(" ", -1)).run(),
+                workplace.here(commandLine.split(" ", -1)),
                 Complaint.CANNOT_WRITE,
                 "cannot write out.csv: it exists; add --force to overwrite it, or choose another name");
         assertThat(file).hasContent("precious");
 
-        workplace.succeed((commandLine + " --force").split(" ", -1));
+        workplace.succeedHere((commandLine + " --force").split(" ", -1));
         assertThat(CsvFile.read(file).size()).isEqualTo(1);
     }
 

@@ -6,7 +6,9 @@ import static org.assertj.core.api.Assertions.within;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.stream.IntStream;
 import org.assertj.core.data.Percentage;
 import org.junit.jupiter.api.BeforeAll;
@@ -23,6 +25,8 @@ class ThesisPresetTest {
 
     @TempDir
     static Path root;
+
+    private static final Map<String, CsvFile> THESIS_POWERS = new HashMap<>();
 
     private static Workplace workplace;
 
@@ -61,7 +65,7 @@ class ThesisPresetTest {
             String patch, double least, double most, double leastEnsemble, double mostEnsemble) throws Exception {
         CsvFile exact = SharedData.reference("power", patch);
 
-        CsvFile ours = reflectance(patch, exact, "--preset", "thesis", "--window-origin", "centre");
+        CsvFile ours = thesisPowers(patch);
 
         assertThat(median(errors(exact, ours, "power"))).isBetween(least, most);
         assertThat(median(errors(exact, ours, "power_ensemble"))).isBetween(leastEnsemble, mostEnsemble);
@@ -73,7 +77,7 @@ class ThesisPresetTest {
         NineBins definition = new NineBins(SharedData.present("patches/elaphe.png"), 65e-6, 375e-9);
         CsvFile directions = SharedData.reference("power", "elaphe").head(12);
 
-        CsvFile ours = reflectance("elaphe", directions, "--preset", "thesis", "--window-origin", "centre");
+        CsvFile ours = thesisPowers("elaphe");
 
         for (int row = 0; row < directions.size(); row++) {
             double[] uvw = uvw(directions, row);
@@ -136,6 +140,17 @@ class ThesisPresetTest {
             uvw[2] -= Math.cos(theta);
         }
         return uvw;
+    }
+
+    /** All rows of the exact powers, drawn once for all tests. */
+    private static CsvFile thesisPowers(String patch) throws Exception {
+        CsvFile drawn = THESIS_POWERS.get(patch);
+        if (drawn == null) {
+            CsvFile exact = SharedData.reference("power", patch);
+            drawn = reflectance(patch, exact, "--preset", "thesis", "--window-origin", "centre");
+            THESIS_POWERS.put(patch, drawn);
+        }
+        return drawn;
     }
 
     private static CsvFile reflectance(String patch, CsvFile directions, String... options) throws Exception {

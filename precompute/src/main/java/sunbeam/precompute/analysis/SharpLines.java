@@ -21,6 +21,13 @@ final class SharpLines {
     private static final int SURROUNDINGS = 8;
     private static final double FEWEST_PERIODS = 3.7;
 
+    // Of fewer periods, overtones lie among the bins beside the line.
+    private static final double FEWEST_OF_RAY = 12;
+    // Beyond the line's own bins, before its overtones.
+    private static final int RAY_FIRST = 3;
+    private static final int RAY_LAST = 6;
+    private static final double OUT_OF_RAY = 10;
+
     private final HeightSpectrum spectrum;
 
     SharpLines(HeightSpectrum spectrum) {
@@ -55,7 +62,35 @@ final class SharpLines {
         return tops.stream()
                 .map(top -> peak(top[0], top[1]))
                 .filter(peak -> peak.figure() >= THRESHOLD && peak.rms() * peak.rms() >= variance)
+                .filter(peak -> fewest < FEWEST_OF_RAY || standsOutAlongItsRay(peak))
                 .max(Comparator.comparingDouble(SpectrumPeak::rms));
+    }
+
+    /**
+     * Whether a line is more than what lies before and behind it in the same direction. The whole spectrum of a step or of terraces is one
+     * such ray, on which every bin stands far above its surroundings.
+     */
+    private boolean standsOutAlongItsRay(SpectrumPeak peak) {
+        double x = peak.frequencyX() * spectrum.width();
+        double y = peak.frequencyY() * spectrum.height();
+        double bins = Math.hypot(x, y);
+        double[] beside = new double[2 * (RAY_LAST - RAY_FIRST + 1)];
+        for (int i = 0; i < beside.length; i++) {
+            int distance = (i % 2 == 0 ? 1 : -1) * (RAY_FIRST + i / 2);
+            beside[i] = largestAround(x + distance * x / bins, y + distance * y / bins);
+        }
+        Arrays.sort(beside);
+        return largestAround(x, y) >= OUT_OF_RAY * beside[beside.length / 2];
+    }
+
+    private double largestAround(double x, double y) {
+        double largest = 0;
+        for (int jy = (int) Math.rint(y) - 1; jy <= Math.rint(y) + 1; jy++) {
+            for (int jx = (int) Math.rint(x) - 1; jx <= Math.rint(x) + 1; jx++) {
+                largest = Math.max(largest, spectrum.at(jx, jy));
+            }
+        }
+        return largest;
     }
 
     /** The sharp line at a frequency, to a bin; empty where there is none, or it is no clear one. */

@@ -1,6 +1,7 @@
 package sunbeam.precompute.analysis;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import sunbeam.precompute.numerics.LogParabola;
@@ -32,6 +33,10 @@ final class TaperedPeaks {
     private static final double SHARP_SHARE = 0.8;
     // Weaker ones, by their heights, are not worth a line beside the strongest.
     private static final double WEAKEST = 0.1;
+
+    // Of a period in samples, and of the variance, below which a wave may be a staircase of samples.
+    private static final double STAIRCASE_SAMPLES = 3;
+    private static final double STAIRCASE_SHARE = 0.01;
 
     private final HeightSpectrum spectrum;
     private final Scale fine;
@@ -100,7 +105,9 @@ final class TaperedPeaks {
         return chosen(candidates);
     }
 
-    private Periodicity chosen(List<SpectrumPeak> candidates) {
+    private Periodicity chosen(List<SpectrumPeak> all) {
+        List<SpectrumPeak> candidates =
+                all.stream().filter(peak -> !isStaircase(peak)).toList();
         double figure =
                 candidates.stream().mapToDouble(SpectrumPeak::figure).max().orElse(0);
         List<SpectrumPeak> clear = candidates.stream()
@@ -115,6 +122,14 @@ final class TaperedPeaks {
             }
         }
         return new Periodicity(HeightSpectrum.Edges.TAPERED, kept, figure, threshold);
+    }
+
+    /** Samples make a staircase of a step or wall that runs aslant: a wave of few samples, far weaker than the step. */
+    private boolean isStaircase(SpectrumPeak peak) {
+        double turnsX = peak.frequencyX() * spectrum.width() / spectrum.bandX().count();
+        double turnsY = peak.frequencyY() * spectrum.height() / spectrum.bandY().count();
+        double total = Arrays.stream(spectrum.power()).sum() - spectrum.at(0, 0);
+        return Math.hypot(turnsX, turnsY) > 1 / STAIRCASE_SAMPLES && peak.rms() * peak.rms() < STAIRCASE_SHARE * total;
     }
 
     private static boolean isMaximum(HeightSpectrum smoothed, int jx, int jy) {

@@ -76,13 +76,11 @@ record GratingTarget(
                     ? ""
                     : String.format(Locale.ROOT, " along azimuth %s degrees", Degrees.text(given.getAsDouble()));
             String remedy = given.isEmpty() ? "--azimuth and --period" : "--period, or choose another --azimuth";
-            throw new NoPeriodException(String.format(
-                    Locale.ROOT,
-                    "%s has no periodicity%s: %s; to look for a ridge all the same give %s",
-                    patch.name(),
-                    where,
-                    few(patch, given).orElse(heights.describeFigure()),
-                    remedy));
+            String why = few(patch, given)
+                    .map(wave -> "whether " + patch.name() + " repeats itself" + where
+                            + " cannot be told from a scan of this size: " + wave + "; scan a larger area")
+                    .orElseGet(() -> patch.name() + " has no periodicity" + where + ": " + heights.describeFigure());
+            throw new NoPeriodException(why + "; to look for a ridge all the same give " + remedy);
         }
         double azimuth = given.orElseGet(() -> signed(heights.peaks().get(0)));
         FirstOrder order = request.period().isPresent()

@@ -3,6 +3,8 @@ package sunbeam.app.commands.inspect;
 import java.util.List;
 import java.util.Optional;
 import sunbeam.app.terminal.OptionOrigin;
+import sunbeam.precompute.analysis.HeightStatistics;
+import sunbeam.precompute.analysis.PeriodEstimator;
 import sunbeam.precompute.analysis.PeriodFinder;
 import sunbeam.precompute.analysis.Periodicity;
 import sunbeam.precompute.patch.HeightMap;
@@ -15,6 +17,10 @@ import sunbeam.precompute.units.Lengths;
 final class PeriodRemedy {
     // Samples along a side; of a larger scan its middle is tried.
     private static final int LARGEST = 1024;
+    // Of the heights' variance, in the wave.
+    private static final double LEAST_SHARE = 0.1;
+    // The interval's ends: a period that is known to a tenth.
+    private static final double WIDEST = 1.1;
     private static final List<Levelling> LEVELLINGS = List.of(Levelling.QUADRATIC, Levelling.MEDIAN_ROWS);
 
     private PeriodRemedy() {}
@@ -79,10 +85,19 @@ final class PeriodRemedy {
         return scan.part(crop);
     }
 
+    /**
+     * Six ways are tried, each of which may find something by chance: only a wave counts that holds much of what is left of the
+     * heights, and that can be followed through them.
+     */
     private static Optional<String> period(HeightMap map) {
         Periodicity found = new PeriodFinder(map, false).all();
-        return found.found()
-                ? Optional.of("about " + Lengths.rounded(found.peaks().get(0).period(), 3))
-                : Optional.empty();
+        double variance = Math.pow(HeightStatistics.of(map).rms(), 2);
+        return found.peaks().stream()
+                .limit(1)
+                .filter(peak -> peak.rms() * peak.rms() >= LEAST_SHARE * variance)
+                .flatMap(peak -> PeriodEstimator.estimate(map, peak).stream())
+                .filter(told -> told.high() <= WIDEST * told.low())
+                .map(told -> "about " + Lengths.rounded(told.period(), 3))
+                .findFirst();
     }
 }

@@ -217,6 +217,13 @@ final class EvaluateCommandTest {
         }
         Path scan = Files.writeString(folder.resolve("scan.txt"), text);
         String[] patch = {"--patch", scan.toString(), "--width", "11um", "--height-unit", "nm"};
+        // Too few to be sure is not none.
+        assertThat(run(patch)).isEqualTo(4);
+        assertThat(err.toString())
+                .contains(
+                        "whether scan repeats itself cannot be told from a scan of this size: a wave of about 3.",
+                        "too few to be sure of a period; scan a larger area; to look for a ridge all the same give")
+                .doesNotContain("no periodicity");
         assertThat(run(Stream.concat(Stream.of(patch), Stream.of("--azimuth", "0", "--period", "3.3um"))
                         .toArray(String[]::new)))
                 .as(err.toString())

@@ -1,0 +1,175 @@
+package sunbeam.app.commands.inspect;
+
+import java.util.Arrays;
+import java.util.SplittableRandom;
+import java.util.function.DoubleUnaryOperator;
+import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.prepare.Levelling;
+
+/** Scans of surfaces that have no period, drawn at random, noisy, and level by their plane as commands take them. */
+enum PeriodlessSurface {
+    /** Each sample by itself. */
+    WHITE,
+    /** Noise smoothed over some samples. */
+    CORRELATED,
+    /** Waves of all directions whose amplitudes fall with a power of the frequency, 1 to 2. */
+    FRACTAL,
+    /** A parabola, of two curvatures and a centre of its own, under correlated noise. */
+    BOW,
+    /** Each row a step of a random walk. */
+    ROWS_THAT_WALK,
+    /** Rows with offsets that know nothing of each other, under correlated noise. */
+    ROWS_OFFSET,
+    /** Slow waviness of one direction, as drift leaves it. */
+    DRIFT,
+    /** One step across the scan in any direction. */
+    ONE_STEP,
+    /** Two steps, up and up or up and down. */
+    TWO_STEPS,
+    /** Terraces of three to nine steps of one height, with widths that differ by up to three times. */
+    TERRACES,
+    /** The same, with steps along the rows: a staircase from row to row. */
+    ROW_TERRACES;
+
+    private static final double PITCH = 80e-9;
+
+    /** 96 to 160 samples a side. */
+    HeightMap draw(long seed) {
+        SplittableRandom random = new SplittableRandom(1000L * ordinal() + seed);
+        int columns = 96 + random.nextInt(65);
+        int rows = 96 + random.nextInt(65);
+        double[] heights = heights(columns, rows, random);
+        double scale = Arrays.stream(heights).map(Math::abs).max().orElseThrow();
+        double noise = Math.pow(10, -3 + 2 * random.nextDouble());
+        for (int i = 0; i < heights.length; i++) {
+            heights[i] = 1e-7 * (heights[i] / scale + noise * random.nextGaussian());
+        }
+        return new HeightMap(columns, rows, PITCH, PITCH, heights).levelled(Levelling.PLANE);
+    }
+
+    private double[] heights(int columns, int rows, SplittableRandom random) {
+        return switch (this) {
+            case WHITE -> smoothed(columns, rows, 0, random);
+            case CORRELATED -> smoothed(columns, rows, 1 + random.nextInt(8), random);
+            case FRACTAL -> fractal(columns, rows, 1 + random.nextDouble(), random);
+            case BOW -> bow(columns, rows, random);
+            case ROWS_THAT_WALK -> rows(columns, rows, 1, random);
+            case ROWS_OFFSET -> sum(rows(columns, rows, 0, random), smoothed(columns, rows, 4, random));
+            case DRIFT -> along(columns, rows, random.nextDouble() * Math.PI, wavy(random));
+            case ONE_STEP -> along(columns, rows, random.nextDouble() * Math.PI, steps(1, random));
+            case TWO_STEPS -> along(columns, rows, random.nextDouble() * Math.PI, steps(2, random));
+            case TERRACES -> along(columns, rows, random.nextDouble() * Math.PI, steps(3 + random.nextInt(7), random));
+            case ROW_TERRACES -> along(columns, rows, Math.PI / 2, steps(3 + random.nextInt(7), random));
+        };
+    }
+
+    private static double[] sum(double[] a, double[] b) {
+        double[] sum = new double[a.length];
+        Arrays.setAll(sum, i -> a[i] + b[i]);
+        return sum;
+    }
+
+    /** A profile over -1..1 along a direction. */
+    private static double[] along(int columns, int rows, double angle, DoubleUnaryOperator profile) {
+        double[] heights = new double[columns * rows];
+        for (int i = 0; i < heights.length; i++) {
+            double x = 2.0 * (i % columns) / columns - 1;
+            double y = 2.0 * (i / columns) / rows - 1;
+            double reach = Math.abs(Math.cos(angle)) + Math.abs(Math.sin(angle));
+            heights[i] = profile.applyAsDouble((x * Math.cos(angle) + y * Math.sin(angle)) / reach);
+        }
+        return heights;
+    }
+
+    private static DoubleUnaryOperator steps(int count, SplittableRandom random) {
+        boolean up = count > 2 || random.nextBoolean();
+        double[] widths = random.doubles(count + 1, 1, 3).toArray();
+        double total = Arrays.stream(widths).sum();
+        return t -> {
+            double place = (t + 1) / 2 * total;
+            int step = 0;
+            for (int i = 0; i < count && place > widths[i]; i++) {
+                place -= widths[i];
+                step++;
+            }
+            return up ? step : step % 2;
+        };
+    }
+
+    private static DoubleUnaryOperator wavy(SplittableRandom random) {
+        double[] phases = random.doubles(4, 0, 2 * Math.PI).toArray();
+        double[] turns = random.doubles(4, 0.2, 2.5).toArray();
+        return t -> {
+            double sum = 0;
+            for (int i = 0; i < phases.length; i++) {
+                sum += Math.sin(Math.PI * turns[i] * t + phases[i]) / turns[i];
+            }
+            return sum;
+        };
+    }
+
+    private static double[] bow(int columns, int rows, SplittableRandom random) {
+        double x0 = random.nextDouble() - 0.5;
+        double y0 = random.nextDouble() - 0.5;
+        double ratio = 2 * random.nextDouble() - 1;
+        double[] heights = smoothed(columns, rows, 3, random);
+        for (int i = 0; i < heights.length; i++) {
+            double x = 2.0 * (i % columns) / columns - 1 - x0;
+            double y = 2.0 * (i / columns) / rows - 1 - y0;
+            heights[i] = 0.03 * heights[i] + x * x + ratio * y * y;
+        }
+        return heights;
+    }
+
+    private static double[] rows(int columns, int rows, double memory, SplittableRandom random) {
+        double[] heights = new double[columns * rows];
+        double offset = 0;
+        for (int row = 0; row < rows; row++) {
+            offset = memory * offset + random.nextGaussian();
+            Arrays.fill(heights, row * columns, (row + 1) * columns, offset);
+        }
+        return heights;
+    }
+
+    /** White noise under three boxes of 2 r + 1 samples along each axis, to a variance of about 1. */
+    private static double[] smoothed(int columns, int rows, int radius, SplittableRandom random) {
+        double[] heights = random.doubles((long) columns * rows, -1, 1).toArray();
+        for (int pass = 0; pass < (radius > 0 ? 3 : 0); pass++) {
+            heights = boxed(boxed(heights, columns, rows, radius, 0), columns, rows, 0, radius);
+        }
+        double square =
+                Math.sqrt(Arrays.stream(heights).map(h -> h * h).average().orElseThrow());
+        return Arrays.stream(heights).map(h -> h / square).toArray();
+    }
+
+    private static double[] boxed(double[] heights, int columns, int rows, int alongX, int alongY) {
+        double[] means = new double[heights.length];
+        for (int i = 0; i < heights.length; i++) {
+            int column = i % columns;
+            int row = i / columns;
+            for (int y = Math.max(0, row - alongY); y <= Math.min(rows - 1, row + alongY); y++) {
+                for (int x = Math.max(0, column - alongX); x <= Math.min(columns - 1, column + alongX); x++) {
+                    means[i] += heights[y * columns + x];
+                }
+            }
+        }
+        return means;
+    }
+
+    private static double[] fractal(int columns, int rows, double power, SplittableRandom random) {
+        double[] heights = new double[columns * rows];
+        for (int wave = 0; wave < 400; wave++) {
+            // As many waves in each octave of frequency, of half a turn to thirty.
+            double turns = 0.5 * Math.pow(60, random.nextDouble());
+            double angle = Math.PI * random.nextDouble();
+            double phase = 2 * Math.PI * random.nextDouble();
+            double amplitude = random.nextGaussian() * Math.pow(turns, -power);
+            double stepX = 2 * Math.PI * turns * Math.cos(angle) / columns;
+            double stepY = 2 * Math.PI * turns * Math.sin(angle) / columns;
+            for (int i = 0; i < heights.length; i++) {
+                heights[i] += amplitude * Math.cos(phase + stepX * (i % columns) + stepY * (i / columns));
+            }
+        }
+        return heights;
+    }
+}
