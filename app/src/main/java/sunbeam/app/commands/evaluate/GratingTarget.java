@@ -46,8 +46,8 @@ record GratingTarget(
     private static final double LARGEST_DRIFT = 1.05;
     // Of the cosine between a wave and the direction in which light looks at it: 15 degrees.
     private static final double ALONG = 0.966;
-    // What it takes, in the same unit: the heights' spectrum, its peaks, the phase of one of them; measured on a large
-    // scan.
+    // Parts of the progress: the heights' spectrum, its peaks, the phase of one of them. Estimated; only the time left
+    // rests on them.
     private static final int SPECTRUM = 5;
     private static final int SEARCH = 3;
     private static final int ESTIMATE = 2;
