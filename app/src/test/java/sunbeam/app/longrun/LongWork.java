@@ -104,6 +104,40 @@ enum LongWork {
             return result;
         }
     },
+    /** Pages of a scene's colours and a picture of them; a part is a page. Each has a cache of its own. */
+    PAGES(1) {
+        @Override
+        List<String> command(Place place) {
+            return List.of(("render elaphe --mesh plane --patch blaze --texture none --method table --tolerance 0.01"
+                            + " --size 160x120 --force --output out.png")
+                    .split(" "));
+        }
+
+        @Override
+        Path cache(Place place) {
+            return place.folder().resolve("cache");
+        }
+
+        @Override
+        Map<String, String> parts(Place place) {
+            Map<String, String> parts = new TreeMap<>();
+            KeptPageRecords.find(cache(place)).forEach(file -> parts.putAll(KeptPageRecords.of(file)));
+            return parts;
+        }
+
+        @Override
+        int finished(Place place) {
+            return KeptPageRecords.count(cache(place));
+        }
+
+        /** The picture, and the pages in whatever order they were made. */
+        @Override
+        Map<String, String> result(Place place) {
+            Map<String, String> result = files(place.folder(), name -> name.endsWith(".png"), LongWork::content);
+            result.putAll(parts(place));
+            return result;
+        }
+    },
     /** Errors on one small patch; a part is a batch of exact values. Its times differ from run to run. */
     ACCURACY(10) {
         @Override
