@@ -45,7 +45,7 @@ final class MovingScale {
             return;
         }
         double budget = PreviewScale.BUDGET_NANOSECONDS;
-        double latest = Math.min(nanoseconds, MOST_COUNTED * budget);
+        double latest = Math.min((double) nanoseconds, MOST_COUNTED * budget);
         double before = taken[index];
         taken[index] = Double.isNaN(before) ? latest : before + NEWEST * (latest - before);
         for (int finer = 0; finer < index; finer++) {

@@ -60,7 +60,7 @@ public record CrawlCertificate(SceneCertificate frames, double change, double ex
 
     /** Whether it crawls, or its frames are further from the means than they may be. */
     public boolean missed() {
-        return frames.missed() || frames.pixels() > 0 && crawls();
+        return frames.missed() || (frames.pixels() > 0 && crawls());
     }
 
     /** One line with all figures. */

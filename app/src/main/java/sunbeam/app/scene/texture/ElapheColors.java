@@ -15,6 +15,8 @@ final class ElapheColors implements BodyColors {
     private static final double SADDLES = 38;
     private static final double BELLY = 0.76;
     private static final int CHECKS = 150;
+    // An outline wobbles by 0.11, and its edge reaches 0.04 farther.
+    private static final double FAR = 1.16;
 
     private final SkinNoise outline = new SkinNoise(1, 400, 24);
     private final SkinNoise sizes = new SkinNoise(2, 60, 2);
@@ -24,12 +26,14 @@ final class ElapheColors implements BodyColors {
     @Override
     public LinearRgb at(double along, double around) {
         double side = Math.abs(around);
-        LinearRgb ground = GROUND.mix(FLANK, Steps.smooth(0.25, 0.7, side + 0.1 * mottle.at(along, around)));
+        double mottled = 0.1 * mottle.at(along, around);
+        LinearRgb ground = GROUND.mix(FLANK, Steps.smooth(0.25, 0.7, side + mottled));
         double wobble = 0.11 * outline.at(along, around);
         LinearRgb marked = mark(ground, saddle(along, side) + wobble);
         marked = mark(marked, blotch(along, side) + wobble);
-        LinearRgb skin = marked.times(1 + 0.13 * grain.at(along, around) + 0.1 * mottle.at(along, around));
-        return skin.mix(belly(along, around), Steps.smooth(BELLY - 0.02, BELLY + 0.04, side));
+        LinearRgb skin = marked.times(1 + 0.13 * grain.at(along, around) + mottled);
+        double share = Steps.smooth(BELLY - 0.02, BELLY + 0.04, side);
+        return share == 0 ? skin : skin.mix(belly(along, around), share);
     }
 
     /** A marking: red where the depth below its outline is large, black along it. */
@@ -56,8 +60,12 @@ final class ElapheColors implements BodyColors {
         return 1 - superellipse((place - middle) / (0.24 * size), (side - 0.56) / (0.13 * size));
     }
 
-    /** Distance from the middle, 1 on a rounded rectangle. */
+    /** Distance from the middle, 1 on a rounded rectangle; where that is far outside of any marking, about. */
     private static double superellipse(double x, double y) {
+        double least = Math.max(Math.abs(x), Math.abs(y));
+        if (least > FAR) {
+            return least;
+        }
         return Math.pow(Math.pow(Math.abs(x), 2.6) + Math.pow(Math.abs(y), 2.6), 1 / 2.6);
     }
 

@@ -34,6 +34,7 @@ enum PeriodlessSurface {
     private static final double PITCH = 80e-9;
 
     /** 96 to 160 samples a side. */
+    @SuppressWarnings("EnumOrdinal") // only the seed rests on it
     HeightMap draw(long seed) {
         SplittableRandom random = new SplittableRandom(1000L * ordinal() + seed);
         int columns = 96 + random.nextInt(65);
@@ -74,7 +75,8 @@ enum PeriodlessSurface {
         double[] heights = new double[columns * rows];
         for (int i = 0; i < heights.length; i++) {
             double x = 2.0 * (i % columns) / columns - 1;
-            double y = 2.0 * (i / columns) / rows - 1;
+            int row = i / columns;
+            double y = 2.0 * row / rows - 1;
             double reach = Math.abs(Math.cos(angle)) + Math.abs(Math.sin(angle));
             heights[i] = profile.applyAsDouble((x * Math.cos(angle) + y * Math.sin(angle)) / reach);
         }
@@ -115,7 +117,8 @@ enum PeriodlessSurface {
         double[] heights = smoothed(columns, rows, 3, random);
         for (int i = 0; i < heights.length; i++) {
             double x = 2.0 * (i % columns) / columns - 1 - x0;
-            double y = 2.0 * (i / columns) / rows - 1 - y0;
+            int row = i / columns;
+            double y = 2.0 * row / rows - 1 - y0;
             heights[i] = 0.03 * heights[i] + x * x + ratio * y * y;
         }
         return heights;
@@ -167,7 +170,8 @@ enum PeriodlessSurface {
             double stepX = 2 * Math.PI * turns * Math.cos(angle) / columns;
             double stepY = 2 * Math.PI * turns * Math.sin(angle) / columns;
             for (int i = 0; i < heights.length; i++) {
-                heights[i] += amplitude * Math.cos(phase + stepX * (i % columns) + stepY * (i / columns));
+                int row = i / columns;
+                heights[i] += amplitude * Math.cos(phase + stepX * (i % columns) + stepY * row);
             }
         }
         return heights;
