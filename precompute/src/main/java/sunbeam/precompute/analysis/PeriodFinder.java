@@ -48,7 +48,7 @@ public final class PeriodFinder {
     public PeriodFinder(HeightMap map, boolean repeated) {
         this.rms = HeightStatistics.rms(map.toArray());
         this.tapered = HeightSpectrum.of(map, HeightSpectrum.Edges.TAPERED);
-        this.taperedPeaks = new TaperedPeaks(tapered);
+        this.taperedPeaks = new TaperedPeaks(tapered, map.pitchX(), map.pitchY());
         boolean small = repeated && Math.max(map.width(), map.height()) <= LARGEST_REPEATED;
         this.periodic = small ? HeightSpectrum.of(map, HeightSpectrum.Edges.PERIODIC) : null;
     }

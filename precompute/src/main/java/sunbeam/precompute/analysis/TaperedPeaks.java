@@ -39,6 +39,8 @@ final class TaperedPeaks {
     private static final double STAIRCASE_SHARE = 0.01;
 
     private final HeightSpectrum spectrum;
+    private final double pitchX;
+    private final double pitchY;
     private final Scale fine;
     private final Scale coarse;
     private final double threshold;
@@ -57,8 +59,14 @@ final class TaperedPeaks {
         }
     }
 
-    TaperedPeaks(HeightSpectrum spectrum) {
+    /**
+     * @param pitchX distance of the heights' samples along x, metres; the spectrum may end before they do
+     * @param pitchY and along y
+     */
+    TaperedPeaks(HeightSpectrum spectrum, double pitchX, double pitchY) {
         this.spectrum = spectrum;
+        this.pitchX = pitchX;
+        this.pitchY = pitchY;
         boolean oneAxis = spectrum.bandX().count() == 1 || spectrum.bandY().count() == 1;
         this.threshold = oneAxis ? THRESHOLD_ON_ONE_AXIS : THRESHOLD;
         this.fine = Scale.of(spectrum, FINE_BINS, FEWEST_PERIODS, COARSE_FROM_BIN);
@@ -126,10 +134,9 @@ final class TaperedPeaks {
 
     /** Samples make a staircase of a step or wall that runs aslant: a wave of few samples, far weaker than the step. */
     private boolean isStaircase(SpectrumPeak peak) {
-        double turnsX = peak.frequencyX() * spectrum.width() / spectrum.bandX().count();
-        double turnsY = peak.frequencyY() * spectrum.height() / spectrum.bandY().count();
+        double turns = Math.hypot(peak.frequencyX() * pitchX, peak.frequencyY() * pitchY);
         double total = Arrays.stream(spectrum.power()).sum() - spectrum.at(0, 0);
-        return Math.hypot(turnsX, turnsY) > 1 / STAIRCASE_SAMPLES && peak.rms() * peak.rms() < STAIRCASE_SHARE * total;
+        return turns > 1 / STAIRCASE_SAMPLES && peak.rms() * peak.rms() < STAIRCASE_SHARE * total;
     }
 
     private static boolean isMaximum(HeightSpectrum smoothed, int jx, int jy) {
