@@ -79,7 +79,8 @@ record GratingTarget(
             String why = few(patch, given)
                     .map(wave -> "whether " + patch.name() + " repeats itself" + where
                             + " cannot be told from a scan of this size: " + wave + "; scan a larger area")
-                    .orElseGet(() -> patch.name() + " has no periodicity" + where + ": " + heights.describeFigure());
+                    .orElseGet(() -> patch.name() + " has no periodicity" + where + ": " + heights.describeFigure()
+                            + " (`inspect` says whether another --level or a --crop shows one)");
             throw new NoPeriodException(why + "; to look for a ridge all the same give " + remedy);
         }
         double azimuth = given.orElseGet(() -> signed(heights.peaks().get(0)));

@@ -32,7 +32,7 @@ import sunbeam.precompute.shader.ShaderTables;
 final class Responses {
     // Directions that are handed to the GPU at once; one fragment each.
     private static final int PORTION = 1 << 14;
-    // Of the first portion, which tells how long all of them take.
+    // Of the first two portions; the second tells how long all of them take.
     private static final int FIRST = 1 << 10;
     private static final double LONG_MINUTES = 3;
     private static final int PER_CENT = 100;
@@ -178,10 +178,10 @@ final class Responses {
         double[][] power = new double[grid.wavelengths().length][columns];
         int channel = ensemble() ? 1 : 0;
         int count = power.length * columns;
-        long began = System.nanoTime();
         int end;
         for (int start = 0; start < count; start = end) {
-            end = Math.min(count, start + (start == 0 ? FIRST : PORTION));
+            long portionBegan = System.nanoTime();
+            end = Math.min(count, start + (start <= FIRST ? FIRST : PORTION));
             List<DirectionsRenderer.Query> portion = new ArrayList<>(end - start);
             for (int i = start; i < end; i++) {
                 portion.add(new DirectionsRenderer.Query(directions.get(i % columns), grid.wavelengths()[i / columns]));
@@ -190,8 +190,9 @@ final class Responses {
             for (int i = 0; i < values.size(); i++) {
                 power[(start + i) / columns][(start + i) % columns] = values.get(i)[channel];
             }
-            if (start == 0) {
-                tell((System.nanoTime() - began) * 1e-9 * count / end / 60);
+            // The driver compiles with the first ones.
+            if (start == FIRST) {
+                tell((System.nanoTime() - portionBegan) * 1e-9 * (count - end) / (end - start) / 60);
             }
         }
         return power;

@@ -18,6 +18,7 @@ import sunbeam.precompute.units.Lengths;
 final class PeriodLines {
     // Digits of a peak's place: it is some bins wide.
     private static final int ROUGH = 2;
+    private static final int MOST_DIGITS = 6;
     // Figures above say no more.
     private static final double CLEAR = 1000;
 
@@ -76,9 +77,16 @@ final class PeriodLines {
                         "and a second of %s, %.2g times as high",
                         IntervalWords.of(second.period(), second.low(), second.high()),
                         second.strength())));
-        told.drift()
-                .ifPresent(ends -> lines.add("drifting from about " + Lengths.rounded(ends.first(), 3) + " to "
-                        + Lengths.rounded(ends.last(), 3)));
+        told.drift().ifPresent(ends -> lines.add("drifting from about " + apart(ends.first(), ends.last())));
+    }
+
+    /** With as many digits as it takes to tell them apart. */
+    private static String apart(double first, double last) {
+        int digits = 3;
+        while (digits < MOST_DIGITS && Lengths.rounded(first, digits).equals(Lengths.rounded(last, digits))) {
+            digits++;
+        }
+        return Lengths.rounded(first, digits) + " to " + Lengths.rounded(last, digits);
     }
 
     private String describe(SpectrumPeak peak) {

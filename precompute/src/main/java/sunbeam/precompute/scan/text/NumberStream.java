@@ -138,6 +138,7 @@ final class NumberStream {
                 if (c == '\n' || c == '\r') {
                     position--;
                 }
+                dropSeparator();
                 return;
             }
             if (wordLength == LONGEST_WORD) {
@@ -148,6 +149,13 @@ final class NumberStream {
                         line));
             }
             word[wordLength++] = (byte) c;
+        }
+    }
+
+    /** Of 1,5, 2,5 the comma before the blank. */
+    private void dropSeparator() {
+        if (decimalComma && wordLength > 1 && word[wordLength - 1] == ',') {
+            wordLength--;
         }
     }
 

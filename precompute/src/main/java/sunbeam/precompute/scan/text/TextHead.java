@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.regex.Pattern;
 import sunbeam.precompute.scan.ScanBytes;
+import sunbeam.precompute.scan.ScanException;
 
 /**
  * Where the numbers of a text begin, and how they are written.
@@ -19,6 +20,8 @@ import sunbeam.precompute.scan.ScanBytes;
  */
 record TextHead(List<String> header, long offset, boolean decimalComma) {
     private static final int LONGEST_HEADER = 1 << 18;
+    // By chance, of numbers of either sign, once in 2^20.
+    private static final int SIGNS_OF_HALVES = 20;
     private static final Pattern NUMBER =
             Pattern.compile("[+-]?(?:\\d+\\.?\\d*|\\.\\d+)(?:[eE][+-]?\\d{1,3})?|[+-]?[nN][aA][nN]");
     private static final Pattern COMMA_NUMBER =
@@ -98,27 +101,68 @@ record TextHead(List<String> header, long offset, boolean decimalComma) {
     }
 
     /**
-     * Whether commas are decimal marks, from the first numbers: 1,5 2,5 and 1,5;2,5 have decimal commas; 1,2,3 and 1, 2, 3
-     * and 1.5,2.5 have separators.
+     * Whether commas are decimal marks, from the first numbers: 1,5 2,5 and 1,5;2,5 and 1,5, 2,5 have decimal commas; 1,2,3 and
+     * 1, 2, 3 and 1.5,2.5 have separators.
+     *
+     * @throws ScanException where they may be either
      */
     private static boolean hasDecimalCommas(byte[] head, int start) {
         boolean withinNumber = false;
         boolean separated = false;
+        boolean beforeBlank = false;
+        boolean beforeSign = false;
+        // A second comma in what would be one number.
+        boolean twice = false;
+        boolean open = false;
         for (int i = start; i < head.length; i++) {
             byte c = head[i];
             if (c == '.') {
                 return false;
             }
-            if (c == ',') {
-                if (i + 1 == head.length || head[i + 1] < '0' || head[i + 1] > '9') {
-                    return false;
-                }
+            byte next = i + 1 < head.length ? head[i + 1] : (byte) '\n';
+            boolean amidLine = next != '\n' && next != '\r';
+            if (c == ',' && next >= '0' && next <= '9') {
+                twice |= open;
+                open = true;
                 withinNumber = true;
+            } else if (c == ',') {
+                boolean blank = next == ' ' || next == '\t' || !amidLine;
+                beforeBlank |= blank;
+                beforeSign |= !blank;
+                open = false;
+            } else if (c == ' ' || c == '\t' || c == ';' || c == '\n' || c == '\r') {
+                open = false;
             }
-            boolean amidLine = i + 1 < head.length && head[i + 1] != '\n' && head[i + 1] != '\r';
             separated |= c == ';' || ((c == ' ' || c == '\t') && amidLine);
         }
-        return withinNumber && separated;
+        if (beforeSign && !beforeBlank && !separated) {
+            requireSeparators(head, start);
+        }
+        return withinNumber && separated && !beforeSign && !(beforeBlank && twice);
+    }
+
+    /** Numbers of which every second one never has a sign, though the others have, are halves of numbers. */
+    private static void requireSeparators(byte[] head, int start) {
+        long place = 0;
+        long signs = 0;
+        for (int i = start; i < head.length; i++) {
+            byte c = head[i];
+            if (c == '\n' || c == '\r') {
+                // The first number of a line is a whole one or the first half of one.
+                place = 0;
+            } else if (c == ',') {
+                place++;
+            } else if (c == '-' && place % 2 == 1) {
+                return;
+            } else if (c == '-') {
+                signs++;
+            }
+        }
+        if (signs >= SIGNS_OF_HALVES) {
+            throw new ScanException("has commas that may be decimal marks or separators: every second number never is"
+                    + " negative, so 1,5 may be one number or two; export it with decimal points, or with semicolons between"
+                    + " the numbers");
+        }
     }
 
     private static boolean all(String line, Pattern separator, Pattern number) {

@@ -1,0 +1,67 @@
+package sunbeam.precompute.scan.text;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import sunbeam.precompute.scan.ScanBytes;
+import sunbeam.precompute.scan.ScanException;
+
+/** Commas are decimal marks, or separators, or both. */
+class CommasTest {
+    @TempDir
+    private Path folder;
+
+    private double[] read(String text) throws IOException {
+        Path file = folder.resolve("scan.txt");
+        Files.writeString(file, text);
+        try (ScanBytes bytes = ScanBytes.open(file)) {
+            TextHead head = TextHead.of(bytes).orElseThrow();
+            TextNumbers numbers = TextNumbers.count(bytes, head);
+            numbers.requireRectangular();
+            assertThat(numbers.rows()).isEqualTo(2);
+            return numbers.read();
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "1,5 -2,25\n3 4,75\n",
+                "1,5;-2,25\n3;4,75\n",
+                "1,5, -2,25\n3, 4,75\n",
+                "1,5, -2,25,\n3, 4,75,\n",
+                "1,5,\t-2,25\r\n3,\t4,75\r\n",
+                "1.5,-2.25\n3,4.75\n",
+                "1.5, -2.25\n3, 4.75\n"
+            })
+    void fourNumbersAreReadHoweverTheyAreWritten(String text) throws IOException {
+        assertThat(read(text)).containsExactly(1.5, -2.25, 3, 4.75);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"1,5,-2,25\n3,0,4,75\n", "1, 5, -2, 25\n3, 0, 4, 75\n"})
+    void commasBetweenWholeNumbersSeparateThem(String text) throws IOException {
+        assertThat(read(text)).containsExactly(1, 5, -2, 25, 3, 0, 4, 75);
+    }
+
+    @Test
+    void halvesOfNumbersAreSeenByTheirSigns() {
+        String row = "-7,82,-44,55,-22,70,49,38,".repeat(10) + "35,36\n";
+        assertThatThrownBy(() -> read(row + row))
+                .isInstanceOf(ScanException.class)
+                .hasMessageContaining("decimal marks or separators");
+    }
+
+    @Test
+    void wholeNumbersOfEitherSignAreNoHalves() throws IOException {
+        String row = "-7,82,44,-55,22,-70,-49,38,".repeat(10) + "35,36\n";
+        assertThat(read(row + row)).hasSize(164);
+    }
+}
