@@ -34,13 +34,19 @@ final class TaperedPeaks {
     // Weaker ones, by their heights, are not worth a line beside the strongest.
     private static final double WEAKEST = 0.1;
 
-    // Of a period in samples, and of the variance, below which a wave may be a staircase of samples.
-    private static final double STAIRCASE_SAMPLES = 3;
+    // Of the variance, below which a wave may be a staircase of samples; and always is, of so few samples a period.
     private static final double STAIRCASE_SHARE = 0.01;
+    private static final double STAIRCASE_SAMPLES = 3;
+    // Of the average's deviation: so far away a line of the spectrum has gone, and a crest still has this share of its
+    // height.
+    private static final int[] CREST_DEVIATIONS = {3, 4};
+    private static final double CREST_SHARE = 0.25;
+    private static final int CREST_DIRECTIONS = 24;
 
     private final HeightSpectrum spectrum;
     private final double pitchX;
     private final double pitchY;
+    private final double variance;
     private final Scale fine;
     private final Scale coarse;
     private final double threshold;
@@ -67,6 +73,7 @@ final class TaperedPeaks {
         this.spectrum = spectrum;
         this.pitchX = pitchX;
         this.pitchY = pitchY;
+        this.variance = Arrays.stream(spectrum.power()).sum() - spectrum.at(0, 0);
         boolean oneAxis = spectrum.bandX().count() == 1 || spectrum.bandY().count() == 1;
         this.threshold = oneAxis ? THRESHOLD_ON_ONE_AXIS : THRESHOLD;
         this.fine = Scale.of(spectrum, FINE_BINS, FEWEST_PERIODS, COARSE_FROM_BIN);
@@ -114,8 +121,9 @@ final class TaperedPeaks {
     }
 
     private Periodicity chosen(List<SpectrumPeak> all) {
-        List<SpectrumPeak> candidates =
-                all.stream().filter(peak -> !isStaircase(peak)).toList();
+        List<SpectrumPeak> candidates = all.stream()
+                .filter(peak -> peak.figure() < threshold || !isStaircase(peak))
+                .toList();
         double figure =
                 candidates.stream().mapToDouble(SpectrumPeak::figure).max().orElse(0);
         List<SpectrumPeak> clear = candidates.stream()
@@ -132,11 +140,47 @@ final class TaperedPeaks {
         return new Periodicity(HeightSpectrum.Edges.TAPERED, kept, figure, threshold);
     }
 
-    /** Samples make a staircase of a step or wall that runs aslant: a wave of few samples, far weaker than the step. */
+    /**
+     * Samples make a staircase of a step or wall that runs aslant. Its spectrum comes back from beyond the sampling frequency as a crest
+     * across the others, far weaker than the step, on which chance makes maxima; a period's peak ends in all directions.
+     */
     private boolean isStaircase(SpectrumPeak peak) {
-        double turns = Math.hypot(peak.frequencyX() * pitchX, peak.frequencyY() * pitchY);
-        double total = Arrays.stream(spectrum.power()).sum() - spectrum.at(0, 0);
-        return turns > 1 / STAIRCASE_SAMPLES && peak.rms() * peak.rms() < STAIRCASE_SHARE * total;
+        if (peak.rms() * peak.rms() >= STAIRCASE_SHARE * variance) {
+            return false;
+        }
+        if (Math.hypot(peak.frequencyX() * pitchX, peak.frequencyY() * pitchY) > 1 / STAIRCASE_SAMPLES) {
+            return true;
+        }
+        double x = peak.frequencyX() * spectrum.width();
+        double y = peak.frequencyY() * spectrum.height();
+        Scale scale = fine.counts(x, y) ? fine : coarse;
+        for (int i = 0; i < CREST_DIRECTIONS; i++) {
+            if (isOnCrest(scale, x, y, Math.PI * i / CREST_DIRECTIONS)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** Of a place near the end of the band only one side is known. */
+    private static boolean isOnCrest(Scale scale, double x, double y, double direction) {
+        double least = CREST_SHARE * scale.smoothed().at((int) Math.rint(x), (int) Math.rint(y));
+        int known = 0;
+        for (int deviations : CREST_DEVIATIONS) {
+            for (int side = -1; side <= 1; side += 2) {
+                double away = side * deviations * scale.sigmaBins();
+                int besideX = (int) Math.rint(x + away * Math.cos(direction));
+                int besideY = (int) Math.rint(y + away * Math.sin(direction));
+                if (scale.smoothed().bandX().holds(besideX)
+                        && scale.smoothed().bandY().holds(besideY)) {
+                    known++;
+                    if (scale.smoothed().at(besideX, besideY) < least) {
+                        return false;
+                    }
+                }
+            }
+        }
+        return known >= CREST_DEVIATIONS.length;
     }
 
     private static boolean isMaximum(HeightSpectrum smoothed, int jx, int jy) {

@@ -28,6 +28,10 @@ public record Band(int first, int count) {
         return first + count - 1;
     }
 
+    public boolean holds(int bin) {
+        return bin >= first && bin <= last();
+    }
+
     /** The smallest band around bin 0 that holds this one. */
     public Band symmetric() {
         int reach = Math.max(Math.abs(first), Math.abs(last()));

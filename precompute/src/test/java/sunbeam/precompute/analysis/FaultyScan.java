@@ -1,0 +1,223 @@
+package sunbeam.precompute.analysis;
+
+import java.util.Arrays;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.SplittableRandom;
+import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.prepare.Levelling;
+
+/**
+ * A scan that chance drew of what scanners and surfaces do to a grating, or to what is none.
+ *
+ * @param map heights, level by their plane
+ * @param truths metres: the period or each of several; of terraces their mean width
+ * @param words for messages
+ */
+record FaultyScan(HeightMap map, double[] truths, String words) {
+    enum Kind {
+        /** Sideways, by a part of a period, from one row on. */
+        SLIPPED,
+        /** The same at two rows. */
+        SLIPPED_TWICE,
+        /** Rows lost: from one on, the surface continues some way on. */
+        ROWS_LOST,
+        /** Some rows repeat one of them, and the surface continues after that. */
+        STUCK,
+        /** From one row on the same row, until the end. */
+        ABORTED,
+        /** Heights above or below a limit are the limit. */
+        CLIPPED,
+        /** Two waves across each other, periods within a third. */
+        LATTICE,
+        /** Bumps on a hexagonal lattice. */
+        HEXAGONS,
+        /** Steps of one height and hard edges, widths that differ by up to five times. */
+        TERRACES
+    }
+
+    private static final double SMOOTH = 0.05;
+
+    /** What the program answers. */
+    Optional<PeriodEstimate> estimate() {
+        return new PeriodFinder(map, false)
+                .all().peaks().stream().findFirst().flatMap(peak -> PeriodEstimator.estimate(map, peak));
+    }
+
+    boolean holdsTruth(PeriodEstimate estimate) {
+        return Arrays.stream(truths).anyMatch(truth -> truth >= estimate.low() && truth <= estimate.high());
+    }
+
+    /** What a grating's draw consists of. */
+    private record Draw(
+            Kind kind,
+            SplittableRandom random,
+            int columns,
+            int rows,
+            double pitch,
+            double period,
+            double angle,
+            int shape) {
+        static Draw of(Kind kind, SplittableRandom random) {
+            double width = 8e-6 * Math.pow(5, random.nextDouble());
+            double period = 0.6e-6 * Math.pow(Math.min(4e-6, width / 7) / 0.6e-6, random.nextDouble());
+            double pitch = Math.max(period / (5 + 12 * random.nextDouble()), width / 500);
+            int columns = (int) Math.round(width / pitch);
+            int rows = (int) (columns * (0.5 + 0.5 * random.nextDouble()));
+            double angle = random.nextInt(3) == 0 ? 0 : Math.toRadians(-60 + 120 * random.nextDouble());
+            return new Draw(kind, random, columns, rows, pitch, period, angle, random.nextInt(3));
+        }
+
+        /** Height at a place, 0..1. */
+        double at(double x, double y) {
+            double turns = (x * Math.cos(angle) + y * Math.sin(angle)) / period;
+            double part = turns - Math.floor(turns);
+            return switch (shape) {
+                case 0 -> 0.5 + 0.5 * Math.cos(2 * Math.PI * part);
+                case 1 -> part;
+                default -> 1 / (1 + Math.exp((Math.abs(part - 0.5) - 0.25) / SMOOTH));
+            };
+        }
+    }
+
+    static FaultyScan draw(Kind kind, long seed) {
+        SplittableRandom random = new SplittableRandom(seed * 7919 + kind.name().hashCode());
+        return switch (kind) {
+            case LATTICE, HEXAGONS -> lattice(kind, seed, random);
+            case TERRACES -> terraces(seed, random);
+            default -> faulty(Draw.of(kind, random), seed);
+        };
+    }
+
+    private static FaultyScan faulty(Draw draw, long seed) {
+        SplittableRandom random = draw.random();
+        int rows = draw.rows();
+        int first = (int) (rows * (0.15 + 0.7 * random.nextDouble()));
+        int second = draw.kind() == Kind.SLIPPED_TWICE ? (int) (rows * (0.15 + 0.7 * random.nextDouble())) : rows;
+        double slip = draw.period() / Math.max(0.3, Math.cos(draw.angle())) * (0.1 + 0.8 * random.nextDouble());
+        double other = draw.period() / Math.max(0.3, Math.cos(draw.angle())) * (0.1 + 0.8 * random.nextDouble());
+        int length = 3 + random.nextInt(Math.max(4, rows / 6));
+        double limit = random.nextBoolean() ? 0.3 + 0.5 * random.nextDouble() : -0.2 - 0.5 * random.nextDouble();
+        double noise = 0.03 * random.nextDouble();
+        double[] heights = new double[draw.columns() * rows];
+        for (int row = 0; row < rows; row++) {
+            double shift = (row >= first ? slip : 0) + (row >= second ? other : 0);
+            int source = switch (draw.kind()) {
+                case ROWS_LOST -> row >= first ? row + length : row;
+                case STUCK -> row >= first && row < first + length ? first : row;
+                case ABORTED -> Math.min(row, first);
+                default -> row;
+            };
+            boolean sideways = draw.kind() == Kind.SLIPPED || draw.kind() == Kind.SLIPPED_TWICE;
+            for (int column = 0; column < draw.columns(); column++) {
+                double height = draw.at(column * draw.pitch() + (sideways ? shift : 0), -source * draw.pitch());
+                if (draw.kind() == Kind.CLIPPED) {
+                    height = limit > 0 ? Math.min(height, limit) : Math.max(height, -limit);
+                }
+                boolean repeats = source != row && (draw.kind() == Kind.STUCK || draw.kind() == Kind.ABORTED);
+                heights[row * draw.columns() + column] = repeats
+                        ? heights[(row - 1) * draw.columns() + column]
+                        : 1e-7 * (height + noise * random.nextGaussian());
+            }
+        }
+        String words = String.format(
+                Locale.ROOT,
+                "%s seed %d: period %.1f nm, %d x %d, pitch %.1f nm, azimuth %.0f, shape %d, row %d, slip %.2f periods, %d rows, limit %.2f",
+                draw.kind(),
+                seed,
+                draw.period() * 1e9,
+                draw.columns(),
+                rows,
+                draw.pitch() * 1e9,
+                Math.toDegrees(draw.angle()),
+                draw.shape(),
+                first,
+                slip * Math.cos(draw.angle()) / draw.period(),
+                length,
+                limit);
+        return scan(draw.columns(), rows, draw.pitch(), heights, new double[] {draw.period()}, words);
+    }
+
+    private static FaultyScan scan(
+            int columns, int rows, double pitch, double[] heights, double[] truths, String words) {
+        return new FaultyScan(
+                new HeightMap(columns, rows, pitch, pitch, heights).levelled(Levelling.PLANE), truths, words);
+    }
+
+    private static FaultyScan lattice(Kind kind, long seed, SplittableRandom random) {
+        Draw draw = Draw.of(kind, random);
+        double between = Math.toRadians(kind == Kind.HEXAGONS ? 60 : 30 + 60 * random.nextDouble());
+        double ratio = kind == Kind.HEXAGONS ? 1 : 1 + 0.3 * random.nextDouble();
+        int waves = kind == Kind.HEXAGONS ? 3 : 2;
+        double noise = 0.03 * random.nextDouble();
+        double start = Math.toRadians(180 * random.nextDouble());
+        double[] truths = new double[waves];
+        double[] heights = new double[draw.columns() * draw.rows()];
+        for (int i = 0; i < waves; i++) {
+            truths[i] = draw.period() * Math.pow(ratio, i);
+            double cosine = Math.cos(start + i * between) / truths[i];
+            double sine = Math.sin(start + i * between) / truths[i];
+            for (int k = 0; k < heights.length; k++) {
+                int row = k / draw.columns();
+                double turns = draw.pitch() * (k % draw.columns() * cosine - row * sine);
+                heights[k] += 1e-7 * Math.cos(2 * Math.PI * turns);
+            }
+        }
+        for (int k = 0; k < heights.length; k++) {
+            heights[k] += 1e-7 * noise * random.nextGaussian();
+        }
+        String words = String.format(
+                Locale.ROOT,
+                "%s seed %d: periods %s nm, %d x %d, pitch %.1f nm, from %.0f by %.0f degrees",
+                kind,
+                seed,
+                Arrays.toString(Arrays.stream(truths)
+                        .map(truth -> Math.rint(truth * 1e10) / 10)
+                        .toArray()),
+                draw.columns(),
+                draw.rows(),
+                draw.pitch() * 1e9,
+                Math.toDegrees(start),
+                Math.toDegrees(between));
+        return scan(draw.columns(), draw.rows(), draw.pitch(), heights, truths, words);
+    }
+
+    private static FaultyScan terraces(long seed, SplittableRandom random) {
+        int columns = 128 + random.nextInt(385);
+        int rows = 128 + random.nextInt(385);
+        double pitch = 10e-9 * Math.pow(10, random.nextDouble());
+        double angle = random.nextInt(4) == 0 ? 0 : random.nextDouble() * 2 * Math.PI;
+        int count = 3 + random.nextInt(20);
+        boolean up = random.nextInt(3) > 0;
+        double noise = random.nextBoolean() ? 0 : 0.03 * random.nextDouble();
+        double diagonal = Math.hypot(columns, rows);
+        double[] edges = random.doubles(count, 1, 5).toArray();
+        Arrays.parallelPrefix(edges, Double::sum);
+        double scale = diagonal / edges[count - 1];
+        double[] heights = new double[columns * rows];
+        for (int k = 0; k < heights.length; k++) {
+            int row = k / columns;
+            double x = k % columns - 0.5 * columns;
+            double place = x * Math.cos(angle) + (row - 0.5 * rows) * Math.sin(angle) + 0.5 * diagonal;
+            int step = 0;
+            while (step < count && edges[step] * scale < place) {
+                step++;
+            }
+            heights[k] = 1e-8 * ((up ? step : step % 2) + noise * random.nextGaussian());
+        }
+        String words = String.format(
+                Locale.ROOT,
+                "TERRACES seed %d: %d x %d, pitch %.1f nm, %d steps %s, %.0f degrees, mean width %.0f nm",
+                seed,
+                columns,
+                rows,
+                pitch * 1e9,
+                count,
+                up ? "up" : "up and down",
+                Math.toDegrees(angle),
+                diagonal / count * pitch * 1e9);
+        // Where something repeats, if only roughly, it is a terrace, or two of which one lies higher.
+        double width = diagonal / count * pitch;
+        return scan(columns, rows, pitch, heights, new double[] {width, 2 * width}, words);
+    }
+}
