@@ -1,5 +1,7 @@
 package sunbeam.precompute.analysis;
 
+import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 
 /**
@@ -11,9 +13,26 @@ import java.util.Optional;
  * @param periods how many fit into the scan along their direction
  * @param second another period beside it, of similar strength and direction, where there is one
  * @param drift where the period changes across the scan: from one end to the other
+ * @param slips where the wave jumps from one row to the next: what is between was followed by itself
  */
 public record PeriodEstimate(
-        double period, double low, double high, double periods, Optional<Second> second, Optional<Drift> drift) {
+        double period,
+        double low,
+        double high,
+        double periods,
+        Optional<Second> second,
+        Optional<Drift> drift,
+        List<Slip> slips) {
+
+    public PeriodEstimate {
+        slips = List.copyOf(slips);
+    }
+
+    /** Of a scan whose rows continue each other. */
+    public PeriodEstimate(
+            double period, double low, double high, double periods, Optional<Second> second, Optional<Drift> drift) {
+        this(period, low, high, periods, second, drift, List.of());
+    }
 
     /** Of one period, or few, of a surface that repeats without end: known exactly. */
     public static PeriodEstimate exact(double period, double periods) {
@@ -43,9 +62,33 @@ public record PeriodEstimate(
         }
     }
 
+    /**
+     * A jump of the wave.
+     *
+     * @param row the first after it, from the top, 0-based
+     * @param turns by how many periods, -0.5..0.5: whole ones are not seen
+     */
+    public record Slip(int row, double turns) {
+        /** For people, without a full stop. */
+        public String describe() {
+            return String.format(
+                    Locale.ROOT,
+                    "the lines jump sideways by %.2g periods (or as much and whole ones) after row %d from the top, as where the"
+                            + " scanner slipped: the rows above and below were followed by themselves",
+                    Math.abs(turns),
+                    row);
+        }
+    }
+
     /** The same without the second. */
     PeriodEstimate alone() {
-        return new PeriodEstimate(period, low, high, periods, Optional.empty(), drift);
+        return new PeriodEstimate(period, low, high, periods, Optional.empty(), drift, slips);
+    }
+
+    /** The same of a scan that slipped, with an interval that reaches to others, too. */
+    PeriodEstimate of(List<Slip> found, double lowest, double highest) {
+        return new PeriodEstimate(
+                period, Math.min(low, lowest), Math.max(high, highest), periods, second, drift, found);
     }
 
     /** The larger distance from the period to an end of its interval, metres. */

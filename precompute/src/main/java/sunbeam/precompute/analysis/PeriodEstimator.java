@@ -1,6 +1,7 @@
 package sunbeam.precompute.analysis;
 
 import java.util.Arrays;
+import java.util.List;
 import java.util.Optional;
 import sunbeam.precompute.patch.HeightMap;
 
@@ -37,11 +38,19 @@ public final class PeriodEstimator {
 
     /**
      * The period near a peak of the heights' spectrum, along the peak's direction; empty where too few periods fit into
-     * the scan to tell.
+     * the scan to tell, or between rows at which it slipped.
      *
      * @param map without missing samples
      */
     public static Optional<PeriodEstimate> estimate(HeightMap map, SpectrumPeak peak) {
+        List<PeriodEstimate.Slip> slips = RowSlips.in(map, peak.frequencyX(), peak.frequencyY());
+        return slips.isEmpty() || slips.size() > SlippedScan.MOST_SLIPS
+                ? ofOnePiece(map, peak)
+                : new SlippedScan(map, slips).estimate(peak);
+    }
+
+    /** As if all rows continued each other. */
+    static Optional<PeriodEstimate> ofOnePiece(HeightMap map, SpectrumPeak peak) {
         double direction = Math.atan2(peak.frequencyY(), peak.frequencyX());
         double frequency = peak.frequency();
         PhaseSeries series = null;

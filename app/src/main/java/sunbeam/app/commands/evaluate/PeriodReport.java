@@ -80,6 +80,7 @@ final class PeriodReport {
                                         ? "; the interval reaches from one to the other"
                                         : "")),
                         () -> lines.add("of the light         " + nothing(answer.of())));
+        heights.slips().forEach(slip -> lines.add("a slip               " + slip.describe()));
         heights.second().ifPresent(second -> lines.add(second(second)));
         heights.drift()
                 .filter(drift -> drift.ratio() - 1 > WORTH_SAYING)
@@ -139,6 +140,11 @@ final class PeriodReport {
             ends.put("to_nm", drift.last() * NANOMETRES);
             tree.put("drift", ends);
         });
+        tree.put(
+                "slips",
+                heights.slips().stream()
+                        .map(slip -> Map.of("after_row", slip.row(), "periods", slip.turns()))
+                        .toList());
         return tree;
     }
 

@@ -77,6 +77,7 @@ final class PeriodLines {
                         "and a second of %s, %.2g times as high",
                         IntervalWords.of(second.period(), second.low(), second.high()),
                         second.strength())));
+        told.slips().forEach(slip -> lines.add(slip.describe()));
         told.drift().ifPresent(ends -> lines.add("drifting from about " + apart(ends.first(), ends.last())));
     }
 
