@@ -32,6 +32,8 @@ public final class PeriodFinder {
     private final HeightSpectrum tapered;
     private final HeightSpectrum periodic;
     private final TaperedPeaks taperedPeaks;
+    private final double pitchX;
+    private final double pitchY;
     private final double rms;
 
     /** Heights that light sees repeated, without missing samples. */
@@ -47,6 +49,8 @@ public final class PeriodFinder {
      */
     public PeriodFinder(HeightMap map, boolean repeated) {
         this.rms = HeightStatistics.rms(map.toArray());
+        this.pitchX = map.pitchX();
+        this.pitchY = map.pitchY();
         this.tapered = HeightSpectrum.of(map, HeightSpectrum.Edges.TAPERED);
         this.taperedPeaks = new TaperedPeaks(tapered, map.pitchX(), map.pitchY());
         boolean small = repeated && Math.max(map.width(), map.height()) <= LARGEST_REPEATED;
@@ -57,7 +61,8 @@ public final class PeriodFinder {
     public Periodicity all() {
         Periodicity others = choose(TaperedPeaks::all, PeriodicPeaks::all);
         Optional<SpectrumPeak> sharp = line().or(() -> hidden(others));
-        return withFundamental(sharp.map(found -> withLine(found, others)).orElse(others));
+        return withFundamental(
+                sharp.map(line -> withLattice(line, withLine(line, others))).orElse(others));
     }
 
     /** A line beside which what the averaged spectrum shows is weak: a step or bow hides it there, not its overtones. */
@@ -143,6 +148,18 @@ public final class PeriodFinder {
                     .forEach(peaks::add);
         }
         return new Periodicity(HeightSpectrum.Edges.TAPERED, peaks, line.figure(), SharpLines.THRESHOLD);
+    }
+
+    /** The strongest line, those that run across it, and what else there is. */
+    private Periodicity withLattice(SpectrumPeak line, Periodicity found) {
+        List<SpectrumPeak> lattice = new SharpLines(tapered).across(line, pitchX, pitchY);
+        List<SpectrumPeak> peaks = new ArrayList<>(List.of(line));
+        peaks.addAll(lattice);
+        found.peaks().stream()
+                .skip(1)
+                .filter(peak -> lattice.stream().noneMatch(other -> taperedPeaks.isOvertone(peak, other)))
+                .forEach(peaks::add);
+        return new Periodicity(found.edges(), peaks, found.figure(), found.threshold());
     }
 
     /** Of all bins but the zeroth. */

@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Stream;
 
 /**
  * The line of a grating in the spectrum of a piece of a surface, where that holds much of the heights' variance: as sharp
@@ -28,6 +29,14 @@ final class SharpLines {
     private static final int RAY_LAST = 6;
     private static final double OUT_OF_RAY = 10;
 
+    // Of a lattice's other waves: their heights against the strongest's, radians between them, and how many are told.
+    private static final double LEAST_ACROSS = 0.3;
+    private static final double LEAST_ANGLE = Math.toRadians(10);
+    private static final int MOST_ACROSS = 3;
+    private static final int HIGHEST_OVERTONE = 12;
+    // Between an overtone of the strongest and a line that is it.
+    private static final double SAME_BINS = 1.5;
+
     private final HeightSpectrum spectrum;
 
     SharpLines(HeightSpectrum spectrum) {
@@ -50,6 +59,12 @@ final class SharpLines {
      * @param fewest of its periods across the patch
      */
     Optional<SpectrumPeak> strongest(double variance, double fewest) {
+        return tops(variance, fewest).stream()
+                .filter(peak -> fewest < FEWEST_OF_RAY || standsOutAlongItsRay(peak))
+                .max(Comparator.comparingDouble(SpectrumPeak::rms));
+    }
+
+    private List<SpectrumPeak> tops(double variance, double fewest) {
         List<int[]> tops = new ArrayList<>();
         for (int jy = 0; jy <= spectrum.bandY().last(); jy++) {
             int first = jy == 0 ? 1 : spectrum.bandX().first();
@@ -62,8 +77,51 @@ final class SharpLines {
         return tops.stream()
                 .map(top -> peak(top[0], top[1]))
                 .filter(peak -> peak.figure() >= THRESHOLD && peak.rms() * peak.rms() >= variance)
-                .filter(peak -> fewest < FEWEST_OF_RAY || standsOutAlongItsRay(peak))
-                .max(Comparator.comparingDouble(SpectrumPeak::rms));
+                .toList();
+    }
+
+    /**
+     * Lines in other directions than the strongest, which a lattice has, the strongest first; not its overtones that come back from beyond
+     * the sampling frequency.
+     *
+     * @param pitchX distance of the heights' samples along x, metres
+     * @param pitchY and along y
+     */
+    List<SpectrumPeak> across(SpectrumPeak first, double pitchX, double pitchY) {
+        double variance = LEAST_ACROSS * LEAST_ACROSS * first.rms() * first.rms();
+        List<SpectrumPeak> found = new ArrayList<>();
+        tops(variance, FEWEST_PERIODS).stream()
+                .filter(peak -> !isOvertone(peak, first, pitchX, pitchY))
+                .sorted(Comparator.comparingDouble(SpectrumPeak::rms).reversed())
+                .forEach(peak -> {
+                    boolean another = Stream.concat(Stream.of(first), found.stream())
+                            .allMatch(told -> angle(told, peak) > LEAST_ANGLE);
+                    if (another && found.size() < MOST_ACROSS) {
+                        found.add(peak);
+                    }
+                });
+        return found;
+    }
+
+    /** Between two waves' directions, of which the opposite is the same, radians. */
+    private static double angle(SpectrumPeak a, SpectrumPeak b) {
+        return Math.abs(Math.IEEEremainder(a.direction() - b.direction(), Math.PI));
+    }
+
+    private boolean isOvertone(SpectrumPeak peak, SpectrumPeak of, double pitchX, double pitchY) {
+        for (int multiple = 2; multiple <= HIGHEST_OVERTONE; multiple++) {
+            double x = Math.IEEEremainder(multiple * of.frequencyX() * pitchX, 1) / pitchX;
+            double y = Math.IEEEremainder(multiple * of.frequencyY() * pitchY, 1) / pitchY;
+            for (int sign = -1; sign <= 1; sign += 2) {
+                if (Math.hypot(
+                                (peak.frequencyX() - sign * x) * spectrum.width(),
+                                (peak.frequencyY() - sign * y) * spectrum.height())
+                        < SAME_BINS) {
+                    return true;
+                }
+            }
+        }
+        return false;
     }
 
     /**
