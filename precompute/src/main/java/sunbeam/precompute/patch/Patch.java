@@ -13,6 +13,7 @@ import java.util.List;
  * @param channels a line for each channel of a scan, with its number, name and unit; empty for all else
  * @param notes what was chosen for the user, one line each
  * @param warnings what the user should know, one line each; empty when all is well
+ * @param faults what is wrong with the scan as it was measured, one line each; the warnings have all of it in one line
  * @param repetition whether the surface goes on beyond the heights as they do
  */
 public record Patch(
@@ -23,6 +24,7 @@ public record Patch(
         List<String> channels,
         List<String> notes,
         List<String> warnings,
+        List<String> faults,
         Repetition repetition) {
 
     private static final double SAME = 1e-4;
@@ -41,11 +43,12 @@ public record Patch(
         channels = List.copyOf(channels);
         notes = List.copyOf(notes);
         warnings = List.copyOf(warnings);
+        faults = List.copyOf(faults);
     }
 
     /** A period of a surface that comes from no scan. */
     public Patch(String name, HeightMap heights, String source, List<String> warnings) {
-        this(name, heights, heights, source, List.of(), List.of(), warnings, Repetition.PERIODIC);
+        this(name, heights, heights, source, List.of(), List.of(), warnings, List.of(), Repetition.PERIODIC);
     }
 
     /**
@@ -56,7 +59,7 @@ public record Patch(
     public Patch named(String other, String why) {
         List<String> told = new ArrayList<>(notes);
         told.add(why);
-        return new Patch(other, heights, scan, source, channels, told, warnings, repetition);
+        return new Patch(other, heights, scan, source, channels, told, warnings, faults, repetition);
     }
 
     /** The shorter side of what was measured, of axes along which it changes at all; metres, infinite where it is flat. */

@@ -66,6 +66,8 @@ record ScanFinish(String name, String file, Choices choices, Kind kind) {
         if (kind != Kind.BUILT_IN) {
             SizeCheck.size(measured).ifPresent(warnings::add);
         }
+        FaultLines faults = faults(measured, repetition, levelling);
+        faults.together().ifPresent(warnings::add);
         if (prepared.missing() > 0) {
             warnings.add(String.format(
                     Locale.ROOT,
@@ -92,7 +94,15 @@ record ScanFinish(String name, String file, Choices choices, Kind kind) {
                 read.channels(),
                 read.notes(),
                 warnings,
+                faults.each(),
                 repetition);
+    }
+
+    /** A period of a surface was computed, not measured. */
+    private FaultLines faults(HeightMap measured, Patch.Repetition repetition, Levelling levelling) {
+        return repetition == Patch.Repetition.PERIODIC
+                ? FaultLines.NONE
+                : FaultLines.of(measured.field(), choices, levelling);
     }
 
     private Patch.Repetition repetition(HeightMap measured) {

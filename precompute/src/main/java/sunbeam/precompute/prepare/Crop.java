@@ -29,6 +29,8 @@ public record Crop(double left, double right, double bottom, double top) {
     private static final Pattern FORM = Pattern.compile("([^:,]+):([^:,]+),([^:,]+):([^:,]+)");
     // Rounding of lengths that were divided into samples.
     private static final double SLACK = 1e-6;
+    private static final int FEWEST_DIGITS = 3;
+    private static final int MOST_DIGITS = 17;
 
     public Crop {
         if (!(left >= 0 && bottom >= 0 && right > left && top > bottom)) {
@@ -67,11 +69,63 @@ public record Crop(double left, double right, double bottom, double top) {
     }
 
     /**
+     * The same samples, numbered.
+     *
+     * @param firstColumn of them
+     * @param endColumn after the last
+     * @param firstRow of them, from the top
+     * @param endRow after the last
+     */
+    public record Samples(int firstColumn, int endColumn, int firstRow, int endRow) {
+        /** Those of a whole scan. */
+        public static Samples allOf(HeightField field) {
+            return new Samples(0, field.columns(), 0, field.rows());
+        }
+
+        /** The area that holds these samples of a scan and no others. */
+        public Crop area(HeightField field) {
+            return new Crop(
+                    firstColumn * field.pitchX(),
+                    endColumn * field.pitchX(),
+                    (field.rows() - endRow) * field.pitchY(),
+                    (field.rows() - firstRow) * field.pitchY());
+        }
+    }
+
+    /** As an option's value has it, without blanks, in as few digits as take the same samples of a scan. */
+    public String written(HeightField field) {
+        Samples samples = samples(field);
+        for (int digits = FEWEST_DIGITS; digits < MOST_DIGITS; digits++) {
+            String text = written(digits);
+            if (takes(text, samples, field)) {
+                return text;
+            }
+        }
+        return written(MOST_DIGITS);
+    }
+
+    private static boolean takes(String text, Samples samples, HeightField field) {
+        try {
+            return parse(text).samples(field).equals(samples);
+        } catch (IllegalArgumentException tooFewDigits) {
+            return false;
+        }
+    }
+
+    private String written(int digits) {
+        return edge(left, digits) + ":" + edge(right, digits) + "," + edge(bottom, digits) + ":" + edge(top, digits);
+    }
+
+    private static String edge(double metres, int digits) {
+        return metres == 0 ? "0" : Lengths.rounded(metres, digits).replace(" ", "");
+    }
+
+    /**
      * The samples whose middles lie in the area.
      *
      * @throws IllegalArgumentException when the area leaves the scan or holds fewer than two samples; the message continues "--crop AREA"
      */
-    HeightField apply(HeightField field) {
+    public Samples samples(HeightField field) {
         if (right > field.width() * (1 + SLACK) || top > field.height() * (1 + SLACK)) {
             throw new IllegalArgumentException(String.format(
                     Locale.ROOT,
@@ -95,10 +149,22 @@ public record Crop(double left, double right, double bottom, double top) {
                     Lengths.format(field.pitchX()),
                     Lengths.format(field.pitchY())));
         }
+        return new Samples(firstColumn, endColumn, firstRow, endRow);
+    }
+
+    /**
+     * The part itself.
+     *
+     * @throws IllegalArgumentException as {@link #samples}
+     */
+    HeightField apply(HeightField field) {
+        Samples samples = samples(field);
+        int columns = samples.endColumn - samples.firstColumn;
+        int rows = samples.endRow - samples.firstRow;
         double[] heights = new double[columns * rows];
         for (int row = 0; row < rows; row++) {
-            System.arraycopy(
-                    field.heights(), (firstRow + row) * field.columns() + firstColumn, heights, row * columns, columns);
+            int from = (samples.firstRow + row) * field.columns() + samples.firstColumn;
+            System.arraycopy(field.heights(), from, heights, row * columns, columns);
         }
         return new HeightField(columns, rows, field.pitchX(), field.pitchY(), heights);
     }

@@ -98,6 +98,9 @@ record Inspection(
                         rounded(map.height()),
                         map.columns(),
                         map.rows())));
+        for (int i = 0; i < patch.faults().size(); i++) {
+            lines.add(line(i == 0 ? "faults" : "", patch.faults().get(i)));
+        }
         lines.add(line("pitch", pitch()));
         lines.add(line(
                 "heights",

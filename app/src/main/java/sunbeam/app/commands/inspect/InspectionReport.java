@@ -58,6 +58,7 @@ record InspectionReport(Inspection inspection, Path picture) {
                 "cost",
                 inspection.drawing().plan().map(plan -> plan.cost(map.rows())).orElse(null));
         fields.put("planRefused", inspection.drawing().refusal());
+        fields.put("faults", patch.faults());
         fields.put("notes", patch.notes());
         fields.put("warnings", patch.warnings());
         fields.put("picture", picture.toString());

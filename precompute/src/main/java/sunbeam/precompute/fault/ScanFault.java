@@ -1,0 +1,30 @@
+package sunbeam.precompute.fault;
+
+import java.util.Optional;
+import sunbeam.precompute.prepare.Crop;
+import sunbeam.precompute.prepare.Levelling;
+
+/**
+ * Something that is wrong with a scan.
+ *
+ * @param words what, for people, without a full stop; rows are counted from 1 at the top of the whole scan
+ * @param part the largest part of the whole scan that is free of it; empty where none is, or none is needed
+ * @param levelling what takes it away; empty where nothing does
+ */
+public record ScanFault(String words, Optional<Crop> part, Optional<Levelling> levelling) {
+
+    /** One that a part of the scan is free of. */
+    static ScanFault ofRows(String words, Optional<Crop> part) {
+        return new ScanFault(words, part, Optional.empty());
+    }
+
+    /** One that levelling takes away. */
+    static ScanFault levelledBy(Levelling levelling, String words) {
+        return new ScanFault(words, Optional.empty(), Optional.of(levelling));
+    }
+
+    /** One that nothing takes away. */
+    static ScanFault lasting(String words) {
+        return new ScanFault(words, Optional.empty(), Optional.empty());
+    }
+}

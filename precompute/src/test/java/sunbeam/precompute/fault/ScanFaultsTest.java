@@ -1,0 +1,292 @@
+package sunbeam.precompute.fault;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import java.util.SplittableRandom;
+import java.util.function.DoubleBinaryOperator;
+import java.util.function.DoubleUnaryOperator;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import sunbeam.precompute.prepare.Crop;
+import sunbeam.precompute.prepare.HeightField;
+import sunbeam.precompute.prepare.Levelling;
+
+class ScanFaultsTest {
+    private static final int COLUMNS = 120;
+    private static final int ROWS = 96;
+    private static final double PITCH = 80e-9;
+
+    /** A sine of 900 nm, aslant and tilted, with noise: a scan as it comes, without a fault. */
+    private static double[] scan(long seed) {
+        SplittableRandom random = new SplittableRandom(seed);
+        return heights((x, y) ->
+                40e-9 * Math.sin(2 * Math.PI * (x + 0.2 * y) / 900e-9) + 0.01 * y + 2e-9 * random.nextGaussian());
+    }
+
+    private static double[] heights(DoubleBinaryOperator height) {
+        double[] heights = new double[COLUMNS * ROWS];
+        for (int row = 0; row < ROWS; row++) {
+            for (int column = 0; column < COLUMNS; column++) {
+                heights[row * COLUMNS + column] = height.applyAsDouble(column * PITCH, (ROWS - row) * PITCH);
+            }
+        }
+        return heights;
+    }
+
+    private static HeightField field(double[] heights) {
+        return new HeightField(COLUMNS, ROWS, PITCH, PITCH, heights);
+    }
+
+    private static List<ScanFault> faults(double[] heights) {
+        return ScanFaults.in(field(heights), Optional.empty());
+    }
+
+    private static List<String> words(double[] heights) {
+        return faults(heights).stream().map(ScanFault::words).toList();
+    }
+
+    private static double[] clipped(double[] heights, double lowest, double highest) {
+        return Arrays.stream(heights)
+                .map(height -> Math.max(lowest, Math.min(highest, height)))
+                .toArray();
+    }
+
+    private static double[] rounded(double[] heights, int levels) {
+        double lowest = Arrays.stream(heights).min().orElseThrow();
+        double step = (Arrays.stream(heights).max().orElseThrow() - lowest) / (levels - 1);
+        return Arrays.stream(heights)
+                .map(height -> lowest + step * Math.rint((height - lowest) / step))
+                .toArray();
+    }
+
+    private static void copyRow(double[] heights, int from, int to) {
+        System.arraycopy(heights, from * COLUMNS, heights, to * COLUMNS, COLUMNS);
+    }
+
+    private static void shiftRow(double[] heights, int row, double by) {
+        for (int i = row * COLUMNS; i < (row + 1) * COLUMNS; i++) {
+            heights[i] += by;
+        }
+    }
+
+    @Test
+    void aSoundScanHasNoFault() {
+        assertThat(faults(scan(1))).isEmpty();
+        assertThat(faults(rounded(scan(2), 256))).isEmpty();
+        assertThat(faults(rounded(scan(3), 12))).isEmpty();
+    }
+
+    @Test
+    void aStuckLineIsNamedWithThePartThatIsFreeOfIt() {
+        double[] heights = scan(1);
+        copyRow(heights, 29, 30);
+        copyRow(heights, 29, 31);
+        List<ScanFault> faults = faults(heights);
+        assertThat(faults)
+                .singleElement()
+                .extracting(ScanFault::words)
+                .asString()
+                .startsWith("rows 31 to 32 of 96 (from the top) are each the row above once more");
+        Crop part = faults.get(0).part().orElseThrow();
+        assertThat(part.samples(field(heights))).isEqualTo(new Crop.Samples(0, COLUMNS, 32, ROWS));
+        // What a user types takes the same rows.
+        Crop typed = Crop.KIND.parse(part.written(field(heights)));
+        assertThat(typed.samples(field(heights))).isEqualTo(new Crop.Samples(0, COLUMNS, 32, ROWS));
+        assertThat(part.written(field(heights))).isEqualTo("0:9.6um,0:5.12um");
+    }
+
+    @Test
+    void rowsOfACroppedScanAreCountedInTheWholeOfIt() {
+        double[] heights = scan(1);
+        copyRow(heights, 29, 30);
+        Crop crop = new Crop(8 * PITCH, 100 * PITCH, 10 * PITCH, 80 * PITCH);
+        ScanFault fault = ScanFaults.in(field(heights), Optional.of(crop)).get(0);
+        assertThat(fault.words()).startsWith("row 31 of 96");
+        assertThat(fault.part().orElseThrow().samples(field(heights))).isEqualTo(new Crop.Samples(8, 100, 31, 86));
+        Crop below = new Crop(0, COLUMNS * PITCH, 0, 40 * PITCH);
+        assertThat(ScanFaults.in(field(heights), Optional.of(below))).isEmpty();
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {0, Double.NaN, 3e-6})
+    void aScanThatWasStoppedIsCutWhereItEnds(double rest) {
+        double[] heights = scan(4);
+        Arrays.fill(heights, 70 * COLUMNS, ROWS * COLUMNS, rest);
+        List<ScanFault> faults = faults(heights);
+        assertThat(faults)
+                .singleElement()
+                .extracting(ScanFault::words)
+                .asString()
+                .contains("71 to 96", "was stopped");
+        assertThat(faults.get(0).part().orElseThrow().samples(field(heights)))
+                .isEqualTo(new Crop.Samples(0, COLUMNS, 0, 70));
+    }
+
+    /** Instruments fill what is left with the last line, and programs level it together with the rest. */
+    @Test
+    void theLastLineOverAndOverIsAScanThatWasStopped() {
+        double[] heights = scan(5);
+        for (int row = 70; row < ROWS; row++) {
+            copyRow(heights, 69, row);
+        }
+        double[] levelled = Levelling.PLANE.apply(field(heights)).heights();
+        for (double[] each : List.of(heights, levelled)) {
+            assertThat(words(each)).singleElement().asString().contains("71 to 96", "was stopped");
+        }
+    }
+
+    @Test
+    void aFewFaultsHaveOnePartThatIsFreeOfAll() {
+        double[] heights = scan(6);
+        copyRow(heights, 49, 50);
+        Arrays.fill(heights, 0, 4 * COLUMNS, Double.NaN);
+        List<ScanFault> faults = faults(heights);
+        assertThat(faults)
+                .hasSize(2)
+                .allSatisfy(fault -> assertThat(fault.part().orElseThrow().samples(field(heights)))
+                        .isEqualTo(new Crop.Samples(0, COLUMNS, 4, 50)));
+    }
+
+    /** What repeats its rows, or has flat ones, because somebody drew it so. */
+    private enum Drawn {
+        LINES_ALONG_Y(t -> ridge(t), 1, 0),
+        LINES_ALONG_X(t -> ridge(t), 0, 1),
+        SINE_ALONG_X(t -> Math.cos(2 * Math.PI * t), 0, 1),
+        ASLANT(t -> ridge(t), 1, 0.96),
+        SAW(t -> t - Math.floor(t), 0.6, 0.8),
+        TRAPEZOID(t -> trapezoid(t), 1, 0.2),
+        SOFT_WALLS(t -> Math.tanh(8 * Math.cos(2 * Math.PI * t)), 1, 0.1),
+        HALF_SINE(t -> Math.max(0, Math.cos(2 * Math.PI * t)), 1, 0);
+
+        private final DoubleUnaryOperator profile;
+        private final double cosine;
+        private final double sine;
+
+        Drawn(DoubleUnaryOperator profile, double cosine, double sine) {
+            this.profile = profile;
+            this.cosine = cosine;
+            this.sine = sine;
+        }
+
+        private static double ridge(double turns) {
+            return turns - Math.floor(turns) < 0.5 ? 1 : 0;
+        }
+
+        private static double trapezoid(double turns) {
+            return Math.max(-0.5, Math.min(0.5, 3 * Math.abs(turns - Math.floor(turns) - 0.5) - 0.75));
+        }
+
+        double[] heights() {
+            return ScanFaultsTest.heights((x, y) -> 80e-9 * profile.applyAsDouble((x * cosine + y * sine) / 960e-9));
+        }
+    }
+
+    @ParameterizedTest
+    @EnumSource(Drawn.class)
+    void whatSomebodyDrewHasNoFault(Drawn drawn) {
+        assertThat(faults(drawn.heights())).isEmpty();
+        assertThat(faults(rounded(drawn.heights(), 256))).isEmpty();
+        assertThat(faults(rounded(drawn.heights(), 8))).isEmpty();
+    }
+
+    /** Noise of a third of a level beside flat tops, as pictures of 8 bits of real gratings have. */
+    @ParameterizedTest
+    @EnumSource(Drawn.class)
+    void aMeasuredGratingHasNoFault(Drawn drawn) {
+        SplittableRandom random = new SplittableRandom(7);
+        for (double noise : new double[] {1e-10, 2e-9}) {
+            double[] heights = Arrays.stream(drawn.heights())
+                    .map(height -> height + noise * random.nextGaussian())
+                    .toArray();
+            assertThat(faults(heights)).isEmpty();
+            assertThat(faults(rounded(heights, 256))).isEmpty();
+        }
+    }
+
+    /** Squares on flat ground, and an egg box, whose rows repeat at its crests. */
+    @Test
+    void drawnPatternsHaveNoFault() {
+        double[] squares = heights((x, y) -> Drawn.ridge(x / 1e-6) * Drawn.ridge(y / 1.5e-6) * 1e-7);
+        double[] eggs = heights((x, y) -> 5e-8 * Math.cos(2 * Math.PI * x / 1e-6) * Math.cos(2 * Math.PI * y / 1.6e-6));
+        assertThat(faults(squares)).isEmpty();
+        assertThat(faults(eggs)).isEmpty();
+        assertThat(faults(rounded(eggs, 256))).isEmpty();
+    }
+
+    @ParameterizedTest
+    @CsvSource({"-1, 30, highest", "-28, 1, lowest"})
+    void clippedHeightsAreNamed(double lowestNm, double highestNm, String which) {
+        SplittableRandom random = new SplittableRandom(8);
+        double[] noisy = heights(
+                (x, y) -> 40e-9 * Math.sin(2 * Math.PI * (x + 0.2 * y) / 900e-9) + 2e-9 * random.nextGaussian());
+        double low = lowestNm < -1 ? lowestNm * 1e-9 : -1;
+        double high = highestNm > 1 ? highestNm * 1e-9 : 1;
+        for (double[] each : List.of(clipped(noisy, low, high), rounded(clipped(noisy, low, high), 256))) {
+            assertThat(words(each)).singleElement().asString().contains("exactly the " + which, "clipped");
+        }
+    }
+
+    /** A tilted surface without noise: what stays level in it is no flat top of its own. */
+    @Test
+    void aTiltedScanIsClippedWhereItStaysLevel() {
+        double[] tilted =
+                heights((x, y) -> 40e-9 * Math.sin(2 * Math.PI * (x + 0.2 * y) / 900e-9) + 0.03 * y + 0.02 * x);
+        assertThat(words(clipped(tilted, -1, 250e-9)))
+                .singleElement()
+                .asString()
+                .contains("clipped");
+        assertThat(faults(tilted)).isEmpty();
+    }
+
+    @Test
+    void rowsWithOffsetsAreLevelledByTheirMedians() {
+        SplittableRandom random = new SplittableRandom(9);
+        double[] heights = scan(10);
+        for (int row = 0; row < ROWS; row++) {
+            shiftRow(heights, row, 6e-9 * random.nextGaussian());
+        }
+        assertThat(faults(heights)).singleElement().satisfies(fault -> {
+            assertThat(fault.words()).startsWith("rows lie higher or lower");
+            assertThat(fault.levelling()).contains(Levelling.MEDIAN_ROWS);
+        });
+        assertThat(faults(Levelling.MEDIAN_ROWS.apply(field(heights)).heights()))
+                .isEmpty();
+    }
+
+    @Test
+    void aJumpBetweenTwoRowsIsNamed() {
+        double[] heights = scan(11);
+        for (int row = 60; row < ROWS; row++) {
+            shiftRow(heights, row, 150e-9);
+        }
+        assertThat(words(heights))
+                .singleElement()
+                .asString()
+                .isEqualTo("all heights jump by 150 nm between rows 60 and 61 of 96 (from the top)");
+    }
+
+    /** Lines that go on beside themselves: another fault, and no jump in height. */
+    @Test
+    void aSlipSidewaysIsNoJumpInHeight() {
+        SplittableRandom random = new SplittableRandom(12);
+        double[] saw = heights((x, y) -> {
+            double turns = x / 2640e-9 + (y > 4e-6 ? 0.2 : 0);
+            return 2e-7 * (turns - Math.floor(turns)) + 2e-9 * random.nextGaussian();
+        });
+        assertThat(faults(saw)).isEmpty();
+    }
+
+    @Test
+    void fewSamplesAreNotJudged() {
+        assertThat(ScanFaults.in(new HeightField(3, 2, PITCH, PITCH, new double[6]), Optional.empty()))
+                .isEmpty();
+        assertThat(ScanFaults.in(new HeightField(1, 1, PITCH, PITCH, new double[1]), Optional.empty()))
+                .isEmpty();
+    }
+}
