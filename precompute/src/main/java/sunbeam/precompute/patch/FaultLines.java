@@ -39,7 +39,8 @@ final class FaultLines {
                 .toList();
         List<String> remedies = faults.stream()
                 .map(fault -> fault.part()
-                        .map(part -> named(choices, CROP, part.written(whole)) + " leaves them out")
+                        .map(part ->
+                                named(choices, CROP, part.written(whole.pitchX(), whole.pitchY())) + " leaves them out")
                         .or(() -> fault.levelling().map(by -> named(choices, LEVEL, by.label()) + " takes that away")))
                 .map(remedy -> remedy.orElse(""))
                 .toList();

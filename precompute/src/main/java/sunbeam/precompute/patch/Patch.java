@@ -2,6 +2,8 @@ package sunbeam.precompute.patch;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
+import sunbeam.precompute.prepare.Crop;
 
 /**
  * A surface, ready for everything that follows.
@@ -14,6 +16,7 @@ import java.util.List;
  * @param notes what was chosen for the user, one line each
  * @param warnings what the user should know, one line each; empty when all is well
  * @param faults what is wrong with the scan as it was measured, one line each; the warnings have all of it in one line
+ * @param crop the part of the file that the scan is, on its samples' borders; empty for all of it
  * @param repetition whether the surface goes on beyond the heights as they do
  */
 public record Patch(
@@ -25,6 +28,7 @@ public record Patch(
         List<String> notes,
         List<String> warnings,
         List<String> faults,
+        Optional<Crop> crop,
         Repetition repetition) {
 
     private static final double SAME = 1e-4;
@@ -48,7 +52,17 @@ public record Patch(
 
     /** A period of a surface that comes from no scan. */
     public Patch(String name, HeightMap heights, String source, List<String> warnings) {
-        this(name, heights, heights, source, List.of(), List.of(), warnings, List.of(), Repetition.PERIODIC);
+        this(
+                name,
+                heights,
+                heights,
+                source,
+                List.of(),
+                List.of(),
+                warnings,
+                List.of(),
+                Optional.empty(),
+                Repetition.PERIODIC);
     }
 
     /**
@@ -59,7 +73,15 @@ public record Patch(
     public Patch named(String other, String why) {
         List<String> told = new ArrayList<>(notes);
         told.add(why);
-        return new Patch(other, heights, scan, source, channels, told, warnings, faults, repetition);
+        return new Patch(other, heights, scan, source, channels, told, warnings, faults, crop, repetition);
+    }
+
+    /** A part of the scan as an option's value has it, which counts from the corner of the whole file. */
+    public String inFile(Crop part) {
+        double x = crop.map(Crop::left).orElse(0.0);
+        double y = crop.map(Crop::bottom).orElse(0.0);
+        return new Crop(x + part.left(), x + part.right(), y + part.bottom(), y + part.top())
+                .written(scan.pitchX(), scan.pitchY());
     }
 
     /** The shorter side of what was measured, of axes along which it changes at all; metres, infinite where it is flat. */

@@ -95,6 +95,7 @@ record ScanFinish(String name, String file, Choices choices, Kind kind) {
                 read.notes(),
                 warnings,
                 faults.each(),
+                choices.find(CROP).map(crop -> crop.samples(measured.field()).area(measured.field())),
                 repetition);
     }
 

@@ -29,6 +29,8 @@ public record Crop(double left, double right, double bottom, double top) {
     private static final Pattern FORM = Pattern.compile("([^:,]+):([^:,]+),([^:,]+):([^:,]+)");
     // Rounding of lengths that were divided into samples.
     private static final double SLACK = 1e-6;
+    // Of the distance between samples: as far as an edge between two may move.
+    private static final double UNSEEN = 0.25;
     private static final int FEWEST_DIGITS = 3;
     private static final int MOST_DIGITS = 17;
 
@@ -92,32 +94,31 @@ public record Crop(double left, double right, double bottom, double top) {
         }
     }
 
-    /** As an option's value has it, without blanks, in as few digits as take the same samples of a scan. */
-    public String written(HeightField field) {
-        Samples samples = samples(field);
+    /**
+     * As an option's value has it, without blanks, in as few digits as take the same samples where edges lie between samples.
+     *
+     * @param pitchX distance of columns, metres
+     * @param pitchY distance of rows, metres
+     */
+    public String written(double pitchX, double pitchY) {
+        return edge(left, pitchX, false) + ":" + edge(right, pitchX, true) + "," + edge(bottom, pitchY, false) + ":"
+                + edge(top, pitchY, true);
+    }
+
+    /** @param isEnd whether a larger place may lie beyond the scan */
+    private static String edge(double metres, double pitch, boolean isEnd) {
+        if (metres == 0) {
+            return "0";
+        }
         for (int digits = FEWEST_DIGITS; digits < MOST_DIGITS; digits++) {
-            String text = written(digits);
-            if (takes(text, samples, field)) {
+            String text = Lengths.rounded(metres, digits).replace(" ", "");
+            double read = Lengths.parse(text);
+            boolean inside = !isEnd || read <= metres * (1 + 0.5 * SLACK);
+            if (inside && Math.abs(read - metres) <= UNSEEN * pitch) {
                 return text;
             }
         }
-        return written(MOST_DIGITS);
-    }
-
-    private static boolean takes(String text, Samples samples, HeightField field) {
-        try {
-            return parse(text).samples(field).equals(samples);
-        } catch (IllegalArgumentException tooFewDigits) {
-            return false;
-        }
-    }
-
-    private String written(int digits) {
-        return edge(left, digits) + ":" + edge(right, digits) + "," + edge(bottom, digits) + ":" + edge(top, digits);
-    }
-
-    private static String edge(double metres, int digits) {
-        return metres == 0 ? "0" : Lengths.rounded(metres, digits).replace(" ", "");
+        return Lengths.exact(metres).replace(" ", "");
     }
 
     /**

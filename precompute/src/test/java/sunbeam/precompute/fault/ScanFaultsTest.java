@@ -96,9 +96,9 @@ class ScanFaultsTest {
         Crop part = faults.get(0).part().orElseThrow();
         assertThat(part.samples(field(heights))).isEqualTo(new Crop.Samples(0, COLUMNS, 32, ROWS));
         // What a user types takes the same rows.
-        Crop typed = Crop.KIND.parse(part.written(field(heights)));
+        Crop typed = Crop.KIND.parse(part.written(PITCH, PITCH));
         assertThat(typed.samples(field(heights))).isEqualTo(new Crop.Samples(0, COLUMNS, 32, ROWS));
-        assertThat(part.written(field(heights))).isEqualTo("0:9.6um,0:5.12um");
+        assertThat(part.written(PITCH, PITCH)).isEqualTo("0:9.6um,0:5.12um");
     }
 
     @Test

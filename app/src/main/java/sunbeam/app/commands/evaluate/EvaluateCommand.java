@@ -148,7 +148,12 @@ public final class EvaluateCommand implements Callable<Integer> {
                 });
         GratingTarget target = evaluation.target();
         Map<String, Object> report = describe(setup, choices, evaluation);
-        report.put("period", evaluation.answer().map(PeriodReport::tree).orElse(null));
+        report.put(
+                "period",
+                evaluation
+                        .answer()
+                        .map(answer -> PeriodReport.tree(answer, target))
+                        .orElse(null));
         report.put("period_not_told", target.doubt().isEmpty() ? null : target.doubt());
         report.put("ridge_left_out", evaluation.noRidge().orElse(null));
         evaluation.measurement().map(EvaluationReport::tree).ifPresent(report::putAll);
@@ -202,7 +207,7 @@ public final class EvaluateCommand implements Callable<Integer> {
     private static List<String> periodLines(Evaluation evaluation) {
         return evaluation
                 .answer()
-                .map(answer -> PeriodReport.lines(answer, evaluation.target().heights()))
+                .map(answer -> PeriodReport.lines(answer, evaluation.target()))
                 .orElseGet(() -> List.of(
                         "period               not told: " + evaluation.target().doubt()));
     }

@@ -5,12 +5,15 @@ import java.math.MathContext;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import sunbeam.app.terminal.OptionOrigin;
 import sunbeam.app.terminal.progress.Progress;
 import sunbeam.precompute.analysis.FewPeriods;
 import sunbeam.precompute.analysis.HeightSpectrum;
 import sunbeam.precompute.analysis.PeriodEstimate;
 import sunbeam.precompute.analysis.PeriodEstimator;
 import sunbeam.precompute.analysis.PeriodFinder;
+import sunbeam.precompute.analysis.PeriodJudgement;
+import sunbeam.precompute.analysis.PeriodRemedy;
 import sunbeam.precompute.analysis.Periodicity;
 import sunbeam.precompute.analysis.SpectrumPeak;
 import sunbeam.precompute.evaluation.FirstOrder;
@@ -23,18 +26,20 @@ import sunbeam.precompute.units.Lengths;
 /**
  * What an evaluation aims at, from what the user says and what the heights show.
  *
- * @param patch its name, for messages
+ * @param patch whose period it is
  * @param plane light and viewers
  * @param order where the first order is looked for
  * @param heights the regularities of the heights along the plane, or in all directions
+ * @param wave of the heights that the estimate starts from; empty where there is none near the order
  * @param estimate what the heights tell of the period; empty where the user looks for one that they do not show
  * @param doubt why the heights tell no such period; empty where they do
  */
 record GratingTarget(
-        String patch,
+        Patch patch,
         GratingPlane plane,
         FirstOrder order,
         Periodicity heights,
+        Optional<SpectrumPeak> wave,
         Optional<PeriodEstimate> estimate,
         String doubt) {
     // A surface that repeats one small patch has its exact period; a grown one strays from the heights' mean period by
@@ -42,8 +47,6 @@ record GratingTarget(
     private static final double EXACT = 1.1;
     private static final double GROWN = 1.35;
     private static final double GIVEN = 1.2;
-    // From one end of the scan to the other; less goes into the interval.
-    private static final double LARGEST_DRIFT = 1.05;
     // Of the cosine between a wave and the direction in which light looks at it: 15 degrees.
     private static final double ALONG = 0.966;
     // Parts of the progress: the heights' spectrum, its peaks, the phase of one of them. Estimated; only the time left
@@ -51,8 +54,6 @@ record GratingTarget(
     private static final int SPECTRUM = 5;
     private static final int SEARCH = 3;
     private static final int ESTIMATE = 2;
-    // Ends of the interval: a period that may be half as large again is none.
-    private static final double VAGUEST = 1.5;
 
     /**
      * Aims.
@@ -75,13 +76,13 @@ record GratingTarget(
             String where = given.isEmpty()
                     ? ""
                     : String.format(Locale.ROOT, " along azimuth %s degrees", Degrees.text(given.getAsDouble()));
-            String remedy = given.isEmpty() ? "--azimuth and --period" : "--period, or choose another --azimuth";
+            String asked = given.isEmpty() ? "--azimuth and --period" : "--period, or choose another --azimuth";
             String why = few(patch, given)
                     .map(wave -> "whether " + patch.name() + " repeats itself" + where
                             + " cannot be told from a scan of this size: " + wave + "; scan a larger area")
-                    .orElseGet(() -> patch.name() + " has no periodicity" + where + ": " + heights.describeFigure()
-                            + " (`inspect` says whether another --level or a --crop shows one)");
-            throw new NoPeriodException(why + "; to look for a ridge all the same give " + remedy);
+                    .orElseGet(() -> patch.name() + " has no periodicity" + where + ": " + heights.describeFigure());
+            throw new NoPeriodException(
+                    why + remedy(patch, given) + "; to look for a ridge all the same give " + asked);
         }
         double azimuth = given.orElseGet(() -> signed(heights.peaks().get(0)));
         FirstOrder order = request.period().isPresent()
@@ -95,7 +96,7 @@ record GratingTarget(
             requireTold(patch.name(), estimate, heights.peaks().get(0));
         }
         String doubt = estimate.isPresent() ? "" : doubt(patch, given, heights, near);
-        return new GratingTarget(patch.name(), request.plane(azimuth), order, heights, estimate, doubt);
+        return new GratingTarget(patch, request.plane(azimuth), order, heights, near, estimate, doubt);
     }
 
     /** Why no period is told near one that was asked for. */
@@ -105,15 +106,34 @@ record GratingTarget(
         }
         return heights.found()
                 ? "the heights show about " + shortly(heights.peaks().get(0).period()) + ", and none near --period"
-                : few(patch, azimuth).orElse("the heights show no periodicity: " + heights.describeFigure());
+                : few(patch, azimuth).orElseGet(() -> "the heights show no periodicity: " + heights.describeFigure())
+                        + remedy(patch, azimuth);
     }
 
     /** A wave along the azimuth that is seen too few times. */
     private static Optional<String> few(Patch patch, OptionalDouble azimuth) {
         return FewPeriods.in(patch.scan())
-                .filter(wave ->
-                        azimuth.isEmpty() || Math.abs(Math.cos(wave.direction() - azimuth.getAsDouble())) >= ALONG)
+                .filter(wave -> isAlong(azimuth, wave.direction()))
                 .map(FewPeriods::describe);
+    }
+
+    private static boolean isAlong(OptionalDouble azimuth, double direction) {
+        return azimuth.isEmpty() || Math.abs(Math.cos(direction - azimuth.getAsDouble())) >= ALONG;
+    }
+
+    /** The end of a sentence that says what shows a period along the azimuth; empty where nothing does. */
+    private static String remedy(Patch patch, OptionalDouble azimuth) {
+        return PeriodRemedy.in(patch.scan())
+                .filter(remedy -> isAlong(azimuth, remedy.direction()))
+                .map(remedy -> "; but " + remedy.describe(patch, OptionOrigin.INSTANCE))
+                .orElse("");
+    }
+
+    /** What must be said of a wave of few samples a period; empty of others, and of surfaces that repeat without end. */
+    Optional<String> alias() {
+        return heights.edges() == HeightSpectrum.Edges.PERIODIC
+                ? Optional.empty()
+                : wave.flatMap(peak -> PeriodJudgement.alias(patch.scan(), peak));
     }
 
     /** Whether the ridge has the digits of a grating's: its surface repeats without end, or its period is told. */
@@ -129,36 +149,9 @@ record GratingTarget(
 
     /** A figure that nobody should quote is not given. */
     private static void requireTold(String patch, Optional<PeriodEstimate> estimate, SpectrumPeak peak) {
-        String remedy = "; to look for a ridge all the same give --period";
-        if (estimate.isEmpty()) {
-            throw new NoPeriodException(String.format(
-                    Locale.ROOT,
-                    "%s repeats itself after about %s, but too few of these periods fit into the scan along their direction to say how well that is known; take a larger scan%s",
-                    patch,
-                    shortly(peak.period()),
-                    remedy));
-        }
-        PeriodEstimate told = estimate.get();
-        if (told.drift().isPresent() && told.drift().get().ratio() > LARGEST_DRIFT) {
-            PeriodEstimate.Drift drift = told.drift().get();
-            throw new NoPeriodException(String.format(
-                    Locale.ROOT,
-                    "%s has no single period: it changes from about %s at one end of the scan to %s at the other; take a part of the scan%s",
-                    patch,
-                    shortly(drift.first()),
-                    shortly(drift.last()),
-                    remedy));
-        }
-        if (!(told.high() <= VAGUEST * told.low())) {
-            throw new NoPeriodException(String.format(
-                    Locale.ROOT,
-                    "%s repeats itself after about %s, but so unevenly that this scan does not tell the period (95 %% interval %s to %s); take a larger scan%s",
-                    patch,
-                    shortly(told.period()),
-                    shortly(told.low()),
-                    Double.isFinite(told.high()) ? shortly(told.high()) : "any length",
-                    remedy));
-        }
+        PeriodJudgement.refusal(estimate, peak).ifPresent(refusal -> {
+            throw new NoPeriodException(patch + ": " + refusal + "; to look for a ridge all the same give --period");
+        });
     }
 
     private static String shortly(double metres) {
@@ -194,7 +187,7 @@ record GratingTarget(
                 .orElseThrow(() -> new NoPeriodException(String.format(
                         Locale.ROOT,
                         "%s: the response has no ridge of periods from %s to %s within --angles; choose others or --period (the heights: %s)",
-                        patch,
+                        patch.name(),
                         Lengths.format(order.shortest()),
                         Lengths.format(order.longest()),
                         heights.describeFigure())));

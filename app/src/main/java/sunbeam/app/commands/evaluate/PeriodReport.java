@@ -9,6 +9,7 @@ import java.util.Optional;
 import sunbeam.precompute.analysis.IntervalWords;
 import sunbeam.precompute.analysis.PeriodEstimate;
 import sunbeam.precompute.analysis.PeriodEstimator;
+import sunbeam.precompute.analysis.PeriodJudgement;
 import sunbeam.precompute.analysis.Periodicity;
 import sunbeam.precompute.analysis.SpectrumPeak;
 import sunbeam.precompute.evaluation.PeriodAnswer;
@@ -25,9 +26,11 @@ final class PeriodReport {
 
     private PeriodReport() {}
 
-    /** @param periods all that the heights show */
-    static List<String> lines(PeriodAnswer answer, Periodicity periods) {
+    /** @param target with all that the heights show */
+    static List<String> lines(PeriodAnswer answer, GratingTarget target) {
         List<String> lines = new ArrayList<>(lines(answer));
+        Periodicity periods = target.heights();
+        target.alias().ifPresent(alias -> lines.add("coarse samples       " + alias));
         periods.peaks().stream()
                 .flatMap(peak -> unlike(peak, answer.heights(), periods).stream())
                 .findFirst()
@@ -121,7 +124,7 @@ final class PeriodReport {
                 second.strength());
     }
 
-    static Map<String, Object> tree(PeriodAnswer answer) {
+    static Map<String, Object> tree(PeriodAnswer answer, GratingTarget target) {
         Map<String, Object> tree = interval(answer.period(), answer.low(), answer.high());
         tree.put("probability", PeriodEstimator.PROBABILITY);
         PeriodEstimate heights = answer.heights();
@@ -129,6 +132,10 @@ final class PeriodReport {
         tree.put("of_the_light_nm", answer.light().isPresent() ? answer.light().getAsDouble() * NANOMETRES : null);
         tree.put("light", answer.of().name().toLowerCase(Locale.ROOT));
         tree.put("periods_followed", heights.periods());
+        target.wave()
+                .ifPresent(wave -> tree.put(
+                        "samples_a_period",
+                        PeriodJudgement.samplesAPeriod(target.patch().scan(), wave)));
         heights.second().ifPresent(second -> {
             Map<String, Object> beside = interval(second.period(), second.low(), second.high());
             beside.put("relative_amplitude", second.strength());

@@ -14,6 +14,8 @@ import sunbeam.precompute.analysis.HeightStatistics;
 import sunbeam.precompute.analysis.PeriodEstimate;
 import sunbeam.precompute.analysis.PeriodEstimator;
 import sunbeam.precompute.analysis.PeriodFinder;
+import sunbeam.precompute.analysis.PeriodJudgement;
+import sunbeam.precompute.analysis.PeriodRemedy;
 import sunbeam.precompute.analysis.Periodicity;
 import sunbeam.precompute.analysis.SpectrumPeak;
 import sunbeam.precompute.method.ScanLimit;
@@ -64,7 +66,9 @@ record Inspection(
                 finder.spectrum(periodicity),
                 estimate(map, periodicity),
                 periodicity.found() ? Optional.empty() : FewPeriods.in(map),
-                periodicity.found() ? Optional.empty() : PeriodRemedy.in(map),
+                periodicity.found()
+                        ? Optional.empty()
+                        : PeriodRemedy.in(map).map(remedy -> remedy.describe(patch, OptionOrigin.INSTANCE)),
                 limit,
                 drawing.get());
     }
@@ -79,6 +83,18 @@ record Inspection(
     List<SpectrumPeak> peaks() {
         List<SpectrumPeak> all = periodicity.peaks();
         return all.subList(0, Math.min(PEAKS, all.size()));
+    }
+
+    /** Why the scan does not tell the period of its strongest regularity; empty where it does, or has none. */
+    Optional<String> refusal() {
+        return periodicity.edges() == HeightSpectrum.Edges.PERIODIC
+                ? Optional.empty()
+                : peaks().stream().findFirst().flatMap(peak -> PeriodJudgement.refusal(estimate, peak));
+    }
+
+    /** The period that is told; empty where there is none, or it is exact. */
+    Optional<PeriodEstimate> told() {
+        return refusal().isPresent() ? Optional.empty() : estimate;
     }
 
     /** What to print: a name and a value per line, aligned. */

@@ -9,6 +9,7 @@ import sunbeam.precompute.analysis.HeightSpectrum;
 import sunbeam.precompute.analysis.HeightStatistics;
 import sunbeam.precompute.analysis.PeriodEstimate;
 import sunbeam.precompute.analysis.PeriodEstimator;
+import sunbeam.precompute.analysis.PeriodJudgement;
 import sunbeam.precompute.analysis.SpectrumPeak;
 import sunbeam.precompute.patch.HeightMap;
 import sunbeam.precompute.patch.ModelError;
@@ -51,7 +52,8 @@ record InspectionReport(Inspection inspection, Path picture) {
                 inspection.peaks().stream().map(InspectionReport::fields).toList());
         fields.put(
                 "periodIntervals",
-                inspection.estimate().map(InspectionReport::fields).stream().toList());
+                inspection.told().map(InspectionReport::fields).stream().toList());
+        fields.put("periodNotTold", inspection.refusal().orElse(null));
         fields.put("periodLines", new PeriodLines(inspection).lines());
         fields.put("plan", inspection.drawing().plan().map(PlanReport::summary).orElse(null));
         fields.put(
@@ -71,11 +73,14 @@ record InspectionReport(Inspection inspection, Path picture) {
             return inspection.peaks().stream().map(InspectionReport::fields).toList();
         }
         List<Map<String, Object>> periods = new ArrayList<>();
-        inspection.estimate().ifPresent(told -> {
+        inspection.told().ifPresent(told -> {
             Map<String, Object> first = fields(told);
             SpectrumPeak peak = inspection.peaks().get(0);
             first.put("directionDegrees", Math.toDegrees(peak.direction()));
             first.put("rmsMetres", peak.rms());
+            first.put(
+                    "samplesAPeriod",
+                    PeriodJudgement.samplesAPeriod(inspection.patch().scan(), peak));
             periods.add(first);
             told.second().ifPresent(second -> {
                 Map<String, Object> beside = interval(second.period(), second.low(), second.high());

@@ -7,6 +7,7 @@ import sunbeam.precompute.analysis.FewPeriods;
 import sunbeam.precompute.analysis.HeightSpectrum;
 import sunbeam.precompute.analysis.IntervalWords;
 import sunbeam.precompute.analysis.PeriodEstimate;
+import sunbeam.precompute.analysis.PeriodJudgement;
 import sunbeam.precompute.analysis.SpectrumPeak;
 import sunbeam.precompute.units.Decimals;
 import sunbeam.precompute.units.Lengths;
@@ -47,8 +48,8 @@ final class PeriodLines {
         for (SpectrumPeak peak : inspection.peaks()) {
             if (exact) {
                 lines.add(String.format(Locale.ROOT, "%.1f nm in %s", peak.period() * 1e9, describe(peak)));
-            } else if (lines.isEmpty() && inspection.estimate().isPresent()) {
-                addTold(inspection.estimate().get(), peak, lines);
+            } else if (lines.isEmpty() && inspection.told().isPresent()) {
+                addTold(inspection.told().get(), peak, lines);
             } else {
                 lines.add(String.format(
                         Locale.ROOT,
@@ -57,10 +58,7 @@ final class PeriodLines {
                         describe(peak)));
             }
         }
-        if (!exact && inspection.estimate().isEmpty()) {
-            lines.add(
-                    1, "too few of these periods fit into the scan along their direction to say how well it is known");
-        }
+        inspection.refusal().ifPresent(refusal -> lines.add(0, refusal));
         int others =
                 inspection.periodicity().peaks().size() - inspection.peaks().size();
         if (others > 0) {
@@ -78,6 +76,7 @@ final class PeriodLines {
                         IntervalWords.of(second.period(), second.low(), second.high()),
                         second.strength())));
         told.slips().forEach(slip -> lines.add(slip.describe()));
+        PeriodJudgement.alias(inspection.patch().scan(), peak).ifPresent(lines::add);
         told.drift().ifPresent(ends -> lines.add("drifting from about " + apart(ends.first(), ends.last())));
     }
 

@@ -264,14 +264,62 @@ final class EvaluateCommandTest {
     @Test
     void alongTheRidgesThereIsNoPeriod() throws IOException {
         assertThat(run("--patch", "blaze", "--azimuth", "90")).isEqualTo(4);
-        assertThat(err.toString()).contains("blaze has no periodicity along azimuth 90 degrees");
-        assertThat(files()).isEmpty();
+        assertThat(err.toString()).contains("no angle sees the first order", "150 nm");
+    }
+
+    /** One judgement, and the words of {@code inspect}; what shows a period is named here, too. */
+    @Test
+    void whatIsNoSinglePeriodIsRefusedAsByInspect() throws IOException {
+        StringBuilder text = new StringBuilder();
+        StringBuilder bowed = new StringBuilder();
+        for (int i = 0; i < 128 * 128; i++) {
+            double x = 0.1 * (i % 128);
+            String end = i % 128 == 127 ? "\n" : "\t";
+            text.append(15 * Math.sin(2 * Math.PI * (x / 0.8 - 0.02 * x * x))).append(end);
+            double y = 0.1 * (i / 128);
+            bowed.append(30 * Math.sin(2 * Math.PI * x) + 20 * (x - 6.4) * (x - 6.4) + 20 * y * y)
+                    .append(end);
+        }
+        String[] scale = {"--width", "12.8um", "--height-unit", "nm"};
+        Path chirp = Files.writeString(folder.resolve("chirp.txt"), text);
+        String words = "no single period: it changes from about ";
+        assertThat(run(Stream.concat(Stream.of("--patch", chirp.toString()), Stream.of(scale))
+                        .toArray(String[]::new)))
+                .isEqualTo(4);
+        assertThat(err.toString()).contains("chirp: " + words, "take a part of the scan; to look for a ridge");
+        StringWriter inspected = new StringWriter();
+        String[] inspect = {
+            "inspect", chirp.toString(), "--output", folder.resolve("i.png").toString()
+        };
+        new Sunbeam(new Environment(Map.of(), folder), new PrintWriter(inspected), new PrintWriter(new StringWriter()))
+                .run(Stream.concat(Stream.of(inspect), Stream.of(scale)).toArray(String[]::new));
+        String told = inspected
+                .toString()
+                .lines()
+                .filter(line -> line.startsWith("periods"))
+                .findFirst()
+                .orElseThrow();
+        assertThat(err.toString()).contains(told.substring("periods   ".length()));
+        assertThat(inspected.toString()).doesNotContain("95 % interval");
+        Path bow = Files.writeString(folder.resolve("bow.txt"), bowed);
+        assertThat(run(Stream.concat(Stream.of("--patch", bow.toString()), Stream.of(scale))
+                        .toArray(String[]::new)))
+                .isEqualTo(4);
+        assertThat(err.toString()).contains("; but --level quadratic shows one of about");
     }
 
     @Test
-    void anOrderThatNoAngleSeesIsSaid() {
-        assertThat(run("--patch", "sinusoid", "--period", "150nm")).isEqualTo(2);
-        assertThat(err.toString()).contains("no angle sees the first order", "150 nm");
+    void fewSamplesAPeriodMayBeAnAlias() throws IOException {
+        StringBuilder text = new StringBuilder();
+        for (int i = 0; i < 128 * 32; i++) {
+            text.append(15 * Math.sin(2 * Math.PI * (i % 128) / 2.4)).append(i % 128 == 127 ? "\n" : "\t");
+        }
+        Path scan = Files.writeString(folder.resolve("scan.txt"), text);
+        assertThat(run("--patch", scan.toString(), "--width", "32um", "--height-unit", "nm", "--no-periodic"))
+                .as(err.toString())
+                .isZero();
+        assertThat(out.toString()).contains("2.4 samples a period: it may be the alias of a shorter one; scan finer");
+        assertThat(report().at("/period/samples_a_period").doubleValue()).isCloseTo(2.4, within(0.01));
     }
 
     @Test

@@ -5,6 +5,7 @@ import org.junit.jupiter.api.Test;
 import sunbeam.precompute.analysis.FewPeriods;
 import sunbeam.precompute.analysis.PeriodEstimator;
 import sunbeam.precompute.analysis.PeriodFinder;
+import sunbeam.precompute.analysis.PeriodRemedy;
 import sunbeam.precompute.analysis.Periodicity;
 import sunbeam.precompute.patch.HeightMap;
 

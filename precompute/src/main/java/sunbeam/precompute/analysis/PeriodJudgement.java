@@ -1,0 +1,73 @@
+package sunbeam.precompute.analysis;
+
+import java.util.Locale;
+import java.util.Optional;
+import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.units.Decimals;
+import sunbeam.precompute.units.Lengths;
+
+/** Whether a scan tells its period, and what must be said beside it: one judgement for all commands, in the same words. */
+public final class PeriodJudgement {
+    // From one end of the scan to the other; less goes into the interval.
+    private static final double LARGEST_DRIFT = 1.05;
+    // Ends of the interval: a period that may be half as large again is none.
+    private static final double VAGUEST = 1.5;
+    // Below, a wave is little longer than its mirror image at half the sampling frequency, and any shorter one looks
+    // like it.
+    private static final double FEWEST_SAMPLES = 3;
+    private static final int DIGITS = 3;
+
+    private PeriodJudgement() {}
+
+    /**
+     * Why no period is told, and what helps; empty where one is.
+     *
+     * @param estimate what the scan tells; empty where too few periods can be followed
+     * @param peak of the spectrum that it starts from
+     */
+    public static Optional<String> refusal(Optional<PeriodEstimate> estimate, SpectrumPeak peak) {
+        if (estimate.isEmpty()) {
+            return Optional.of(String.format(
+                    Locale.ROOT,
+                    "repeats after about %s, but too few of these periods fit into the scan along their direction to say how well that is known; take a larger scan",
+                    shortly(peak.period())));
+        }
+        PeriodEstimate told = estimate.get();
+        if (told.drift().isPresent() && told.drift().get().ratio() > LARGEST_DRIFT) {
+            return Optional.of(String.format(
+                    Locale.ROOT,
+                    "no single period: it changes from about %s at one end of the scan to %s at the other; take a part of the scan",
+                    shortly(told.drift().get().first()),
+                    shortly(told.drift().get().last())));
+        }
+        if (!(told.high() <= VAGUEST * told.low())) {
+            return Optional.of(String.format(
+                    Locale.ROOT,
+                    "repeats after about %s, but so unevenly that this scan does not tell the period (95 %% interval %s to %s); take a larger scan",
+                    shortly(told.period()),
+                    shortly(told.low()),
+                    Double.isFinite(told.high()) ? shortly(told.high()) : "any length"));
+        }
+        return Optional.empty();
+    }
+
+    /** Samples a period along the axis along which it has fewer; infinite along a single row or column. */
+    public static double samplesAPeriod(HeightMap scan, SpectrumPeak peak) {
+        double alongX = scan.columns() > 1 ? Math.abs(peak.frequencyX()) * scan.pitchX() : 0;
+        double alongY = scan.rows() > 1 ? Math.abs(peak.frequencyY()) * scan.pitchY() : 0;
+        return 1 / Math.max(alongX, alongY);
+    }
+
+    /** What must be said of a period of few samples: no heights tell it from a shorter one. Empty of others. */
+    public static Optional<String> alias(HeightMap scan, SpectrumPeak peak) {
+        double samples = samplesAPeriod(scan, peak);
+        return samples >= FEWEST_SAMPLES
+                ? Optional.empty()
+                : Optional.of(Decimals.rounded(samples, 2)
+                        + " samples a period: it may be the alias of a shorter one; scan finer to be sure");
+    }
+
+    private static String shortly(double metres) {
+        return Lengths.rounded(metres, DIGITS);
+    }
+}
