@@ -27,6 +27,14 @@ public record FirstOrder(double shortest, double longest) {
     }
 
     /**
+     * The longest wavelength that the middle period's first order sends anywhere above the horizon, metres: |u| of the viewer
+     * that is opposite the mirror at the horizon. Of grazing light and view it is twice the period.
+     */
+    public double longestWavelength(GratingPlane plane) {
+        return middle() * (Math.abs(plane.lightAlong()) + Math.sin(plane.largestThetaR()));
+    }
+
+    /**
      * The angles theta_r that the order takes over wavelengths (metres): lowest and highest, radians, on the sides of
      * the mirror where the middle period's order is above the horizon at half of the wavelengths or more; empty where
      * there is no such side.

@@ -88,6 +88,7 @@ public final class Evaluation {
                 patch.repetition() == Patch.Repetition.NONE ? patch.shorterSide() : Double.POSITIVE_INFINITY);
         ResponseGrid grid = grating.grid(target.plane(), target.order(), budget);
         grating.leftOut(grid).ifPresent(remark);
+        grating.unseen(target.plane(), target.order()).ifPresent(remark);
         Responses responses = new Responses(setup, method, choices, grid, planned, remark);
         ResponseMatrix response = quantity.of(responses.power());
         String title = String.format(

@@ -33,6 +33,9 @@ public record GratingRequest(
         boolean all,
         OptionalDouble period) {
     private static final int FEW = 21;
+    // A period's variance needs as many.
+    private static final int FEWEST = 3;
+    private static final int DIGITS = 3;
     // Angles that are taken where none are given, as many as the thesis takes.
     private static final int MOST_ANGLES = 1500;
     // Sums in double precision reach twice as far along each axis.
@@ -54,7 +57,7 @@ public record GratingRequest(
             throw new UsageException(String.format(
                     Locale.ROOT, "--wavelengths %s leaves the visible band; give 380 to 780 nm", text(wavelengths)));
         }
-        if (wavelengths.count() < 3) {
+        if (wavelengths.count() < FEWEST) {
             throw new UsageException(String.format(
                     Locale.ROOT,
                     "--wavelengths %s has %d of them; a period's variance needs 3 or more",
@@ -140,14 +143,61 @@ public record GratingRequest(
     }
 
     private ResponseGrid grid(GratingPlane plane, FirstOrder order, Range range, int count) {
-        double[] lambdas = Arrays.stream(range.values()).map(nm -> nm * 1e-9).toArray();
+        double[] lambdas = seen(plane, order, range);
         return new ResponseGrid(plane, lambdas, angles(plane, order, lambdas, count));
+    }
+
+    /**
+     * Wavelengths, metres: all, or where the order of a short period is above the horizon at less than half of them, those
+     * at which it is.
+     *
+     * @throws UsageException where they are fewer than three
+     */
+    private double[] seen(GratingPlane plane, FirstOrder order, Range range) {
+        double[] all = Arrays.stream(range.values()).map(nm -> nm * 1e-9).toArray();
+        if (angles.isPresent() || order.angles(plane, all[0], all[all.length - 1]).length > 0) {
+            return all;
+        }
+        double longest = order.longestWavelength(plane);
+        double[] seen =
+                Arrays.stream(all).filter(wavelength -> wavelength <= longest).toArray();
+        if (seen.length < FEWEST) {
+            throw new UsageException(String.format(
+                    Locale.ROOT,
+                    "no angle sees the first order of a period near %s at %d --wavelengths or more: with the light at --theta-i %s it is seen up to %s, and with no light beyond %s",
+                    Lengths.rounded(order.middle(), DIGITS),
+                    FEWEST,
+                    Degrees.text(thetaI),
+                    Lengths.rounded(longest, DIGITS),
+                    Lengths.rounded(2 * order.middle(), DIGITS)));
+        }
+        return seen;
+    }
+
+    /** Which wavelengths are left out because no angle sees the order at them, in words; empty where all are taken. */
+    Optional<String> unseen(GratingPlane plane, FirstOrder order) {
+        double[] seen = seen(plane, order, wavelengths);
+        return seen.length == wavelengths.count()
+                ? Optional.empty()
+                : Optional.of(String.format(
+                        Locale.ROOT,
+                        "the first order of a period of about %s is seen up to %s with the light at --theta-i %s; the response takes the %d of %d wavelengths up to there",
+                        Lengths.rounded(order.middle(), DIGITS),
+                        Lengths.rounded(order.longestWavelength(plane), DIGITS),
+                        Degrees.text(thetaI),
+                        seen.length,
+                        wavelengths.count()));
     }
 
     /** What is left out of a grid's wavelengths and angles, in words; empty for nothing. */
     Optional<String> leftOut(ResponseGrid grid) {
         int taken = grid.wavelengths().length;
-        return taken == wavelengths.count()
+        double last = grid.wavelengths()[taken - 1] * 1e9;
+        // Those that no angle sees are told of elsewhere.
+        long asked = Arrays.stream(wavelengths.values())
+                .filter(nm -> nm <= last * (1 + 1e-9))
+                .count();
+        return taken == asked
                 ? Optional.empty()
                 : Optional.of(String.format(
                         Locale.ROOT,
@@ -163,10 +213,10 @@ public record GratingRequest(
 
     /** Few of the wavelengths, and all angles at which they show an order: enough for one period. */
     ResponseGrid fewWavelengths(GratingPlane plane, FirstOrder order, DirectionBudget budget) {
-        double[] all = wavelengths.values();
+        double[] all = seen(plane, order, wavelengths);
         double[] few = new double[Math.min(FEW, all.length)];
         for (int i = 0; i < few.length; i++) {
-            few[i] = all[(int) Math.round(i * (all.length - 1.0) / (few.length - 1))] * 1e-9;
+            few[i] = all[(int) Math.round(i * (all.length - 1.0) / (few.length - 1))];
         }
         ResponseGrid grid = new ResponseGrid(plane, few, angles(plane, order, few, MOST_ANGLES));
         for (DirectionBudget.Rung rung : DirectionBudget.LADDER) {
@@ -185,14 +235,6 @@ public record GratingRequest(
             return Arrays.stream(angles.get().values()).map(Math::toRadians).toArray();
         }
         double[] ends = order.angles(plane, lambdas[0], lambdas[lambdas.length - 1]);
-        if (ends.length == 0) {
-            throw new UsageException(String.format(
-                            Locale.ROOT,
-                            "no angle sees the first order of a period near %s with the light at --theta-i %.6g; choose another",
-                            Lengths.format(order.middle()),
-                            Math.toDegrees(thetaI))
-                    + " light, or other --wavelengths");
-        }
         double[] values = new double[count];
         Arrays.setAll(values, i -> ends[0] + (ends[1] - ends[0]) * i / (count - 1));
         return values;

@@ -264,7 +264,38 @@ final class EvaluateCommandTest {
     @Test
     void alongTheRidgesThereIsNoPeriod() throws IOException {
         assertThat(run("--patch", "blaze", "--azimuth", "90")).isEqualTo(4);
-        assertThat(err.toString()).contains("no angle sees the first order", "150 nm");
+        assertThat(err.toString()).contains("blaze has no periodicity along azimuth 90 degrees");
+        assertThat(files()).isEmpty();
+    }
+
+    @Test
+    void anOrderThatNoAngleSeesIsSaid() {
+        assertThat(run("--patch", "sinusoid", "--period", "150nm")).isEqualTo(2);
+        assertThat(err.toString())
+                .contains(
+                        "no angle sees the first order of a period near 150 nm",
+                        "is seen up to 295 nm",
+                        "beyond 300 nm")
+                .hasLineCount(1);
+    }
+
+    /** Of 291 nm it was said that no angle sees it; at 75 degrees it is seen up to 572 nm. */
+    @Test
+    void aShortPeriodIsLookedAtWhereItIsSeen() throws IOException {
+        StringBuilder text = new StringBuilder();
+        for (int i = 0; i < 128 * 128; i++) {
+            text.append(15 * Math.sin(2 * Math.PI * (i % 128) * 50 / 291.0)).append(i % 128 == 127 ? "\n" : "\t");
+        }
+        Path scan = Files.writeString(folder.resolve("scan.txt"), text);
+        assertThat(run("--patch", scan.toString(), "--width", "6.4um", "--height-unit", "nm"))
+                .as(err.toString())
+                .isZero();
+        assertThat(err.toString())
+                .contains("is seen up to 572 nm with the light at --theta-i 75", "the 10 of 21 wavelengths")
+                .doesNotContain("the scan is large");
+        assertThat(report().at("/wavelengths_nm/last").doubleValue()).isCloseTo(560, within(1e-6));
+        assertThat(report().at("/period/low_nm").doubleValue()).isLessThan(291.1);
+        assertThat(report().at("/period/high_nm").doubleValue()).isGreaterThan(290.9);
     }
 
     /** One judgement, and the words of {@code inspect}; what shows a period is named here, too. */
