@@ -76,6 +76,17 @@ public record Patch(
         return new Patch(other, heights, scan, source, channels, told, warnings, faults, crop, repetition);
     }
 
+    /**
+     * A part of the scan, as cropping leaves it: a piece, its edges as they are.
+     *
+     * @throws IllegalArgumentException when that leaves the scan or holds fewer than two samples
+     */
+    public Patch part(Crop area) {
+        HeightMap part = scan.part(area);
+        return new Patch(
+                name, part, part, source, channels, notes, warnings, faults, Optional.empty(), Repetition.NONE);
+    }
+
     /** A part of the scan as an option's value has it, which counts from the corner of the whole file. */
     public String inFile(Crop part) {
         double x = crop.map(Crop::left).orElse(0.0);

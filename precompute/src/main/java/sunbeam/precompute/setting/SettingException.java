@@ -1,5 +1,7 @@
 package sunbeam.precompute.setting;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
 import sunbeam.precompute.text.Quoted;
 
@@ -41,6 +43,17 @@ public final class SettingException extends RuntimeException {
         this.problem = problem;
         this.value = value;
         this.place = origin.place();
+    }
+
+    /**
+     * The same complaint, which does not know yet where the choice was made, with more to say.
+     *
+     * @param more that continues what is wrong and what helps
+     */
+    public SettingException and(Sentence more) {
+        List<Object> parts = new ArrayList<>(problem.parts());
+        parts.addAll(more.parts());
+        return new SettingException(about, new Sentence(parts), Origin.PROGRAM, value, this);
     }
 
     /** The setting. */

@@ -35,6 +35,7 @@ import sunbeam.app.terminal.options.LightOptions;
 import sunbeam.app.terminal.options.MethodOptions;
 import sunbeam.app.terminal.options.PatchOptions;
 import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.method.FittingPart;
 import sunbeam.precompute.method.Method;
 import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.method.ScanLimit;
@@ -43,6 +44,7 @@ import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.MethodSettings;
 import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.units.Decimals;
 
 /** {@code sunbeam color}: the colour that a surface has from each side, as a picture and as numbers. */
@@ -141,7 +143,7 @@ public final class ColorCommand implements Callable<Integer> {
         PrintWriter err = specification.commandLine().getErr();
         List<ColorStrips> strips = compared.load(patchOptions, choices).stream()
                 .map(patch -> new DiffractionSetup(patch, environment, err))
-                .map(setup -> strips(setup, Methods.of(setup.seen(choices, err)), material))
+                .map(setup -> strips(setup, choices, material))
                 .toList();
         Path picture = output != null ? output : Path.of("color-" + names(strips) + ".png");
         ColorFiles files = new ColorFiles(picture, force.overwrite(output));
@@ -206,6 +208,28 @@ public final class ColorCommand implements Callable<Integer> {
                 throw new UsageException("--spectrum " + angle + " is out of range; give -80 to 80");
             }
         }
+    }
+
+    /**
+     * Lays out and plans what is seen of a surface.
+     *
+     * @throws SettingException where that takes too much; it says which part of the surface can be drawn
+     */
+    private ColorStrips strips(DiffractionSetup setup, Choices choices, RefractiveIndex material) {
+        Choices seen = setup.seen(choices, specification.commandLine().getErr());
+        try {
+            return strips(setup, Methods.of(seen), material);
+        } catch (SettingException tooMuch) {
+            Patch patch = setup.patch();
+            throw FittingPart.of(patch, part -> tryStrips(part, choices, material))
+                    .map(part -> tooMuch.and(part.sentence(patch)))
+                    .orElse(tooMuch);
+        }
+    }
+
+    private void tryStrips(Patch part, Choices choices, RefractiveIndex material) {
+        DiffractionSetup setup = new DiffractionSetup(part, environment, warning -> {});
+        strips(setup, Methods.of(ScanLimit.of(choices, part).choices()), material);
     }
 
     private ColorStrips strips(DiffractionSetup setup, Method method, RefractiveIndex material) {
