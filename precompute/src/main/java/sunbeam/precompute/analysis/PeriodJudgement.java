@@ -1,8 +1,10 @@
 package sunbeam.precompute.analysis;
 
+import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.patch.PatchFault;
 import sunbeam.precompute.units.Decimals;
 import sunbeam.precompute.units.Lengths;
 
@@ -17,15 +19,33 @@ public final class PeriodJudgement {
     private static final double FEWEST_SAMPLES = 3;
     private static final int DIGITS = 3;
 
+    // Of rows that are no measurement: what repeats in them is not the surface, and where they end is no edge of it.
+    private static final double MOST_UNMEASURED = 0.02;
+
     private PeriodJudgement() {}
+
+    /** Why rows that were not measured keep a scan from telling any period, and what leaves them out; empty where they do not. */
+    public static Optional<String> spoilt(List<PatchFault> faults) {
+        double share = faults.stream().mapToDouble(PatchFault::unmeasured).sum();
+        return faults.stream()
+                .filter(fault -> share > MOST_UNMEASURED && fault.unmeasured() > 0)
+                .findFirst()
+                .map(fault -> "no period is told of a scan of which " + fault.line());
+    }
 
     /**
      * Why no period is told, and what helps; empty where one is.
      *
+     * @param faults of the scan
      * @param estimate what the scan tells; empty where too few periods can be followed
      * @param peak of the spectrum that it starts from
      */
-    public static Optional<String> refusal(Optional<PeriodEstimate> estimate, SpectrumPeak peak) {
+    public static Optional<String> refusal(
+            List<PatchFault> faults, Optional<PeriodEstimate> estimate, SpectrumPeak peak) {
+        return spoilt(faults).or(() -> refusal(estimate, peak));
+    }
+
+    private static Optional<String> refusal(Optional<PeriodEstimate> estimate, SpectrumPeak peak) {
         if (estimate.isEmpty()) {
             return Optional.of(String.format(
                     Locale.ROOT,

@@ -29,9 +29,8 @@ final class SharpLines {
     private static final int RAY_LAST = 6;
     private static final double OUT_OF_RAY = 10;
 
-    // Of a lattice's other waves: their heights against the strongest's, radians between them, and how many are told.
+    // Of a lattice's other waves: their heights against the strongest's, and how many are told.
     private static final double LEAST_ACROSS = 0.3;
-    private static final double LEAST_ANGLE = Math.toRadians(10);
     private static final int MOST_ACROSS = 3;
     private static final int HIGHEST_OVERTONE = 12;
     // Between an overtone of the strongest and a line that is it.
@@ -94,18 +93,13 @@ final class SharpLines {
                 .filter(peak -> !isOvertone(peak, first, pitchX, pitchY))
                 .sorted(Comparator.comparingDouble(SpectrumPeak::rms).reversed())
                 .forEach(peak -> {
-                    boolean another = Stream.concat(Stream.of(first), found.stream())
-                            .allMatch(told -> angle(told, peak) > LEAST_ANGLE);
+                    boolean another =
+                            Stream.concat(Stream.of(first), found.stream()).allMatch(peak::isAcross);
                     if (another && found.size() < MOST_ACROSS) {
                         found.add(peak);
                     }
                 });
         return found;
-    }
-
-    /** Between two waves' directions, of which the opposite is the same, radians. */
-    private static double angle(SpectrumPeak a, SpectrumPeak b) {
-        return Math.abs(Math.IEEEremainder(a.direction() - b.direction(), Math.PI));
     }
 
     private boolean isOvertone(SpectrumPeak peak, SpectrumPeak of, double pitchX, double pitchY) {

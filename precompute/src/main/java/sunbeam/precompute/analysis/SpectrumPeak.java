@@ -10,6 +10,9 @@ package sunbeam.precompute.analysis;
  */
 public record SpectrumPeak(double frequencyX, double frequencyY, double figure, double rms) {
 
+    // Between waves of a lattice, radians.
+    private static final double LEAST_ANGLE = Math.toRadians(10);
+
     /** Cycles per metre. */
     public double frequency() {
         return Math.hypot(frequencyX, frequencyY);
@@ -25,5 +28,15 @@ public record SpectrumPeak(double frequencyX, double frequencyY, double figure, 
         double angle = Math.atan2(frequencyY, frequencyX);
         double positive = angle < 0 ? angle + Math.PI : angle;
         return positive >= Math.PI ? positive - Math.PI : positive;
+    }
+
+    /** Whether this is a line as sharp as a grating's that runs in another direction than one: the wave of a lattice. */
+    public boolean isAcross(SpectrumPeak other) {
+        return figure >= SharpLines.THRESHOLD && angle(other) > LEAST_ANGLE;
+    }
+
+    /** Between two waves' directions, of which the opposite is the same, radians. */
+    private double angle(SpectrumPeak other) {
+        return Math.abs(Math.IEEEremainder(direction() - other.direction(), Math.PI));
     }
 }

@@ -19,7 +19,9 @@ public record PeriodAnswer(PeriodEstimate heights, OptionalDouble light, Light o
         /** The mean over all positions of the window on the repeated scan. */
         ALL_POSITIONS,
         /** None: under the window, orders of such a period run into each other. */
-        NOT_TOLD_APART
+        NOT_TOLD_APART,
+        /** None: where the lines jump, the whole scan's ridge lies beside each piece's. */
+        DRAWN_BY_SLIPS
     }
 
     /** Metres. */

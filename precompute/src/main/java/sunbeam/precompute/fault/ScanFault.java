@@ -10,21 +10,22 @@ import sunbeam.precompute.prepare.Levelling;
  * @param words what, for people, without a full stop; rows are counted from 1 at the top of the whole scan
  * @param part the largest part of the whole scan that is free of it; empty where none is, or none is needed
  * @param levelling what takes it away; empty where nothing does
+ * @param unmeasured 0..1: share of the rows that count which are no measurement
  */
-public record ScanFault(String words, Optional<Crop> part, Optional<Levelling> levelling) {
+public record ScanFault(String words, Optional<Crop> part, Optional<Levelling> levelling, double unmeasured) {
 
     /** One that a part of the scan is free of. */
-    static ScanFault ofRows(String words, Optional<Crop> part) {
-        return new ScanFault(words, part, Optional.empty());
+    static ScanFault ofRows(String words, Optional<Crop> part, double unmeasured) {
+        return new ScanFault(words, part, Optional.empty(), unmeasured);
     }
 
     /** One that levelling takes away. */
     static ScanFault levelledBy(Levelling levelling, String words) {
-        return new ScanFault(words, Optional.empty(), Optional.of(levelling));
+        return new ScanFault(words, Optional.empty(), Optional.of(levelling), 0);
     }
 
     /** One that nothing takes away. */
     static ScanFault lasting(String words) {
-        return new ScanFault(words, Optional.empty(), Optional.empty());
+        return new ScanFault(words, Optional.empty(), Optional.empty(), 0);
     }
 }

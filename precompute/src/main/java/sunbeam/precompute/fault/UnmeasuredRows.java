@@ -149,19 +149,24 @@ final class UnmeasuredRows {
         Optional<Crop> part = largestPart();
         List<ScanFault> faults = new ArrayList<>();
         if (!missing.isEmpty()) {
-            faults.add(ScanFault.ofRows(words(missing) + " missing" + aborted(missing), part));
+            faults.add(ScanFault.ofRows(words(missing) + " missing" + aborted(missing), part, share(missing)));
         }
         if (!flat.isEmpty()) {
-            faults.add(ScanFault.ofRows(words(flat) + " of one height all along" + aborted(flat), part));
+            faults.add(ScanFault.ofRows(words(flat) + " of one height all along" + aborted(flat), part, share(flat)));
         }
         if (!repeated.isEmpty()) {
             boolean one = repeated.cardinality() == 1;
             faults.add(ScanFault.ofRows(
                     words(repeated) + (one ? " the row" : " each the row") + " above once more"
                             + (aborted(repeated).isEmpty() ? ", as where a line is stuck" : aborted(repeated)),
-                    part));
+                    part,
+                    share(repeated)));
         }
         return faults;
+    }
+
+    private double share(BitSet rows) {
+        return (double) rows.cardinality() / scan.rows();
     }
 
     private Optional<Crop> largestPart() {

@@ -29,8 +29,7 @@ public record FittingPart(int parts, Crop crop) {
             double share = 0.5 - 0.5 / parts;
             double width = patch.scan().width();
             double height = patch.scan().height();
-            Crop crop =
-                    new Crop(share * width, (1 - share) * width, share * height, (1 - share) * height);
+            Crop crop = new Crop(share * width, (1 - share) * width, share * height, (1 - share) * height);
             try {
                 plan.accept(patch.part(crop));
                 return Optional.of(new FittingPart(parts, crop));
@@ -45,8 +44,8 @@ public record FittingPart(int parts, Crop crop) {
 
     /** The end of a sentence that says what was too large. */
     public Sentence sentence(Patch patch) {
-        String size = String.format(
-                Locale.ROOT, "; a part of 1/%d of its width and height can be drawn as it is (", parts);
+        String size =
+                String.format(Locale.ROOT, "; a part of 1/%d of its width and height can be drawn as it is (", parts);
         return Sentence.of(size, PatchSettings.CROP, " " + patch.inFile(crop) + ")");
     }
 }

@@ -51,13 +51,14 @@ final class FaultLines {
         return choices.origin(PatchSettings.PATCH).name(setting) + " " + value;
     }
 
-    /** One line each. */
-    List<String> each() {
-        List<String> lines = new ArrayList<>();
+    /** Each by itself. */
+    List<PatchFault> each() {
+        List<PatchFault> each = new ArrayList<>();
         for (int i = 0; i < faults.size(); i++) {
-            lines.add(faults.get(i).words() + (remedies.get(i).isEmpty() ? "" : "; " + remedies.get(i)));
+            ScanFault fault = faults.get(i);
+            each.add(new PatchFault(fault.words(), remedies.get(i), fault.unmeasured()));
         }
-        return lines;
+        return each;
     }
 
     /** All in one line, each remedy once; empty where there is no fault. */

@@ -15,7 +15,7 @@ import sunbeam.precompute.prepare.Crop;
  * @param channels a line for each channel of a scan, with its number, name and unit; empty for all else
  * @param notes what was chosen for the user, one line each
  * @param warnings what the user should know, one line each; empty when all is well
- * @param faults what is wrong with the scan as it was measured, one line each; the warnings have all of it in one line
+ * @param faults what is wrong with the scan as it was measured, each by itself; the warnings have all of it in one line
  * @param crop the part of the file that the scan is, on its samples' borders; empty for all of it
  * @param repetition whether the surface goes on beyond the heights as they do
  */
@@ -27,7 +27,7 @@ public record Patch(
         List<String> channels,
         List<String> notes,
         List<String> warnings,
-        List<String> faults,
+        List<PatchFault> faults,
         Optional<Crop> crop,
         Repetition repetition) {
 

@@ -1,10 +1,14 @@
 package sunbeam.precompute.analysis;
 
 import java.util.Arrays;
+import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.SplittableRandom;
+import sunbeam.precompute.fault.ScanFaults;
 import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.patch.PatchFault;
+import sunbeam.precompute.prepare.HeightField;
 import sunbeam.precompute.prepare.Levelling;
 
 /**
@@ -38,10 +42,18 @@ record FaultyScan(HeightMap map, double[] truths, String words) {
 
     private static final double SMOOTH = 0.05;
 
-    /** What the program answers. */
+    /** What the program answers: nothing of rows that are no measurement, nor where it refuses what it found. */
     Optional<PeriodEstimate> estimate() {
+        HeightField field = new HeightField(map.columns(), map.rows(), map.pitchX(), map.pitchY(), map.toArray());
+        List<PatchFault> faults = ScanFaults.in(field, Optional.empty()).stream()
+                .map(fault -> new PatchFault(fault.words(), "", fault.unmeasured()))
+                .toList();
         return new PeriodFinder(map, false)
-                .all().peaks().stream().findFirst().flatMap(peak -> PeriodEstimator.estimate(map, peak));
+                .all().peaks().stream()
+                        .findFirst()
+                        .flatMap(peak -> PeriodEstimator.estimate(map, peak)
+                                .filter(told -> PeriodJudgement.refusal(faults, Optional.of(told), peak)
+                                        .isEmpty()));
     }
 
     boolean holdsTruth(PeriodEstimate estimate) {

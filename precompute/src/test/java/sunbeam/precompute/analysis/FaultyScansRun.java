@@ -10,8 +10,6 @@ import org.junit.jupiter.api.Test;
  * other draws, {@code -Dsunbeam.draws=N} for more of each kind and {@code -Dsunbeam.kind=K} for one kind.
  */
 class FaultyScansRun {
-    // Wider ones are refused by `evaluate`.
-    private static final double WIDEST = 1.5;
     private static final long FIRST_SEED = Long.getLong("sunbeam.seed", 3000);
     private static final int DRAWS = Integer.getInteger("sunbeam.draws", 30);
     private static final String KIND = System.getProperty("sunbeam.kind", "");
@@ -31,7 +29,7 @@ class FaultyScansRun {
         int missed = 0;
         for (long seed = FIRST_SEED; seed < FIRST_SEED + DRAWS; seed++) {
             FaultyScan scan = FaultyScan.draw(kind, seed);
-            Optional<PeriodEstimate> told = scan.estimate().filter(answer -> answer.high() <= WIDEST * answer.low());
+            Optional<PeriodEstimate> told = scan.estimate();
             if (told.filter(scan::holdsTruth).isPresent()) {
                 held++;
             } else if (told.isPresent()) {

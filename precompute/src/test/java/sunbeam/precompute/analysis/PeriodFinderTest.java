@@ -70,6 +70,26 @@ final class PeriodFinderTest {
                 .containsExactly(1000.0, 1350.0);
     }
 
+    /** Of waves of one height only the strongest was told, since noise in the average made the others "stronger". */
+    @Test
+    void allWavesOfALatticeAreTold() {
+        SplittableRandom random = new SplittableRandom(1);
+        HeightMap map = Surfaces.of(
+                SAMPLES,
+                SAMPLES,
+                PITCH,
+                (x, y) -> 20e-9 * (wave(x, y, 1e-6, 11) + wave(x, y, 1e-6, 71) + wave(x, y, 1e-6, 131))
+                        + 1e-9 * random.nextGaussian());
+        Periodicity found = new PeriodFinder(map, false).all();
+        // To a tenth of a degree: a hundredth of a bin.
+        assertThat(found.peaks())
+                .extracting(peak -> Math.rint(Math.toDegrees(peak.direction())))
+                .containsExactlyInAnyOrder(11.0, 71.0, 131.0);
+        assertThat(found.peaks())
+                .extracting(peak -> Math.rint(peak.period() * 1e9))
+                .containsOnly(1000.0);
+    }
+
     @Test
     void overtonesAreNotListed() {
         // 20 samples a tooth: steps of the sampling stay whole.

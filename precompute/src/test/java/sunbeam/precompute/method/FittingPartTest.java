@@ -40,7 +40,8 @@ class FittingPartTest {
     @Test
     void theLargestHalvedPartThatIsPlannedIsNamed() {
         Patch whole = patch(Optional.empty());
-        FittingPart part = FittingPart.of(whole, tried -> planUpTo(16e-6, tried)).orElseThrow();
+        FittingPart part =
+                FittingPart.of(whole, tried -> planUpTo(16e-6, tried)).orElseThrow();
         assertThat(part.parts()).isEqualTo(4);
         assertThat(part.sentence(whole).in(Origin.PROGRAM))
                 .isEqualTo("; a part of 1/4 of its width and height can be drawn as it is (crop 24um:40um,12um:20um)");
@@ -51,7 +52,8 @@ class FittingPartTest {
     @Test
     void aPartOfACroppedScanIsNamedInTheFile() {
         Patch cropped = patch(Optional.of(new Crop(100e-6, 164e-6, 7e-6, 39e-6)));
-        FittingPart part = FittingPart.of(cropped, tried -> planUpTo(32e-6, tried)).orElseThrow();
+        FittingPart part =
+                FittingPart.of(cropped, tried -> planUpTo(32e-6, tried)).orElseThrow();
         assertThat(part.sentence(cropped).in(Origin.PROGRAM)).endsWith("(crop 116um:148um,15um:31um)");
     }
 }

@@ -33,8 +33,8 @@ class FaultLinesTest {
     void eachFaultNamesWhatHelps() {
         FaultLines lines = FaultLines.of(stopped(48, 1e-7), Choices.none(), Levelling.PLANE);
         assertThat(lines.each()).hasSize(2);
-        assertThat(lines.each().get(0)).endsWith("crop 0:6.4um,1.6um:6.4um leaves them out");
-        assertThat(lines.each().get(1)).endsWith("level median-rows takes that away");
+        assertThat(lines.each().get(0).line()).endsWith("crop 0:6.4um,1.6um:6.4um leaves them out");
+        assertThat(lines.each().get(1).line()).endsWith("level median-rows takes that away");
         assertThat(lines.together().orElseThrow()).doesNotContain("\n").contains("49 to 64", "between rows 16 and 17");
     }
 

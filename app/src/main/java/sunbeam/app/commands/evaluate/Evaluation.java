@@ -116,6 +116,9 @@ public final class Evaluation {
             Responses responses,
             DirectionBudget budget,
             OrdersApart orders) {
+        if (!told.slips().isEmpty()) {
+            return new PeriodAnswer(told, OptionalDouble.empty(), PeriodAnswer.Light.DRAWN_BY_SLIPS);
+        }
         GratingPlane plane = responses.grid().plane();
         FirstOrder order = GratingTarget.near(told);
         ResponseGrid grid = grating.fewWavelengths(plane, order, budget);

@@ -91,11 +91,13 @@ record GratingTarget(
         Optional<SpectrumPeak> near = heights.peaks().stream()
                 .filter(peak -> peak.period() >= order.shortest() && peak.period() <= order.longest())
                 .findFirst();
-        Optional<PeriodEstimate> estimate = near.flatMap(peak -> estimate(patch, heights, peak));
+        Optional<String> spoilt = PeriodJudgement.spoilt(patch.faults());
+        Optional<PeriodEstimate> estimate =
+                near.filter(peak -> spoilt.isEmpty()).flatMap(peak -> estimate(patch, heights, peak));
         if (request.period().isEmpty()) {
-            requireTold(patch.name(), estimate, heights.peaks().get(0));
+            requireTold(patch, estimate, heights.peaks().get(0));
         }
-        String doubt = estimate.isPresent() ? "" : doubt(patch, given, heights, near);
+        String doubt = estimate.isPresent() ? "" : spoilt.orElseGet(() -> doubt(patch, given, heights, near));
         return new GratingTarget(patch, request.plane(azimuth), order, heights, near, estimate, doubt);
     }
 
@@ -148,9 +150,10 @@ record GratingTarget(
     }
 
     /** A figure that nobody should quote is not given. */
-    private static void requireTold(String patch, Optional<PeriodEstimate> estimate, SpectrumPeak peak) {
-        PeriodJudgement.refusal(estimate, peak).ifPresent(refusal -> {
-            throw new NoPeriodException(patch + ": " + refusal + "; to look for a ridge all the same give --period");
+    private static void requireTold(Patch patch, Optional<PeriodEstimate> estimate, SpectrumPeak peak) {
+        PeriodJudgement.refusal(patch.faults(), estimate, peak).ifPresent(refusal -> {
+            throw new NoPeriodException(
+                    patch.name() + ": " + refusal + "; to look for a ridge all the same give --period");
         });
     }
 

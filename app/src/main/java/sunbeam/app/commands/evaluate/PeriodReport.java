@@ -13,6 +13,7 @@ import sunbeam.precompute.analysis.PeriodJudgement;
 import sunbeam.precompute.analysis.Periodicity;
 import sunbeam.precompute.analysis.SpectrumPeak;
 import sunbeam.precompute.evaluation.PeriodAnswer;
+import sunbeam.precompute.units.Lengths;
 
 /** The period and how well it is known: what is printed first. */
 final class PeriodReport {
@@ -35,7 +36,23 @@ final class PeriodReport {
                 .flatMap(peak -> unlike(peak, answer.heights(), periods).stream())
                 .findFirst()
                 .ifPresent(lines::add);
+        periods.peaks().stream()
+                .skip(1)
+                .filter(peak -> peak.isAcross(periods.peaks().get(0)))
+                .forEach(peak -> lines.add(across(peak, periods.peaks().get(0))));
         return lines;
+    }
+
+    /** Another wave of a lattice. */
+    private static String across(SpectrumPeak peak, SpectrumPeak first) {
+        double degrees = Math.toDegrees(peak.direction());
+        return String.format(
+                Locale.ROOT,
+                "a lattice            another wave, of about %s, runs in direction %.1f degrees, %.2g times as high: --azimuth %.1f measures it",
+                Lengths.rounded(peak.period(), 2),
+                degrees,
+                peak.rms() / first.rms(),
+                degrees > 90 ? degrees - 180 : degrees);
     }
 
     /** Where every second or so line differs, and the surface itself repeats only after several. */
@@ -105,9 +122,11 @@ final class PeriodReport {
     }
 
     private static String nothing(PeriodAnswer.Light light) {
-        return light == PeriodAnswer.Light.NOT_TOLD_APART
-                ? "not told, as its orders lie too close together"
-                : "no ridge near that, " + words(light);
+        return switch (light) {
+            case NOT_TOLD_APART -> "not told, as its orders lie too close together";
+            case DRAWN_BY_SLIPS -> "not taken, as the jump below draws it aside";
+            default -> "no ridge near that, " + words(light);
+        };
     }
 
     private static String words(PeriodAnswer.Light light) {

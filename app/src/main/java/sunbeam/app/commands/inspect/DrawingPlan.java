@@ -39,7 +39,8 @@ record DrawingPlan(Optional<PlanReport> plan, String refusal) {
     private static String fittingPart(Patch patch, Choices choices) {
         return FittingPart.of(
                         patch,
-                        part -> plan(part, FullMethod.of(ScanLimit.of(choices, part).choices())))
+                        part -> plan(
+                                part, FullMethod.of(ScanLimit.of(choices, part).choices())))
                 .map(part -> part.sentence(patch).in(OptionOrigin.INSTANCE))
                 .orElse("");
     }

@@ -89,12 +89,21 @@ record Inspection(
     Optional<String> refusal() {
         return periodicity.edges() == HeightSpectrum.Edges.PERIODIC
                 ? Optional.empty()
-                : peaks().stream().findFirst().flatMap(peak -> PeriodJudgement.refusal(estimate, peak));
+                : peaks().stream().findFirst().flatMap(peak -> PeriodJudgement.refusal(patch.faults(), estimate, peak));
     }
 
     /** The period that is told; empty where there is none, or it is exact. */
     Optional<PeriodEstimate> told() {
         return refusal().isPresent() ? Optional.empty() : estimate;
+    }
+
+    /** The period of another wave of a lattice, where the first is told. */
+    Optional<PeriodEstimate> toldAcross(SpectrumPeak peak) {
+        return told().isEmpty() || !peak.isAcross(peaks().get(0))
+                ? Optional.empty()
+                : PeriodEstimator.estimate(patch.scan(), peak)
+                        .filter(estimate -> PeriodJudgement.refusal(patch.faults(), Optional.of(estimate), peak)
+                                .isEmpty());
     }
 
     /** What to print: a name and a value per line, aligned. */
@@ -115,7 +124,7 @@ record Inspection(
                         map.columns(),
                         map.rows())));
         for (int i = 0; i < patch.faults().size(); i++) {
-            lines.add(line(i == 0 ? "faults" : "", patch.faults().get(i)));
+            lines.add(line(i == 0 ? "faults" : "", patch.faults().get(i).line()));
         }
         lines.add(line("pitch", pitch()));
         lines.add(line(

@@ -14,6 +14,7 @@ import sunbeam.precompute.analysis.SpectrumPeak;
 import sunbeam.precompute.patch.HeightMap;
 import sunbeam.precompute.patch.ModelError;
 import sunbeam.precompute.patch.Patch;
+import sunbeam.precompute.patch.PatchFault;
 import sunbeam.precompute.patch.SamplingCheck;
 import sunbeam.precompute.plan.PlanReport;
 
@@ -60,7 +61,7 @@ record InspectionReport(Inspection inspection, Path picture) {
                 "cost",
                 inspection.drawing().plan().map(plan -> plan.cost(map.rows())).orElse(null));
         fields.put("planRefused", inspection.drawing().refusal());
-        fields.put("faults", patch.faults());
+        fields.put("faults", patch.faults().stream().map(PatchFault::line).toList());
         fields.put("notes", patch.notes());
         fields.put("warnings", patch.warnings());
         fields.put("picture", picture.toString());

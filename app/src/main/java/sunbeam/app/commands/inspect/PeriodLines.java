@@ -51,11 +51,12 @@ final class PeriodLines {
             } else if (lines.isEmpty() && inspection.told().isPresent()) {
                 addTold(inspection.told().get(), peak, lines);
             } else {
-                lines.add(String.format(
-                        Locale.ROOT,
-                        "a peak of the spectrum at about %s in %s",
-                        Lengths.rounded(peak.period(), ROUGH),
-                        describe(peak)));
+                lines.add(inspection
+                                .toldAcross(peak)
+                                .map(across -> "and " + IntervalWords.of(across.period(), across.low(), across.high()))
+                                .orElseGet(() ->
+                                        "a peak of the spectrum at about " + Lengths.rounded(peak.period(), ROUGH))
+                        + " in " + describe(peak));
             }
         }
         inspection.refusal().ifPresent(refusal -> lines.add(0, refusal));

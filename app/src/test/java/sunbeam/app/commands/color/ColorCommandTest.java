@@ -111,7 +111,8 @@ class ColorCommandTest {
         Sunbeam program = new Sunbeam(environment, new PrintWriter(new StringWriter()), new PrintWriter(err));
         assertThat(program.run(arguments)).isEqualTo(2);
         assertThat(err.toString())
-                .containsPattern("can be drawn as it is \\(--crop [0-9.]+[um]m:[0-9.]+[um]m,[0-9.]+[um]m:[0-9.]+[um]m\\)");
+                .containsPattern(
+                        "can be drawn as it is \\(--crop [0-9.]+[um]m:[0-9.]+[um]m,[0-9.]+[um]m:[0-9.]+[um]m\\)");
     }
 
     /** Two scans of one name from two folders, one after the other on one line of a terminal. */

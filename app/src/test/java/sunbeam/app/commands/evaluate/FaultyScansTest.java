@@ -1,0 +1,129 @@
+package sunbeam.app.commands.evaluate;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.SplittableRandom;
+import java.util.function.DoubleBinaryOperator;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import sunbeam.app.Sunbeam;
+import sunbeam.app.terminal.Environment;
+
+/** Scans that a scanner has spoiled, and lattices: 10 um, 128 x 128 samples, lines aslant. */
+final class FaultyScansTest {
+    private static final int SAMPLES = 128;
+
+    @TempDir
+    private Path folder;
+
+    private final StringWriter out = new StringWriter();
+    private final StringWriter err = new StringWriter();
+
+    /** Heights in nanometres at a column and a row, with noise. */
+    private Path scan(String name, DoubleBinaryOperator height) throws IOException {
+        SplittableRandom random = new SplittableRandom(4);
+        StringBuilder text = new StringBuilder();
+        for (int row = 0; row < SAMPLES; row++) {
+            for (int column = 0; column < SAMPLES; column++) {
+                text.append(height.applyAsDouble(column, row) + random.nextGaussian())
+                        .append(column + 1 < SAMPLES ? "\t" : "\n");
+            }
+        }
+        return Files.writeString(folder.resolve(name), text);
+    }
+
+    private int run(String... arguments) {
+        List<String> all = new ArrayList<>(List.of(arguments));
+        all.addAll(List.of("--width", "10um", "--height-unit", "nm"));
+        return new Sunbeam(new Environment(Map.of(), folder), new PrintWriter(out), new PrintWriter(err))
+                .run(all.toArray(String[]::new));
+    }
+
+    private int evaluate(Path scan, String... more) {
+        List<String> all = new ArrayList<>(List.of("evaluate", "--patch", scan.toString(), "--method", "bins"));
+        all.addAll(List.of(
+                "--wavelengths",
+                "380:780:50",
+                "--output",
+                folder.resolve("result").toString()));
+        all.addAll(List.of(more));
+        return run(all.toArray(String[]::new));
+    }
+
+    /** A wave of a period in samples. */
+    private static double wave(double column, double row, double samples, double degrees) {
+        double angle = Math.toRadians(degrees);
+        return Math.cos(2 * Math.PI / samples * (column * Math.cos(angle) - row * Math.sin(angle)));
+    }
+
+    /** 1004 nm, 95 % interval 943 to 1074 nm, was told of a scan whose last two fifths are one row. */
+    @Test
+    void aScanThatWasStoppedTellsNoPeriodUntilItIsCropped() throws IOException {
+        double[] last = new double[SAMPLES];
+        SplittableRandom random = new SplittableRandom(1);
+        Path scan = folder.resolve("stopped.txt");
+        StringBuilder text = new StringBuilder();
+        for (int row = 0; row < SAMPLES; row++) {
+            for (int column = 0; column < SAMPLES; column++) {
+                last[column] = row < 80 ? 40 * wave(column, row, 12.8, 30) + random.nextGaussian() : last[column];
+                text.append(last[column]).append(column + 1 < SAMPLES ? "\t" : "\n");
+            }
+        }
+        Files.writeString(scan, text);
+        assertThat(evaluate(scan)).isEqualTo(4);
+        assertThat(err.toString())
+                .contains(
+                        "stopped: no period is told of a scan of which rows 81 to 128 of 128",
+                        "--crop 0:10um,3.75um:10um");
+        assertThat(evaluate(scan, "--crop", "0:10um,3.75um:10um"))
+                .as(err.toString())
+                .isZero();
+        assertThat(out.toString()).contains("period               1000");
+    }
+
+    /** The whole scan's ridge, and its phase, lay beside both parts'. */
+    @Test
+    void aSlipIsToldAndMovesNothing() throws IOException {
+        Path scan = scan("slip.txt", (column, row) -> 40 * wave(column + (row < 50 ? 0 : 4), row, 12.8, 30));
+        assertThat(evaluate(scan)).as(err.toString()).isZero();
+        assertThat(out.toString())
+                // 4 samples of 12.8 / cos 30 degrees.
+                .contains("the lines jump sideways by 0.27 periods", "after row 50 from the top")
+                .contains("of the light         not taken");
+        JsonNode report =
+                new ObjectMapper().readTree(folder.resolve("result.json").toFile());
+        assertThat(report.at("/period/low_nm").doubleValue()).isLessThan(1000);
+        assertThat(report.at("/period/high_nm").doubleValue()).isGreaterThan(1000);
+        // A slip that nobody sees draws the period aside by 1 % to 3 %.
+        assertThat(report.at("/period/high_nm").doubleValue()
+                        - report.at("/period/low_nm").doubleValue())
+                .isLessThan(10);
+        assertThat(report.at("/period/slips/0/after_row").intValue()).isEqualTo(50);
+    }
+
+    @Test
+    void aLatticeHasItsOtherWavesNamed() throws IOException {
+        Path scan =
+                scan("lattice.txt", (column, row) -> 20 * (wave(column, row, 12.8, 10) + wave(column, row, 12.8, 70)));
+        assertThat(evaluate(scan, "--azimuth", "auto")).as(err.toString()).isZero();
+        assertThat(out.toString()).containsPattern("another wave, of about 1 um, runs in direction (10|70).0 degrees");
+        assertThat(run(
+                        "inspect",
+                        scan.toString(),
+                        "--output",
+                        folder.resolve("i.png").toString()))
+                .isZero();
+        assertThat(out.toString())
+                .containsPattern("and 100?[0-9.]+ nm, 95 % interval .* in direction (10|70).0 degrees");
+    }
+}
