@@ -54,6 +54,8 @@ class RenderInterruptionTest {
                 "light-above",
                 "--patch",
                 "blaze",
+                "--method",
+                "full",
                 "--tolerance",
                 "0.1",
                 "--size",

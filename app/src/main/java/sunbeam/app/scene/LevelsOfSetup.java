@@ -1,9 +1,9 @@
 package sunbeam.app.scene;
 
+import java.util.function.LongConsumer;
 import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.gpu.colours.GpuColours;
 import sunbeam.app.gpu.colours.LevelSources;
-import sunbeam.app.terminal.progress.Progress;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.colourtable.ColourSource;
 import sunbeam.precompute.colourtable.KeptPages;
@@ -42,13 +42,15 @@ final class LevelsOfSetup implements LevelSources {
     }
 
     @Override
-    public ColourSource open(int level, long places) {
+    public ColourSource open(int level, LongConsumer done) {
         if (plan.spectrum().isEmpty()) {
-            return GpuColours.of(setup.tables(plan.source(level), MethodUse.COLOUR, GpuColours::of), places);
+            return GpuColours.of(setup.tables(plan.source(level), MethodUse.COLOUR, GpuColours::of), done);
         }
         TableLevels.Level wanted = plan.levels().levels().get(level);
         RaySpectrum terms = spectrum(plan.spectrum().get());
-        return new ShownColours(terms, wanted, level == 0, Progress.start("Colours", places));
+        RayColours colours =
+                new RayColours(terms, wanted.area(), wanted.design().step(), level == 0, done::accept);
+        return colours::xyz;
     }
 
     private synchronized RaySpectrum spectrum(Plan widened) {
@@ -56,30 +58,5 @@ final class LevelsOfSetup implements LevelSources {
             spectrum = new RaySpectrum(widened, setup.table(widened), plan.tolerance(), cie);
         }
         return spectrum;
-    }
-
-    /** Colours whose progress is shown. */
-    private static final class ShownColours implements ColourSource {
-        private final RayColours colours;
-        private final Progress progress;
-
-        ShownColours(RaySpectrum spectrum, TableLevels.Level level, boolean fine, Progress progress) {
-            this.progress = progress;
-            this.colours = new RayColours(spectrum, level.area(), level.design().step(), fine, count -> {
-                synchronized (progress) {
-                    progress.step(count);
-                }
-            });
-        }
-
-        @Override
-        public float[] xyz(float[] places) {
-            return colours.xyz(places);
-        }
-
-        @Override
-        public void close() {
-            progress.close();
-        }
     }
 }

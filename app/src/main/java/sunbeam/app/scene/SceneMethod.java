@@ -12,19 +12,45 @@ import sunbeam.precompute.method.MethodType;
 import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.method.ReferenceMethod;
 import sunbeam.precompute.method.ScanLimit;
+import sunbeam.precompute.method.TableMethod;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.Preset;
 import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.setting.Origin;
 import sunbeam.precompute.setting.Setting;
 
 /**
- * How a scene's diffraction is computed. On a mesh the ensemble average is the standard: a pixel sees many coherence areas.
+ * How a scene's diffraction is computed. On a mesh the standard is colours from tables, for a pixel sees more than a point, and the
+ * ensemble average, for it sees many coherence areas.
  *
  * @param choices of {@link Methods#SETTINGS}; those that another method has, but this one does not look at, are kept for it
  */
 public record SceneMethod(Choices choices) {
+    /** What holds where a scene names no method. */
+    public static final MethodType STANDARD = TableMethod.TYPE;
+
+    /** The tolerance of tables where a scene names none: finer ones take longer to make, and no screen shows what they gain. */
+    public static final double TABLE_TOLERANCE = 1e-2;
+
+    /** Of values that nobody named: another method has its own. */
+    private static final Origin NOBODY = new Origin() {
+        @Override
+        public Place place() {
+            return Place.PROGRAM;
+        }
+
+        @Override
+        public String name(Setting<?> setting) {
+            return PROGRAM.name(setting);
+        }
+
+        @Override
+        public String complaint(Setting<?> setting, String value, String problem) {
+            return PROGRAM.complaint(setting, value, problem);
+        }
+    };
 
     /**
      * Checks that there is such a method for meshes.
@@ -33,6 +59,9 @@ public record SceneMethod(Choices choices) {
      */
     public SceneMethod {
         choices = choices.only(Methods.SETTINGS);
+        if (!choices.has(Methods.METHOD)) {
+            choices = choices.over(Choices.at(NOBODY).with(Methods.METHOD, STANDARD));
+        }
         if (!draws(choices.get(Methods.METHOD))) {
             throw choices.complaint(
                     Methods.METHOD, "is for maps and lists of directions; for a mesh use full, table, nmm, pq or gem");
@@ -49,9 +78,13 @@ public record SceneMethod(Choices choices) {
     /** What holds on a mesh unless chosen otherwise; it is written down with the scene. */
     private static Choices standard(Choices chosen) {
         MethodType type = chosen.get(Methods.METHOD);
-        Choices standard = Choices.none().with(Methods.METHOD, type);
+        Choices standard = Choices.at(NOBODY).with(Methods.METHOD, type);
         if (type.has(TOLERANCE) && !isThesis(chosen)) {
-            standard = standard.with(TOLERANCE, chosen.get(TOLERANCE));
+            standard = standard.with(
+                    TOLERANCE,
+                    type == TableMethod.TYPE
+                            ? TABLE_TOLERANCE
+                            : TOLERANCE.standard().orElseThrow());
         }
         return type.has(AVERAGE) ? standard.with(AVERAGE, Average.ENSEMBLE) : standard;
     }
@@ -105,23 +138,28 @@ public record SceneMethod(Choices choices) {
     }
 
     /**
-     * The same with what others choose above it. Another method gives up what only the old one had, and the thesis's preset
-     * the tolerance.
+     * The same with what others choose above it. Another method gives up what only the old one had and the tolerance that nobody
+     * named, and the thesis's preset the tolerance.
      */
     public SceneMethod with(Choices others) {
         MethodType type = others.get(Methods.METHOD, type());
         List<Setting<?>> kept = new ArrayList<>(FullMethod.TYPE.settings());
         kept.addAll(type.settings());
         kept.add(Methods.METHOD);
-        if (isThesis(others)) {
+        if (isThesis(others) || (type != type() && isNobodys(TOLERANCE))) {
             kept.removeAll(List.of(TOLERANCE));
         }
         Choices own = choices.only(kept);
-        // Who chooses the method hears of what it lacks.
+        // Who chooses the method hears of what it lacks, and where nobody did, who may.
         return new SceneMethod(
-                others.has(Methods.METHOD)
+                others.has(Methods.METHOD) || isNobodys(Methods.METHOD)
                         ? others.over(own)
                         : own.without(others.chosen()).over(others));
+    }
+
+    @SuppressWarnings("ReferenceEquality") // the one object
+    private boolean isNobodys(Setting<?> setting) {
+        return choices.origin(setting) == NOBODY;
     }
 
     /**

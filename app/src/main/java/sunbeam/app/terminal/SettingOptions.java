@@ -42,9 +42,13 @@ public class SettingOptions {
         this.told = Map.copyOf(told);
     }
 
-    /** Options that stand above what is said elsewhere, a scene for example: there are no standard values to tell of. */
-    public static SettingOptions overriding(List<Setting<?>> settings) {
-        return new SettingOptions(settings, true, Map.of());
+    /**
+     * Options that stand above what is said elsewhere, a scene for example, which has values of its own.
+     *
+     * @param told what the help says of these; of others there are no standard values to tell of
+     */
+    public static SettingOptions overriding(List<Setting<?>> settings, Map<Setting<?>, String> told) {
+        return new SettingOptions(settings, true, told);
     }
 
     @Spec
@@ -80,10 +84,11 @@ public class SettingOptions {
 
     private String description(Setting<?> setting) {
         String help = setting.help().in(OptionOrigin.INSTANCE);
-        Optional<String> standard = Optional.ofNullable(told.get(setting)).or(setting::writtenStandard);
-        return overriding
-                ? help
-                : help + standard.map(value -> " Default: " + value + ".").orElse("");
+        Optional<String> standard = Optional.ofNullable(told.get(setting));
+        if (!overriding) {
+            standard = standard.or(setting::writtenStandard);
+        }
+        return help + standard.map(value -> " Default: " + value + ".").orElse("");
     }
 
     /**

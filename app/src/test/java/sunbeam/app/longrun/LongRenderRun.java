@@ -42,6 +42,8 @@ final class LongRenderRun {
                     "48x36",
                     "--output",
                     output.toString(),
+                    "--method",
+                    "full",
                     "--tolerance",
                     "0.01",
                     "--mesh",

@@ -50,7 +50,7 @@ enum LongWork {
         @Override
         List<String> command(Place place) {
             return List.of(
-                    ("render elaphe --mesh plane --patch blaze --texture none --size 32x24 --turntable 12 --resume"
+                    ("render elaphe --mesh plane --patch blaze --texture none --method full --tolerance 0.02 --size 32x24 --turntable 12 --resume"
                                     + " --output out")
                             .split(" "));
         }

@@ -1,6 +1,8 @@
 package sunbeam.app.scene;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static sunbeam.precompute.method.Methods.METHOD;
+import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -14,6 +16,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import sunbeam.app.gpu.NeedsDisplay;
 import sunbeam.app.terminal.Environment;
+import sunbeam.precompute.method.FullMethod;
+import sunbeam.precompute.setting.Choices;
 
 /** Each scene that comes with Sunbeam, as it is: what a user draws first. */
 @NeedsDisplay
@@ -30,6 +34,7 @@ class BuiltInScenesTest {
         // One patch after the other: its scenes share its tables.
         List<Scene> scenes = Scenes.builtIn().stream()
                 .map(Scenes::load)
+                .map(BuiltInScenesTest::byFull)
                 .sorted(Comparator.comparing((Scene scene) -> scene.patch().toString()))
                 .toList();
         SceneData data = loader.load(scenes.get(0));
@@ -42,6 +47,11 @@ class BuiltInScenesTest {
                 assertThat(isColoured(pixels)).as(scene.title()).isTrue();
             }
         }
+    }
+
+    /** Tables of all that nine scenes see would take minutes. */
+    private static Scene byFull(Scene scene) {
+        return scene.with(Choices.none().with(METHOD, FullMethod.TYPE).with(TOLERANCE, 0.02));
     }
 
     /** Whether some pixel is far from the white of daylight. */

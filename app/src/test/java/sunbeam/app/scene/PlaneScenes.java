@@ -7,7 +7,10 @@ import jrtr.scene.Camera;
 import org.joml.Quaternionf;
 import org.joml.Vector3f;
 import sunbeam.app.terminal.Environment;
+import sunbeam.precompute.method.FullMethod;
+import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.patch.PatchRequest;
+import sunbeam.precompute.setting.Choices;
 
 /** Scenes of the plane, which fills the picture's middle; its patch is small, so that tables are made in a moment. */
 final class PlaneScenes {
@@ -27,7 +30,7 @@ final class PlaneScenes {
                 new Quaternionf(),
                 new SceneLight(new Vector3f(-0.2f, 0.3f, 0.9f), 1),
                 "none",
-                SceneMethod.standard(),
+                new SceneMethod(Choices.none().with(Methods.METHOD, FullMethod.TYPE)),
                 0,
                 OptionalDouble.of(1),
                 DIFFRACTION_ONLY,

@@ -2,6 +2,7 @@ package sunbeam.app.scene;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static sunbeam.precompute.method.Methods.METHOD;
 import static sunbeam.precompute.plan.MethodSettings.AVERAGE;
 import static sunbeam.precompute.plan.MethodSettings.PRESET;
 import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
@@ -19,6 +20,7 @@ import sunbeam.app.files.input.InputException;
 import sunbeam.app.files.output.OutputException;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.precompute.json.JsonException;
+import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.Preset;
@@ -109,10 +111,11 @@ class SceneFileTest {
                     "tolerance": 0.01    | "method": "pq", "average": "ensemble" | line 7 | plan.average | pq
                     "tolerance": 0.01    | "method": "pq", "radius": 2 | line 7 | plan.radius | 2 belongs to method full or nmm, not pq
                     "tolerance": 0.01    | "method": "nmm", "replicas": 3 | line 7 | plan.replicas | 3 belongs to method pq
+                    "tolerance": 0.01    | "preset": "thesis"  | line 7  | plan.preset   | or use method full
                     "tolerance": 0.01    | "spacing": "1 um"   | line 7  | plan.spacing  | belongs to method gem
                     "tolerance": 0.01    | "method": "gem", "spacing": "1 cm" | line 7 | plan.spacing | out of range
                     "tolerance": 0.01    | "method": "pq", "replicas": 1.5 | line 7 | plan.replicas | whole number
-                    "tolerance": 0.01    | "tolerance": 0.01, "preset": "thesis" | line 7 | plan.tolerance | preset thesis
+                    "tolerance": 0.01    | "method": "full", "tolerance": 0.01, "preset": "thesis" | line 7 | plan.tolerance | preset thesis
                     "elaphe-like"        | {"file": "blaze", "width": "5 pm"} | line 3 | patch.width | 1 nm to 100 mm
                     "elaphe-like"        | {"file": "blaze", "height": "500 mm"} | line 3 | patch.height | 1 nm to 100 mm
                     "elaphe-like"        | {"file": "blaze", "maxHeight": "2 m"} | line 3 | patch.maxHeight | out of range
@@ -198,7 +201,7 @@ class SceneFileTest {
     void thesisScenesAreWrittenWithoutATolerance() throws IOException {
         Scene planned = SceneReader.read(write(SCENE));
         Path copy = folder.resolve("copy.json");
-        Choices thesis = Choices.none().with(PRESET, Preset.THESIS);
+        Choices thesis = Choices.none().with(METHOD, FullMethod.TYPE).with(PRESET, Preset.THESIS);
         SceneWriter.write(copy, Overwrite.REFUSE, planned.with(thesis));
         assertThat(SceneReader.read(copy).method().isThesis()).isTrue();
         assertThat(copy).content().doesNotContain("tolerance");

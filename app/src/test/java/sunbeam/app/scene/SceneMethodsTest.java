@@ -25,6 +25,7 @@ import sunbeam.precompute.method.MethodType;
 import sunbeam.precompute.method.NmmMethod;
 import sunbeam.precompute.method.PqMethod;
 import sunbeam.precompute.method.ReferenceMethod;
+import sunbeam.precompute.method.TableMethod;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.Gain;
 import sunbeam.precompute.optics.Replicas;
@@ -140,9 +141,24 @@ class SceneMethodsTest {
     }
 
     @Test
+    void whereNobodyNamesAMethodItIsTableAndEachMethodHasItsOwnToleranceUntilOneIsNamed() {
+        Choices full = Choices.none().with(METHOD, FullMethod.TYPE);
+        SceneMethod standard = SceneMethod.standard();
+        assertThat(standard.type()).isEqualTo(TableMethod.TYPE);
+        assertThat(standard.get(TOLERANCE)).isEqualTo(1e-2);
+        assertThat(standard.get(AVERAGE)).isEqualTo(Average.ENSEMBLE);
+        assertThat(standard.with(full).get(TOLERANCE)).isEqualTo(1e-3);
+        assertThat(new SceneMethod(full).get(TOLERANCE)).isEqualTo(1e-3);
+        SceneMethod named = new SceneMethod(Choices.none().with(TOLERANCE, 1e-2));
+        assertThat(named.with(full).get(TOLERANCE))
+                .as("named, if as the standard is")
+                .isEqualTo(1e-2);
+    }
+
+    @Test
     void aMethodWithoutAPlanKeepsWhatAnotherHadForWhenItIsChosenAgain() {
         Choices coarse = Choices.none().with(TOLERANCE, 0.05).with(AVERAGE, Average.COHERENT);
-        SceneMethod full = new SceneMethod(coarse);
+        SceneMethod full = new SceneMethod(coarse.with(METHOD, FullMethod.TYPE));
         SceneMethod gem = full.with(Choices.none().with(METHOD, GemMethod.TYPE).with(SPACING, 1e-6));
         assertThat(gem.method()).isEqualTo(gem(1e-6).method().method());
         assertThat(gem.with(Choices.none().with(METHOD, FullMethod.TYPE))).isEqualTo(full);

@@ -1,7 +1,9 @@
 package sunbeam.app.viewer;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static sunbeam.precompute.method.Methods.METHOD;
 import static sunbeam.precompute.plan.MethodSettings.COHERENCE_LENGTH;
+import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
 
 import java.nio.file.Path;
 import java.util.Map;
@@ -20,6 +22,8 @@ import sunbeam.app.scene.ScenePicture;
 import sunbeam.app.scene.SceneSession;
 import sunbeam.app.scene.Scenes;
 import sunbeam.app.terminal.Environment;
+import sunbeam.precompute.method.FullMethod;
+import sunbeam.precompute.setting.Choices;
 
 @NeedsDisplay
 class PreviewBrightnessTest {
@@ -32,7 +36,8 @@ class PreviewBrightnessTest {
     /** A shorter coherence length spreads the same light over a wider angle; on a curved skin its sum stays. */
     @Test
     void previewsAreAsBrightAndAsColouredAsFinalPictures() {
-        Scene scales = Scenes.load("elaphe-scales");
+        Scene scales = Scenes.load("elaphe-scales")
+                .with(Choices.none().with(METHOD, FullMethod.TYPE).with(TOLERANCE, 0.02));
         Scene scene = scales.withBlend(new Blend(scales.blend().diffraction(), 0, 0, 0));
         LoadedScene loaded =
                 LoadedScene.load(new SceneLoader(new Environment(Map.of(), folder), line -> {}), scene, null);

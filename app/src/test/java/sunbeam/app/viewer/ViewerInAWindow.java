@@ -43,6 +43,8 @@ import sunbeam.app.scene.SceneWriter;
 import sunbeam.app.scene.Scenes;
 import sunbeam.app.scene.Viewpoint;
 import sunbeam.app.terminal.Environment;
+import sunbeam.precompute.method.FullMethod;
+import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.patch.PatchRequest;
 import sunbeam.precompute.plan.MethodSettings;
 import sunbeam.precompute.setting.Choices;
@@ -92,7 +94,10 @@ abstract class ViewerInAWindow {
         return elaphe.withMesh("cylinder")
                 .withView(new Viewpoint(camera, Math.toRadians(30)))
                 .withPatch(PatchRequest.of("blaze"))
-                .with(Choices.none().with(MethodSettings.TOLERANCE, 0.05).with(MethodSettings.COHERENCE_LENGTH, 15e-6))
+                .with(Choices.none()
+                        .with(Methods.METHOD, FullMethod.TYPE)
+                        .with(MethodSettings.TOLERANCE, 0.05)
+                        .with(MethodSettings.COHERENCE_LENGTH, 15e-6))
                 .withTexture("none")
                 .withBlend(new Blend(100, 0.5, 0.2, 0.1))
                 .withLight(new SceneLight(new Vector3f(0.3f, -0.6f, -0.42f), 1));

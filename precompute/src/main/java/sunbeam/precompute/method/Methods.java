@@ -83,7 +83,12 @@ public final class Methods {
         Optional<String> fixed = type.fixed(setting);
         if (fixed.isEmpty()) {
             throw choices.complaint(
-                    setting, "belongs to ", METHOD, " " + owners(setting) + ", not " + type.label() + "; leave it out");
+                    setting,
+                    "belongs to ",
+                    METHOD,
+                    " " + owners(setting) + ", not " + type.label() + "; leave it out or use ",
+                    METHOD,
+                    " " + labels(setting).get(0));
         }
         if (!fixed.get().equals(choices.written(setting))) {
             throw choices.complaint(
@@ -99,11 +104,15 @@ public final class Methods {
 
     /** Of the methods that have a setting: "pq or reference". */
     private static String owners(Setting<?> setting) {
-        List<String> labels = ALL.stream()
+        List<String> labels = labels(setting);
+        String last = labels.get(labels.size() - 1);
+        return labels.size() == 1 ? last : String.join(", ", labels.subList(0, labels.size() - 1)) + " or " + last;
+    }
+
+    private static List<String> labels(Setting<?> setting) {
+        return ALL.stream()
                 .filter(type -> type.has(setting))
                 .map(MethodType::label)
                 .toList();
-        String last = labels.get(labels.size() - 1);
-        return labels.size() == 1 ? last : String.join(", ", labels.subList(0, labels.size() - 1)) + " or " + last;
     }
 }

@@ -157,7 +157,9 @@ public final class Choices {
     private SettingException located(SettingException failure) {
         Setting<?> setting = failure.about();
         String value = has(setting) ? written(setting) : failure.value();
-        return new SettingException(setting, failure.problem(), origin(setting), value, failure);
+        // What the program chose in a user's place is for the user to change.
+        Origin place = origin(setting).place() == Origin.Place.PROGRAM ? home : origin(setting);
+        return new SettingException(setting, failure.problem(), place, value, failure);
     }
 
     /** The value of a setting as it may be written, or empty where it was not chosen. */

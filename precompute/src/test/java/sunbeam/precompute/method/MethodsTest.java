@@ -55,9 +55,10 @@ class MethodsTest {
     void refusesWhatBelongsToAnotherMethodNamingBoth() {
         assertThatThrownBy(() -> Methods.of(Choices.none().with(REPLICAS, 3)))
                 .isInstanceOf(SettingException.class)
-                .hasMessage("replicas 3 belongs to method pq or reference, not full; leave it out");
+                .hasMessage("replicas 3 belongs to method pq or reference, not full; leave it out or use method pq");
         assertThatThrownBy(() -> Methods.of(GEM.with(TOLERANCE, 0.1)))
-                .hasMessage("tolerance 0.1 belongs to method full, table, nmm or pq, not gem; leave it out");
+                .hasMessage(
+                        "tolerance 0.1 belongs to method full, table, nmm or pq, not gem; leave it out or use method full");
         assertThatThrownBy(() -> Methods.of(PQ.with(RADIUS, 3))).hasMessageContaining("not pq");
         assertThatThrownBy(() -> Methods.of(REFERENCE.with(TERMS, 3))).hasMessageContaining("not reference");
     }

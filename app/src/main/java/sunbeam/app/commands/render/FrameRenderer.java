@@ -19,15 +19,19 @@ final class FrameRenderer {
         this.supersample = supersample;
     }
 
+    /** Makes the colours that a scene's picture looks into. */
+    void prepare(Scene scene) {
+        parts.prepare(scene, supersample * size.width(), supersample * size.height(), supersample);
+    }
+
     /**
-     * Draws a scene.
+     * Draws a scene that was prepared.
      *
      * @param progress told after every tile how many pixels are done
      */
     ScenePicture render(Scene scene, LongConsumer progress) {
         int width = supersample * size.width();
         int height = supersample * size.height();
-        parts.prepare(scene, width, height, supersample);
         ScenePicture picture = ScenePicture.empty(size.width(), size.height());
         for (Tile tile : SceneSession.tiles(size.width(), size.height(), supersample)) {
             Tile fine = new Tile(

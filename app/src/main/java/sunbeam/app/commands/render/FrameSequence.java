@@ -71,13 +71,21 @@ final class FrameSequence implements AutoCloseable {
         long frames = Collections.frequency(missing, true);
         OptionalDouble exposure = missing.get(0) ? OptionalDouble.empty() : recordedExposure(files.get(0));
         List<Path> places = new ArrayList<>(files);
+        FrameRenderer frameRenderer = new FrameRenderer(new PartSum(sessions), size, supersample);
+        int first = linear == null ? missing.indexOf(true) : 0;
+        if (first >= 0) {
+            // Before the rest: the time that its colours take says nothing of how long pixels do.
+            frameRenderer.prepare(scenes.get(first));
+        }
         try (Progress progress = Progress.start("rendering", frames * size.width() * size.height())) {
-            FrameRenderer frameRenderer = new FrameRenderer(new PartSum(sessions), size, supersample);
             for (int i = 0; i < scenes.size(); i++) {
                 if (!missing.get(i) && linear == null) {
                     continue;
                 }
                 Scene scene = scenes.get(i);
+                if (i != first) {
+                    frameRenderer.prepare(scene);
+                }
                 ScenePicture picture = frameRenderer.render(scene, progress::step);
                 double factor = exposure.isPresent() ? exposure.getAsDouble() : SceneDisplay.exposure(scene, picture);
                 exposure = OptionalDouble.of(factor);

@@ -84,7 +84,8 @@ public final class RenderCommand implements Callable<Integer> {
     private AnimationOptions animation;
 
     @Mixin
-    private final SettingOptions overrides = SettingOptions.overriding(SceneOverrides.SETTINGS);
+    private final SettingOptions overrides =
+            SettingOptions.overriding(SceneOverrides.SETTINGS, SceneOverrides.STANDARDS);
 
     @Mixin
     private ForceOption force;

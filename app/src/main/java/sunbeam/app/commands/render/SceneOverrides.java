@@ -11,7 +11,10 @@ import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
+import java.util.Map;
 import sunbeam.app.scene.Scene;
+import sunbeam.app.scene.SceneMethod;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.scene.SkinIndex;
 import sunbeam.app.scene.mesh.BuiltInMeshes;
@@ -23,11 +26,25 @@ import sunbeam.precompute.patch.builtin.BuiltInPatches;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
+import sunbeam.precompute.units.Decimals;
 
 /** Choices that stand above what a scene says. */
 final class SceneOverrides {
     /** What may be chosen. */
     static final List<Setting<?>> SETTINGS = settings();
+
+    /** What a manual says of those that scenes need not name. */
+    static final Map<Setting<?>, String> STANDARDS = Map.of(
+            METHOD,
+            "the scene's, " + SceneMethod.STANDARD + " where it names none",
+            TOLERANCE,
+            String.format(
+                    Locale.ROOT,
+                    "the scene's; where it names none %s with table, %s otherwise",
+                    Decimals.format(SceneMethod.TABLE_TOLERANCE),
+                    TOLERANCE.writtenStandard().orElseThrow()),
+            AVERAGE,
+            "the scene's, ensemble where it names none");
 
     private SceneOverrides() {}
 

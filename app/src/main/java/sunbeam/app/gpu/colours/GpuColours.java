@@ -2,6 +2,7 @@ package sunbeam.app.gpu.colours;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.LongConsumer;
 import jrtr.Binding;
 import jrtr.FloatFormat;
 import jrtr.FloatTarget;
@@ -30,16 +31,18 @@ public final class GpuColours implements ColourSource {
     private static final float ASKED = 1;
 
     private final RenderContext context;
-    private final Progress progress;
+    private final LongConsumer done;
+    private final Runnable end;
     private UploadedTables method;
     private ShaderProgram program;
     private FloatTexture places;
     private FloatTarget target;
     private final List<Binding> bindings = new ArrayList<>();
 
-    private GpuColours(RenderContext context, String label, long places) {
+    private GpuColours(RenderContext context, LongConsumer done, Runnable end) {
         this.context = context;
-        this.progress = Progress.start(label, places);
+        this.done = done;
+        this.end = end;
     }
 
     /**
@@ -60,7 +63,22 @@ public final class GpuColours implements ColourSource {
      * @throws jrtr.GraphicsException if the device has no room for them
      */
     public static GpuColours of(String label, ShaderTables tables, long places) {
-        GpuColours colours = new GpuColours(RenderContexts.offscreen(), label, places);
+        RenderContext context = RenderContexts.offscreen();
+        Progress progress = Progress.start(label, places);
+        return prepared(new GpuColours(context, progress::step, progress::close), tables);
+    }
+
+    /**
+     * Uploads a method's tables; progress is somebody else's business.
+     *
+     * @param done told how many more places are done
+     * @throws jrtr.GraphicsException if the device has no room for them
+     */
+    public static GpuColours of(ShaderTables tables, LongConsumer done) {
+        return prepared(new GpuColours(RenderContexts.offscreen(), done, () -> {}), tables);
+    }
+
+    private static GpuColours prepared(GpuColours colours, ShaderTables tables) {
         try {
             colours.prepare(tables);
             return colours;
@@ -86,7 +104,7 @@ public final class GpuColours implements ColourSource {
         for (int start = 0; start < count; start += SIDE * SIDE) {
             int batch = Math.min(SIDE * SIDE, count - start);
             batch(uvw, xyz, start, batch);
-            progress.step(batch);
+            done.accept(batch);
         }
         return xyz;
     }
@@ -117,7 +135,7 @@ public final class GpuColours implements ColourSource {
 
     @Override
     public void close() {
-        progress.close();
+        end.run();
         // It owns all that lives in it.
         context.close();
     }

@@ -127,16 +127,10 @@ public final class LevelPages implements AutoCloseable {
             wanted.get(level).andNot(made.get(level));
         }
         requireRoom();
-        for (int level = 0; level < grids.size(); level++) {
-            if (!wanted.get(level).isEmpty()) {
-                make(level, wanted.get(level));
-            }
-            wanted.get(level).clear();
-        }
-    }
-
-    private void make(int level, BitSet pages) {
-        add(level, pages.stream().toArray(), sources.bake(level, pages));
+        sources.bakeAll(
+                wanted,
+                (level, coefficients) -> add(level, wanted.get(level).stream().toArray(), coefficients));
+        wanted.forEach(BitSet::clear);
     }
 
     private void add(int level, int[] pages, List<float[]> coefficients) {
@@ -229,8 +223,8 @@ public final class LevelPages implements AutoCloseable {
             throw new GraphicsException(String.format(
                     Locale.ROOT,
                     "the colours that this picture sees take %.0f MB of textures and %.0f MB of Java's heap, which may take"
-                            + " %.0f MB; give a coarser tolerance, a shorter coherence length, a smaller picture or the"
-                            + " method full (SUNBEAM_JAVA_OPTIONS=-Xmx%dm allows more)",
+                            + " %.0f MB; give a coarser tolerance, a shorter coherence length, a smaller picture or"
+                            + " method full (--method full); SUNBEAM_JAVA_OPTIONS=-Xmx%dm allows more",
                     textures / MEGABYTE,
                     heap / MEGABYTE,
                     most / MEGABYTE,

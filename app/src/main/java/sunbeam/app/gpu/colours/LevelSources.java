@@ -1,5 +1,6 @@
 package sunbeam.app.gpu.colours;
 
+import java.util.function.LongConsumer;
 import sunbeam.precompute.colourtable.ColourSource;
 import sunbeam.precompute.colourtable.KeptPages;
 import sunbeam.precompute.colourtable.TableLevels;
@@ -19,7 +20,7 @@ public interface LevelSources {
      * A source of a level's colours, to be closed by the caller.
      *
      * @param level its number
-     * @param places that will be asked for in all
+     * @param done told, from any thread, how many more places are done
      */
-    ColourSource open(int level, long places);
+    ColourSource open(int level, LongConsumer done);
 }

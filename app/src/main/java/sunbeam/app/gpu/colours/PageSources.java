@@ -6,6 +6,8 @@ import java.util.Iterator;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import java.util.function.BiConsumer;
+import sunbeam.app.terminal.progress.Progress;
 import sunbeam.precompute.colourtable.ColourSource;
 import sunbeam.precompute.colourtable.KeptPages;
 import sunbeam.precompute.colourtable.LevelBaking;
@@ -19,6 +21,7 @@ final class PageSources implements AutoCloseable {
     private final List<LevelBaking> bakings = new ArrayList<>();
     // By level: what a source needs takes longer to get than a few colours.
     private final Map<Integer, ColourSource> opened = new TreeMap<>();
+    private Progress progress = Progress.none();
     // Opened when the first page is asked for.
     private KeptPages kept;
 
@@ -49,7 +52,7 @@ final class PageSources implements AutoCloseable {
         if (!missing.isEmpty()) {
             LevelBaking baking = bakings.get(level);
             ColourSource source =
-                    opened.computeIfAbsent(level, number -> sources.open(number, baking.missing(missing)));
+                    opened.computeIfAbsent(level, number -> sources.open(number, count -> progress.step(count)));
             Iterator<float[]> made = baking.bake(missing, source).iterator();
             missing.stream().forEach(page -> {
                 float[] coefficients = made.next();
@@ -58,6 +61,38 @@ final class PageSources implements AutoCloseable {
             });
         }
         return List.copyOf(all.values());
+    }
+
+    /**
+     * As {@link #bake}, of all levels, with its progress.
+     *
+     * @param pages by level
+     * @param made told of each level what was made
+     */
+    void bakeAll(List<BitSet> pages, BiConsumer<Integer, List<float[]>> made) {
+        try (Progress shown = Progress.start("making colours", missing(pages))) {
+            progress = shown;
+            for (int level = 0; level < pages.size(); level++) {
+                if (!pages.get(level).isEmpty()) {
+                    made.accept(level, bake(level, pages.get(level)));
+                }
+            }
+        } finally {
+            progress = Progress.none();
+        }
+    }
+
+    /** Places that must be evaluated. */
+    private synchronized long missing(List<BitSet> pages) {
+        long places = 0;
+        for (int level = 0; level < pages.size(); level++) {
+            BitSet missing = (BitSet) pages.get(level).clone();
+            if (!missing.isEmpty()) {
+                missing.andNot(kept().kept(level, missing));
+                places += bakings.get(level).missing(missing);
+            }
+        }
+        return places;
     }
 
     /** Those of some pages that were made by an earlier run, and take no time now. */

@@ -32,8 +32,13 @@ public final class Progress implements AutoCloseable {
         quiet = wanted;
     }
 
+    /** Of a task that shows none. */
+    public static Progress none() {
+        return new Progress(null, null, null);
+    }
+
     /**
-     * Starts a task.
+     * Starts a task. While another one is under way, only the one that was started last is shown.
      *
      * @param label what is being done, for example {@code rendering}
      * @param total number of steps, at least 0
@@ -44,7 +49,7 @@ public final class Progress implements AutoCloseable {
 
     static Progress start(String label, long total, Terminal terminal, LongSupplier nanoseconds) {
         if (quiet || !terminal.interactive()) {
-            return new Progress(null, null, null);
+            return none();
         }
         ProgressLine line = new ProgressLine(terminal, nanoseconds);
         // On Ctrl-C the half-drawn line goes, and none is drawn after it.

@@ -1,10 +1,17 @@
 package sunbeam.app.terminal.progress;
 
+import java.util.Deque;
+import java.util.concurrent.ConcurrentLinkedDeque;
 import java.util.function.LongSupplier;
 import me.tongfei.progressbar.ProgressBarConsumer;
 
-/** The one line of a terminal that progress is drawn on, over and over; it leaves nothing behind. */
+/**
+ * The one line of a terminal that progress is drawn on, over and over; it leaves nothing behind. Of several, as of a task that is
+ * part of another, the newest has the terminal.
+ */
 final class ProgressLine implements ProgressBarConsumer {
+    private static final Deque<ProgressLine> OPEN = new ConcurrentLinkedDeque<>();
+
     private final Terminal terminal;
     private final LongSupplier nanoseconds;
     private final long start;
@@ -15,6 +22,7 @@ final class ProgressLine implements ProgressBarConsumer {
         this.terminal = terminal;
         this.nanoseconds = nanoseconds;
         this.start = nanoseconds.getAsLong();
+        OPEN.addLast(this);
     }
 
     /** One less than the terminal has: in the last column some terminals wrap. */
@@ -25,7 +33,7 @@ final class ProgressLine implements ProgressBarConsumer {
 
     @Override
     public synchronized void accept(String text) {
-        if (closed || nanoseconds.getAsLong() - start < Progress.DELAY.toNanos()) {
+        if (closed || OPEN.peekLast() != this || nanoseconds.getAsLong() - start < Progress.DELAY.toNanos()) {
             return;
         }
         String fitting = text.substring(0, Math.min(text.length(), getMaxRenderedLength()));
@@ -39,6 +47,7 @@ final class ProgressLine implements ProgressBarConsumer {
             print("\r" + " ".repeat(drawn) + "\r");
         }
         closed = true;
+        OPEN.remove(this);
     }
 
     private void print(String text) {

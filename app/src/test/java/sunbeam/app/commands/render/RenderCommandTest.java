@@ -35,7 +35,7 @@ class RenderCommandTest {
               "camera": { "position": ["-5 cm", "-10 cm", "40 cm"], "lookAt": ["0 m", "0 m", "0 m"] },
               "light": { "direction": [-0.2, 0.3, 0.9] },
               "texture": "none",
-              "plan": { "tolerance": 0.05 },
+              "plan": { "method": "full", "tolerance": 0.05 },
               "weights": { "diffraction": 30, "texture": 0.2, "ambient": 0.1 }
             }
             """;
@@ -80,11 +80,13 @@ class RenderCommandTest {
     }
 
     @Test
-    void aCertificateComparesAPictureWithPointsOfIt() {
+    void aCertificateComparesAPictureWithPointsOfIt() throws IOException {
         Path picture = folder.resolve("a.png");
-        assertThat(render(picture, "--method", "table", "--certify", "6"))
-                .as(err.toString())
-                .isZero();
+        Files.writeString(scene, SCENE.replaceFirst("\"method\": \"full\", ", ""));
+        assertThat(render(picture, "--certify", "6")).as(err.toString()).isZero();
+        assertThat(PngText.read(picture).get("Plan"))
+                .as("a scene that names no method")
+                .startsWith("table:");
         assertThat(render(picture, "--turn", "0:6")).isEqualTo(ExitCode.USAGE.code());
         assertThat(render(picture, "--certify", "0")).isEqualTo(ExitCode.USAGE.code());
         assertThat(render(picture, "--certify", "6", "--method", "nmm")).isEqualTo(ExitCode.USAGE.code());
@@ -179,6 +181,13 @@ class RenderCommandTest {
         assertThat(render(output, "--replicas", "2")).isEqualTo(ExitCode.USAGE.code());
         assertThat(render(output, "--method", "gem", "--patch", "elaphe-like")).isEqualTo(ExitCode.USAGE.code());
         assertThat(err.toString()).contains("for example 1um");
+        assertThat(render(output, "--method", "table", "--preset", "thesis")).isEqualTo(ExitCode.USAGE.code());
+        assertThat(run("render", "elaphe", "--coherence-length", "10mm", "--output", output.toString()))
+                .isEqualTo(ExitCode.USAGE.code());
+        assertThat(err.toString())
+                .contains(
+                        "--preset thesis belongs to --method full, nmm, pq or reference, not table; leave it out or use --method full")
+                .contains("a shorter --coherence-length, or --method full");
         assertThat(run("render", scene.toString(), "--size", "0x5")).isEqualTo(ExitCode.USAGE.code());
         assertThat(run("render", "elafe")).isEqualTo(ExitCode.UNUSABLE_INPUT.code());
         assertThat(output).doesNotExist();

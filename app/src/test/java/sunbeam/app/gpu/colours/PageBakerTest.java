@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.concurrent.Semaphore;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.LongConsumer;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import sunbeam.precompute.colourtable.ColourSource;
@@ -35,7 +36,7 @@ class PageBakerTest {
             }
 
             @Override
-            public ColourSource open(int level, long places) {
+            public ColourSource open(int level, LongConsumer done) {
                 return asked -> {
                     if (calls.getAndIncrement() == 0 && failure instanceof Error error) {
                         throw error;

@@ -79,8 +79,8 @@ class MethodOptionsTest {
                 "--anchor floor|--anchor floor is the middle of a neighbourhood of bins, but no radius is given; add for"
                         + " example --radius 3",
                 "--method nmm --interpolation sinc|--interpolation sinc belongs to --method pq, not nmm; leave it out",
-                "--replicas 3|--replicas 3 belongs to --method pq or reference, not full; leave it out",
-                "--spacing 1um|--spacing 1 um belongs to --method gem, not full; leave it out",
+                "--replicas 3|--replicas 3 belongs to --method pq or reference, not full; leave it out or use --method pq",
+                "--spacing 1um|--spacing 1 um belongs to --method gem, not full; leave it out or use --method gem",
                 "--method pq --replicas 0|--replicas 0 is out of range; give 1 to 10000",
                 "--method gem --spacing 1nm|--spacing 1 nm is out of range; give 100 nm to 1 mm",
                 "--method gem --spacing 3|--spacing \"3\" has no unit",

@@ -71,6 +71,21 @@ final class ProgressTest {
     }
 
     @Test
+    void ofATaskWithinATaskTheInnerOneIsDrawnUntilItEnds() {
+        try (ProgressLine outer = new ProgressLine(terminal(true), nanoseconds::get)) {
+            nanoseconds.set(Progress.DELAY.toNanos());
+            try (ProgressLine inner = new ProgressLine(terminal(true), () -> nanoseconds.get() * 2)) {
+                nanoseconds.set(2 * Progress.DELAY.toNanos());
+                outer.accept("outer");
+                inner.accept("inner");
+            }
+            assertThat(text()).isEqualTo("\rinner\r     \r");
+            outer.accept("outer");
+        }
+        assertThat(text()).isEqualTo("\rinner\r     \r\router\r     \r");
+    }
+
+    @Test
     void nothingIsDrawnAfterTheEnd() {
         ProgressLine line = new ProgressLine(terminal(true), nanoseconds::get);
         nanoseconds.set(Progress.DELAY.toNanos());
