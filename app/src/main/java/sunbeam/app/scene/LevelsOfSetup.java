@@ -53,6 +53,13 @@ final class LevelsOfSetup implements LevelSources {
         return colours::xyz;
     }
 
+    @Override
+    public void prepare() {
+        if (plan.spectrum().isPresent() && !setup.hasPages(plan)) {
+            spectrum(plan.spectrum().get());
+        }
+    }
+
     private synchronized RaySpectrum spectrum(Plan widened) {
         if (spectrum == null) {
             spectrum = new RaySpectrum(widened, setup.table(widened), plan.tolerance(), cie);

@@ -4,6 +4,8 @@ import java.awt.image.BufferedImage;
 import java.awt.image.DataBufferInt;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.function.BooleanSupplier;
 import jrtr.RenderContext;
 import jrtr.Tile;
 import jrtr.scene.PictureArea;
@@ -168,13 +170,19 @@ public final class SceneSession implements AutoCloseable {
         if (uploaded.skin().looks().isEmpty()) {
             return;
         }
-        note(width, height, parts, samples, SkinLooks.MOST_PLACES);
+        note(width, height, parts, samples, SkinLooks.MOST_PLACES, () -> false);
         uploaded.skin().looks().get().make();
     }
 
-    private void note(int width, int height, List<Tile> parts, int samples, int mostPlaces) {
+    /** Whether all was noted; else nothing is. */
+    private boolean note(
+            int width, int height, List<Tile> parts, int samples, int mostPlaces, BooleanSupplier interrupted) {
         SkinGeometry geometry = uploaded.geometry(width, height);
         for (Tile part : parts) {
+            if (interrupted.getAsBoolean()) {
+                uploaded.skin().looks().ifPresent(looks -> looks.pages().forget());
+                return false;
+            }
             for (SceneBlocks.Piece piece : SceneBlocks.split(width, height, part)) {
                 shading.look(
                         uploaded.skin().looks().get(),
@@ -185,6 +193,7 @@ public final class SceneSession implements AutoCloseable {
                         mostPlaces);
             }
         }
+        return true;
     }
 
     /**
@@ -207,25 +216,41 @@ public final class SceneSession implements AutoCloseable {
     }
 
     /**
-     * Asks the background for all that a picture looks into, and what {@link #moving} would; the share of the picture's that
-     * is there, 1 where nothing is missing.
+     * Asks the background for all that a picture looks into, and what {@link #moving} would, unless that is interrupted; it may
+     * take seconds.
+     *
+     * @param interrupted asked now and then
+     * @return the share of the picture's that is there, 1 where nothing is missing; nothing when it was interrupted
      */
-    public double request(int width, int height) {
+    public OptionalDouble request(int width, int height, BooleanSupplier interrupted) {
         if (uploaded.skin().looks().isEmpty()) {
-            return 1;
+            return OptionalDouble.of(1);
         }
-        note(width, height, tiles(width, height, 1), 1, SkinLooks.MOST_PLACES);
+        if (!note(width, height, tiles(width, height, 1), 1, SkinLooks.MOST_PLACES, interrupted)) {
+            return OptionalDouble.empty();
+        }
         double share = uploaded.skin().looks().get().pages().share();
-        requestMoving(width, height);
-        return share;
+        return requestMoving(width, height, interrupted) ? OptionalDouble.of(share) : OptionalDouble.empty();
     }
 
-    /** Asks the background for all that {@link #moving} looks into. */
-    public void requestMoving(int width, int height) {
-        uploaded.skin().looks().ifPresent(looks -> {
-            note(width, height, tiles(width, height, 1), 1, MovingSkin.MOST_PLACES);
-            looks.pages().request();
-        });
+    /** Share of what the background was asked for last that is there, 1 where nothing is missing. */
+    public double requestedShare() {
+        return uploaded.skin()
+                .looks()
+                .map(looks -> looks.pages().requestedShare())
+                .orElse(1.0);
+    }
+
+    /** Asks the background for all that {@link #moving} looks into; whether it could to the end. */
+    public boolean requestMoving(int width, int height, BooleanSupplier interrupted) {
+        if (uploaded.skin().looks().isEmpty()) {
+            return true;
+        }
+        if (!note(width, height, tiles(width, height, 1), 1, MovingSkin.MOST_PLACES, interrupted)) {
+            return false;
+        }
+        uploaded.skin().looks().get().pages().request();
+        return true;
     }
 
     /** Time that has gone to the mesh so far; the rest goes to pixels. */
@@ -261,6 +286,11 @@ public final class SceneSession implements AutoCloseable {
     /** Whether {@link #moving} can draw: where the method's colours are made as they are looked at, and coarse ones are there. */
     public boolean canMove() {
         return uploaded.skin().looks().map(looks -> looks.pages().hasResident()).orElse(false);
+    }
+
+    /** As {@link #canMove()}, if only by the coarsest colours. */
+    public boolean canMoveCoarsely() {
+        return uploaded.skin().looks().map(looks -> looks.pages().hasCoarsest()).orElse(false);
     }
 
     /**

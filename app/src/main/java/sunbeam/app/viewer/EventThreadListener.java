@@ -22,8 +22,9 @@ record EventThreadListener(RenderListener there) implements RenderListener {
     }
 
     @Override
-    public void preview(ViewState state, BufferedImage image, int divisor, double exposure, long nanoseconds) {
-        SwingUtilities.invokeLater(() -> there.preview(state, image, divisor, exposure, nanoseconds));
+    public void preview(
+            ViewState state, BufferedImage image, int divisor, boolean tables, double exposure, long nanoseconds) {
+        SwingUtilities.invokeLater(() -> there.preview(state, image, divisor, tables, exposure, nanoseconds));
     }
 
     @Override

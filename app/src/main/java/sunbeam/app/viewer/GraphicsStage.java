@@ -4,6 +4,7 @@ import java.awt.image.BufferedImage;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.function.BooleanSupplier;
 import jrtr.ContextInfo;
 import jrtr.RenderContext;
@@ -133,19 +134,28 @@ class GraphicsStage implements AutoCloseable {
         return any;
     }
 
-    /** Asks the background for all that a picture looks into; the share of it that is there, 1 where nothing is missing. */
-    double request(int width, int height) {
-        return fine.stream()
-                .mapToDouble(part -> part.request(width, height))
-                .average()
-                .orElse(1);
+    /**
+     * Asks the background for all that a picture looks into; the share of it that is there, 1 where nothing is missing. Nothing where
+     * it was interrupted.
+     */
+    OptionalDouble request(int width, int height, BooleanSupplier interrupted) {
+        double sum = 0;
+        for (SceneSession part : fine) {
+            OptionalDouble share = part.request(width, height, interrupted);
+            if (share.isEmpty()) {
+                return share;
+            }
+            sum += share.getAsDouble();
+        }
+        return OptionalDouble.of(sum / fine.size());
     }
 
     /** Asks the background for what pictures of what moves look into; nobody waits for it. */
-    void requestMoving(int width, int height) {
-        if (!state.moving().equals(requested)) {
+    void requestMoving(int width, int height, BooleanSupplier interrupted) {
+        if (!state.moving().equals(requested)
+                && moving.map(session -> session.requestMoving(width, height, interrupted))
+                        .orElse(true)) {
             requested = state.moving();
-            moving.ifPresent(session -> session.requestMoving(width, height));
         }
     }
 
@@ -160,7 +170,15 @@ class GraphicsStage implements AutoCloseable {
 
     /** Whether {@link #moving(int, int, int, double)} can draw the state. */
     boolean canMove() {
-        return mover().map(SceneSession::canMove).orElse(false);
+        // Of a scene that has no other picture yet, coarse colours are more than none.
+        return moving.isPresent()
+                ? moving.get().canMove()
+                : mover().map(SceneSession::canMoveCoarsely).orElse(false);
+    }
+
+    /** Share of what pictures that stand still wait for that is there, 1 where nothing is missing. */
+    double requestedShare() {
+        return fine.stream().mapToDouble(SceneSession::requestedShare).average().orElse(1);
     }
 
     private Optional<SceneSession> mover() {

@@ -7,10 +7,14 @@ import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneData;
 import sunbeam.app.scene.SceneLoader;
 import sunbeam.app.scene.SceneMethod;
+import sunbeam.app.work.Meanwhile;
 import sunbeam.precompute.method.FullMethod;
+import sunbeam.precompute.method.GemMethod;
 import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.method.TableMethod;
 import sunbeam.precompute.patch.Patch;
+import sunbeam.precompute.plan.MethodSettings;
+import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.SettingException;
 
 /**
@@ -30,6 +34,10 @@ record LoadedScene(
         Optional<SceneData> mapped,
         boolean isWhole) {
 
+    // Without diffracted light any method will do: one that needs no tables.
+    private static final SceneMethod BARE =
+            new SceneMethod(Choices.none().with(Methods.METHOD, GemMethod.TYPE).with(MethodSettings.SPACING, 1e-6));
+
     /**
      * Loads all, or what differs from the previous one. May take seconds. Without a previous one, what pictures can do without
      * is left for the next load, so that the first one comes soon.
@@ -37,11 +45,21 @@ record LoadedScene(
     static LoadedScene load(SceneLoader loader, Scene scene, LoadedScene previous) {
         List<SceneData> parts = previous == null ? loader.parts(scene) : loader.parts(scene, previous.parts);
         SceneData fine = parts.get(0);
-        Scene preview = coarse(scene, fine.patch());
+        Scene preview = coarse(scene, parts);
+        if (previous == null && isLookedUp(parts)) {
+            // Long before anybody looks: what that needs is one processor's work, as is opening OpenGL.
+            fine.levels()
+                    .ifPresent(levels -> Meanwhile.start(() -> {
+                        levels.prepare();
+                        return levels;
+                    }));
+        }
         boolean kept = previous != null && previous.coarse.suits(preview);
         SceneData coarse = kept ? previous.coarse.with(preview) : loader.preview(preview, fine);
         Optional<SceneData> moving = previous == null ? Optional.empty() : moving(loader, scene, fine, previous);
+        boolean later = previous == null && isLookedUp(parts);
         Optional<SceneData> mapped = tabulated(scene, fine.patch())
+                .filter(full -> !later)
                 .map(full -> other(loader, full, fine, previous == null ? Optional.empty() : previous.mapped));
         return new LoadedScene(parts, coarse, moving, mapped, previous != null);
     }
@@ -92,14 +110,36 @@ record LoadedScene(
     LoadedScene with(Scene scene) {
         return new LoadedScene(
                 parts.stream().map(part -> part.with(scene)).toList(),
-                coarse.with(coarse(scene, fine().patch())),
+                coarse.with(coarse(scene, parts)),
                 moving.map(data -> data.with(scene.withMethod(data.scene().method()))),
                 mapped.map(data -> data.with(scene.withMethod(data.scene().method()))),
                 isWhole);
     }
 
-    private static Scene coarse(Scene scene, Patch patch) {
-        SceneMethod seen = tabulated(scene.method().seeing(patch));
+    /** Whether coarse colours come so soon that nothing else need be drawn by: those of an ensemble average have levels. */
+    private static boolean isLookedUp(List<SceneData> parts) {
+        return parts.size() == 1
+                && parts.get(0)
+                        .levels()
+                        .filter(levels -> levels.levels().levels().size() > 1)
+                        .isPresent();
+    }
+
+    /** Whether nothing but the body is drawn before there are colours. */
+    boolean waitsForColours() {
+        return isLookedUp(parts);
+    }
+
+    /** Whether a BRDF map can be drawn. */
+    boolean hasMap() {
+        return mapped.isPresent() || fine().levels().isEmpty();
+    }
+
+    private static Scene coarse(Scene scene, List<SceneData> parts) {
+        if (isLookedUp(parts)) {
+            return scene.withMethod(BARE).withBlend(scene.blend().withDiffraction(0));
+        }
+        SceneMethod seen = tabulated(scene.method().seeing(parts.get(0).patch()));
         SceneMethod method = PreviewPlan.of(seen);
         double scale = PreviewPlan.radianceScale(seen, method);
         Blend blend = scene.blend();

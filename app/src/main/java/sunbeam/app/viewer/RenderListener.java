@@ -20,10 +20,11 @@ interface RenderListener {
      *
      * @param state what it shows
      * @param divisor its diffracted light has a divisor-th of the columns and rows
+     * @param tables whether it is by tables of colours, so that pixels have the mean of what they see
      * @param exposure factor that was applied
      * @param nanoseconds that it took
      */
-    void preview(ViewState state, BufferedImage image, int divisor, double exposure, long nanoseconds);
+    void preview(ViewState state, BufferedImage image, int divisor, boolean tables, double exposure, long nanoseconds);
 
     /**
      * The whole picture as {@code render} writes it.

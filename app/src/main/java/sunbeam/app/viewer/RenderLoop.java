@@ -20,6 +20,9 @@ import sunbeam.precompute.method.MethodPlan;
 final class RenderLoop implements AutoCloseable {
     // Pauses between two events of one drag are shorter.
     private static final long STILL_MILLISECONDS = 150;
+    // Of some hundred pages.
+    private static final long KEPT_MILLISECONDS = 300;
+    private static final long LOOK_MILLISECONDS = 10;
 
     private final Inbox<ViewState, Consumer<GraphicsStage>> inbox = new Inbox<>();
     private final Supplier<GraphicsStage> opening;
@@ -91,7 +94,15 @@ final class RenderLoop implements AutoCloseable {
     private void goOn(GraphicsStage stage) {
         if (stage.takeBaked() && unfinished.isPresent() && !inbox.isInterrupted()) {
             ViewState state = unfinished.get();
-            guarded(() -> finish(stage, state, unfinishedExposure));
+            double share = stage.requestedShare();
+            // Where pixels look takes seconds to find, and is known.
+            guarded(() -> {
+                if (share < 1) {
+                    await(stage, state, share);
+                } else {
+                    finish(stage, state, unfinishedExposure);
+                }
+            });
         }
     }
 
@@ -119,31 +130,66 @@ final class RenderLoop implements AutoCloseable {
             Finished picture = kept.get();
             listener.complete(state, picture.image(), picture.exposure(), picture.nanoseconds());
             check(map(stage, state, false) && map(stage, state, true));
-            guarded(() -> stage.requestMoving(state.width(), state.height()));
+            guarded(() -> stage.requestMoving(state.width(), state.height(), inbox::isInterrupted));
             return;
         }
         finished = Optional.empty();
         unfinished = Optional.empty();
+        if (state.isBare()) {
+            awaitKept(stage);
+        }
         double exposure = preview(stage, state);
         if (isStill(stage)) {
             finish(stage, state, exposure);
         }
     }
 
+    /** Colours that an earlier run has kept are read sooner than the body alone is drawn. */
+    private void awaitKept(GraphicsStage stage) {
+        long end = System.nanoTime() + KEPT_MILLISECONDS * 1_000_000;
+        try {
+            while (!stage.canMove() && System.nanoTime() < end && !inbox.isInterrupted()) {
+                Thread.sleep(LOOK_MILLISECONDS);
+                stage.takeBaked();
+            }
+        } catch (InterruptedException failure) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
     /** Refines what stands still, as far as its colours have been made; the rest is taken up when they come. */
     private void finish(GraphicsStage stage, ViewState state, double exposure) {
-        double share = stage.request(state.width(), state.height());
+        if (state.isBare()) {
+            // Before it is found where all pixels look, which takes seconds.
+            unfinished = Optional.of(state);
+            unfinishedExposure = exposure;
+            await(stage, state, 0);
+            if (!stage.canMove()) {
+                return;
+            }
+        }
+        OptionalDouble found = stage.request(state.width(), state.height(), inbox::isInterrupted);
+        if (found.isEmpty()) {
+            return;
+        }
+        double share = found.getAsDouble();
         unfinished = share < 1 ? Optional.of(state) : Optional.empty();
         if (unfinished.isPresent()) {
             unfinishedExposure = exposure;
-            if (stage.canMove()) {
-                moving(stage, state, 1, exposure);
-            }
-            listener.waiting(share);
+            await(stage, state, share);
+            map(stage, state, false);
             return;
         }
         check(map(stage, state, false) && refine(stage, state, exposure));
-        guarded(() -> stage.requestMoving(state.width(), state.height()));
+        guarded(() -> stage.requestMoving(state.width(), state.height(), inbox::isInterrupted));
+    }
+
+    /** Shows what there is while colours are being made. */
+    private void await(GraphicsStage stage, ViewState state, double share) {
+        if (stage.canMove()) {
+            moving(stage, state, 1, unfinishedExposure);
+        }
+        listener.waiting(share);
     }
 
     private void check(boolean done) {
@@ -186,19 +232,20 @@ final class RenderLoop implements AutoCloseable {
     private void moving(GraphicsStage stage, ViewState state, int divisor, double exposure) {
         long start = System.nanoTime();
         BufferedImage image = stage.moving(state.width(), state.height(), divisor, exposure);
-        listener.preview(state, image, divisor, exposure, System.nanoTime() - start);
+        listener.preview(state, image, divisor, true, exposure, System.nanoTime() - start);
     }
 
     private double reduced(GraphicsStage stage, ViewState state) {
         long start = System.nanoTime();
         Scene scene = state.coarse().scene();
-        int divisor = scale.divisor();
+        // The body alone takes no time.
+        int divisor = state.isBare() ? 1 : scale.divisor();
         ScenePreview preview = stage.preview(state.width(), state.height(), divisor);
         double exposure = exposures.ofPreview(state.fine(), () -> stage.exposure(scene, preview.picture()));
         BufferedImage image = stage.image(scene, preview.picture(), exposure);
         long taken = System.nanoTime() - start;
         followTime(state.coarse().method(), taken, preview.fixed(taken));
-        listener.preview(state, image, divisor, exposure, taken);
+        listener.preview(state, image, divisor, false, exposure, taken);
         return exposure;
     }
 

@@ -30,6 +30,12 @@ record ViewState(
         return parts.get(0);
     }
 
+    /** Whether what is coarse shows the body alone, until there are colours. */
+    boolean isBare() {
+        return coarse.scene().blend().diffraction() == 0
+                && fine().scene().blend().diffraction() > 0;
+    }
+
     /** Whether only the BRDF map may differ, as after a pick. */
     @SuppressWarnings("ReferenceEquality") // the same objects as long as nothing has changed
     boolean showsThePictureOf(ViewState other) {

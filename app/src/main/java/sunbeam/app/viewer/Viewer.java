@@ -31,6 +31,7 @@ final class Viewer {
     private final Background writing = new Background("files");
     private final CountDownLatch closed = new CountDownLatch(1);
     private final FirstPicture firstPicture = new FirstPicture();
+    private final StartJournal journal;
     private Scene asLoaded;
     private FrameObserver observer = FrameObserver.NONE;
     private boolean coneShown = true;
@@ -45,8 +46,14 @@ final class Viewer {
      * @param scene to begin with
      * @param loader loads a scene, given the last one (null at first)
      * @param opening opens OpenGL, on the render thread
+     * @param journal of what is reached
      */
-    Viewer(Scene scene, BiFunction<Scene, LoadedScene, LoadedScene> loader, Supplier<GraphicsStage> opening) {
+    Viewer(
+            Scene scene,
+            BiFunction<Scene, LoadedScene, LoadedScene> loader,
+            Supplier<GraphicsStage> opening,
+            StartJournal journal) {
+        this.journal = journal;
         asLoaded = scene;
         model = new ViewerModel(scene, loader, loading);
         window = new ViewerWindow(title(scene), model);
@@ -79,6 +86,7 @@ final class Viewer {
     /** Shows the window and begins. */
     void start() {
         window.setVisible(true);
+        journal.reached(StartJournal.Stage.WINDOW);
         window.picture().requestFocusInWindow();
         window.controls().follow();
         loop.start();
@@ -104,6 +112,11 @@ final class Viewer {
     /** For waiting until something is to be seen. */
     FirstPicture firstPicture() {
         return firstPicture;
+    }
+
+    /** When what was reached. */
+    StartJournal journal() {
+        return journal;
     }
 
     /** Has somebody watch what comes on screen. */
@@ -150,7 +163,7 @@ final class Viewer {
             CompletableFuture<Boolean> moves = new CompletableFuture<>();
             loop.submit(stage -> moves.complete(stage.canMove()));
             try {
-                if (moves.get(patience, TimeUnit.MILLISECONDS)) {
+                if (moves.get(patience, TimeUnit.MILLISECONDS) && journal.has(StartJournal.Stage.COLOURS)) {
                     return true;
                 }
             } catch (ExecutionException | TimeoutException noAnswer) {
@@ -215,7 +228,13 @@ final class Viewer {
         }
         LoadedScene loaded = model.loaded().get();
         asked = new ViewState(
-                loaded.parts(), loaded.coarse(), loaded.moving(), loaded.mapped(), width, height, mapLight());
+                loaded.parts(),
+                loaded.coarse(),
+                loaded.moving(),
+                loaded.mapped(),
+                width,
+                height,
+                loaded.hasMap() ? mapLight() : Optional.empty());
         observer.asked(asked);
         loop.show(asked);
     }
@@ -264,9 +283,10 @@ final class Viewer {
             inspector.follow(model.scene());
             window.controls().follow();
             followLight();
-            model.loaded()
-                    .ifPresent(loaded ->
-                            window.status().plan(loaded.fine().method().summary()));
+            model.loaded().ifPresent(loaded -> {
+                journal.reached(StartJournal.Stage.LOADED);
+                window.status().plan(loaded.fine().method().summary());
+            });
             show();
         }
 
@@ -292,6 +312,7 @@ final class Viewer {
     private final class FromRenderThread implements RenderListener {
         @Override
         public void opened(ContextInfo info) {
+            journal.reached(StartJournal.Stage.CONTEXT);
             files.drawnBy(info.renderer());
             window.status().renderer(info.renderer());
         }
@@ -308,14 +329,21 @@ final class Viewer {
         public void refused(String message) {
             window.status().message(message);
             firstPicture.cannotCome(message);
+            model.loadRest();
             if (window.picture().picture().isEmpty()) {
                 window.picture().showMessage(message);
             }
         }
 
         @Override
-        public void preview(ViewState state, BufferedImage image, int divisor, double exposure, long nanoseconds) {
+        public void preview(
+                ViewState state, BufferedImage image, int divisor, boolean tables, double exposure, long nanoseconds) {
             show(state, image, false, exposure);
+            journal.reached(state.isBare() && !tables ? StartJournal.Stage.BODY : StartJournal.Stage.COLOURS);
+            if (tables || !state.isBare()) {
+                // Only now: it would take the processors from what is seen first.
+                model.loadRest();
+            }
             window.status().preview(divisor, nanoseconds);
             // Swing paints before whatever is queued now.
             SwingUtilities.invokeLater(() -> observer.shown(state, divisor));
@@ -329,6 +357,7 @@ final class Viewer {
         @Override
         public void complete(ViewState state, BufferedImage image, double exposure, long nanoseconds) {
             show(state, image, true, exposure);
+            journal.reached(StartJournal.Stage.FINAL);
             completed = state;
             window.status().complete(nanoseconds);
             files.pictureIsFinal(state.fine(), exposure);

@@ -33,6 +33,7 @@ final class ViewerModel {
     // What was loaded while a newer load was already wanted; stays if that one fails.
     private LoadedScene overtaken;
     private long overtakenLoad;
+    private boolean loadsRest;
     private final AtomicLong newestLoad = new AtomicLong();
     // Scenes that are being opened, the first one first.
     private final List<Opening> openings = new ArrayList<>();
@@ -130,7 +131,15 @@ final class ViewerModel {
         loaded = result.with(withPartsOf(wanted, result.fine().scene()));
         endOpenings(number);
         listener.changed();
-        if (!loaded.isWhole()) {
+        if (!loaded.isWhole() && !loaded.waitsForColours()) {
+            load();
+        }
+    }
+
+    /** Loads what pictures can do without, where that was left for later. */
+    void loadRest() {
+        if (loaded != null && !loaded.isWhole() && !loadsRest) {
+            loadsRest = true;
             load();
         }
     }

@@ -4,6 +4,7 @@ import com.formdev.flatlaf.FlatDarkLaf;
 import java.awt.GraphicsEnvironment;
 import java.lang.reflect.InvocationTargetException;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Consumer;
 import javax.swing.SwingUtilities;
@@ -12,6 +13,7 @@ import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneLoader;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.Messages;
+import sunbeam.app.work.Meanwhile;
 
 /** From a scene to a window. */
 final class ViewerStart {
@@ -53,7 +55,11 @@ final class ViewerStart {
                     ? String.format(Locale.ROOT, "; tables of colours for what moves after %.1f s", secondsSince(start))
                     : "";
             String starting = String.format(Locale.ROOT, "first picture after %.1f s%s", first, tables);
-            return starting + System.lineSeparator() + ViewMeasurement.of(viewer, seconds);
+            return viewer.journal().report()
+                    + System.lineSeparator()
+                    + starting
+                    + System.lineSeparator()
+                    + ViewMeasurement.of(viewer, seconds);
         } finally {
             SwingUtilities.invokeLater(viewer::quit);
             viewer.awaitEnd(PATIENCE_MILLISECONDS);
@@ -72,16 +78,26 @@ final class ViewerStart {
 
     /** Shows a scene and returns. */
     static Viewer open(Scene scene, Environment environment, Consumer<String> warning) throws InterruptedException {
+        StartJournal journal = StartJournal.ofProcess();
+        journal.reached(StartJournal.Stage.COMMAND);
         AtomicReference<Viewer> viewer = new AtomicReference<>();
         SceneLoader loader = new SceneLoader(environment, line -> {
             warning.accept(Messages.warning(line));
-            viewer.get().message(line);
+            // What is said before there is a window stands in the terminal.
+            Optional.ofNullable(viewer.get()).ifPresent(shown -> shown.message(line));
         });
+        // While Swing starts, which is one processor's work.
+        Meanwhile<LoadedScene> first = Meanwhile.start(() -> LoadedScene.load(loader, scene, null));
         try {
             SwingUtilities.invokeAndWait(() -> {
                 FlatDarkLaf.setup();
                 viewer.set(new Viewer(
-                        scene, (next, previous) -> LoadedScene.load(loader, next, previous), GraphicsStage::new));
+                        scene,
+                        (next, previous) -> previous == null && next.equals(scene)
+                                ? first.get()
+                                : LoadedScene.load(loader, next, previous),
+                        GraphicsStage::new,
+                        journal));
                 viewer.get().start();
             });
         } catch (InvocationTargetException failure) {

@@ -23,9 +23,13 @@ final class ViewerLifeWindowTest extends ViewerInAWindow {
     @Test
     void withoutOpenGLALabelSaysWhy() throws Exception {
         Viewer blind = onEvents(() -> {
-            Viewer made = new Viewer(scene(), (next, previous) -> null, () -> {
-                throw new GraphicsException("no OpenGL 3.3 here");
-            });
+            Viewer made = new Viewer(
+                    scene(),
+                    (next, previous) -> null,
+                    () -> {
+                        throw new GraphicsException("no OpenGL 3.3 here");
+                    },
+                    StartJournal.ofProcess());
             made.start();
             return made;
         });

@@ -111,23 +111,28 @@ public record LevelGrid(TableDesign design) {
 
     /** Tells of all pages that a look-up reads; of some beside them too, where it falls close to their edges. */
     public void visit(double u, double v, double w, PageVisitor visitor) {
-        double x = (u - origin()) / design.step();
-        double y = (v - origin()) / design.step();
+        // Once: pictures ask for some ten million.
+        int columns = columns();
+        double middle = 0.5 * columns * SIDE;
+        double x = u / design.step() + middle;
+        double y = v / design.step() + middle;
         double slice = -w / design.sliceStep();
         int low = firstSlice(slice - ROUNDING);
         int high = firstSlice(slice + ROUNDING) + TableDesign.TAPS;
-        for (int row = page(y - ROUNDING); row <= page(y + ROUNDING); row++) {
-            for (int column = page(x - ROUNDING); column <= page(x + ROUNDING); column++) {
+        int right = page(x + ROUNDING, columns);
+        int bottom = page(y + ROUNDING, columns);
+        for (int row = page(y - ROUNDING, columns); row <= bottom; row++) {
+            for (int column = page(x - ROUNDING, columns); column <= right; column++) {
                 for (int i = low; i < high; i++) {
-                    visitor.visit((i * columns() + row) * columns() + column);
+                    visitor.visit((i * columns + row) * columns + column);
                 }
             }
         }
     }
 
     /** What lies beyond all (u, v), as a wide pixel's rim may, is looked up at the edge; so does the shader. */
-    private int page(double texel) {
-        return Math.max(1, Math.min(columns() - 2, (int) Math.floor(texel / SIDE)));
+    private static int page(double texel, int columns) {
+        return Math.max(1, Math.min(columns - 2, (int) Math.floor(texel / SIDE)));
     }
 
     /** At both ends of the range all slices lie on one side. */

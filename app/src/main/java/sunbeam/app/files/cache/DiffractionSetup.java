@@ -134,6 +134,11 @@ public final class DiffractionSetup {
         return store.tables(plan, use, colours);
     }
 
+    /** Whether there may be such pages. */
+    public boolean hasPages(LevelledPlan plan) {
+        return store.hasPages(plan);
+    }
+
     /** Pages of a plan's levels of colours that are kept for later runs; to be closed by the caller. */
     public KeptPages pages(LevelledPlan plan) {
         return store.pages(plan);

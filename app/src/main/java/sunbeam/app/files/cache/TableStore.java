@@ -75,14 +75,23 @@ public final class TableStore {
         });
     }
 
-    /** Pages of levels of colours that are kept for later runs; none without a cache folder. */
-    KeptPages pages(LevelledPlan plan) {
-        String key = String.join(
+    private static String pagesKey(LevelledPlan plan) {
+        return String.join(
                 "|",
                 "pages " + ShaderTablesFile.VERSION,
                 plan.key(MethodUse.COLOUR),
                 String.valueOf(plan.tolerance()),
                 plan.spectrum().map(Plan::key).orElse(""));
+    }
+
+    /** Whether there is a file of such pages; it may be damaged. */
+    boolean hasPages(LevelledPlan plan) {
+        return file(pagesKey(plan), CacheEntry.PAGES).filter(Files::exists).isPresent();
+    }
+
+    /** Pages of levels of colours that are kept for later runs; none without a cache folder. */
+    KeptPages pages(LevelledPlan plan) {
+        String key = pagesKey(plan);
         TableLabel label = new TableLabel(surface.identity().name(), plan.summary());
         Optional<Path> file = file(key, CacheEntry.PAGES);
         if (file.isEmpty()) {

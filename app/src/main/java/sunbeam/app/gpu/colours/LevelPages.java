@@ -34,6 +34,8 @@ public final class LevelPages implements AutoCloseable {
     // Coarse levels as a whole, so that whatever comes into view has colours at once.
     private final List<BitSet> resident = new ArrayList<>();
     private boolean residentThere;
+    // What was asked of the background last.
+    private List<BitSet> requested = List.of();
     private Optional<PageBaker> baker = Optional.empty();
 
     /** Nothing is made yet. */
@@ -73,9 +75,7 @@ public final class LevelPages implements AutoCloseable {
             return false;
         }
         for (int level = 0; level < resident.size(); level++) {
-            BitSet missing = (BitSet) resident.get(level).clone();
-            missing.andNot(made.get(level));
-            if (!missing.isEmpty()) {
+            if (!isThere(level)) {
                 return false;
             }
         }
@@ -180,12 +180,33 @@ public final class LevelPages implements AutoCloseable {
         baker.ifPresent(PageBaker::hold);
     }
 
+    /** Whether every look-up finds a page, if only of the coarsest level. */
+    public boolean hasCoarsest() {
+        int last = grids.size() - 1;
+        return !resident.get(last).isEmpty() && isThere(last);
+    }
+
+    private boolean isThere(int level) {
+        BitSet missing = (BitSet) resident.get(level).clone();
+        missing.andNot(made.get(level));
+        return missing.isEmpty();
+    }
+
     /** Share of what was noted that is there already, 1 for all. */
     public double share() {
-        long all = count(wanted);
+        return share(wanted);
+    }
+
+    /** Share of what was requested last that is there already, 1 for all. */
+    public double requestedShare() {
+        return share(requested);
+    }
+
+    private double share(List<BitSet> pages) {
+        long all = count(pages);
         long there = 0;
-        for (int level = 0; level < grids.size(); level++) {
-            BitSet both = (BitSet) wanted.get(level).clone();
+        for (int level = 0; level < pages.size(); level++) {
+            BitSet both = (BitSet) pages.get(level).clone();
             both.and(made.get(level));
             there += both.cardinality();
         }
@@ -199,14 +220,22 @@ public final class LevelPages implements AutoCloseable {
      */
     public void request() {
         List<BitSet> missing = new ArrayList<>();
+        List<BitSet> asked = new ArrayList<>();
         for (int level = 0; level < grids.size(); level++) {
             wanted.get(level).or(resident.get(level));
+            asked.add((BitSet) wanted.get(level).clone());
             wanted.get(level).andNot(made.get(level));
             missing.add((BitSet) wanted.get(level).clone());
         }
         requireRoom();
+        requested = asked;
         wanted.forEach(BitSet::clear);
         baker.orElseThrow().want(missing);
+    }
+
+    /** Goes back on what was noted. */
+    public void forget() {
+        wanted.forEach(BitSet::clear);
     }
 
     private static long count(List<BitSet> pages) {

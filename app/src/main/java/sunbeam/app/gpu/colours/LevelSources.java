@@ -16,6 +16,9 @@ public interface LevelSources {
         return KeptPages.NONE;
     }
 
+    /** Makes what all levels need, if they will need it: without effect on what they give. Any thread may do so. */
+    default void prepare() {}
+
     /**
      * A source of a level's colours, to be closed by the caller.
      *

@@ -13,8 +13,8 @@ import java.util.concurrent.ForkJoinPool;
 import java.util.concurrent.TimeUnit;
 
 /**
- * Makes pages of levels on a thread of its own, a few at a time: those that were asked for last. It keeps one processor busy, and
- * none while {@link #hold} says that pictures are being drawn.
+ * Makes pages of levels on a thread of its own, a few at a time: those that were asked for last. It keeps one processor busy, all
+ * where nothing has moved for a while, and none while {@link #hold} says that pictures are being drawn.
  */
 final class PageBaker implements AutoCloseable {
     // Pages that are made at once: a second's work. What is asked for meanwhile waits for them.
@@ -23,6 +23,8 @@ final class PageBaker implements AutoCloseable {
     private static final int MOST_AT_ONCE = 20_000;
     private static final int LIFE_DAYS = 1000;
     private static final long HOLD_NANOSECONDS = 300_000_000;
+    // Nothing has moved for so long: what stands still may as well have all processors.
+    private static final long STILL_NANOSECONDS = 2_000_000_000;
     private static final long PATIENCE_MILLISECONDS = 5000;
 
     /**
@@ -45,7 +47,7 @@ final class PageBaker implements AutoCloseable {
     private final Thread thread;
     // Guarded by this.
     private List<BitSet> wanted = List.of();
-    private long heldUntil = System.nanoTime();
+    private long heldUntil = System.nanoTime() - STILL_NANOSECONDS;
     private boolean closed;
     private Throwable failure;
 
@@ -116,12 +118,21 @@ final class PageBaker implements AutoCloseable {
         Arrays.stream(due.pages()).forEach(pages::set);
         int level = due.level();
         try {
-            List<float[]> coefficients = CompletableFuture.supplyAsync(() -> sources.bake(level, pages), processor)
-                    .join();
+            List<float[]> coefficients = maySpread()
+                    ? sources.bake(level, pages)
+                    : CompletableFuture.supplyAsync(() -> sources.bake(level, pages), processor)
+                            .join();
             baked.add(new Baked(level, due.pages(), coefficients));
         } catch (CompletionException problem) {
             giveUp(level, pages, problem.getCause());
+        } catch (RuntimeException | Error problem) {
+            giveUp(level, pages, problem);
         }
+    }
+
+    /** Whether all processors may work: levels are made by the processors alone, and nothing moves. */
+    private synchronized boolean maySpread() {
+        return sources.grids().size() > 1 && System.nanoTime() - heldUntil > STILL_NANOSECONDS;
     }
 
     /** Nothing more is made before it is asked for again. */

@@ -1,0 +1,65 @@
+package sunbeam.app.viewer;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.util.LinkedHashMap;
+import java.util.Locale;
+import java.util.Map;
+import java.util.function.Supplier;
+
+/** When the viewer's start reached what, in seconds from the start of the process. Thread-safe. */
+final class StartJournal {
+    /** What is waited for at a start, in words for a report. */
+    enum Stage {
+        COMMAND("scene read"),
+        WINDOW("window"),
+        LOADED("patch, texture and plan"),
+        CONTEXT("OpenGL"),
+        BODY("body"),
+        COLOURS("first anti-aliased picture"),
+        FINAL("final picture");
+
+        private final String words;
+
+        Stage(String words) {
+            this.words = words;
+        }
+    }
+
+    private final Map<Stage, Double> seconds = new LinkedHashMap<>();
+    private final Instant start;
+    private final Supplier<Instant> clock;
+
+    /** @param clock tells the time */
+    StartJournal(Instant start, Supplier<Instant> clock) {
+        this.start = start;
+        this.clock = clock;
+    }
+
+    /** Of this process. */
+    static StartJournal ofProcess() {
+        return new StartJournal(ProcessHandle.current().info().startInstant().orElseGet(Instant::now), Instant::now);
+    }
+
+    /** Notes the first time that a stage is reached. */
+    synchronized void reached(Stage stage) {
+        seconds.computeIfAbsent(
+                stage, first -> Duration.between(start, clock.get()).toMillis() * 1e-3);
+    }
+
+    /** Whether a stage was reached. */
+    synchronized boolean has(Stage stage) {
+        return seconds.containsKey(stage);
+    }
+
+    /** One line: what was reached when. */
+    synchronized String report() {
+        StringBuilder line = new StringBuilder("since the process began:");
+        String between = " ";
+        for (Map.Entry<Stage, Double> entry : seconds.entrySet()) {
+            line.append(String.format(Locale.ROOT, "%s%s %.1f s", between, entry.getKey().words, entry.getValue()));
+            between = ", ";
+        }
+        return line.toString();
+    }
+}
