@@ -48,9 +48,7 @@ final class LevelsOfSetup implements LevelSources {
         }
         TableLevels.Level wanted = plan.levels().levels().get(level);
         RaySpectrum terms = spectrum(plan.spectrum().get());
-        RayColours colours =
-                new RayColours(terms, wanted.area(), wanted.design().step(), level == 0, done::accept);
-        return colours::xyz;
+        return new RayColours(terms, wanted.area(), wanted.design().step(), level == 0, done);
     }
 
     @Override
