@@ -3,14 +3,12 @@ package sunbeam.app.longrun;
 import java.io.ByteArrayInputStream;
 import java.io.DataInputStream;
 import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
-import java.util.stream.Stream;
 import sunbeam.precompute.colourtable.LevelBaking;
 
 /** The records of a file of pages in the cache (sunbeam.app.files.cache.PageFile). */
@@ -23,15 +21,7 @@ final class KeptPageRecords {
     private KeptPageRecords() {}
 
     static List<Path> find(Path cache) {
-        Path folder = cache.resolve("sunbeam");
-        if (!Files.isDirectory(folder)) {
-            return List.of();
-        }
-        try (Stream<Path> files = Files.list(folder)) {
-            return files.filter(file -> file.toString().endsWith(".pages")).toList();
-        } catch (IOException failure) {
-            throw new UncheckedIOException(failure);
-        }
+        return CachedFiles.find(cache, ".pages");
     }
 
     /** Whole records by level and page, with checksum and a hash of the colours; one that was made twice stands there twice. */

@@ -12,7 +12,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.concurrent.CompletableFuture;
-import java.util.stream.Stream;
 
 /** The file of colours of a half made table, as it lies in the cache (sunbeam.app.files.cache.KeptColours). */
 final class UnfinishedColours {
@@ -27,15 +26,7 @@ final class UnfinishedColours {
     private UnfinishedColours() {}
 
     static List<Path> find(Path cache) {
-        Path folder = cache.resolve("sunbeam");
-        if (!Files.isDirectory(folder)) {
-            return List.of();
-        }
-        try (Stream<Path> files = Files.list(folder)) {
-            return files.filter(file -> file.toString().endsWith(".colours")).toList();
-        } catch (IOException failure) {
-            throw new UncheckedIOException(failure);
-        }
+        return CachedFiles.find(cache, ".colours");
     }
 
     /** Whole batches by where they end in the file, with a hash of their content. */
