@@ -76,6 +76,25 @@ class LauncherStartTest {
         assertThat(result.stdout().lines()).containsSubsequence("-XX:MaxRAMPercentage=50", "-Xmx3g", "-Dcolour=red");
     }
 
+    /** Java asks the list of users, where a container's user does not stand, and else makes a folder named "?". */
+    @Test
+    void homeIsWhatTheEnvironmentSaysWhereThatIsAFolder() throws Exception {
+        Path home = Files.createDirectories(folder.resolve("a home"));
+
+        assertThat(sandbox.command("inspect")
+                        .with("HOME", home.toString())
+                        .run()
+                        .stdout()
+                        .lines())
+                .contains("-Duser.home=" + home);
+        assertThat(sandbox.command("inspect")
+                        .with("HOME", folder.resolve("none").toString())
+                        .run()
+                        .stdout()
+                        .lines())
+                .noneMatch(line -> line.startsWith("-Duser.home"));
+    }
+
     @Test
     void aLocaleWithoutUnicodeIsReplacedSinceJavaTakesFileNamesInIt() throws Exception {
         sandbox.installJava("jdk", "17.0.1", "echo \"locale $LC_ALL\"");
