@@ -37,6 +37,7 @@ class BadDirectionsTest {
                 "theta_i,phi_i,theta_r|0,0,0|it has no column phi_r",
                 "theta_i,phi_i,theta_r,phi_r|0,0,95,0|line 2, column theta_r: 95.0 must lie in 0..89.999 degrees",
                 "theta_i,phi_i,theta_r,phi_r|-1,0,0,0|line 2, column theta_i: -1.0 must lie in 0..89.999 degrees",
+                "theta_i,phi_i,theta_r,phi_r|0,1e300,0,0|line 2, column phi_i: 1.0E300 must lie in -36000..36000 degrees",
                 "theta_i,phi_i,theta_r,phi_r|0,north,0,0|line 2, column phi_i: 'north' is not a finite number",
                 "theta_i,phi_i,theta_r,phi_r,wavelength|0,0,0,0,5.5e-7|column wavelength: 5.5E-7 must lie in 380..780 nm",
                 "theta_i,phi_i,theta_r,phi_r,wavelength|0,0,0,0|line 2: 4 fields, but the header has 5",

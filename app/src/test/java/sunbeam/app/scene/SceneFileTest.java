@@ -2,6 +2,8 @@ package sunbeam.app.scene;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.junit.jupiter.api.Assertions.assertTimeoutPreemptively;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 import static sunbeam.precompute.method.Methods.METHOD;
 import static sunbeam.precompute.plan.MethodSettings.AVERAGE;
 import static sunbeam.precompute.plan.MethodSettings.PRESET;
@@ -10,6 +12,7 @@ import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Duration;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -128,11 +131,27 @@ class SceneFileTest {
                     [0, 0, 2]            | [0, 0]             | line 5  | light.direction | 3 values
                     "0 m", "0 m", "0 m"  | "10 cm", "-20 cm", "15 cm" | line 4 | camera.position | differ
                     "snake"              | null               | line 2  | mesh          | text
+                    "camera": {          | "camera": { "fieldOfView": "1e-300 deg", | line 4 | camera.fieldOfView | out of range
+                    "camera": {          | "camera": { "fieldOfView": "180 deg",    | line 4 | camera.fieldOfView | out of range
                     """)
     void mistakesNameLineAndKey(String found, String replacement, String line, String key, String words)
             throws IOException {
         assertThat(SCENE).contains(found);
         refused(SCENE.replace(found, replacement), line + ":", key, words);
+    }
+
+    /** Nobody writes to it, so reading it would not end. */
+    @Test
+    void aPipeIsNoScene() throws Exception {
+        assumeTrue(Files.isExecutable(Path.of("/usr/bin/mkfifo")), "skipped: no mkfifo");
+        Path pipe = folder.resolve("scene.json");
+        assertThat(new ProcessBuilder("mkfifo", pipe.toString()).start().waitFor())
+                .isZero();
+        assertTimeoutPreemptively(
+                Duration.ofSeconds(20),
+                () -> assertThatThrownBy(() -> SceneReader.read(pipe))
+                        .isInstanceOf(InputException.class)
+                        .hasMessageContaining("no regular file"));
     }
 
     @Test

@@ -1,0 +1,47 @@
+package sunbeam.app.gpu.picture;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Map;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import sunbeam.app.files.output.Overwrite;
+import sunbeam.app.files.output.PngWriter;
+
+/** What {@code figures} and {@code render --resume} keep is the picture that they would draw, undamaged. */
+class PictureParametersTest {
+    private static final String HASH = "0123";
+
+    @TempDir
+    Path folder;
+
+    private Path picture() {
+        Path file = folder.resolve("picture.png");
+        BufferedImage image = new BufferedImage(40, 30, BufferedImage.TYPE_INT_RGB);
+        PngWriter.write(file, Overwrite.REPLACE, image, Map.of(PictureParameters.KEYWORD, HASH));
+        return file;
+    }
+
+    @Test
+    void aPictureIsKnownByTheHashOfWhatDeterminesIt() {
+        assertThat(PictureParameters.find(picture(), HASH)).isPresent();
+        assertThat(PictureParameters.find(picture(), "4567")).isEmpty();
+        assertThat(PictureParameters.find(folder.resolve("none.png"), HASH)).isEmpty();
+    }
+
+    @Test
+    void aPictureWithDamagedPixelsIsNotThePicture() throws IOException {
+        Path file = picture();
+        byte[] bytes = Files.readAllBytes(file);
+        int pixels = new String(bytes, StandardCharsets.ISO_8859_1).indexOf("IDAT") + 4;
+        bytes[pixels + 8] ^= 1;
+        Files.write(file, bytes);
+
+        assertThat(PictureParameters.find(file, HASH)).isEmpty();
+    }
+}
