@@ -61,7 +61,12 @@ final class KilledLongWork {
         while (kills < most) {
             untilItsEnd(work, new LongWork.Place(folder.resolve("killed-" + ends), cache), random, duration, expected);
             ends++;
+            report(work, duration);
         }
+    }
+
+    /** After each end, as the next may take long. */
+    private void report(LongWork work, long duration) {
         System.out.printf(
                 Locale.ROOT,
                 "%s: %d kills, %d of them with finished parts, which were kept %d times; %d ends like the undisturbed (%.1f s)%n",
