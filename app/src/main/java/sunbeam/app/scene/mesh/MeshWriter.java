@@ -1,5 +1,6 @@
 package sunbeam.app.scene.mesh;
 
+import java.io.BufferedWriter;
 import java.io.IOException;
 import java.io.OutputStreamWriter;
 import java.io.Writer;
@@ -24,7 +25,8 @@ public final class MeshWriter {
      */
     public static Path write(Path target, Overwrite overwrite, Mesh mesh) {
         return AtomicFile.write(target, overwrite, stream -> {
-            Writer writer = new OutputStreamWriter(stream, StandardCharsets.US_ASCII);
+            // Encodes blocks: word by word takes as long as everything else.
+            Writer writer = new BufferedWriter(new OutputStreamWriter(stream, StandardCharsets.US_ASCII));
             write(mesh, writer);
             writer.flush();
         });
