@@ -8,6 +8,7 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import org.assertj.core.api.AbstractThrowableAssert;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
@@ -258,6 +259,11 @@ class MeshReaderTest {
         assertRefused(SQUARE + "f 1 2 5\n").hasMessageContaining("position 5").hasMessageContaining("line 5");
         assertRefused(SQUARE + "f 1 2 0\n").hasMessageContaining("\"0\"");
         assertRefused(SQUARE + "f 1 2 99999999999\n").hasMessageContaining("99999999999");
+        for (String corner :
+                List.of("/1", "1/", "1//", "1/1/", "1//1/1", "1/1/1/1", "-", "-0", "01", "1-", "+1", "1/x")) {
+            assertRefused(SQUARE + "f 1 2 " + corner + "\n")
+                    .hasMessageContaining("line 5: \"" + corner + "\" is no corner of a face");
+        }
         assertRefused(SQUARE + "f 1/1 2/1 3/1\n").hasMessageContaining("texture coordinate 1 but 0");
         assertRefused(SQUARE + "f 1//1 2//1 3//1\n").hasMessageContaining("normal 1 but 0");
         assertRefused(SQUARE + TEXTURE + "f 1/1 2 3/3\n").hasMessageContaining("differ in kind");
