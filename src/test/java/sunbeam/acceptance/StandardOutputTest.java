@@ -26,10 +26,9 @@ class StandardOutputTest {
     void aFileOfTheNameMinusIsStandardOutputAndReportsGoElsewhere() throws Exception {
         SunbeamResult result = workplace.succeed("mesh", "plane", "--output", "-");
 
-        assertThat(result.stdout())
-                .startsWith("# Sunbeam mesh")
-                .contains("\nf ")
-                .doesNotContain("triangles\n");
+        assertThat(result.stdout().lines())
+                .hasSizeGreaterThan(128)
+                .allMatch(line -> line.matches("(#|v|vt|vn|f) .*"), "of an OBJ file");
         assertThat(result.stderr()).contains("128 triangles").hasLineCount(1);
         assertThat(workplace.files()).isEmpty();
     }
