@@ -154,6 +154,7 @@ class ScanFaultsTest {
     }
 
     /** What repeats its rows, or has flat ones, because somebody drew it so. */
+    @SuppressWarnings("ImmutableEnumChecker") // functions of nothing but their argument
     private enum Drawn {
         LINES_ALONG_Y(t -> ridge(t), 1, 0),
         LINES_ALONG_X(t -> ridge(t), 0, 1),

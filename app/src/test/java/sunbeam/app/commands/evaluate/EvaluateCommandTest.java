@@ -307,7 +307,8 @@ final class EvaluateCommandTest {
             double x = 0.1 * (i % 128);
             String end = i % 128 == 127 ? "\n" : "\t";
             text.append(15 * Math.sin(2 * Math.PI * (x / 0.8 - 0.02 * x * x))).append(end);
-            double y = 0.1 * (i / 128);
+            int row = i / 128;
+            double y = 0.1 * row;
             bowed.append(30 * Math.sin(2 * Math.PI * x) + 20 * (x - 6.4) * (x - 6.4) + 20 * y * y)
                     .append(end);
         }
