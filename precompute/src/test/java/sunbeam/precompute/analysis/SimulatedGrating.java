@@ -12,9 +12,10 @@ import sunbeam.precompute.patch.HeightMap;
  * @param map heights
  * @param kind what disturbs it
  * @param truths metres: the period, or each of two
+ * @param azimuth radians, across its lines
  * @param words for messages
  */
-record SimulatedGrating(HeightMap map, Kind kind, double[] truths, String words) {
+record SimulatedGrating(HeightMap map, Kind kind, double[] truths, double azimuth, String words) {
     enum Kind {
         /** Nothing disturbs it. */
         CLEAN,
@@ -38,6 +39,17 @@ record SimulatedGrating(HeightMap map, Kind kind, double[] truths, String words)
     Optional<PeriodEstimate> estimate() {
         return new PeriodFinder(map)
                 .all().peaks().stream().findFirst().flatMap(peak -> PeriodEstimator.estimate(map, peak));
+    }
+
+    /** The direction that is told with a period. */
+    Optional<WaveDirection> direction(PeriodEstimate estimate) {
+        return new PeriodFinder(map)
+                .all().peaks().stream().findFirst().flatMap(peak -> WaveDirection.of(map, peak, estimate.period()));
+    }
+
+    /** Radians; a direction and its opposite are one. */
+    double directionError(WaveDirection direction) {
+        return Math.abs(Math.IEEEremainder(direction.radians() - azimuth, Math.PI));
     }
 
     /** Of the answer, relative to the truth that it is nearer to. */
@@ -115,7 +127,7 @@ record SimulatedGrating(HeightMap map, Kind kind, double[] truths, String words)
                                 tilt,
                                 kind == Kind.CHIRPED ? growth : ratio);
         double[] truths = kind == Kind.TWO ? new double[] {period, period * ratio} : new double[] {period};
-        return new SimulatedGrating(new HeightMap(columns, rows, pitch, pitch, heights), kind, truths, words);
+        return new SimulatedGrating(new HeightMap(columns, rows, pitch, pitch, heights), kind, truths, angle, words);
     }
 
     private static double[] lines(Kind kind, SplittableRandom random, int count, double disorder) {

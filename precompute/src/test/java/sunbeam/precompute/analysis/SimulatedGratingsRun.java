@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import sunbeam.precompute.prepare.Levelling;
 
 /**
  * Makes the table of docs/evaluation.md. Not among the tests: {@code ./sunbeam test -Dtest=SimulatedGratingsRun}, with
@@ -16,9 +17,27 @@ class SimulatedGratingsRun {
 
     @Test
     void printTable() {
-        System.out.println("kind       holds   not answered   median half width %   median error %");
+        System.out.println("kind       holds   not answered   median half width %   median error %   direction holds"
+                + "   median half width, error, degrees");
         for (SimulatedGrating.Kind kind : SimulatedGrating.Kind.values()) {
             print(kind);
+        }
+    }
+
+    /** Of docs/color.md. */
+    @Test
+    void printDirectionsOfMostColour() {
+        for (SimulatedGrating.Kind kind : SimulatedGrating.Kind.values()) {
+            int held = 0;
+            int told = 0;
+            for (long seed = FIRST_SEED; seed < FIRST_SEED + DRAWS; seed++) {
+                SimulatedGrating grating = SimulatedGrating.draw(kind, seed);
+                PrincipalDirection found = PrincipalDirection.of(grating.map().levelled(Levelling.PLANE));
+                double error = Math.IEEEremainder(found.azimuthDegrees() - Math.toDegrees(grating.azimuth()), 180);
+                told += found.halfWidthDegrees().isPresent() ? 1 : 0;
+                held += Math.abs(error) <= found.halfWidthDegrees().orElse(-1) ? 1 : 0;
+            }
+            System.out.printf(Locale.ROOT, "%-9s direction of most colour: %d of %d%n", kind, held, told);
         }
     }
 
@@ -26,6 +45,7 @@ class SimulatedGratingsRun {
         int held = 0;
         List<Double> halfWidths = new ArrayList<>();
         List<Double> errors = new ArrayList<>();
+        Directions directions = new Directions();
         for (long seed = FIRST_SEED; seed < FIRST_SEED + DRAWS; seed++) {
             SimulatedGrating grating = SimulatedGrating.draw(kind, seed);
             Optional<PeriodEstimate> found = grating.estimate();
@@ -33,6 +53,7 @@ class SimulatedGratingsRun {
                 PeriodEstimate estimate = found.get();
                 halfWidths.add(100 * estimate.halfWidth() / estimate.period());
                 errors.add(100 * grating.error(estimate));
+                directions.add(grating, estimate);
                 if (grating.holdsTruth(estimate)) {
                     held++;
                 } else {
@@ -42,13 +63,35 @@ class SimulatedGratingsRun {
         }
         System.out.printf(
                 Locale.ROOT,
-                "%-9s %2d of %2d %8d %20.2g %18.2g%n",
+                "%-9s %2d of %2d %8d %20.2g %18.2g %10s%n",
                 kind,
                 held,
                 errors.size(),
                 DRAWS - errors.size(),
                 median(halfWidths),
-                median(errors));
+                median(errors),
+                directions.words());
+    }
+
+    /** How often and how well directions are told. */
+    private static final class Directions {
+        private int held;
+        private final List<Double> halfWidths = new ArrayList<>();
+        private final List<Double> errors = new ArrayList<>();
+
+        void add(SimulatedGrating grating, PeriodEstimate estimate) {
+            grating.direction(estimate).ifPresent(direction -> {
+                double error = grating.directionError(direction);
+                held += error <= direction.halfWidth() ? 1 : 0;
+                halfWidths.add(Math.toDegrees(direction.halfWidth()));
+                errors.add(Math.toDegrees(error));
+            });
+        }
+
+        String words() {
+            return String.format(
+                    Locale.ROOT, "%d of %d   %.2g   %.2g", held, errors.size(), median(halfWidths), median(errors));
+        }
     }
 
     private static double median(List<Double> values) {

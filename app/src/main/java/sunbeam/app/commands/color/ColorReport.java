@@ -2,13 +2,14 @@ package sunbeam.app.commands.color;
 
 import java.util.List;
 import java.util.Optional;
+import sunbeam.precompute.analysis.PrincipalDirection;
 
 /**
  * What is told of one surface.
  *
  * @param name of the patch
  * @param source of the patch
- * @param azimuthDegrees of the direction of most colour
+ * @param direction of most colour
  * @param lightAzimuthDegrees of the light
  * @param coherenceLength that was drawn with, metres
  * @param plan its summary
@@ -21,7 +22,7 @@ import java.util.Optional;
 record ColorReport(
         String name,
         String source,
-        double azimuthDegrees,
+        PrincipalDirection direction,
         double lightAzimuthDegrees,
         double coherenceLength,
         String plan,

@@ -55,7 +55,7 @@ record ColorReports(
         return new ColorReport(
                 strips.setup().patch().name(),
                 strips.setup().patch().source(),
-                strips.azimuthDegrees(),
+                strips.direction(),
                 strips.lightAzimuthDegrees(),
                 reach.window().coherenceLength(),
                 strips.plan().summary(),

@@ -22,6 +22,8 @@ import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.RefractiveIndex;
+import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.shader.MethodUse;
 
@@ -33,7 +35,7 @@ final class ColorStrips {
     private final DiffractionSetup setup;
     private final Method method;
     private final List<ReflectionPart> parts;
-    private final double azimuthDegrees;
+    private final PrincipalDirection direction;
     private final double lightAzimuthDegrees;
     private final List<SeenColor.View> views = new ArrayList<>();
     private final List<SeenColor.View> candidates = new ArrayList<>();
@@ -57,8 +59,11 @@ final class ColorStrips {
         this.setup = setup;
         this.method = method;
         this.parts = ReflectionPart.of(index, setup.cie());
-        this.azimuthDegrees = PrincipalDirection.azimuthDegrees(setup.patch().heights());
-        this.lightAzimuthDegrees = lightAzimuth.orElse(azimuthDegrees);
+        HeightMap heights = setup.patch().heights();
+        this.direction = setup.patch().repetition() == Patch.Repetition.PERIODIC
+                ? PrincipalDirection.ofPeriod(heights)
+                : PrincipalDirection.of(heights);
+        this.lightAzimuthDegrees = lightAzimuth.orElse(direction.azimuthDegrees());
         long each = Math.round(LARGEST_VIEW_DEGREES / step);
         for (boolean along : new boolean[] {true, false}) {
             for (double theta : thetas) {
@@ -85,7 +90,7 @@ final class ColorStrips {
 
     /** A place of a strip. */
     SeenColor.View view(boolean along, double thetaI, double thetaR) {
-        double azimuth = azimuthDegrees + (along ? 0 : 90) + (thetaR < 0 ? 180 : 0);
+        double azimuth = direction.azimuthDegrees() + (along ? 0 : 90) + (thetaR < 0 ? 180 : 0);
         Direction wi = Direction.ofDegrees(thetaI, lightAzimuthDegrees);
         Direction wr = Direction.ofDegrees(Math.abs(thetaR), azimuth);
         return new SeenColor.View(along, thetaI, thetaR, new DirectionPair(wi, wr));
@@ -99,8 +104,9 @@ final class ColorStrips {
         return plans.get(0);
     }
 
-    double azimuthDegrees() {
-        return azimuthDegrees;
+    /** Of most colour: that of the strip along. */
+    PrincipalDirection direction() {
+        return direction;
     }
 
     double lightAzimuthDegrees() {

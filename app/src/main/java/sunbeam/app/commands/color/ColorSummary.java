@@ -13,9 +13,9 @@ final class ColorSummary {
     static String of(ColorReport report) {
         String start = String.format(
                 Locale.ROOT,
-                "%s: direction of most colour at azimuth %.1f degrees; ",
+                "%s: direction of most colour at azimuth %s; ",
                 report.name(),
-                report.azimuthDegrees() + 0.0);
+                report.direction().describe());
         return start + report.purest().map(ColorSummary::purest).orElseGet(() -> nothing(report));
     }
 

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import sunbeam.precompute.color.DisplayColor;
@@ -101,7 +102,9 @@ final class ColorTables {
         Map<String, Object> surface = new LinkedHashMap<>();
         surface.put("patch", report.name());
         surface.put("source", report.source());
-        surface.put("direction_of_most_colour_deg", report.azimuthDegrees());
+        OptionalDouble halfWidth = report.direction().halfWidthDegrees();
+        surface.put("direction_of_most_colour_deg", report.direction().azimuthDegrees());
+        surface.put("direction_half_width_deg", halfWidth.isPresent() ? halfWidth.getAsDouble() : null);
         surface.put("light_azimuth_deg", report.lightAzimuthDegrees());
         surface.put("coherence_length_um", rounded(report.coherenceLength() * 1e6));
         surface.put("plan", report.plan());

@@ -111,7 +111,7 @@ final class StripPanel {
         }
         graphics.setColor(INK);
         graphics.setFont(new Font(Font.SANS_SERIF, Font.PLAIN, 13));
-        double azimuth = report.azimuthDegrees() + (along ? 0 : 90);
+        double azimuth = report.direction().azimuthDegrees() + (along ? 0 : 90);
         graphics.drawString(along ? "along" : "across", 12, top + height / 2 - 4);
         graphics.drawString("azimuth " + angle(azimuth), 12, top + height / 2 + 14);
         for (int degrees = -LARGEST; degrees <= LARGEST; degrees += 20) {
@@ -153,7 +153,8 @@ final class StripPanel {
     /** Those that lie in a strip, from the left to the right. */
     private List<Mark> marks(boolean along, double theta) {
         List<Mark> marks = new ArrayList<>();
-        double aside = Math.toRadians(report.lightAzimuthDegrees() - report.azimuthDegrees() - (along ? 0 : 90));
+        double aside =
+                Math.toRadians(report.lightAzimuthDegrees() - report.direction().azimuthDegrees() - (along ? 0 : 90));
         if (theta == 0 || Math.abs(Math.sin(aside)) < IN_PLANE) {
             double light = Math.copySign(theta, Math.cos(aside)) + 0.0;
             marks.add(new Mark("mirror", 0.0 - light));

@@ -16,6 +16,7 @@ import sunbeam.precompute.analysis.PeriodJudgement;
 import sunbeam.precompute.analysis.PeriodRemedy;
 import sunbeam.precompute.analysis.Periodicity;
 import sunbeam.precompute.analysis.SpectrumPeak;
+import sunbeam.precompute.analysis.WaveDirection;
 import sunbeam.precompute.evaluation.FirstOrder;
 import sunbeam.precompute.evaluation.GratingMeasurement;
 import sunbeam.precompute.evaluation.GratingPlane;
@@ -129,6 +130,13 @@ record GratingTarget(
                 .filter(remedy -> isAlong(azimuth, remedy.direction()))
                 .map(remedy -> "; but " + remedy.describe(patch, OptionOrigin.INSTANCE))
                 .orElse("");
+    }
+
+    /** The direction of the wave, with its interval; empty where the scan does not tell it, or knows it exactly. */
+    Optional<WaveDirection> direction() {
+        return heights.edges() == HeightSpectrum.Edges.PERIODIC
+                ? Optional.empty()
+                : wave.flatMap(peak -> estimate.flatMap(told -> WaveDirection.of(patch.scan(), peak, told)));
     }
 
     /** What must be said of a wave of few samples a period; empty of others, and of surfaces that repeat without end. */

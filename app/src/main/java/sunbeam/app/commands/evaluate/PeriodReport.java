@@ -31,6 +31,9 @@ final class PeriodReport {
     static List<String> lines(PeriodAnswer answer, GratingTarget target) {
         List<String> lines = new ArrayList<>(lines(answer));
         Periodicity periods = target.heights();
+        target.direction()
+                .ifPresent(direction ->
+                        lines.add("direction            " + direction.describe(0) + ", of the heights' wave"));
         target.alias().ifPresent(alias -> lines.add("coarse samples       " + alias));
         periods.peaks().stream()
                 .flatMap(peak -> unlike(peak, answer.heights(), periods).stream())
@@ -155,6 +158,10 @@ final class PeriodReport {
                 .ifPresent(wave -> tree.put(
                         "samples_a_period",
                         PeriodJudgement.samplesAPeriod(target.patch().scan(), wave)));
+        target.direction().ifPresent(direction -> {
+            tree.put("direction_degrees", Math.toDegrees(direction.radians()));
+            tree.put("direction_half_width_degrees", Math.toDegrees(direction.halfWidth()));
+        });
         heights.second().ifPresent(second -> {
             Map<String, Object> beside = interval(second.period(), second.low(), second.high());
             beside.put("relative_amplitude", second.strength());

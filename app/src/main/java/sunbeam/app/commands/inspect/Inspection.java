@@ -18,6 +18,7 @@ import sunbeam.precompute.analysis.PeriodJudgement;
 import sunbeam.precompute.analysis.PeriodRemedy;
 import sunbeam.precompute.analysis.Periodicity;
 import sunbeam.precompute.analysis.SpectrumPeak;
+import sunbeam.precompute.analysis.WaveDirection;
 import sunbeam.precompute.method.ScanLimit;
 import sunbeam.precompute.patch.HeightMap;
 import sunbeam.precompute.patch.ModelError;
@@ -104,6 +105,11 @@ record Inspection(
                 : PeriodEstimator.estimate(patch.scan(), peak)
                         .filter(estimate -> PeriodJudgement.refusal(patch.faults(), Optional.of(estimate), peak)
                                 .isEmpty());
+    }
+
+    /** The direction of the period that is told, with its interval; empty where there is none, or the scan does not tell it. */
+    Optional<WaveDirection> direction() {
+        return told().flatMap(told -> WaveDirection.of(patch.scan(), peaks().get(0), told));
     }
 
     /** What to print: a name and a value per line, aligned. */

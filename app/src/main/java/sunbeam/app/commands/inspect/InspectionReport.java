@@ -5,12 +5,14 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import sunbeam.precompute.analysis.HeightSpectrum;
 import sunbeam.precompute.analysis.HeightStatistics;
 import sunbeam.precompute.analysis.PeriodEstimate;
 import sunbeam.precompute.analysis.PeriodEstimator;
 import sunbeam.precompute.analysis.PeriodJudgement;
 import sunbeam.precompute.analysis.SpectrumPeak;
+import sunbeam.precompute.analysis.WaveDirection;
 import sunbeam.precompute.patch.HeightMap;
 import sunbeam.precompute.patch.ModelError;
 import sunbeam.precompute.patch.Patch;
@@ -77,7 +79,13 @@ record InspectionReport(Inspection inspection, Path picture) {
         inspection.told().ifPresent(told -> {
             Map<String, Object> first = fields(told);
             SpectrumPeak peak = inspection.peaks().get(0);
-            first.put("directionDegrees", Math.toDegrees(peak.direction()));
+            Optional<WaveDirection> direction = inspection.direction();
+            first.put(
+                    "directionDegrees",
+                    Math.toDegrees(direction.map(WaveDirection::radians).orElse(peak.direction())));
+            first.put(
+                    "directionHalfWidthDegrees",
+                    direction.map(known -> Math.toDegrees(known.halfWidth())).orElse(null));
             first.put("rmsMetres", peak.rms());
             first.put(
                     "samplesAPeriod",

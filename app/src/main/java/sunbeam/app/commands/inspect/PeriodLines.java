@@ -3,12 +3,14 @@ package sunbeam.app.commands.inspect;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import sunbeam.precompute.analysis.FewPeriods;
 import sunbeam.precompute.analysis.HeightSpectrum;
 import sunbeam.precompute.analysis.IntervalWords;
 import sunbeam.precompute.analysis.PeriodEstimate;
 import sunbeam.precompute.analysis.PeriodJudgement;
 import sunbeam.precompute.analysis.SpectrumPeak;
+import sunbeam.precompute.analysis.WaveDirection;
 import sunbeam.precompute.units.Decimals;
 import sunbeam.precompute.units.Lengths;
 
@@ -20,6 +22,8 @@ final class PeriodLines {
     // Digits of a peak's place: it is some bins wide.
     private static final int ROUGH = 2;
     private static final int MOST_DIGITS = 6;
+    // Degrees: directions from 0 to 180.
+    private static final double MIDDLE = 90;
     // Figures above say no more.
     private static final double CLEAR = 1000;
 
@@ -69,7 +73,8 @@ final class PeriodLines {
     }
 
     private void addTold(PeriodEstimate told, SpectrumPeak peak, List<String> lines) {
-        lines.add(IntervalWords.of(told.period(), told.low(), told.high()) + ", in " + describe(peak));
+        lines.add(IntervalWords.of(told.period(), told.low(), told.high()) + ", in "
+                + describe(peak, inspection.direction()));
         told.second()
                 .ifPresent(second -> lines.add(String.format(
                         Locale.ROOT,
@@ -91,10 +96,16 @@ final class PeriodLines {
     }
 
     private String describe(SpectrumPeak peak) {
+        return describe(peak, Optional.empty());
+    }
+
+    /** @param known the direction with its interval; without it, that of the peak */
+    private String describe(SpectrumPeak peak, Optional<WaveDirection> known) {
         // A direction and its opposite are one: 179.96 degrees are 0.
         double degrees = Math.rint(10 * Math.toDegrees(peak.direction())) / 10 % 180;
-        return String.format(
-                Locale.ROOT, "direction %.1f degrees, %.1f nm rms, %s", degrees, peak.rms() * 1e9, figure(peak));
+        String direction = known.map(told -> told.describe(MIDDLE))
+                .orElseGet(() -> String.format(Locale.ROOT, "%.1f degrees", degrees));
+        return String.format(Locale.ROOT, "direction %s, %.1f nm rms, %s", direction, peak.rms() * 1e9, figure(peak));
     }
 
     private String figure(SpectrumPeak peak) {
