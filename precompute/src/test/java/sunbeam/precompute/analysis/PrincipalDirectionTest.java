@@ -3,11 +3,14 @@ package sunbeam.precompute.analysis;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.OptionalDouble;
+import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.precompute.Surfaces;
 import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.prepare.Levelling;
 
 class PrincipalDirectionTest {
     @ParameterizedTest
@@ -27,6 +30,58 @@ class PrincipalDirectionTest {
         // The same axis modulo half a turn; what leaks from the wave through the taper turns it a little.
         assertThat(Math.abs(Math.sin(Math.toRadians(found - azimuth))))
                 .isCloseTo(0, within(Math.sin(Math.toRadians(2))));
+    }
+
+    @Test
+    void whatIsToldOfAScanHoldsTheGratingsDirection() {
+        for (long seed = 1; seed <= 6; seed++) {
+            SimulatedGrating grating = SimulatedGrating.draw(SimulatedGrating.Kind.NOISY, seed);
+            PrincipalDirection found = PrincipalDirection.of(grating.map().levelled(Levelling.PLANE));
+            double error = Math.IEEEremainder(found.azimuthDegrees() - Math.toDegrees(grating.azimuth()), 180);
+            found.halfWidthDegrees()
+                    .ifPresent(half ->
+                            assertThat(Math.abs(error)).as(grating.words()).isLessThanOrEqualTo(half));
+        }
+    }
+
+    @Test
+    void aSurfaceWithoutDirectionsSaysSo() {
+        SplittableRandom random = new SplittableRandom(1);
+        HeightMap noise = Surfaces.of(128, 128, 100e-9, (x, y) -> 1e-8 * random.nextGaussian());
+        // Half a turn holds any.
+        assertThat(PrincipalDirection.of(noise).halfWidthDegrees().orElseThrow())
+                .isGreaterThan(20);
+        assertThat(new PrincipalDirection(11.3, OptionalDouble.of(2), 1).describe())
+                .isEqualTo("11 +- 2 degrees (95 %)");
+        assertThat(new PrincipalDirection(11.3, OptionalDouble.of(2.3), 1).describe())
+                .isEqualTo("11 +- 3 degrees (95 %)");
+        assertThat(new PrincipalDirection(11.3, OptionalDouble.of(0), 1).describe())
+                .isEqualTo("11.3 degrees");
+    }
+
+    /** Rows that jump spread light along y, where the surface has nothing. */
+    @Test
+    void levellingTurnsTheDirectionOfRowsThatJump() {
+        SplittableRandom random = new SplittableRandom(2);
+        double[] offsets = random.doubles(128, -40e-9, 40e-9).toArray();
+        HeightMap lines = Surfaces.of(
+                128, 128, 100e-9, (x, y) -> 10e-9 * Math.sin(2 * Math.PI * x / 1.1e-6) + 1e-9 * random.nextGaussian());
+        double[] heights = lines.toArray();
+        for (int i = 0; i < heights.length; i++) {
+            heights[i] += offsets[i / 128];
+        }
+        HeightMap jumping = new HeightMap(128, 128, 100e-9, 100e-9, heights);
+        assertThat(LevelledDirection.of(lines)).isEmpty();
+        LevelledDirection levelled = LevelledDirection.of(jumping).orElseThrow();
+        assertThat(levelled.levelling()).isEqualTo(Levelling.MEDIAN_ROWS);
+        assertThat(levelled.direction().azimuthDegrees()).isCloseTo(0, within(2.0));
+        // A grating along y is the surface's own, though levelling by rows takes it away.
+        HeightMap alongY = Surfaces.of(
+                128,
+                128,
+                100e-9,
+                (x, y) -> 10e-9 * Math.sin(2 * Math.PI * y / 1.1e-6) + 3e-9 * Math.sin(2 * Math.PI * x / 0.9e-6));
+        assertThat(LevelledDirection.of(alongY)).isEmpty();
     }
 
     @Test

@@ -29,6 +29,7 @@ import sunbeam.app.gpu.picture.ExposureOption;
 import sunbeam.app.gpu.picture.LinearPicture;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;
+import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.app.terminal.options.ComparedPatches;
 import sunbeam.app.terminal.options.LightOptions;
@@ -216,9 +217,15 @@ public final class ColorCommand implements Callable<Integer> {
      * @throws SettingException where that takes too much; it says which part of the surface can be drawn
      */
     private ColorStrips strips(DiffractionSetup setup, Choices choices, RefractiveIndex material) {
-        Choices seen = setup.seen(choices, specification.commandLine().getErr());
+        PrintWriter err = specification.commandLine().getErr();
+        Choices seen = setup.seen(choices, err);
         try {
-            return strips(setup, Methods.of(seen), material);
+            ColorStrips strips = strips(setup, Methods.of(seen), material);
+            for (String line : LevellingAdvice.of(setup.patch(), strips.direction())) {
+                err.println(Messages.warning(setup.patch().name() + ": " + line));
+            }
+            err.flush();
+            return strips;
         } catch (SettingException tooMuch) {
             Patch patch = setup.patch();
             throw FittingPart.of(patch, part -> tryStrips(part, choices, material))
