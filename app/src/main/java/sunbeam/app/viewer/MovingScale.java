@@ -52,7 +52,10 @@ final class MovingScale {
             taken[finer] *= FORGETTING;
         }
         if (taken[index] > budget) {
-            coarsen(budget);
+            // The coarsest scale stays, however long it takes.
+            if (index < taken.length - 1) {
+                coarsen(budget);
+            }
         } else if (index > 0 && ofFiner() <= MARGIN * budget) {
             index--;
             begin();

@@ -69,6 +69,16 @@ final class MovingScaleTest {
         assertThat(frame(scale.divisor(), 5e6, 400e6)).isLessThanOrEqualTo(BUDGET);
     }
 
+    /** The time does not depend on the number of pixels: no scale keeps to it. */
+    @Test
+    void theCoarsestScaleStaysWhereNoneIsFastEnough() {
+        MovingScale scale = new MovingScale();
+        draw(scale, 100, 10 * BUDGET, 0);
+        assertThat(scale.divisor()).isEqualTo(PreviewScale.divisor(PreviewScale.divisors() - 1));
+        draw(scale, 500, 5e6, 15e6);
+        assertThat(scale.divisor()).isEqualTo(1);
+    }
+
     @Test
     void comesBackWhereAllTakesLessAgain() {
         MovingScale scale = new MovingScale();
