@@ -2,6 +2,7 @@ package sunbeam.app.commands.color;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import sunbeam.app.terminal.OptionOrigin;
 import sunbeam.precompute.analysis.LevelledDirection;
 import sunbeam.precompute.analysis.PeriodFinder;
@@ -26,6 +27,7 @@ final class LevellingAdvice {
         }
         LevelledDirection.of(patch.scan())
                 .ifPresent(levelled -> lines.add(String.format(
+                        Locale.ROOT,
                         "as the scan is, it is looked at along %s; with %s %s its direction of most colour is at %s: level it so unless the difference is the surface's own",
                         direction.describe(),
                         OptionOrigin.INSTANCE.name(PatchSettings.LEVEL),
