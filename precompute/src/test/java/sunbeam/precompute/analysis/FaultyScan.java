@@ -1,9 +1,11 @@
 package sunbeam.precompute.analysis;
 
 import java.util.Arrays;
+import java.util.EnumSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.Set;
 import java.util.SplittableRandom;
 import sunbeam.precompute.fault.ScanFaults;
 import sunbeam.precompute.patch.HeightMap;
@@ -24,6 +26,10 @@ record FaultyScan(HeightMap map, double[] truths, String words) {
         SLIPPED,
         /** The same at two rows. */
         SLIPPED_TWICE,
+        /** The same at five rows, equally far apart, by equal parts. */
+        SLIPPED_OFTEN,
+        /** Lines of another distance below than above, which nearly continue each other at one side. */
+        TWO_PARTS,
         /** Rows lost: from one on, the surface continues some way on. */
         ROWS_LOST,
         /** Some rows repeat one of them, and the surface continues after that. */
@@ -40,6 +46,7 @@ record FaultyScan(HeightMap map, double[] truths, String words) {
         TERRACES
     }
 
+    private static final Set<Kind> SIDEWAYS = EnumSet.of(Kind.SLIPPED, Kind.SLIPPED_TWICE, Kind.SLIPPED_OFTEN);
     private static final double SMOOTH = 0.05;
 
     /** What the program answers: nothing of rows that are no measurement, nor where it refuses what it found. */
@@ -113,16 +120,20 @@ record FaultyScan(HeightMap map, double[] truths, String words) {
         double noise = 0.03 * random.nextDouble();
         double[] heights = new double[draw.columns() * rows];
         for (int row = 0; row < rows; row++) {
-            double shift = (row >= first ? slip : 0) + (row >= second ? other : 0);
+            double shift = draw.kind() == Kind.SLIPPED_OFTEN
+                    ? slip * (6 * row / rows)
+                    : (row >= first ? slip : 0) + (row >= second ? other : 0);
             int source = switch (draw.kind()) {
                 case ROWS_LOST -> row >= first ? row + length : row;
                 case STUCK -> row >= first && row < first + length ? first : row;
                 case ABORTED -> Math.min(row, first);
                 default -> row;
             };
-            boolean sideways = draw.kind() == Kind.SLIPPED || draw.kind() == Kind.SLIPPED_TWICE;
+            boolean sideways = SIDEWAYS.contains(draw.kind());
+            double wider = draw.kind() == Kind.TWO_PARTS && row >= first ? 1.15 : 1;
             for (int column = 0; column < draw.columns(); column++) {
-                double height = draw.at(column * draw.pitch() + (sideways ? shift : 0), -source * draw.pitch());
+                double height =
+                        draw.at(column * draw.pitch() / wider + (sideways ? shift : 0), -source * draw.pitch() / wider);
                 if (draw.kind() == Kind.CLIPPED) {
                     height = limit > 0 ? Math.min(height, limit) : Math.max(height, -limit);
                 }
@@ -147,7 +158,10 @@ record FaultyScan(HeightMap map, double[] truths, String words) {
                 slip * Math.cos(draw.angle()) / draw.period(),
                 length,
                 limit);
-        return scan(draw.columns(), rows, draw.pitch(), heights, new double[] {draw.period()}, words);
+        double[] truths = draw.kind() == Kind.TWO_PARTS
+                ? new double[] {draw.period(), 1.15 * draw.period()}
+                : new double[] {draw.period()};
+        return scan(draw.columns(), rows, draw.pitch(), heights, truths, words);
     }
 
     private static FaultyScan scan(
