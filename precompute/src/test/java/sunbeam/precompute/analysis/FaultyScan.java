@@ -121,7 +121,7 @@ record FaultyScan(HeightMap map, double[] truths, String words) {
         double[] heights = new double[draw.columns() * rows];
         for (int row = 0; row < rows; row++) {
             double shift = draw.kind() == Kind.SLIPPED_OFTEN
-                    ? slip * (6 * row / rows)
+                    ? slip * Math.floor(6.0 * row / rows)
                     : (row >= first ? slip : 0) + (row >= second ? other : 0);
             int source = switch (draw.kind()) {
                 case ROWS_LOST -> row >= first ? row + length : row;
