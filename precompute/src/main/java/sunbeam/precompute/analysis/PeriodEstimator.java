@@ -44,17 +44,9 @@ public final class PeriodEstimator {
      */
     public static Optional<PeriodEstimate> estimate(HeightMap map, SpectrumPeak peak) {
         List<PeriodEstimate.Slip> slips = RowSlips.in(map, peak.frequencyX(), peak.frequencyY());
-        if (slips.isEmpty()) {
-            return ofOnePiece(map, peak);
-        }
-        Optional<PeriodEstimate> pieces = new SlippedScan(map, slips).estimate(peak);
-        if (slips.size() <= SlippedScan.MOST_SLIPS) {
-            return pieces;
-        }
-        // A surface whose rows of lines know little of each other, which its strips tell; or a scanner that slips
-        // often.
-        return pieces.flatMap(
-                piece -> ofOnePiece(map, peak).map(whole -> whole.of(List.of(), piece.low(), piece.high())));
+        return slips.isEmpty() || slips.size() > SlippedScan.MOST_SLIPS
+                ? ofOnePiece(map, peak)
+                : new SlippedScan(map, slips).estimate(peak);
     }
 
     /** As if all rows continued each other. */

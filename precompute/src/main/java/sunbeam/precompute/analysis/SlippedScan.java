@@ -8,7 +8,7 @@ import sunbeam.precompute.patch.HeightMap;
 
 /** A scan whose scanner slipped at some rows: each piece between them tells the period by itself. */
 final class SlippedScan {
-    /** Of a scanner. Where more rows jump, the surface may have lines that know little of each other. */
+    /** Of a scanner. Where more rows jump, the surface has lines that know little of each other, and its strips tell. */
     static final int MOST_SLIPS = 3;
 
     // Between the peak of a piece and that of the whole, which a slip splits in two.
