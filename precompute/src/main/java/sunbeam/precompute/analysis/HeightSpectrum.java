@@ -1,5 +1,8 @@
 package sunbeam.precompute.analysis;
 
+import java.util.Arrays;
+import java.util.Locale;
+import java.util.Optional;
 import java.util.stream.IntStream;
 import sunbeam.precompute.fourier.Band;
 import sunbeam.precompute.fourier.BandTransform2d;
@@ -7,6 +10,8 @@ import sunbeam.precompute.fourier.ComplexVector;
 import sunbeam.precompute.patch.HeightMap;
 import sunbeam.precompute.patch.SamplingCheck;
 import sunbeam.precompute.prepare.Levelling;
+import sunbeam.precompute.units.Decimals;
+import sunbeam.precompute.units.Lengths;
 
 /**
  * Power spectrum of a patch's heights up to what light can see (2 / 380 nm) or the samples hold (1 / (2 pitch)),
@@ -16,9 +21,14 @@ import sunbeam.precompute.prepare.Levelling;
  * @param bandY bins along y (upwards), symmetric about 0
  * @param width of the patch, metres; frequency along x = bin / width
  * @param height of the patch, metres
+ * @param beyond variance of the transformed heights that lies beyond the bands, square metres
  * @param power square metres, {@code [(jy - bandY.first) * bandX.count + jx - bandX.first]}
  */
-public record HeightSpectrum(Band bandX, Band bandY, double width, double height, double[] power) {
+public record HeightSpectrum(Band bandX, Band bandY, double width, double height, double beyond, double[] power) {
+
+    // Of the heights' variance.
+    private static final double MUCH = 0.1;
+    private static final double SHORTEST_PERIOD = SamplingCheck.SHORTEST_WAVELENGTH / 2;
 
     /** How the patch's edges are treated. */
     public enum Edges {
@@ -49,12 +59,25 @@ public record HeightSpectrum(Band bandX, Band bandY, double width, double height
         for (int i = 0; i < power.length; i++) {
             power[i] = bins.real()[i] * bins.real()[i] + bins.imaginary()[i] * bins.imaginary()[i];
         }
-        return new HeightSpectrum(bandX, bandY, map.width(), map.height(), power);
+        double beyond = Math.max(
+                0, variance(level, taperX, taperY) - Arrays.stream(power).sum());
+        return new HeightSpectrum(bandX, bandY, map.width(), map.height(), beyond, power);
+    }
+
+    private static double variance(HeightMap level, double[] taperX, double[] taperY) {
+        double sum = 0;
+        for (int row = 0; row < level.rows(); row++) {
+            for (int column = 0; column < level.columns(); column++) {
+                double height = level.at(column, row) * taperX[column] * taperY[row];
+                sum += height * height;
+            }
+        }
+        return sum / ((double) level.columns() * level.rows());
     }
 
     private static Band band(int samples, double pitch) {
         int nyquist = (samples - 1) / 2;
-        int visible = (int) Math.ceil(2 / SamplingCheck.SHORTEST_WAVELENGTH * samples * pitch);
+        int visible = (int) Math.ceil(samples * pitch / SHORTEST_PERIOD);
         int reach = Math.min(nyquist, visible);
         return Band.of(-reach, reach);
     }
@@ -67,6 +90,24 @@ public record HeightSpectrum(Band bandX, Band bandY, double width, double height
             taper[i] = tapered && samples > 1 ? sine * sine / Math.sqrt(0.375) : 1;
         }
         return taper;
+    }
+
+    /** What is finer than light can see, where that is much of the heights; a sentence without a full stop. */
+    public Optional<String> describeBeyond() {
+        double share = beyond / (beyond + Arrays.stream(power).sum());
+        return !(share >= MUCH) || !isCutByLight()
+                ? Optional.empty()
+                : Optional.of(String.format(
+                        Locale.ROOT,
+                        "%s %% of the heights' variance have periods below %s, which diffract no visible light and are not looked"
+                                + " for",
+                        Decimals.rounded(100 * share, 2),
+                        Lengths.format(SHORTEST_PERIOD)));
+    }
+
+    /** Whether samples hold more than light can see. */
+    private boolean isCutByLight() {
+        return Math.max(bandX.last() / width, bandY.last() / height) >= 1 / SHORTEST_PERIOD;
     }
 
     /** Power of a bin; 0 outside the bands. */
@@ -99,7 +140,7 @@ public record HeightSpectrum(Band bandX, Band bandY, double width, double height
     public HeightSpectrum smoothed(double sigmaBins) {
         double[] alongX = convolve(power, bandY.count(), bandX.count(), 1, sigmaBins);
         double[] both = convolve(alongX, bandX.count(), bandY.count(), bandX.count(), sigmaBins);
-        return new HeightSpectrum(bandX, bandY, width, height, both);
+        return new HeightSpectrum(bandX, bandY, width, height, beyond, both);
     }
 
     /** Lines of {@code length} values that lie {@code stride} apart; beyond their ends there is nothing. */

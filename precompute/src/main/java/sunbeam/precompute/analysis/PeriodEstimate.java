@@ -13,7 +13,8 @@ import java.util.Optional;
  * @param periods how many fit into the scan along their direction
  * @param second another period beside it, of similar strength and direction, where there is one
  * @param drift where the period changes across the scan: from one end to the other
- * @param slips where the wave jumps from one row to the next: what is between was followed by itself
+ * @param slips where the wave jumps from one row to the next: up to {@link #MOST_SLIPS_FOLLOWED}, what is between was followed
+ *     by itself; of more, the interval reaches to what is told between them
  */
 public record PeriodEstimate(
         double period,
@@ -23,6 +24,9 @@ public record PeriodEstimate(
         Optional<Second> second,
         Optional<Drift> drift,
         List<Slip> slips) {
+
+    /** Of a scanner. Where more rows jump, the surface may have lines that know little of each other. */
+    public static final int MOST_SLIPS_FOLLOWED = 3;
 
     public PeriodEstimate {
         slips = List.copyOf(slips);
@@ -69,12 +73,11 @@ public record PeriodEstimate(
      * @param turns by how many periods, -0.5..0.5: whole ones are not seen
      */
     public record Slip(int row, double turns) {
-        /** For people, without a full stop. */
-        public String describe() {
+        String describe() {
             return String.format(
                     Locale.ROOT,
                     "the lines jump sideways by %.2g periods (or as much and whole ones) after row %d from the top, as where the"
-                            + " scanner slipped: the rows above and below were followed by themselves",
+                            + " scanner slipped or a line ends: the rows above and below were followed by themselves",
                     Math.abs(turns),
                     row);
         }
@@ -85,10 +88,54 @@ public record PeriodEstimate(
         return new PeriodEstimate(period, low, high, periods, Optional.empty(), drift, slips);
     }
 
-    /** The same of a scan that slipped, with an interval that reaches to others, too. */
-    PeriodEstimate of(List<Slip> found, double lowest, double highest) {
+    /** The same of a scan that slipped. */
+    PeriodEstimate slippedAt(List<Slip> found) {
+        return new PeriodEstimate(period, low, high, periods, second, drift, found);
+    }
+
+    /** The same with an interval that holds those of others that contradict it. */
+    PeriodEstimate reaching(List<PeriodEstimate> others) {
+        double lowest = low;
+        double highest = high;
+        for (PeriodEstimate other : others) {
+            lowest = contradicts(other) ? Math.min(lowest, other.low) : lowest;
+            highest = contradicts(other) ? Math.max(highest, other.high) : highest;
+        }
+        return within(lowest, highest);
+    }
+
+    /** The same that changes from one end of the scan to the other, unless it is known how already. */
+    PeriodEstimate drifting(double first, double last) {
         return new PeriodEstimate(
-                period, Math.min(low, lowest), Math.max(high, highest), periods, second, drift, found);
+                period, low, high, periods, second, drift.or(() -> Optional.of(new Drift(first, last))), slips);
+    }
+
+    /** The same with another interval. */
+    PeriodEstimate within(double lowest, double highest) {
+        return new PeriodEstimate(period, lowest, highest, periods, second, drift, slips);
+    }
+
+    /** Whether their intervals have nothing in common. */
+    boolean contradicts(PeriodEstimate other) {
+        return other.low > high || other.high < low;
+    }
+
+    /** Whether the scan slipped at so few rows that what is between was followed by itself. */
+    public boolean isInPieces() {
+        return !slips.isEmpty() && slips.size() <= MOST_SLIPS_FOLLOWED;
+    }
+
+    /** Of the slips, for people, without full stops. */
+    public List<String> describeSlips() {
+        if (slips.isEmpty() || isInPieces()) {
+            return slips.stream().map(Slip::describe).toList();
+        }
+        return List.of(String.format(
+                Locale.ROOT,
+                "the lines jump sideways at %d rows, the first %d from the top, as where a scanner slips often or lines end: the"
+                        + " interval reaches to what is told between them",
+                slips.size(),
+                slips.get(0).row()));
     }
 
     /** The larger distance from the period to an end of its interval, metres. */

@@ -33,6 +33,8 @@ public final class PeriodEstimator {
     private static final double EVEN = 0.2;
     private static final double BEAT = 0.8;
     private static final int ROUNDS = 3;
+    // Half an interval over the period.
+    private static final double LEAST_OF_GROWN = 0.02;
 
     private PeriodEstimator() {}
 
@@ -43,10 +45,41 @@ public final class PeriodEstimator {
      * @param map without missing samples
      */
     public static Optional<PeriodEstimate> estimate(HeightMap map, SpectrumPeak peak) {
-        List<PeriodEstimate.Slip> slips = RowSlips.in(map, peak.frequencyX(), peak.frequencyY());
-        return slips.isEmpty() || slips.size() > SlippedScan.MOST_SLIPS
-                ? ofOnePiece(map, peak)
-                : new SlippedScan(map, slips).estimate(peak);
+        RowSlips rows = RowSlips.in(map, peak.frequencyX(), peak.frequencyY());
+        List<PeriodEstimate.Slip> slips = rows.slips();
+        ScanPieces pieces = new ScanPieces(map, peak);
+        if (slips.isEmpty()) {
+            return ofOnePiece(map, peak)
+                    .map(told -> told.second().isPresent() ? told : pieces.comparedWithHalves(told));
+        }
+        if (slips.size() <= PeriodEstimate.MOST_SLIPS_FOLLOWED) {
+            List<PeriodEstimate> told = pieces.between(slips);
+            return told.stream()
+                    .findFirst()
+                    .map(largest -> largest.reaching(told).slippedAt(slips));
+        }
+        return ofMany(map, peak, rows);
+    }
+
+    /**
+     * A scanner that slips often, which moving its rows back mends; or a grown surface whose lines end, of which moved rows tell
+     * less.
+     */
+    private static Optional<PeriodEstimate> ofMany(HeightMap map, SpectrumPeak peak, RowSlips rows) {
+        Optional<PeriodEstimate> asItIs = ofOnePiece(map, peak);
+        Optional<PeriodEstimate> moved = new MendedRows(map, peak, rows).estimate();
+        if (asItIs.isEmpty() || moved.isEmpty()) {
+            return Optional.empty();
+        }
+        PeriodEstimate whole = asItIs.get();
+        PeriodEstimate mended = moved.get();
+        boolean grown = whole.halfWidth() > LEAST_OF_GROWN * whole.period();
+        if (grown && mended.halfWidth() > whole.halfWidth()) {
+            return Optional.of(whole.slippedAt(rows.slips()));
+        }
+        PeriodEstimate first = grown ? whole : mended;
+        return Optional.of(first.within(Math.min(whole.low(), mended.low()), Math.max(whole.high(), mended.high()))
+                .slippedAt(rows.slips()));
     }
 
     /** As if all rows continued each other. */

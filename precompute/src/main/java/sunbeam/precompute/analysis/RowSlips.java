@@ -11,8 +11,13 @@ import sunbeam.precompute.patch.HeightMap;
  * Rows at which a scanner slipped: from one to the next the phase of a wave jumps, by far more than between any others.
  * Each row is demodulated by itself, so that it needs a few periods along it; waves that run along the columns show
  * no sideways slip.
+ *
+ * @param slips from top to bottom
+ * @param turnsARow by how much the wave's phase goes beyond the frequency that it was looked for at, from row to row, where nothing
+ *     slips; periods, downwards
+ * @param deviation of these, periods
  */
-final class RowSlips {
+record RowSlips(List<PeriodEstimate.Slip> slips, double turnsARow, double deviation) {
     // Along a row, so that a row's amplitude is the wave's and not the mirror frequency's.
     private static final double FEWEST_PERIODS = 3;
     // Rows on each side of a slip whose phases are averaged.
@@ -24,30 +29,29 @@ final class RowSlips {
     // Of a normal distribution, over the median of absolute deviations.
     private static final double SIGMA = 1.4826;
 
-    private RowSlips() {}
-
     /**
-     * From top to bottom.
+     * Looks for slips.
      *
      * @param map without missing samples
      * @param frequencyX of the wave, cycles per metre
      * @param frequencyY cycles per metre, upwards
      */
-    static List<PeriodEstimate.Slip> in(HeightMap map, double frequencyX, double frequencyY) {
+    static RowSlips in(HeightMap map, double frequencyX, double frequencyY) {
         if (Math.abs(frequencyX) * map.width() < FEWEST_PERIODS || map.rows() < 2 * FEWEST_ROWS) {
-            return List.of();
+            return new RowSlips(List.of(), 0, 0);
         }
         double[][] amplitudes = amplitudes(map, frequencyX, frequencyY);
         List<PeriodEstimate.Slip> slips = new ArrayList<>();
         for (int reach : REACHES) {
-            for (PeriodEstimate.Slip slip : jumps(amplitudes, reach)) {
+            for (PeriodEstimate.Slip slip : new Turns(amplitudes, reach).jumps()) {
                 if (slips.stream().noneMatch(other -> Math.abs(other.row() - slip.row()) <= 2 * reach)) {
                     slips.add(slip);
                 }
             }
         }
         slips.sort((a, b) -> Integer.compare(a.row(), b.row()));
-        return slips;
+        Turns beside = new Turns(amplitudes, REACHES[0]);
+        return new RowSlips(slips, beside.median, beside.deviation);
     }
 
     /** Complex, of each row under a Hann window, less the row's mean and slope. */
@@ -103,29 +107,42 @@ final class RowSlips {
         return sum;
     }
 
-    /** Turns between the rows before and after each that stand out of all others and of those beside. */
-    private static List<PeriodEstimate.Slip> jumps(double[][] amplitudes, int reach) {
-        int count = amplitudes.length - 2 * reach + 1;
-        double[] turns = new double[count];
-        for (int i = 0; i < count; i++) {
-            double[] before = sum(amplitudes, i, reach);
-            double[] after = sum(amplitudes, i + reach, reach);
-            turns[i] =
-                    Math.atan2(after[1] * before[0] - after[0] * before[1], after[0] * before[0] + after[1] * before[1])
-                            / (2 * Math.PI);
-        }
-        double median = StatUtils.percentile(turns, 50);
-        double[] away = Arrays.stream(turns)
-                .map(turn -> Math.abs(Math.IEEEremainder(turn - median, 1)))
-                .toArray();
-        double deviation = SIGMA * StatUtils.percentile(away, 50);
-        List<PeriodEstimate.Slip> slips = new ArrayList<>();
-        for (int i = 0; i < count; i++) {
-            if (away[i] > Math.max(LEAST_TURNS, STANDS_OUT * deviation) && isLargest(away, i, reach)) {
-                slips.add(new PeriodEstimate.Slip(reach + i, Math.IEEEremainder(turns[i] - median, 1)));
+    /** Turns between so many rows before and as many after each, periods. */
+    private static final class Turns {
+        private final int reach;
+        private final double[] turns;
+        private final double[] away;
+        private final double median;
+        private final double deviation;
+
+        Turns(double[][] amplitudes, int reach) {
+            this.reach = reach;
+            this.turns = new double[amplitudes.length - 2 * reach + 1];
+            for (int i = 0; i < turns.length; i++) {
+                double[] before = sum(amplitudes, i, reach);
+                double[] after = sum(amplitudes, i + reach, reach);
+                turns[i] = Math.atan2(
+                                after[1] * before[0] - after[0] * before[1],
+                                after[0] * before[0] + after[1] * before[1])
+                        / (2 * Math.PI);
             }
+            this.median = StatUtils.percentile(turns, 50);
+            this.away = Arrays.stream(turns)
+                    .map(turn -> Math.abs(Math.IEEEremainder(turn - median, 1)))
+                    .toArray();
+            this.deviation = SIGMA * StatUtils.percentile(away, 50);
         }
-        return slips;
+
+        /** Those that stand out of all others and of those beside. */
+        List<PeriodEstimate.Slip> jumps() {
+            List<PeriodEstimate.Slip> slips = new ArrayList<>();
+            for (int i = 0; i < turns.length; i++) {
+                if (away[i] > Math.max(LEAST_TURNS, STANDS_OUT * deviation) && isLargest(away, i, reach)) {
+                    slips.add(new PeriodEstimate.Slip(reach + i, Math.IEEEremainder(turns[i] - median, 1)));
+                }
+            }
+            return slips;
+        }
     }
 
     private static boolean isLargest(double[] values, int at, int reach) {

@@ -1,5 +1,6 @@
 package sunbeam.precompute.analysis;
 
+import java.util.List;
 import java.util.Optional;
 import org.apache.commons.math3.distribution.TDistribution;
 import sunbeam.precompute.patch.HeightMap;
@@ -43,11 +44,12 @@ public record WaveDirection(double radians, double halfWidth) {
      * @return empty where the scan is too small along the lines, or too narrow across, to tell
      */
     public static Optional<WaveDirection> of(HeightMap map, SpectrumPeak peak, PeriodEstimate told) {
+        List<PeriodEstimate.Slip> slips = told.isInPieces() ? told.slips() : List.of();
         int first = 0;
         int longestFirst = 0;
         int longest = 0;
-        for (int i = 0; i <= told.slips().size(); i++) {
-            int end = i < told.slips().size() ? told.slips().get(i).row() : map.rows();
+        for (int i = 0; i <= slips.size(); i++) {
+            int end = i < slips.size() ? slips.get(i).row() : map.rows();
             if (end - first > longest) {
                 longest = end - first;
                 longestFirst = first;

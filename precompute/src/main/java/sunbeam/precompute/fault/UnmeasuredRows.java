@@ -22,6 +22,9 @@ final class UnmeasuredRows {
     private static final int ROWS_A_FAULT = 8;
     // Of a row's samples at its neighbour's one height: flat ground.
     private static final double GROUND = 0.1;
+    // Samples in line with exactly one height: more than quantised heights have by chance where the next row has
+    // another.
+    private static final int FEWEST_BEGUN = 4;
     // Of the heights' largest: rounding to 32 bits of rows that were levelled together.
     private static final double ROUNDING = 4e-7;
     // Of what rows differ by elsewhere: near a smooth surface's crest they differ by less.
@@ -66,6 +69,10 @@ final class UnmeasuredRows {
         for (int row = 0; row < scan.rows(); row++) {
             flat.set(row, !missing.get(row) && isFlat(row));
         }
+        for (int[] run : runs(flat)) {
+            takeBegun(run[0], run[0] - 1, -1);
+            takeBegun(run[0], run[1], 1);
+        }
         int others = scan.rows() - flat.cardinality() - missing.cardinality();
         List<int[]> runs = runs(flat);
         boolean drawn = runs.size() * ROWS_A_FAULT > others
@@ -78,6 +85,26 @@ final class UnmeasuredRows {
     private boolean isFlat(int row) {
         for (int column = 1; column < scan.columns(); column++) {
             if (scan.at(column, row) != scan.at(0, row)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /** A row within which the one height of the next begins, or ends, and which is measured else: as little as that one. */
+    private void takeBegun(int row, int neighbour, int away) {
+        if (neighbour >= 0
+                && neighbour < scan.rows()
+                && !isGround(row, neighbour + away)
+                && (begins(row, neighbour, 0, 1) || begins(row, neighbour, scan.columns() - 1, -1))) {
+            flat.set(neighbour);
+        }
+    }
+
+    /** Whether the first samples from a side on have a row's one height. */
+    private boolean begins(int row, int neighbour, int first, int step) {
+        for (int i = 0; i < FEWEST_BEGUN; i++) {
+            if (scan.at(first + i * step, neighbour) != scan.at(0, row)) {
                 return false;
             }
         }

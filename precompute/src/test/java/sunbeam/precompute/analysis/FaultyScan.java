@@ -18,9 +18,10 @@ import sunbeam.precompute.prepare.Levelling;
  *
  * @param map heights, level by their plane
  * @param truths metres: the period or each of several; of terraces their mean width
+ * @param anyBetween whether what lies between them is as true
  * @param words for messages
  */
-record FaultyScan(HeightMap map, double[] truths, String words) {
+record FaultyScan(HeightMap map, double[] truths, boolean anyBetween, String words) {
     enum Kind {
         /** Sideways, by a part of a period, from one row on. */
         SLIPPED,
@@ -30,12 +31,20 @@ record FaultyScan(HeightMap map, double[] truths, String words) {
         SLIPPED_OFTEN,
         /** Lines of another distance below than above, which nearly continue each other at one side. */
         TWO_PARTS,
+        /** The same in its lower half, by a distance and a place that chance draws. */
+        TWO_HALVES,
+        /** The same in its right half. */
+        SIDE_BY_SIDE,
         /** Rows lost: from one on, the surface continues some way on. */
         ROWS_LOST,
+        /** The same at five rows. */
+        LOST_OFTEN,
         /** Some rows repeat one of them, and the surface continues after that. */
         STUCK,
         /** From one row on the same row, until the end. */
         ABORTED,
+        /** One line ends in the middle part. */
+        DISLOCATED,
         /** Heights above or below a limit are the limit. */
         CLIPPED,
         /** Two waves across each other, periods within a third. */
@@ -64,6 +73,10 @@ record FaultyScan(HeightMap map, double[] truths, String words) {
     }
 
     boolean holdsTruth(PeriodEstimate estimate) {
+        if (anyBetween) {
+            return estimate.low() <= Arrays.stream(truths).max().orElseThrow()
+                    && estimate.high() >= Arrays.stream(truths).min().orElseThrow();
+        }
         return Arrays.stream(truths).anyMatch(truth -> truth >= estimate.low() && truth <= estimate.high());
     }
 
@@ -87,9 +100,18 @@ record FaultyScan(HeightMap map, double[] truths, String words) {
             return new Draw(kind, random, columns, rows, pitch, period, angle, random.nextInt(3));
         }
 
-        /** Height at a place, 0..1. */
-        double at(double x, double y) {
-            double turns = (x * Math.cos(angle) + y * Math.sin(angle)) / period;
+        /** Periods of half a line more and less across the scan. */
+        double[] withHalfALine() {
+            double half = 0.5 / (columns * pitch);
+            return new double[] {
+                1 / Math.hypot(Math.cos(angle) / period + half, Math.sin(angle) / period),
+                1 / Math.hypot(Math.cos(angle) / period - half, Math.sin(angle) / period)
+            };
+        }
+
+        /** Height at a place from which the wave has turned further, 0..1. */
+        double at(double x, double y, double further) {
+            double turns = (x * Math.cos(angle) + y * Math.sin(angle)) / period + further;
             double part = turns - Math.floor(turns);
             return switch (shape) {
                 case 0 -> 0.5 + 0.5 * Math.cos(2 * Math.PI * part);
@@ -114,26 +136,41 @@ record FaultyScan(HeightMap map, double[] truths, String words) {
         int first = (int) (rows * (0.15 + 0.7 * random.nextDouble()));
         int second = draw.kind() == Kind.SLIPPED_TWICE ? (int) (rows * (0.15 + 0.7 * random.nextDouble())) : rows;
         double slip = draw.period() / Math.max(0.3, Math.cos(draw.angle())) * (0.1 + 0.8 * random.nextDouble());
-        double other = draw.period() / Math.max(0.3, Math.cos(draw.angle())) * (0.1 + 0.8 * random.nextDouble());
+        double secondSlip = draw.period() / Math.max(0.3, Math.cos(draw.angle())) * (0.1 + 0.8 * random.nextDouble());
         int length = 3 + random.nextInt(Math.max(4, rows / 6));
         double limit = random.nextBoolean() ? 0.3 + 0.5 * random.nextDouble() : -0.2 - 0.5 * random.nextDouble();
         double noise = 0.03 * random.nextDouble();
+        boolean halves = draw.kind() == Kind.TWO_HALVES || draw.kind() == Kind.SIDE_BY_SIDE;
+        double ratio = halves ? 1.05 + 0.2 * random.nextDouble() : 1.15;
+        double place = random.nextDouble();
         double[] heights = new double[draw.columns() * rows];
         for (int row = 0; row < rows; row++) {
             double shift = draw.kind() == Kind.SLIPPED_OFTEN
                     ? slip * Math.floor(6.0 * row / rows)
-                    : (row >= first ? slip : 0) + (row >= second ? other : 0);
+                    : (row >= first ? slip : 0) + (row >= second ? secondSlip : 0);
             int source = switch (draw.kind()) {
                 case ROWS_LOST -> row >= first ? row + length : row;
+                case LOST_OFTEN -> row + length * (6 * row / rows);
                 case STUCK -> row >= first && row < first + length ? first : row;
                 case ABORTED -> Math.min(row, first);
                 default -> row;
             };
             boolean sideways = SIDEWAYS.contains(draw.kind());
-            double wider = draw.kind() == Kind.TWO_PARTS && row >= first ? 1.15 : 1;
             for (int column = 0; column < draw.columns(); column++) {
-                double height =
-                        draw.at(column * draw.pitch() / wider + (sideways ? shift : 0), -source * draw.pitch() / wider);
+                boolean other = switch (draw.kind()) {
+                    case TWO_PARTS -> row >= first;
+                    case TWO_HALVES -> row >= rows / 2;
+                    case SIDE_BY_SIDE -> column >= draw.columns() / 2;
+                    default -> false;
+                };
+                double wider = other ? ratio : 1;
+                double further = draw.kind() == Kind.DISLOCATED
+                        ? Math.atan2(row - first + 0.5, column - (0.3 + 0.4 * place) * draw.columns()) / (2 * Math.PI)
+                        : halves && other ? place : 0;
+                double height = draw.at(
+                        column * draw.pitch() / wider + (sideways ? shift : 0),
+                        -source * draw.pitch() / wider,
+                        further);
                 if (draw.kind() == Kind.CLIPPED) {
                     height = limit > 0 ? Math.min(height, limit) : Math.max(height, -limit);
                 }
@@ -145,7 +182,7 @@ record FaultyScan(HeightMap map, double[] truths, String words) {
         }
         String words = String.format(
                 Locale.ROOT,
-                "%s seed %d: period %.1f nm, %d x %d, pitch %.1f nm, azimuth %.0f, shape %d, row %d, slip %.2f periods, %d rows, limit %.2f",
+                "%s seed %d: period %.1f nm, %d x %d, pitch %.1f nm, azimuth %.0f, shape %d, row %d, slip %.2f periods, %d rows, limit %.2f, ratio %.3f",
                 draw.kind(),
                 seed,
                 draw.period() * 1e9,
@@ -157,17 +194,26 @@ record FaultyScan(HeightMap map, double[] truths, String words) {
                 first,
                 slip * Math.cos(draw.angle()) / draw.period(),
                 length,
-                limit);
-        double[] truths = draw.kind() == Kind.TWO_PARTS
-                ? new double[] {draw.period(), 1.15 * draw.period()}
+                limit,
+                ratio);
+        if (draw.kind() == Kind.DISLOCATED) {
+            // There is a line more on one side of its end.
+            return new FaultyScan(
+                    level(draw.columns(), rows, draw.pitch(), heights), draw.withHalfALine(), true, words);
+        }
+        double[] truths = halves || draw.kind() == Kind.TWO_PARTS
+                ? new double[] {draw.period(), ratio * draw.period()}
                 : new double[] {draw.period()};
         return scan(draw.columns(), rows, draw.pitch(), heights, truths, words);
     }
 
     private static FaultyScan scan(
             int columns, int rows, double pitch, double[] heights, double[] truths, String words) {
-        return new FaultyScan(
-                new HeightMap(columns, rows, pitch, pitch, heights).levelled(Levelling.PLANE), truths, words);
+        return new FaultyScan(level(columns, rows, pitch, heights), truths, false, words);
+    }
+
+    private static HeightMap level(int columns, int rows, double pitch, double[] heights) {
+        return new HeightMap(columns, rows, pitch, pitch, heights).levelled(Levelling.PLANE);
     }
 
     private static FaultyScan lattice(Kind kind, long seed, SplittableRandom random) {

@@ -128,6 +128,20 @@ class ScanFaultsTest {
                 .isEqualTo(new Crop.Samples(0, COLUMNS, 0, 70));
     }
 
+    /** From left to right, or, where every second line is measured on the way back, from the right. */
+    @ParameterizedTest
+    @ValueSource(ints = {30, 64, 110})
+    void aScanThatWasStoppedWithinARowIsCutBeforeIt(int columns) {
+        double[] forth = scan(4);
+        Arrays.fill(forth, 70 * COLUMNS + columns, ROWS * COLUMNS, 0);
+        double[] back = scan(4);
+        Arrays.fill(back, 70 * COLUMNS, 71 * COLUMNS - columns, 0);
+        Arrays.fill(back, 71 * COLUMNS, ROWS * COLUMNS, 0);
+        for (double[] heights : List.of(forth, back)) {
+            assertThat(words(heights)).singleElement().asString().contains("71 to 96", "was stopped");
+        }
+    }
+
     /** Instruments fill what is left with the last line, and programs level it together with the rest. */
     @Test
     void theLastLineOverAndOverIsAScanThatWasStopped() {

@@ -116,7 +116,7 @@ public final class Evaluation {
             Responses responses,
             DirectionBudget budget,
             OrdersApart orders) {
-        if (!told.slips().isEmpty()) {
+        if (told.isInPieces()) {
             return new PeriodAnswer(told, OptionalDouble.empty(), PeriodAnswer.Light.DRAWN_BY_SLIPS);
         }
         GratingPlane plane = responses.grid().plane();

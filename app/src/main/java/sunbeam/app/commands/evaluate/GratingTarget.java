@@ -82,8 +82,12 @@ record GratingTarget(
                     .map(wave -> "whether " + patch.name() + " repeats itself" + where
                             + " cannot be told from a scan of this size: " + wave + "; scan a larger area")
                     .orElseGet(() -> patch.name() + " has no periodicity" + where + ": " + heights.describeFigure());
-            throw new NoPeriodException(
-                    why + remedy(patch, given) + "; to look for a ridge all the same give " + asked);
+            throw new NoPeriodException(why
+                    + finder.spectrum(heights)
+                            .describeBeyond()
+                            .map(beyond -> "; " + beyond)
+                            .orElse("")
+                    + remedy(patch, given) + "; to look for a ridge all the same give " + asked);
         }
         double azimuth = given.orElseGet(() -> signed(heights.peaks().get(0)));
         FirstOrder order = request.period().isPresent()

@@ -103,7 +103,7 @@ final class PeriodReport {
                                         ? "; the interval reaches from one to the other"
                                         : "")),
                         () -> lines.add("of the light         " + nothing(answer.of())));
-        heights.slips().forEach(slip -> lines.add("a slip               " + slip.describe()));
+        heights.describeSlips().forEach(slip -> lines.add("slips                " + slip));
         heights.second().ifPresent(second -> lines.add(second(second)));
         heights.drift()
                 .filter(drift -> drift.ratio() - 1 > WORTH_SAYING)

@@ -35,6 +35,12 @@ final class PeriodLines {
 
     /** One or more. */
     List<String> lines() {
+        List<String> lines = found();
+        inspection.spectrum().describeBeyond().ifPresent(lines::add);
+        return lines;
+    }
+
+    private List<String> found() {
         List<String> lines = new ArrayList<>();
         if (!inspection.periodicity().found()) {
             inspection
@@ -81,7 +87,7 @@ final class PeriodLines {
                         "and a second of %s, %.2g times as high",
                         IntervalWords.of(second.period(), second.low(), second.high()),
                         second.strength())));
-        told.slips().forEach(slip -> lines.add(slip.describe()));
+        lines.addAll(told.describeSlips());
         PeriodJudgement.alias(inspection.patch().scan(), peak).ifPresent(lines::add);
         told.drift().ifPresent(ends -> lines.add("drifting from about " + apart(ends.first(), ends.last())));
     }

@@ -111,6 +111,15 @@ final class FaultyScansTest {
         assertThat(report.at("/period/slips/0/after_row").intValue()).isEqualTo(50);
     }
 
+    /** "No periodicity" was said of lines that an eye counts, as spectra end where light sees no more. */
+    @Test
+    void whatIsTooFineForLightIsSaidToBe() throws IOException {
+        // 180 nm.
+        Path scan = scan("fine.txt", (column, row) -> 20 * wave(column, row, 2.3, 0));
+        assertThat(evaluate(scan)).isEqualTo(4);
+        assertThat(err.toString()).contains("of the heights' variance have periods below 190 nm, which diffract no");
+    }
+
     @Test
     void aLatticeHasItsOtherWavesNamed() throws IOException {
         Path scan =

@@ -1,0 +1,98 @@
+package sunbeam.app.viewer;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.Locale;
+import jrtr.RenderContext;
+import jrtr.gl.RenderContexts;
+import org.joml.Quaternionf;
+import org.joml.Vector3f;
+import org.junit.jupiter.api.Test;
+import sunbeam.app.gpu.NeedsDisplay;
+import sunbeam.app.scene.Scene;
+import sunbeam.app.scene.SceneLight;
+import sunbeam.app.scene.SceneLoader;
+import sunbeam.app.scene.SceneSession;
+import sunbeam.app.scene.Scenes;
+import sunbeam.app.terminal.Environment;
+
+/**
+ * How long a frame of what moves takes to draw at each resolution, without window and event queue, once all colours are there: makes
+ * a table of docs/viewer.md. Not among the tests: {@code ./sunbeam test -Dtest=MovingFrameRun}, with {@code
+ * -Dsunbeam.scene=NAME} and {@code -Dsunbeam.divisors=N}, one of a first to an N-th of columns and rows. Colours are kept in the user's cache.
+ */
+@NeedsDisplay
+class MovingFrameRun {
+    private static final int WIDTH = 870;
+    private static final int HEIGHT = 811;
+    private static final int FRAMES = 40;
+    private static final int MOST_DIVISOR = Integer.getInteger("sunbeam.divisors", 4);
+    private static final long MOST_SECONDS = 300;
+
+    @Test
+    void printTimes() throws InterruptedException {
+        Scene scene = Scenes.load(System.getProperty("sunbeam.scene", "elaphe"));
+        SceneLoader loader = new SceneLoader(Environment.ofProcess(), line -> {});
+        LoadedScene loaded = LoadedScene.load(loader, scene, null);
+        try (RenderContext context = RenderContexts.offscreen();
+                SceneSession session = new SceneSession(context, loaded.fine())) {
+            await(session);
+            System.out.printf(Locale.ROOT, "%s, %s, ms a frame: median, 95 %%%n", scene.mesh(), context.info());
+            for (int divisor = 1; divisor <= MOST_DIVISOR; divisor++) {
+                System.out.printf(
+                        Locale.ROOT,
+                        "1:%d  light %s  model %s%n",
+                        divisor,
+                        times(
+                                session,
+                                divisor,
+                                frame -> scene.withLight(new SceneLight(
+                                        new Vector3f((float) Math.sin(0.02 * frame), 0.3f, 1).normalize(),
+                                        scene.light().intensity()))),
+                        times(
+                                session,
+                                divisor,
+                                frame -> scene.withOrientation(
+                                        new Quaternionf(scene.orientation()).rotateLocalY(0.01f * frame))));
+            }
+        }
+    }
+
+    @FunctionalInterface
+    private interface Frames {
+        Scene at(int frame);
+    }
+
+    private static String times(SceneSession session, int divisor, Frames frames) {
+        List<Double> milliseconds = new ArrayList<>();
+        for (int frame = 0; frame < FRAMES; frame++) {
+            session.update(frames.at(frame));
+            session.takeBaked();
+            long start = System.nanoTime();
+            session.moving(WIDTH, HEIGHT, divisor, 1);
+            milliseconds.add((System.nanoTime() - start) * 1e-6);
+        }
+        Collections.sort(milliseconds);
+        return String.format(
+                Locale.ROOT, "%.0f, %.0f", milliseconds.get(FRAMES / 2), milliseconds.get(FRAMES * 95 / 100));
+    }
+
+    /** Until all is there that pictures look into. */
+    private static void await(SceneSession session) throws InterruptedException {
+        session.bakeInBackground(() -> {});
+        long end = System.nanoTime() + MOST_SECONDS * 1_000_000_000L;
+        do {
+            Thread.sleep(50);
+            session.takeBaked();
+        } while (!session.canMove() && System.nanoTime() < end);
+        session.request(WIDTH, HEIGHT, () -> false);
+        while (session.requestedShare() < 1 && System.nanoTime() < end) {
+            Thread.sleep(50);
+            session.takeBaked();
+        }
+        assertThat(session.requestedShare()).isEqualTo(1);
+    }
+}

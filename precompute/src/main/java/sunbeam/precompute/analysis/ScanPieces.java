@@ -1,0 +1,100 @@
+package sunbeam.precompute.analysis;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+import sunbeam.precompute.patch.HeightMap;
+
+/**
+ * Pieces of a scan, each of which tells the period of a wave by itself: those between rows at which the scanner slipped, and
+ * halves, which agree where the whole scan shows one grating.
+ */
+final class ScanPieces {
+    // Between the peak of a piece and that of the whole, which a slip splits in two.
+    private static final double FARTHEST_BINS = 2.5;
+
+    private final HeightMap map;
+    private final SpectrumPeak whole;
+
+    /**
+     * @param map without missing samples
+     * @param whole the wave's peak of its spectrum
+     */
+    ScanPieces(HeightMap map, SpectrumPeak whole) {
+        this.map = map;
+        this.whole = whole;
+    }
+
+    /**
+     * What the pieces between slips say that are large enough to, that of the most rows first.
+     *
+     * @param slips from top to bottom
+     */
+    List<PeriodEstimate> between(List<PeriodEstimate.Slip> slips) {
+        List<HeightMap> pieces = new ArrayList<>();
+        int first = 0;
+        for (PeriodEstimate.Slip slip : slips) {
+            pieces.add(part(0, map.columns(), first, slip.row()));
+            first = slip.row();
+        }
+        pieces.add(part(0, map.columns(), first, map.rows()));
+        return pieces.stream()
+                .sorted(Comparator.comparingInt(HeightMap::rows).reversed())
+                .flatMap(piece -> near(piece).stream())
+                .toList();
+    }
+
+    /**
+     * What the whole scan says, widened where its halves, by rows and by columns, contradict it; with a drift where two halves
+     * contradict each other.
+     */
+    PeriodEstimate comparedWithHalves(PeriodEstimate told) {
+        int middleRow = map.rows() / 2;
+        int middleColumn = map.columns() / 2;
+        PeriodEstimate compared =
+                compared(told, half(0, map.columns(), middleRow, map.rows()), half(0, map.columns(), 0, middleRow));
+        return compared(
+                compared, half(0, middleColumn, 0, map.rows()), half(middleColumn, map.columns(), 0, map.rows()));
+    }
+
+    private static PeriodEstimate compared(
+            PeriodEstimate told, Optional<PeriodEstimate> first, Optional<PeriodEstimate> last) {
+        List<PeriodEstimate> halves = new ArrayList<>();
+        first.ifPresent(halves::add);
+        last.ifPresent(halves::add);
+        PeriodEstimate reaching = told.reaching(halves);
+        return halves.size() == 2 && halves.get(0).contradicts(halves.get(1))
+                ? reaching.drifting(halves.get(0).period(), halves.get(1).period())
+                : reaching;
+    }
+
+    private Optional<PeriodEstimate> half(int firstColumn, int endColumn, int firstRow, int endRow) {
+        return endColumn - firstColumn < 2 || endRow - firstRow < 2
+                ? Optional.empty()
+                : near(part(firstColumn, endColumn, firstRow, endRow));
+    }
+
+    private HeightMap part(int firstColumn, int endColumn, int firstRow, int endRow) {
+        int columns = endColumn - firstColumn;
+        double[] heights = new double[columns * (endRow - firstRow)];
+        for (int i = 0; i < heights.length; i++) {
+            heights[i] = map.at(firstColumn + i % columns, firstRow + i / columns);
+        }
+        return new HeightMap(columns, endRow - firstRow, map.pitchX(), map.pitchY(), heights);
+    }
+
+    private Optional<PeriodEstimate> near(HeightMap piece) {
+        return new PeriodFinder(piece, false)
+                .all().peaks().stream()
+                        .filter(peak -> bins(peak, piece) <= FARTHEST_BINS)
+                        .min(Comparator.comparingDouble(peak -> bins(peak, piece)))
+                        .flatMap(peak -> PeriodEstimator.ofOnePiece(piece, peak));
+    }
+
+    private double bins(SpectrumPeak peak, HeightMap piece) {
+        return Math.hypot(
+                (peak.frequencyX() - whole.frequencyX()) * piece.width(),
+                (peak.frequencyY() - whole.frequencyY()) * piece.height());
+    }
+}
