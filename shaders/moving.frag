@@ -10,8 +10,6 @@
 // places of the finest of them that is fine enough.
 
 uniform float exposure;
-// sRGB.
-uniform vec3 background;
 
 // sRGB in [0, 1].
 layout(location = 0) out vec4 color;
@@ -49,9 +47,9 @@ void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     vec4 view = texelFetch(views, pixel, 0);
     vec2 coverageChange = vec2(dFdx(view.w), dFdy(view.w));
+    // Software renderers leave out what all pixels of a square have ended; a return they do not.
     if (view.w == 0.0) {
-        color = vec4(background, 1.0);
-        return;
+        discard;
     }
     vec4 normal = texelFetch(normals, pixel, 0);
     vec3 tangent = texelFetch(tangents, pixel, 0).xyz;

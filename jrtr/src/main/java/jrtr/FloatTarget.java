@@ -1,7 +1,7 @@
 package jrtr;
 
 /**
- * Images that draws write to: RGBA32F, unclamped, no blending, no sRGB. Contents are undefined until cleared or drawn.
+ * Images that draws write to: RGBA32F, unclamped, no blending, no sRGB; or, where screens show them, RGBA8. Contents are undefined until cleared or drawn.
  *
  * <p>What is read back has row 0 at the TOP; {@code gl_FragCoord} counts rows from the bottom, so the fragment at {@code
  * gl_FragCoord.xy = (x + 0.5, y + 0.5)} is read back in row {@code height - 1 - y}.

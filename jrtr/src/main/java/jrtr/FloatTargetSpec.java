@@ -5,10 +5,18 @@ package jrtr;
  *
  * @param width pixels per row, at least 1
  * @param height rows, at least 1
- * @param colors RGBA32F images, at least 1; the fragment shader's {@code layout(location = i) out vec4} writes image i
+ * @param colors images, at least 1; the fragment shader's {@code layout(location = i) out vec4} writes image i
  * @param depth whether there is a 32-bit float depth image
+ * @param format of the images
  */
-public record FloatTargetSpec(int width, int height, int colors, boolean depth) {
+public record FloatTargetSpec(int width, int height, int colors, boolean depth, Format format) {
+    /** What a pixel of an image holds. */
+    public enum Format {
+        /** Four floats. */
+        RGBA32F,
+        /** Four values in [0, 1] of 8 bits each, as screens show them: what is beyond is clamped. */
+        RGBA8
+    }
 
     /** Rejects sizes below 1. */
     public FloatTargetSpec {
@@ -18,7 +26,17 @@ public record FloatTargetSpec(int width, int height, int colors, boolean depth) 
         }
     }
 
-    /** One image, no depth. */
+    /** Of floats. */
+    public FloatTargetSpec(int width, int height, int colors, boolean depth) {
+        this(width, height, colors, depth, Format.RGBA32F);
+    }
+
+    /** One image as screens show it, no depth. */
+    public static FloatTargetSpec screen(int width, int height) {
+        return new FloatTargetSpec(width, height, 1, false, Format.RGBA8);
+    }
+
+    /** One image of floats, no depth. */
     public static FloatTargetSpec color(int width, int height) {
         return new FloatTargetSpec(width, height, 1, false);
     }

@@ -60,14 +60,6 @@ public record Tile(int x, int y, int width, int height) {
         return new Tile(x + inside.x, y + inside.y, inside.width, inside.height);
     }
 
-    /** Whether another tile of the same image lies within this one. */
-    public boolean holds(Tile other) {
-        return other.x >= x
-                && other.y >= y
-                && (long) other.x + other.width <= (long) x + width
-                && (long) other.y + other.height <= (long) y + height;
-    }
-
     /** Pixels: width x height. */
     public long pixels() {
         return (long) width * height;

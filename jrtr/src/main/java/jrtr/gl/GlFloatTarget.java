@@ -15,9 +15,11 @@ import jrtr.Texture;
 import jrtr.Tile;
 import jrtr.Wrap;
 
-/** A framebuffer object with RGBA32F textures and, if asked for, a depth renderbuffer. */
+/** A framebuffer object with textures and, if asked for, a depth renderbuffer. */
 final class GlFloatTarget extends GlResource implements FloatTarget {
     private static final int CHANNELS = 4;
+    // 0xAARRGGBB.
+    private static final int SCREEN_COLORS = GL3.GL_UNSIGNED_INT_8_8_8_8_REV;
 
     private final FloatTargetSpec spec;
     private final List<GlAttachment> colors = new ArrayList<>();
@@ -90,8 +92,27 @@ final class GlFloatTarget extends GlResource implements FloatTarget {
             gl.glTexParameteri(GL3.GL_TEXTURE_2D, GL3.GL_TEXTURE_MIN_FILTER, GL3.GL_NEAREST);
             gl.glTexParameteri(GL3.GL_TEXTURE_2D, GL3.GL_TEXTURE_MAG_FILTER, GL3.GL_NEAREST);
             gl.glTexParameteri(GL3.GL_TEXTURE_2D, GL3.GL_TEXTURE_MAX_LEVEL, 0);
-            long bytes = 16L * spec.width() * spec.height();
-            memory.allocate(gl, GL3.GL_RGBA32F, spec.width(), spec.height(), GL3.GL_RGBA, GL3.GL_FLOAT, bytes);
+            long pixels = (long) spec.width() * spec.height();
+            if (spec.format() == FloatTargetSpec.Format.RGBA8) {
+                // In the order in which colours are read back: a copy then, without a look at each.
+                memory.allocate(
+                        gl,
+                        GL3.GL_RGBA8,
+                        spec.width(),
+                        spec.height(),
+                        GL3.GL_BGRA,
+                        SCREEN_COLORS,
+                        Integer.BYTES * pixels);
+            } else {
+                memory.allocate(
+                        gl,
+                        GL3.GL_RGBA32F,
+                        spec.width(),
+                        spec.height(),
+                        GL3.GL_RGBA,
+                        GL3.GL_FLOAT,
+                        CHANNELS * Float.BYTES * pixels);
+            }
             return name;
         } catch (RuntimeException failure) {
             gl.glDeleteTextures(1, new int[] {name}, 0);
@@ -166,7 +187,7 @@ final class GlFloatTarget extends GlResource implements FloatTarget {
         requireColor(color);
         requireInside(tile);
         int[] pixels = new int[length(tile, 1)];
-        readPixels(color, tile, GL3.GL_BGRA, GL3.GL_UNSIGNED_INT_8_8_8_8_REV, IntBuffer.wrap(pixels));
+        readPixels(color, tile, GL3.GL_BGRA, SCREEN_COLORS, IntBuffer.wrap(pixels));
         turnUpsideDown(pixels, new int[tile.width()]);
         return pixels;
     }

@@ -9,7 +9,7 @@ import jrtr.ShaderProgram;
 /**
  * How a shape looks: a program, textures for its samplers, values for its uniforms. Several materials may share a
  * program. Owns neither program nor textures. The engine's own uniforms (mesh.vert.glsl, jrtr/surface.glsl) are set by
- * {@link SceneRenderer}; all others, {@code tangentRotation} among them, are the material's.
+ * {@link SceneRenderer}; all others, those of {@link #tangentsTurned} among them, are the material's.
  *
  * @param program from {@link jrtr.RenderContext#createMeshProgram}
  * @param textures by sampler name
@@ -21,5 +21,14 @@ public record Material(ShaderProgram program, List<Binding> textures, Map<String
         Objects.requireNonNull(program, "program");
         textures = List.copyOf(textures);
         uniforms = Map.copyOf(uniforms);
+    }
+
+    /**
+     * Uniforms of jrtr/tangent_frame.glsl.
+     *
+     * @param radians by which the frame is turned about the normal, counter-clockwise seen from outside
+     */
+    public static Map<String, Float> tangentsTurned(double radians) {
+        return Map.of("tangentCosine", (float) Math.cos(radians), "tangentSine", (float) Math.sin(radians));
     }
 }

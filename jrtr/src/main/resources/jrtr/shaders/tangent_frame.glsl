@@ -2,12 +2,14 @@
 
 // The tangent frame at a fragment: x tangent, y bitangent, z normal (thesis algorithm 3.2, there per vertex).
 
-// Turn of the frame about the normal in radians, counter-clockwise seen from outside.
-uniform float tangentRotation;
+// Cosine and sine of the frame's turn about the normal, counter-clockwise seen from outside: software renderers would find them
+// anew for each fragment.
+uniform float tangentCosine;
+uniform float tangentSine;
 
 // Rodrigues' rotation of a vector about an axis of unit length that is orthogonal to it.
-vec3 turnedAbout(vec3 axis, vec3 vector, float angle) {
-    return cos(angle) * vector + sin(angle) * cross(axis, vector);
+vec3 turnedAbout(vec3 axis, vec3 vector) {
+    return tangentCosine * vector + tangentSine * cross(axis, vector);
 }
 
 // 1, or -1 where the texture is mirrored.
@@ -21,7 +23,7 @@ mat3 tangentFrame() {
     vec3 across = worldTangent.xyz - dot(worldTangent.xyz, normal) * normal;
     // Tangents that cancel between two vertices have no direction; a zero vector is better than NaN.
     vec3 tangent = across * inversesqrt(max(dot(across, across), 1e-30));
-    tangent = turnedAbout(normal, tangent, tangentRotation);
+    tangent = turnedAbout(normal, tangent);
     return mat3(tangent, frameHandedness() * cross(normal, tangent), normal);
 }
 

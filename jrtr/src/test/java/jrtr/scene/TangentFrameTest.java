@@ -84,7 +84,7 @@ class TangentFrameTest {
                         .orElse(EngineShaders.library())
                         .load("frame.frag")),
                 List.of(),
-                Map.of("tangentRotation", rotation));
+                Material.tangentsTurned(rotation));
         TransformGroup root = new TransformGroup(place);
         root.add(new ShapeNode(new Shape(context.createVertexBuffer("mesh", data), material)));
         Group all = new Group();

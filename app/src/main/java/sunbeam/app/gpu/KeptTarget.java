@@ -8,17 +8,19 @@ import jrtr.RenderContext;
 public final class KeptTarget implements AutoCloseable {
     private final RenderContext context;
     private final String label;
+    private final FloatTargetSpec.Format format;
     private FloatTarget target;
 
     /** @param label its name in messages */
-    public KeptTarget(RenderContext context, String label) {
+    public KeptTarget(RenderContext context, String label, FloatTargetSpec.Format format) {
         this.context = context;
         this.label = label;
+        this.format = format;
     }
 
     /** The target; valid until another size is asked for. Its contents are those of the last draw, if any. */
     public FloatTarget of(int width, int height) {
-        FloatTargetSpec spec = FloatTargetSpec.color(width, height);
+        FloatTargetSpec spec = new FloatTargetSpec(width, height, 1, false, format);
         if (target == null || !target.spec().equals(spec)) {
             close();
             target = context.createFloatTarget(label, spec);

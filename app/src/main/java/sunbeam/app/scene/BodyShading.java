@@ -1,6 +1,7 @@
 package sunbeam.app.scene;
 
 import jrtr.FloatTarget;
+import jrtr.FloatTargetSpec;
 import jrtr.RenderContext;
 import jrtr.ShaderProgram;
 import jrtr.Tile;
@@ -19,7 +20,7 @@ final class BodyShading implements AutoCloseable {
         this.context = context;
         this.buffers = new GeometryBuffers(context, renderer);
         this.program = context.createFullScreenProgram(Shaders.library().load("body.frag"));
-        this.targets = new KeptTarget(context, "body");
+        this.targets = new KeptTarget(context, "body", FloatTargetSpec.Format.RGBA32F);
     }
 
     /** The whole picture of the geometry's size. */
@@ -30,7 +31,7 @@ final class BodyShading implements AutoCloseable {
         ScenePicture picture = ScenePicture.empty(width, height);
         for (SceneBlocks.Piece piece : SceneBlocks.split(width, height, Tile.whole(width, height))) {
             Tile part = piece.inBlock();
-            GeometryBuffer buffer = buffers.of(geometry, piece.block(), part);
+            GeometryBuffer buffer = buffers.of(geometry, piece.block());
             FloatTarget target = targets.of(piece.block().width(), piece.block().height());
             target.clear(part, 0, 0, 0, 0);
             context.drawFullScreen(program, buffer.bindings(), target, part);

@@ -19,15 +19,11 @@ final class GeometryBuffers implements AutoCloseable {
     /** Blocks that are kept: those of a picture of 2048 x 2048, in 290 MB. */
     static final int MOST = 4;
 
-    // Rows that are drawn at once: a large picture's triangles, all at once, would keep input waiting.
-    private static final int STRIP_ROWS = 256;
-
     private final RenderContext context;
     private final SceneRenderer renderer;
     private final ShaderProgram program;
     // Least lately used first.
     private final Map<Tile, GeometryBuffer> buffers = new LinkedHashMap<>(2 * MOST, 0.75f, true);
-    // Strips of blocks, picture coordinates.
     private final Set<Tile> drawn = new HashSet<>();
     private SkinGeometry geometry;
 
@@ -37,12 +33,8 @@ final class GeometryBuffers implements AutoCloseable {
         this.program = context.createMeshProgram(Shaders.library().load("geometry.frag"));
     }
 
-    /**
-     * A block's buffer with a part of it drawn, if it was not; valid until another block is asked for.
-     *
-     * @param part counted from the block's corner
-     */
-    GeometryBuffer of(SkinGeometry wanted, Tile block, Tile part) {
+    /** A block's buffer, drawn if it was not; valid until another block is asked for. */
+    GeometryBuffer of(SkinGeometry wanted, Tile block) {
         goOverTo(wanted);
         GeometryBuffer buffer = buffers.get(block);
         if (buffer == null) {
@@ -50,17 +42,16 @@ final class GeometryBuffers implements AutoCloseable {
             buffer = GeometryBuffer.create(context, block);
             buffers.put(block, buffer);
         }
-        boolean anew = false;
-        for (int top = part.y() / STRIP_ROWS * STRIP_ROWS; top < part.y() + part.height(); top += STRIP_ROWS) {
-            Tile strip = new Tile(0, top, block.width(), Math.min(STRIP_ROWS, block.height() - top));
-            if (!drawn.contains(block.part(strip))) {
+        // All at once: the vertices of each part would be as many.
+        if (drawn.add(block)) {
+            try {
                 PictureArea area = new PictureArea(geometry.width(), geometry.height(), block);
-                renderer.draw(geometry.graph(program), area, buffer.attributes(), strip);
-                drawn.add(block.part(strip));
-                anew = true;
+                renderer.draw(
+                        geometry.graph(program), area, buffer.attributes(), Tile.whole(block.width(), block.height()));
+            } catch (RuntimeException failure) {
+                drawn.remove(block);
+                throw failure;
             }
-        }
-        if (anew) {
             // Whoever measures the mesh and the pixels after it can tell them apart.
             context.finish();
         }
@@ -82,7 +73,7 @@ final class GeometryBuffers implements AutoCloseable {
         if (buffers.size() == MOST) {
             Tile oldest = buffers.keySet().iterator().next();
             buffers.remove(oldest).close();
-            drawn.removeIf(oldest::holds);
+            drawn.remove(oldest);
         }
     }
 

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import jrtr.Binding;
 import jrtr.FloatTarget;
+import jrtr.FloatTargetSpec;
 import jrtr.RenderContext;
 import jrtr.ShaderProgram;
 import jrtr.Tile;
@@ -27,7 +28,7 @@ final class MovingSkin implements AutoCloseable {
         this.context = context;
         this.program = program;
         this.looks = looks;
-        this.targets = new KeptTarget(context, "moving");
+        this.targets = new KeptTarget(context, "moving", FloatTargetSpec.Format.RGBA8);
         looks.prepareLooking(program);
         program.set("mostPlaces", (float) MOST_PLACES);
         program.set("samplesAcross", 1f);
@@ -46,13 +47,13 @@ final class MovingSkin implements AutoCloseable {
      */
     int[] draw(Scene scene, GeometryBuffer buffer, List<Binding> method, double exposure, Tile block) {
         program.set("exposure", (float) exposure);
-        int rgb = scene.background().rgb();
-        program.set("background", new float[] {(rgb >> 16) / 255f, (rgb >> 8 & 0xff) / 255f, (rgb & 0xff) / 255f});
         List<Binding> textures = new ArrayList<>(method);
         textures.addAll(buffer.bindings());
         textures.addAll(looks.pages().bindings());
         Tile whole = Tile.whole(block.width(), block.height());
         FloatTarget target = targets.of(block.width(), block.height());
+        int rgb = scene.background().rgb();
+        target.clear(whole, (rgb >> 16) / 255f, (rgb >> 8 & 0xff) / 255f, (rgb & 0xff) / 255f, 1);
         context.drawFullScreen(program, textures, target, whole);
         return target.readColors(0, whole);
     }

@@ -1,7 +1,6 @@
 package sunbeam.app.scene;
 
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import jrtr.FloatTarget;
 import jrtr.FloatTargetSpec;
@@ -30,7 +29,7 @@ final class Picking implements AutoCloseable {
 
     /** Nothing where the pixel shows the background. */
     Optional<Pick> pick(Scene scene, VertexBuffer mesh, SceneRenderer renderer, PictureArea pixel) {
-        Material material = new Material(program, List.of(), Map.of("tangentRotation", (float) scene.rotatePatch()));
+        Material material = new Material(program, List.of(), Material.tangentsTurned(scene.rotatePatch()));
         renderer.draw(SceneGraphs.of(scene, mesh, material), pixel, target, Tile.whole(1, 1));
         float[][] values = new float[IMAGES][];
         for (int i = 0; i < IMAGES; i++) {

@@ -140,20 +140,9 @@ public final class SceneSession implements AutoCloseable {
 
     private GeometryBuffer drawn(SkinGeometry geometry, SceneBlocks.Piece piece) {
         long start = System.nanoTime();
-        Tile part = uploaded.skin().looks().isPresent() ? withNeighbours(piece) : piece.inBlock();
-        GeometryBuffer buffer = buffers.of(geometry, piece.block(), part);
+        GeometryBuffer buffer = buffers.of(geometry, piece.block());
         meshNanoseconds += System.nanoTime() - start;
         return buffer;
-    }
-
-    /** What a pixel sees of colours shows by the pixels beside it. */
-    private static Tile withNeighbours(SceneBlocks.Piece piece) {
-        Tile part = piece.inBlock();
-        int left = Math.max(0, part.x() - 1);
-        int top = Math.max(0, part.y() - 1);
-        int right = Math.min(piece.block().width(), part.x() + part.width() + 1);
-        int bottom = Math.min(piece.block().height(), part.y() + part.height() + 1);
-        return new Tile(left, top, right - left, bottom - top);
     }
 
     /**
@@ -312,7 +301,7 @@ public final class SceneSession implements AutoCloseable {
         int[] picture = ((DataBufferInt) image.getRaster().getDataBuffer()).getData();
         for (SceneBlocks.Piece piece : SceneBlocks.split(width, height, Tile.whole(width, height))) {
             long start = System.nanoTime();
-            GeometryBuffer buffer = buffers.of(geometry, piece.block(), piece.inBlock());
+            GeometryBuffer buffer = buffers.of(geometry, piece.block());
             meshNanoseconds += System.nanoTime() - start;
             int[] part = uploaded.skin().move(context, scene(), buffer, exposure, piece.block());
             int columns = piece.inBlock().width();

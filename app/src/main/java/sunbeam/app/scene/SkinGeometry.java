@@ -1,7 +1,6 @@
 package sunbeam.app.scene;
 
 import java.util.List;
-import java.util.Map;
 import jrtr.Binding;
 import jrtr.ImageTexture;
 import jrtr.ShaderProgram;
@@ -36,8 +35,8 @@ record SkinGeometry(
 
     /** For the program shaders/geometry.frag. */
     GraphSceneManager graph(ShaderProgram program) {
-        Material material = new Material(
-                program, List.of(new Binding("bodyTexture", body)), Map.of("tangentRotation", (float) rotatePatch));
+        Material material =
+                new Material(program, List.of(new Binding("bodyTexture", body)), Material.tangentsTurned(rotatePatch));
         return SceneGraphs.unlit(view, orientation, mesh, material);
     }
 }

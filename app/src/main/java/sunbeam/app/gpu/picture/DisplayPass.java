@@ -4,6 +4,7 @@ import java.util.List;
 import jrtr.Binding;
 import jrtr.FloatFormat;
 import jrtr.FloatTarget;
+import jrtr.FloatTargetSpec;
 import jrtr.FloatTexture;
 import jrtr.FloatTextureSpec;
 import jrtr.RenderContext;
@@ -26,7 +27,7 @@ public final class DisplayPass implements AutoCloseable {
     public DisplayPass(RenderContext context) {
         this.context = context;
         this.program = context.createFullScreenProgram(Shaders.library().load("display.frag"));
-        this.displays = new KeptTarget(context, "display");
+        this.displays = new KeptTarget(context, "display", FloatTargetSpec.Format.RGBA32F);
     }
 
     /**
