@@ -84,7 +84,8 @@ public final class BenchmarkCommand implements Callable<Integer> {
             names = "--frames",
             paramLabel = "N",
             defaultValue = "3",
-            description = "Frames that are timed, 1 to 100. Default: ${DEFAULT-VALUE}.")
+            description = "Frames that are timed, 1 to 100; of short ones as many as take half a second together."
+                            + " Default: ${DEFAULT-VALUE}.")
     private int frames;
 
     @Option(

@@ -12,7 +12,7 @@ import sunbeam.app.measure.errors.ErrorStatistics;
  *
  * @param patch its name
  * @param size width and height of the maps, pixels
- * @param frames that were timed of each
+ * @param frames that were timed of each at least
  * @param light where it comes from
  * @param samples views that were asked for
  * @param seed of the views
@@ -24,7 +24,7 @@ record BenchmarkReport(String patch, int size, int frames, String light, int sam
         FrameTime thesis = times.get(0);
         out.printf(
                 Locale.ROOT,
-                "BRDF map of %s, %d x %d, %d covered pixels, light at %s%n%s, %d processors, %s, median of %d frames%n",
+                "BRDF map of %s, %d x %d, %d covered pixels, light at %s%n%s, %d processors, %s, median of %d frames or as many as take 0.5 s%n",
                 patch,
                 size,
                 size,

@@ -1,6 +1,8 @@
 package sunbeam.app.measure.benchmark;
 
-import java.util.Arrays;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
 import jrtr.GpuTime;
 import jrtr.GpuTimer;
 import jrtr.RenderContext;
@@ -9,13 +11,16 @@ import sunbeam.app.gpu.map.BrdfMapRenderer;
 import sunbeam.precompute.optics.Direction;
 
 /**
- * Times the drawing of BRDF maps: the median of some frames after one for warming up.
+ * Times the drawing of BRDF maps: the median of some frames after one for warming up. Of short frames, which other work disturbs the
+ * most, there are as many as take half a second together.
  *
  * @param context in which methods live
  * @param size width and height of the maps, pixels
- * @param frames that are timed
+ * @param frames that are timed at least
  */
 public record FrameTimer(RenderContext context, int size, int frames) {
+    private static final double LEAST_SECONDS = 0.5;
+    private static final int MOST_FRAMES = 1000;
 
     /**
      * What a map took.
@@ -42,17 +47,20 @@ public record FrameTimer(RenderContext context, int size, int frames) {
             context.finish();
             double setupSeconds = (System.nanoTime() - start) * 1e-9;
             timer.measure(() -> renderer.draw(light, pixels -> {}));
-            double[] seconds = new double[frames];
+            List<Double> seconds = new ArrayList<>();
             GpuTime.Source clock = GpuTime.Source.WALL_CLOCK;
-            for (int i = 0; i < frames; i++) {
+            double total = 0;
+            while (seconds.size() < frames || total < LEAST_SECONDS) {
                 GpuTime time = timer.measure(() -> renderer.draw(light, pixels -> {}));
-                seconds[i] = time.seconds();
+                seconds.add(time.seconds());
+                // A clock that stands still would never come there.
+                total += Math.max(time.seconds(), LEAST_SECONDS / MOST_FRAMES);
                 clock = time.source();
             }
-            Arrays.sort(seconds);
+            Collections.sort(seconds);
             return new Timing(
-                    seconds[frames / 2],
-                    seconds[0],
+                    seconds.get(seconds.size() / 2),
+                    seconds.get(0),
                     renderer.coveredPixels(),
                     clock == GpuTime.Source.TIMER_QUERY ? "timer query" : "wall clock",
                     setupSeconds);

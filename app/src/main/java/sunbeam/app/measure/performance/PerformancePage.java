@@ -24,7 +24,8 @@ record PerformancePage(String machine, Scale scale, String folder, List<PatchFig
             Absolute times mean little on a machine that others use; ratios are to the thesis's shader (`full --preset thesis`) in the same
             run.
 
-            BRDF maps of %d x %d pixels, light from the normal; the fastest of %d frames after one. Errors of X, Y, Z are relative to the
+            BRDF maps of %d x %d pixels, light from the normal; the fastest of %d frames after one, or of as many as take half a
+            second. Errors of X, Y, Z are relative to the
             largest of the three, against `reference` (direct sums in double precision) under the method's own window and average, at up to
             %d random views of that light (seed %d), half of them aimed at orders, of power above %.0e; read from the tables that were
             timed. Making is all from the heights to what the shader reads, on the card; first picture: making and one frame, against the
