@@ -46,8 +46,10 @@ class PiecesOfScansTest {
         double angle = Math.toRadians(35);
         double[] heights = new double[160 * 120];
         for (int i = 0; i < heights.length; i++) {
-            double x = i % 160 + 0.25 * period / Math.cos(angle) * (i / 160 / 20);
-            double turns = (x * Math.cos(angle) - (double) (i / 160) * Math.sin(angle)) / period;
+            int row = i / 160;
+            int slips = row / 20;
+            double x = i % 160 + 0.25 * period / Math.cos(angle) * slips;
+            double turns = (x * Math.cos(angle) - row * Math.sin(angle)) / period;
             heights[i] = 1e-8 * shape.at(turns - Math.floor(turns));
         }
         HeightMap map = new HeightMap(160, 120, 1e-7, 1e-7, heights);

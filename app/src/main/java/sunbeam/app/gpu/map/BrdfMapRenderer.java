@@ -1,6 +1,6 @@
 package sunbeam.app.gpu.map;
 
-import java.util.List;
+import java.util.Optional;
 import java.util.function.LongConsumer;
 import java.util.stream.IntStream;
 import jrtr.FloatTarget;
@@ -17,11 +17,6 @@ import sunbeam.precompute.optics.Direction;
 
 /** Draws the BRDF map of one light direction, tile by tile, so that no single draw keeps a slow driver for seconds. */
 public final class BrdfMapRenderer implements AutoCloseable {
-    // llvmpipe shares out blocks of 64 x 64 pixels among processors, so a tile holds several. Of a method that takes
-    // 0.12 ms
-    // a pixel on two of them, a tile takes two seconds.
-    private static final int TILE_SIDE = 128;
-
     private final RenderContext context;
     private final UploadedTables method;
     private final ShaderProgram program;
@@ -52,9 +47,14 @@ public final class BrdfMapRenderer implements AutoCloseable {
 
     /** Draws the map and leaves it on the device. */
     public void draw(Direction light, LongConsumer progress) {
-        for (Tile tile : tiles()) {
-            draw(light, tile);
-            progress.accept(tile.pixels());
+        MapTiles tiles = new MapTiles(size);
+        double secondsPerPixel = Double.POSITIVE_INFINITY;
+        for (Optional<Tile> tile = tiles.next(secondsPerPixel); tile.isPresent(); tile = tiles.next(secondsPerPixel)) {
+            long start = System.nanoTime();
+            draw(light, tile.get());
+            long pixels = tile.get().pixels();
+            secondsPerPixel = (System.nanoTime() - start) * 1e-9 / pixels;
+            progress.accept(pixels);
         }
     }
 
@@ -74,10 +74,6 @@ public final class BrdfMapRenderer implements AutoCloseable {
     public int coveredPixels() {
         LinearPicture picture = picture();
         return (int) IntStream.range(0, size * size).filter(picture::covered).count();
-    }
-
-    private List<Tile> tiles() {
-        return Tile.cover(size, size, TILE_SIDE);
     }
 
     @Override

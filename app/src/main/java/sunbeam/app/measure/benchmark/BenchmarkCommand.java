@@ -85,7 +85,7 @@ public final class BenchmarkCommand implements Callable<Integer> {
             paramLabel = "N",
             defaultValue = "3",
             description = "Frames that are timed, 1 to 100; of short ones as many as take half a second together."
-                            + " Default: ${DEFAULT-VALUE}.")
+                    + " Default: ${DEFAULT-VALUE}.")
     private int frames;
 
     @Option(
