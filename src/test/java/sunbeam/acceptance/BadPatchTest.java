@@ -41,7 +41,9 @@ class BadPatchTest {
 
     @Test
     void aFolder() throws Exception {
-        complains("--patch . --width 65um --max-height 375nm", ". is a folder; name the image");
+        complains(
+                "--patch . --width 65um --max-height 375nm",
+                ". is a folder; name the image, scan or descriptor (.json) in it");
     }
 
     @Test

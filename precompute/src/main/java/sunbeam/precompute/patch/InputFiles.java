@@ -17,10 +17,10 @@ final class InputFiles {
             throw new PatchException(file + ": no such file; check the name and the folder");
         }
         if (Files.isDirectory(file)) {
-            throw new PatchException(file + " is a folder; name the image or descriptor (.json) in it");
+            throw new PatchException(file + " is a folder; name the image, scan or descriptor (.json) in it");
         }
         if (!Files.isRegularFile(file)) {
-            throw new PatchException(file + " is no regular file; copy the image or descriptor to one");
+            throw new PatchException(file + " is no regular file; copy the image, scan or descriptor to one");
         }
         if (!Files.isReadable(file)) {
             throw new PatchException(file + " cannot be read; check its permissions");

@@ -111,7 +111,8 @@ final class ReliefCheck {
             return;
         }
         if (unitChosen) {
-            throw new SettingException(PatchSettings.HEIGHT_UNIT, "makes a relief of " + absurdity.get());
+            String remedy = map.relief() < SMALLEST_RELIEF ? "; give a larger unit" : "";
+            throw new SettingException(PatchSettings.HEIGHT_UNIT, "makes a relief of " + absurdity.get() + remedy);
         }
         throw new PatchException(String.format(
                 Locale.ROOT, "%s has a relief of %s; its scale is wrong, export it again", file, absurdity.get()));

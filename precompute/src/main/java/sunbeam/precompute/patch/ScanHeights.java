@@ -24,6 +24,9 @@ import sunbeam.precompute.units.Lengths;
 
 /** Reads the heights of one scan: its own scale, completed by what was chosen. Neither is ever guessed. */
 final class ScanHeights {
+    /** What six digits, as many as messages show of a length, leave open. */
+    private static final double SAME = 1e-5;
+
     private final Path file;
     private final String format;
     private final Choices choices;
@@ -114,15 +117,30 @@ final class ScanHeights {
 
     private void requireNoContradiction(ScanChannel channel) {
         Extent extent = channel.extent();
-        refuse(WIDTH, extent.width().map(width -> "is " + Lengths.format(width) + " wide by its own header"));
-        refuse(HEIGHT, extent.height().map(height -> "is " + Lengths.format(height) + " high by its own header"));
+        refuseAnother(WIDTH, extent.width(), "wide");
+        refuseAnother(HEIGHT, extent.height(), "high");
         Optional<String> unit = channel.metresPerUnit().map(metres -> "has heights in " + channel.unit());
-        refuse(HEIGHT_UNIT, unit);
+        boolean agrees = choices.find(HEIGHT_UNIT)
+                .map(chosen -> same(chosen.metres(), channel.metresPerUnit().orElse(chosen.metres())))
+                .orElse(true);
+        refuse(HEIGHT_UNIT, agrees ? Optional.empty() : unit);
         refuse(MAX_HEIGHT, unit);
         if (choices.has(MAX_HEIGHT)) {
             throw new SettingException(
                     MAX_HEIGHT, "is for images; " + file + " is none: give the unit of its numbers with ", HEIGHT_UNIT);
         }
+    }
+
+    private void refuseAnother(Setting<Double> setting, Optional<Double> known, String dimension) {
+        refuse(
+                setting,
+                known.filter(length -> !same(choices.find(setting).orElse(length), length))
+                        .map(length -> "is " + Lengths.format(length) + " " + dimension + " by its own header"));
+    }
+
+    /** As far as people write it. */
+    private static boolean same(double said, double known) {
+        return Math.abs(said - known) <= SAME * known;
     }
 
     private void refuse(Setting<?> setting, Optional<String> known) {

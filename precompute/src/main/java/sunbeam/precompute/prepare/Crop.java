@@ -130,9 +130,11 @@ public record Crop(double left, double right, double bottom, double top) {
         if (right > field.width() * (1 + SLACK) || top > field.height() * (1 + SLACK)) {
             throw new IllegalArgumentException(String.format(
                     Locale.ROOT,
-                    "leaves the scan, which is %s x %s",
+                    "leaves the scan, which is %s x %s; give an area within 0:%s,0:%s",
                     Lengths.format(field.width()),
-                    Lengths.format(field.height())));
+                    Lengths.format(field.height()),
+                    edge(field.width(), field.pitchX(), true),
+                    edge(field.height(), field.pitchY(), true)));
         }
         int firstColumn = first(left, field.pitchX());
         int endColumn = Math.min(field.columns(), first(right, field.pitchX()));

@@ -61,6 +61,21 @@ class ScanHeightsTest {
                 .hasMessageContaining(complaint);
     }
 
+    @ParameterizedTest
+    @CsvSource({"width, 4um", "height, 0.003 mm", "heightUnit, nm"})
+    void whatAFileKnowsMayBeSaidAgain(String key, String word) throws IOException {
+        Path file = file(HEADER + NUMBERS);
+        var setting = PatchSettings.OF_FILES.stream()
+                .filter(s -> s.key().equals(key))
+                .findFirst()
+                .orElseThrow();
+
+        HeightMap map = load(file, setting, word).heights();
+
+        assertThat(map.width()).isEqualTo(load(file).heights().width());
+        assertThat(map.at(1, 2)).isEqualTo(load(file).heights().at(1, 2));
+    }
+
     @Test
     void asksForWhatAFileDoesNotSay() throws IOException {
         Path file = file(NUMBERS);
@@ -119,6 +134,15 @@ class ScanHeightsTest {
                 .isInstanceOf(SettingException.class)
                 .hasMessageContaining("--height-unit " + unit)
                 .hasMessageContaining(complaint);
+    }
+
+    @Test
+    void aUnitThatIsTooSmallIsRefusedWithTheRemedy() throws IOException {
+        Path metres = file("0 1e-7\n1e-7 0\n");
+
+        assertThatThrownBy(() -> load(metres, PatchSettings.WIDTH, "4um", PatchSettings.HEIGHT_UNIT, "nm"))
+                .isInstanceOf(SettingException.class)
+                .hasMessageContaining("less than a hundredth of an atom; give a larger unit");
     }
 
     @Test

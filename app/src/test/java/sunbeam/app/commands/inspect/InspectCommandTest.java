@@ -271,7 +271,7 @@ final class InspectCommandTest {
         scan(30, false);
         inspectScan(2, "--crop", "2um:18um,1um:5um");
         assertThat(err.toString())
-                .contains("--crop", "leaves the scan, which is 10 um x 5 um")
+                .contains("--crop", "leaves the scan, which is 10 um x 5 um; give an area within 0:10um,0:5um")
                 .hasLineCount(1);
         inspectScan(2, "--crop", "8um:2um,1um:5um");
         assertThat(err.toString()).contains("--crop").hasLineCount(1);
