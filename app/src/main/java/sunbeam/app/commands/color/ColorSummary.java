@@ -1,22 +1,32 @@
 package sunbeam.app.commands.color;
 
 import java.util.Locale;
+import sunbeam.precompute.analysis.PrincipalDirection;
 import sunbeam.precompute.color.Chromaticity;
 import sunbeam.precompute.color.DisplayColor;
 import sunbeam.precompute.units.Lengths;
 
 /** What is told of a surface in a few lines. */
 final class ColorSummary {
+    /** Degrees to either side that hold every axis. */
+    private static final double ANY_DIRECTION = 90;
+
     private ColorSummary() {}
 
     /** Lines for standard output. */
     static String of(ColorReport report) {
-        String start = String.format(
-                Locale.ROOT,
-                "%s: direction of most colour at azimuth %s; ",
-                report.name(),
-                report.direction().describe());
+        String start = report.name() + ": " + direction(report.direction()) + "; ";
         return start + report.purest().map(ColorSummary::purest).orElseGet(() -> nothing(report));
+    }
+
+    /** Where along lies, and whether the scan tells it. */
+    static String direction(PrincipalDirection direction) {
+        return direction.halfWidthDegrees().orElse(0) < ANY_DIRECTION
+                ? "direction of most colour at azimuth " + direction.describe()
+                : String.format(
+                        Locale.ROOT,
+                        "the scan tells no direction of most colour, along is drawn at azimuth %.0f degrees",
+                        direction.azimuthDegrees());
     }
 
     private static String purest(ColorReport.Purest purest) {
