@@ -15,6 +15,7 @@ import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.app.terminal.Environment;
 
@@ -128,6 +129,28 @@ final class SunbeamTest {
         assertThat(run("doctor", "now")).isEqualTo(2);
         assertThat(err.toString())
                 .isEqualToNormalizingNewlines("sunbeam: unknown argument 'now'; see sunbeam doctor --help\n");
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "brdf-map scan.gwy     | unknown argument 'scan.gwy'; name a surface with --patch, more with --with, and put a name",
+                "color --width 10 um   | unknown argument 'um'; write a number and its unit without a blank, such as 10um;",
+                "--theta-i 30 brdf-map | option '--theta-i' has no command before it; give the command first, then",
+                "brdf-map --size 8x8   | option '--size': '8x8' is no whole number, such as 512; see sunbeam brdf-map --help",
+                "color --step 0,5      | option '--step': '0,5' is no number, such as 0.5; write a decimal point for the comma, \"0.5\"; see",
+                "brdf-map --patch blaze --theta-i 3,5 | --theta-i \"3,5\" is no angle; give degrees as in 30deg, or radians as in 0.5rad; write a decimal point",
+                "brdf-map --patch nowhere --theta-i 95 | --theta-i 95 deg is out of range; give 0 deg to 89.9 deg",
+                "color --patch nowhere --theta-i 95    | --theta-i 95 deg is out of range; give 0 deg to 89.9 deg",
+                "brdf-map --tolerance 0,01 | --tolerance \"0,01\" is no number; write a decimal point for the comma, \"0.01\"",
+                "brdf-map --exposure 1,5 | --exposure '1,5' is neither auto nor a positive number, nor first, nor a picture (.png) to take it from; write a decimal point",
+                "color elaphe-like     | unknown argument 'elaphe-like'; name a surface with --patch, more with --with, and put",
+                "colour                | unknown command 'colour' (did you mean color?); see sunbeam --help",
+            })
+    void whatBeginnersWriteIsOneLineWithTheRemedy(String commandLine, String message) {
+        assertThat(run(commandLine.split(" ", -1))).isEqualTo(2);
+        assertThat(err.toString()).contains(message).hasLineCount(1);
     }
 
     @Test

@@ -4,6 +4,7 @@ import java.util.Arrays;
 import java.util.Locale;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import sunbeam.precompute.units.Decimals;
 
 /** Refractive index n + i k of a material in air, the same at all wavelengths or tabulated. Immutable. */
 public final class RefractiveIndex {
@@ -65,7 +66,8 @@ public final class RefractiveIndex {
     public static RefractiveIndex parse(String text) {
         Matcher matcher = NUMBER.matcher(text.strip());
         if (!matcher.matches()) {
-            throw new IllegalArgumentException("it is neither an index such as 1.56 or 0.97+6.5i nor a file (.csv)");
+            throw new IllegalArgumentException(
+                    "it is neither an index such as 1.56 or 0.97+6.5i nor a file (.csv)" + Decimals.commaRemedy(text));
         }
         double k = matcher.group(2) == null ? 0 : Double.parseDouble(matcher.group(2));
         return constant(Double.parseDouble(matcher.group(1)), k);

@@ -132,7 +132,9 @@ public final class Kinds {
     }
 
     private static double number(String text) {
-        return Decimals.parse(text).orElseThrow(() -> new IllegalArgumentException(Quoted.of(text) + " is no number"));
+        return Decimals.parse(text)
+                .orElseThrow(() ->
+                        new IllegalArgumentException(Quoted.of(text) + " is no number" + Decimals.commaRemedy(text)));
     }
 
     private static int whole(String text) {

@@ -5,7 +5,7 @@ import java.math.MathContext;
 import java.util.Locale;
 import sunbeam.precompute.text.Quoted;
 
-/** Angles as people write them ("30 deg", "0.5rad"; degrees where no unit is written) to and from radians. */
+/** Angles as people write them ("30 deg", "30°", "0.5rad"; degrees where no unit is written) to and from radians. */
 public final class Angles {
     // Conversion between degrees and radians spoils the last ones.
     private static final int DIGITS = 12;
@@ -19,13 +19,14 @@ public final class Angles {
      * @throws IllegalArgumentException when the text has no number or an unknown unit
      */
     public static double parse(String text) {
-        String value = text.strip().toLowerCase(Locale.ROOT);
+        String value = text.strip().toLowerCase(Locale.ROOT).replaceFirst("\u00b0$", "deg");
         boolean radians = value.endsWith("rad");
         boolean hasUnit = radians || value.endsWith("deg");
         String digits = hasUnit ? value.substring(0, value.length() - UNIT_LENGTH) : value;
         double number = Decimals.parse(digits)
                 .orElseThrow(() -> new IllegalArgumentException(
-                        Quoted.of(text) + " is no angle; give degrees as in 30deg, or radians as in 0.5rad"));
+                        Quoted.of(text) + " is no angle; give degrees as in 30deg, or radians as in 0.5rad"
+                                + Decimals.commaRemedy(text)));
         return radians ? number : Math.toRadians(number);
     }
 

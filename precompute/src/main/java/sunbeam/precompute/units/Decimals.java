@@ -5,6 +5,7 @@ import java.math.MathContext;
 import java.math.RoundingMode;
 import java.util.OptionalDouble;
 import java.util.regex.Pattern;
+import sunbeam.precompute.text.Quoted;
 
 /** Decimal numbers as people write them. */
 public final class Decimals {
@@ -15,7 +16,15 @@ public final class Decimals {
     private static final int MOST_PLACES = 9;
     private static final int EXACT_PLACES = 2;
 
+    private static final Pattern DECIMAL_COMMA = Pattern.compile("(?<=\\d),(?=\\d)");
+
     private Decimals() {}
+
+    /** What helps where a number has a decimal comma (a point in its place, after a semicolon), else nothing. */
+    public static String commaRemedy(String text) {
+        String pointed = DECIMAL_COMMA.matcher(text.strip()).replaceAll(".");
+        return pointed.equals(text.strip()) ? "" : "; write a decimal point for the comma, " + Quoted.of(pointed);
+    }
 
     /** A number as people write it: whole ones without a point, powers of ten as 1e-5. */
     public static String format(double value) {

@@ -42,6 +42,10 @@ public final class Lengths {
             throw new IllegalArgumentException(
                     Quoted.of(text) + " is no length; write a number with its unit, such as 65um or 375 nm");
         }
+        String remedy = matcher.group(2).startsWith(",") ? Decimals.commaRemedy(trimmed) : "";
+        if (!remedy.isEmpty()) {
+            throw new IllegalArgumentException(Quoted.of(text) + " is no length" + remedy);
+        }
         String unit = matcher.group(2).replace('\u00b5', 'u').replace('\u03bc', 'u');
         if (unit.isEmpty()) {
             throw new IllegalArgumentException(

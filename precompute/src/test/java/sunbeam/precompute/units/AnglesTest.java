@@ -12,6 +12,7 @@ final class AnglesTest {
     void numbersAreDegreesUnlessTheySayRadians() {
         assertThat(Angles.parse("180")).isEqualTo(Math.PI);
         assertThat(Angles.parse("-90deg")).isEqualTo(-Math.PI / 2);
+        assertThat(Angles.parse("90\u00b0")).isEqualTo(Math.PI / 2);
         assertThat(Angles.parse(" 1.5 rad ")).isEqualTo(1.5);
         assertThat(Angles.parse("4.5e1")).isEqualTo(Math.PI / 4);
     }

@@ -60,6 +60,12 @@ class LengthsTest {
     }
 
     @Test
+    void aDecimalCommaIsToldAsOne() {
+        assertThatThrownBy(() -> Lengths.parse("20,5um"))
+                .hasMessage("\"20,5um\" is no length; write a decimal point for the comma, \"20.5um\"");
+    }
+
+    @Test
     void complaintsStayOneShortLineForLongAndStrangeText() {
         assertThatThrownBy(() -> Lengths.parse("9".repeat(1_000_000) + "\n\u001b[31m"))
                 .isInstanceOf(IllegalArgumentException.class)

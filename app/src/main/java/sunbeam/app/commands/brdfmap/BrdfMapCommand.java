@@ -51,6 +51,7 @@ import sunbeam.app.terminal.options.MethodOptions;
 import sunbeam.app.terminal.options.PatchOptions;
 import sunbeam.precompute.method.Method;
 import sunbeam.precompute.method.Methods;
+import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.plan.VisibleRange;
@@ -140,6 +141,8 @@ public final class BrdfMapCommand implements Callable<Integer> {
         ExposureOption.Exposure exposed = exposure.parse();
         certify.check(Methods.of(asked));
         RefractiveIndex material = material();
+        // Before scans are read, as all that is wrong with the command line.
+        Direction lightDirection = light.direction();
         PrintWriter err = specification.commandLine().getErr();
         List<DiffractionSetup> setups = compared.load(patchOptions, asked).stream()
                 .map(patch -> new DiffractionSetup(patch, environment, err))
@@ -161,7 +164,7 @@ public final class BrdfMapCommand implements Callable<Integer> {
         try (RenderContext context = RenderContexts.offscreen();
                 DisplayPass display = new DisplayPass(context)) {
             List<MaterialMap.Drawn> maps = materials.stream()
-                    .map(one -> one.draw(context, light.direction(), size))
+                    .map(one -> one.draw(context, lightDirection, size))
                     .toList();
             LinearPicture first = maps.get(0).picture();
             double factor =

@@ -4,9 +4,14 @@ import java.util.List;
 import java.util.Locale;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.UnmatchedArgumentException;
+import sunbeam.precompute.units.Decimals;
 
 /** One line for a command line that cannot be understood: what is wrong, what may have been meant, where to read on. */
 final class UsageMistake {
+    private static final List<String> UNITS = List.of("pm", "nm", "um", "\u00b5m", "\u03bcm", "mm", "cm", "m", "deg");
+    /** Letters of a name that may be wrong in a suggestion. */
+    private static final int WRONG_LETTERS = 3;
+
     private UsageMistake() {}
 
     static String message(ParameterException mistake) {
@@ -16,21 +21,72 @@ final class UsageMistake {
 
     private static String what(ParameterException mistake) {
         if (!(mistake instanceof UnmatchedArgumentException unmatched)) {
-            return lowerFirst(withoutFullStop(mistake.getMessage()));
+            return plain(mistake);
         }
-        boolean commandExpected = !unmatched.isUnknownOption()
-                && !mistake.getCommandLine().getSubcommands().isEmpty();
-        String kind = unmatched.isUnknownOption() ? "option" : commandExpected ? "command" : "argument";
-        List<String> suggestions = unmatched.getSuggestions();
+        String argument = unmatched.getUnmatched().get(0);
+        boolean hasCommands = !mistake.getCommandLine().getSubcommands().isEmpty();
+        if (!unmatched.isUnknownOption() && !hasCommands) {
+            return "unknown argument '" + argument + "'" + argumentRemedy(mistake, argument);
+        }
+        if (unmatched.isUnknownOption() && isOptionOfACommand(mistake, argument)) {
+            return "option '" + argument + "' has no command before it; give the command first, then its options";
+        }
+        String kind = unmatched.isUnknownOption() ? "option" : "command";
+        List<String> suggestions = closest(unmatched.getSuggestions(), argument);
         String meant = suggestions.isEmpty() ? "" : " (did you mean " + String.join(" or ", suggestions) + "?)";
-        return "unknown " + kind + " '" + unmatched.getUnmatched().get(0) + "'" + meant;
+        return "unknown " + kind + " '" + argument + "'" + meant;
     }
 
-    private static String withoutFullStop(String text) {
-        return text.endsWith(".") ? text.substring(0, text.length() - 1) : text;
+    private static String argumentRemedy(ParameterException mistake, String argument) {
+        if (UNITS.contains(argument)) {
+            return "; write a number and its unit without a blank, such as 10" + argument;
+        }
+        var options = mistake.getCommandLine().getCommandSpec().optionsMap();
+        String more = options.containsKey("--with") ? ", more with --with" : "";
+        return options.containsKey("--patch")
+                ? "; name a surface with --patch" + more + ", and put a name that has blanks in quotes"
+                : "";
     }
 
-    private static String lowerFirst(String text) {
-        return text.substring(0, 1).toLowerCase(Locale.ROOT) + text.substring(1);
+    private static boolean isOptionOfACommand(ParameterException mistake, String argument) {
+        String name = argument.split("=", 2)[0];
+        return mistake.getCommandLine().getSubcommands().values().stream()
+                .anyMatch(command -> command.getCommandSpec().optionsMap().containsKey(name));
+    }
+
+    /** Those that a slip of the finger makes of one another; all where there are none. */
+    private static List<String> closest(List<String> suggestions, String argument) {
+        List<String> close = suggestions.stream()
+                .filter(suggestion -> wrongLetters(suggestion, argument.split("=", 2)[0]) < WRONG_LETTERS)
+                .toList();
+        return close.isEmpty() ? suggestions : close;
+    }
+
+    /** Letters to be put in, left out or changed (Levenshtein's distance). */
+    private static int wrongLetters(String one, String other) {
+        int[] above = new int[other.length() + 1];
+        for (int column = 0; column < above.length; column++) {
+            above[column] = column;
+        }
+        for (int row = 1; row <= one.length(); row++) {
+            int[] current = new int[above.length];
+            current[0] = row;
+            for (int column = 1; column < current.length; column++) {
+                int changed = above[column - 1] + (one.charAt(row - 1) == other.charAt(column - 1) ? 0 : 1);
+                current[column] = Math.min(changed, 1 + Math.min(above[column], current[column - 1]));
+            }
+            above = current;
+        }
+        return above[other.length()];
+    }
+
+    /** picocli's own words, without names of Java's types. */
+    private static String plain(ParameterException mistake) {
+        String text = mistake.getMessage();
+        String told = text.endsWith(".") ? text.substring(0, text.length() - 1) : text;
+        String comma = mistake.getValue() == null ? "" : Decimals.commaRemedy(mistake.getValue());
+        String worded = told.replaceFirst("is not an? (?:int|long)$", "is no whole number, such as 512")
+                .replaceFirst("is not an? (?:double|float)$", "is no number, such as 0.5");
+        return worded.substring(0, 1).toLowerCase(Locale.ROOT) + worded.substring(1) + comma;
     }
 }

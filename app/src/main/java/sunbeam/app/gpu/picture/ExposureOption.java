@@ -37,7 +37,8 @@ public final class ExposureOption {
         double value = Decimals.parse(exposure).orElse(Double.NaN);
         if (!(value > 0)) {
             throw new UsageException("--exposure '" + exposure
-                    + "' is neither auto nor a positive number, nor first, nor a" + " picture (.png) to take it from");
+                    + "' is neither auto nor a positive number, nor first, nor a picture (.png) to take it from"
+                    + Decimals.commaRemedy(exposure));
         }
         return pictures -> value;
     }
