@@ -18,6 +18,7 @@ public final class PeriodJudgement {
     // like it.
     private static final double FEWEST_SAMPLES = 3;
     private static final int DIGITS = 3;
+    private static final String MIXED = ", or of a longer one if every second row is shifted (trace and retrace mixed)";
 
     // Of rows that are no measurement: what repeats in them is not the surface, and where they end is no edge of it.
     private static final double MOST_UNMEASURED = 0.02;
@@ -78,13 +79,17 @@ public final class PeriodJudgement {
         return 1 / Math.max(alongX, alongY);
     }
 
-    /** What must be said of a period of few samples: no heights tell it from a shorter one. Empty of others. */
+    /**
+     * What must be said of a period of few samples: no heights tell it from a shorter one, nor from a longer one of which every
+     * second row is shifted by half of it. Empty of others.
+     */
     public static Optional<String> alias(HeightMap scan, SpectrumPeak peak) {
         double samples = samplesAPeriod(scan, peak);
+        boolean alongColumns = Math.abs(peak.frequencyY()) * scan.pitchY() > 1 / FEWEST_SAMPLES;
         return samples >= FEWEST_SAMPLES
                 ? Optional.empty()
-                : Optional.of(Decimals.rounded(samples, 2)
-                        + " samples a period: it may be the alias of a shorter one; scan finer to be sure");
+                : Optional.of(Decimals.rounded(samples, 2) + " samples a period: it may be the alias of a shorter one"
+                        + (alongColumns ? MIXED : "") + "; scan finer to be sure");
     }
 
     private static String shortly(double metres) {

@@ -26,6 +26,12 @@ record RowSlips(List<PeriodEstimate.Slip> slips, double turnsARow, double deviat
     // Of turns between neighbours: from the median in units of the deviation, and in turns.
     private static final double STANDS_OUT = 8;
     private static final double LEAST_TURNS = 0.02;
+    // Rows for each slip: a scanner that slips at every few rows breaks the wave up. Where that goes on all the same,
+    // rows are
+    // alike in pairs, or samples round its walls, and nothing slips.
+    private static final int ROWS_A_SLIP = 5;
+    // Of the sum of all rows' amplitudes over that of their sizes: phases within a twelfth of a period.
+    private static final double GOES_ON = 0.9;
     // Of a normal distribution, over the median of absolute deviations.
     private static final double SIGMA = 1.4826;
 
@@ -49,9 +55,21 @@ record RowSlips(List<PeriodEstimate.Slip> slips, double turnsARow, double deviat
                 }
             }
         }
+        if (slips.size() * ROWS_A_SLIP > map.rows() && coherence(amplitudes) > GOES_ON) {
+            slips.clear();
+        }
         slips.sort((a, b) -> Integer.compare(a.row(), b.row()));
         Turns beside = new Turns(amplitudes, REACHES[0]);
         return new RowSlips(slips, beside.median, beside.deviation);
+    }
+
+    /** 0..1: whether the rows' amplitudes have one phase. */
+    private static double coherence(double[][] amplitudes) {
+        double[] together = sum(amplitudes, 0, amplitudes.length);
+        double sizes = Arrays.stream(amplitudes)
+                .mapToDouble(row -> Math.hypot(row[0], row[1]))
+                .sum();
+        return sizes > 0 ? Math.hypot(together[0], together[1]) / sizes : 0;
     }
 
     /** Complex, of each row under a Hann window, less the row's mean and slope. */

@@ -19,6 +19,11 @@ public record ScanFault(String words, Optional<Crop> part, Optional<Levelling> l
         return new ScanFault(words, part, Optional.empty(), unmeasured);
     }
 
+    /** One of all rows, which are no measurement of one surface, that nothing takes away. */
+    static ScanFault ofAllRows(String words) {
+        return new ScanFault(words, Optional.empty(), Optional.empty(), 1);
+    }
+
     /** One that levelling takes away. */
     static ScanFault levelledBy(Levelling levelling, String words) {
         return new ScanFault(words, Optional.empty(), Optional.of(levelling), 0);

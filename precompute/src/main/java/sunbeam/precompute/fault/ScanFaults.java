@@ -8,7 +8,7 @@ import sunbeam.precompute.prepare.HeightField;
 import sunbeam.precompute.prepare.Tilt;
 
 /**
- * Finds what is wrong with a scan: rows that were not measured, heights that are clipped, rows that jump. In a time that grows
+ * Finds what is wrong with a scan: rows that were not measured, every second row shifted, heights that are clipped, rows that jump. In a time that grows
  * with the number of samples.
  */
 public final class ScanFaults {
@@ -26,6 +26,7 @@ public final class ScanFaults {
         RowSteps steps = new RowSteps(scan);
         UnmeasuredRows unmeasured = new UnmeasuredRows(scan, steps);
         List<ScanFault> faults = new ArrayList<>(unmeasured.faults());
+        faults.addAll(new AlternateRows(scan).faults());
         faults.addAll(
                 new ClippedHeights(scan, unmeasured.all(), () -> Tilt.of(whole).rise()).faults());
         faults.addAll(new RowJumps(scan, steps, unmeasured.all()).faults());

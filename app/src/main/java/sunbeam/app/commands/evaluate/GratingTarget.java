@@ -73,6 +73,12 @@ record GratingTarget(
         OptionalDouble given = request.azimuth();
         Periodicity heights = given.isPresent() ? finder.along(given.getAsDouble(), sigmaFrequency) : finder.all();
         progress.step(SEARCH);
+        Optional<String> spoilt = PeriodJudgement.spoilt(patch.faults());
+        if (!heights.found()
+                && spoilt.isPresent()
+                && (given.isEmpty() || request.period().isEmpty())) {
+            throw new NoPeriodException(patch.name() + ": " + spoilt.get());
+        }
         if (!heights.found() && (given.isEmpty() || request.period().isEmpty())) {
             String where = given.isEmpty()
                     ? ""
@@ -96,7 +102,6 @@ record GratingTarget(
         Optional<SpectrumPeak> near = heights.peaks().stream()
                 .filter(peak -> peak.period() >= order.shortest() && peak.period() <= order.longest())
                 .findFirst();
-        Optional<String> spoilt = PeriodJudgement.spoilt(patch.faults());
         Optional<PeriodEstimate> estimate =
                 near.filter(peak -> spoilt.isEmpty()).flatMap(peak -> estimate(patch, heights, peak));
         if (request.period().isEmpty()) {

@@ -86,8 +86,14 @@ record Inspection(
         return all.subList(0, Math.min(PEAKS, all.size()));
     }
 
-    /** Why the scan does not tell the period of its strongest regularity; empty where it does, or has none. */
+    /**
+     * Why the scan does not tell the period of its strongest regularity; empty where it does. Of one that shows none: which of its
+     * rows are no measurement, if that may be why.
+     */
     Optional<String> refusal() {
+        if (!periodicity.found()) {
+            return PeriodJudgement.spoilt(patch.faults());
+        }
         return periodicity.edges() == HeightSpectrum.Edges.PERIODIC
                 ? Optional.empty()
                 : peaks().stream().findFirst().flatMap(peak -> PeriodJudgement.refusal(patch.faults(), estimate, peak));

@@ -42,6 +42,10 @@ final class PeriodLines {
 
     private List<String> found() {
         List<String> lines = new ArrayList<>();
+        if (!inspection.periodicity().found() && inspection.refusal().isPresent()) {
+            // Other remedies than its own would be tried on rows that are no measurement.
+            return new ArrayList<>(List.of(inspection.refusal().get()));
+        }
         if (!inspection.periodicity().found()) {
             inspection
                     .few()

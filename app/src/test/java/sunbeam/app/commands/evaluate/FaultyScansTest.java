@@ -91,6 +91,40 @@ final class FaultyScansTest {
         assertThat(out.toString()).contains("period               1000");
     }
 
+    /** "No periodicity" was the reason, and a levelling the remedy, where rows that were never scanned hide the lines. */
+    @Test
+    void rowsThatWereNotScannedAreTheReasonWhereTheyHideThePeriod() throws IOException {
+        SplittableRandom random = new SplittableRandom(1);
+        Path scan = folder.resolve("begun.txt");
+        StringBuilder text = new StringBuilder();
+        for (int row = 0; row < SAMPLES; row++) {
+            for (int column = 0; column < SAMPLES; column++) {
+                text.append(row < 50 ? 40 * wave(column, row, 12.8, 30) + random.nextGaussian() : -400)
+                        .append(column + 1 < SAMPLES ? "\t" : "\n");
+            }
+        }
+        Files.writeString(scan, text);
+        String reason = "no period is told of a scan of which rows 51 to 128 of 128";
+        assertThat(evaluate(scan)).isEqualTo(4);
+        assertThat(err.toString()).contains("begun: " + reason, "--crop 0:10um,6.1um:10um leaves them out");
+        assertThat(err.toString()).doesNotContain("no periodicity", "--level");
+        String picture = folder.resolve("i.png").toString();
+        assertThat(run("inspect", scan.toString(), "--json", "--output", picture))
+                .isZero();
+        JsonNode told = new ObjectMapper().readTree(out.toString());
+        assertThat(told.at("/periodNotTold").textValue()).startsWith(reason);
+        assertThat(told.at("/periodLines")).hasSize(1);
+    }
+
+    /** 189 nm, 2.3 samples, with an interval of 0.1 % was told of lines 658 nm apart. */
+    @Test
+    void traceAndRetraceInTurnTellNoPeriod() throws IOException {
+        Path scan = scan("mixed.txt", (column, row) -> 40 * wave(column + row % 2 * 4, row, 12.8, 30));
+        assertThat(evaluate(scan)).isEqualTo(4);
+        assertThat(err.toString())
+                .contains("mixed: no period is told of a scan of which every second row lies shifted sideways");
+    }
+
     /** The whole scan's ridge, and its phase, lay beside both parts'. */
     @Test
     void aSlipIsToldAndMovesNothing() throws IOException {
