@@ -22,10 +22,13 @@ import sunbeam.app.gpu.NeedsDisplay;
  * reaches its end, its files must be those of a run that nobody disturbed, byte by byte save for times; and at each kill
  * what was finished before must be there as it was: not made again, not lost. Not among the tests: {@code ./sunbeam test
  * -Dtest=KilledLongWork -Dsunbeam.kills=50}, with {@code -Dsunbeam.seed=N} for other moments and {@code
- * -Dsunbeam.work=TABLE} for one of {@link LongWork} alone.
+ * -Dsunbeam.work=TABLE} for one of {@link LongWork} alone, and {@code -Dsunbeam.again=0.8} to kill what was killed once more, in
+ * four of five cases, so that fewer runs come to their end.
  */
 @NeedsDisplay
 final class KilledLongWork {
+    // Share of what was killed that is killed once more.
+    private static final double AGAIN = Double.parseDouble(System.getProperty("sunbeam.again", "0.5"));
     private static final long MINUTES_OF_ONE_RUN = 60;
     private static final String IN_TIME = "ended in " + MINUTES_OF_ONE_RUN + " minutes";
 
@@ -87,8 +90,8 @@ final class KilledLongWork {
         List<String> moments = new ArrayList<>();
         boolean ended = false;
         while (!ended) {
-            // Every second time what was killed may go on to its end.
-            Kill kill = moments.isEmpty() || random.nextBoolean()
+            // What was killed may go on to its end, every second time unless said otherwise.
+            Kill kill = moments.isEmpty() || random.nextDouble() < AGAIN
                     ? Kill.draw(random, duration, Math.max(1, mostParts - work.finished(place)))
                     : Kill.NEVER;
             ended = run(work, place, kill);

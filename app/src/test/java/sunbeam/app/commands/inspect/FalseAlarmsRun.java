@@ -12,17 +12,20 @@ import sunbeam.precompute.patch.HeightMap;
 /**
  * How often something is told of a surface that has no period: makes the table of docs/evaluation.md. Not among the tests:
  * {@code ./sunbeam test -Dtest=FalseAlarmsRun}, with {@code -Dsunbeam.seed=N} for other draws and {@code -Dsunbeam.draws=N} for
- * more of each kind.
+ * more of each kind and {@code -Dsunbeam.kind=K} for one.
  */
 class FalseAlarmsRun {
     private static final long FIRST_SEED = Long.getLong("sunbeam.seed", 0);
+    private static final String KIND = System.getProperty("sunbeam.kind", "");
     private static final int DRAWS = Integer.getInteger("sunbeam.draws", 100);
 
     @Test
     void printTable() {
         System.out.println("kind             of   a peak   a period   a wave seen too few times   an option shows one");
         for (PeriodlessSurface kind : PeriodlessSurface.values()) {
-            print(kind);
+            if (kind.name().contains(KIND)) {
+                print(kind);
+            }
         }
     }
 

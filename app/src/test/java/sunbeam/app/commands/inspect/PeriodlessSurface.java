@@ -29,7 +29,11 @@ enum PeriodlessSurface {
     /** Terraces of three to nine steps of one height, with widths that differ by up to three times. */
     TERRACES,
     /** The same, with steps along the rows: a staircase from row to row. */
-    ROW_TERRACES;
+    ROW_TERRACES,
+    /** Sixty straight scratches of one direction, of any depth and width, where chance wants them. */
+    SCRATCHES,
+    /** Straight lines of one direction whose profile is noise of one and a half octaves. */
+    LINES;
 
     private static final double PITCH = 80e-9;
 
@@ -61,6 +65,8 @@ enum PeriodlessSurface {
             case TWO_STEPS -> along(columns, rows, random.nextDouble() * Math.PI, steps(2, random));
             case TERRACES -> along(columns, rows, random.nextDouble() * Math.PI, steps(3 + random.nextInt(7), random));
             case ROW_TERRACES -> along(columns, rows, Math.PI / 2, steps(3 + random.nextInt(7), random));
+            case SCRATCHES -> along(columns, rows, random.nextDouble() * Math.PI, scratches(random));
+            case LINES -> along(columns, rows, random.nextDouble() * Math.PI, band(random));
         };
     }
 
@@ -95,6 +101,32 @@ enum PeriodlessSurface {
                 step++;
             }
             return up ? step : step % 2;
+        };
+    }
+
+    private static DoubleUnaryOperator scratches(SplittableRandom random) {
+        double[] places = random.doubles(60, -1, 1).toArray();
+        double[] depths = random.doubles(60, 0.2, 1).toArray();
+        double[] widths = random.doubles(60, 0.005, 0.04).toArray();
+        return t -> {
+            double sum = 0;
+            for (int i = 0; i < places.length; i++) {
+                sum -= depths[i] * Math.exp(-Math.pow((t - places[i]) / widths[i], 2));
+            }
+            return sum;
+        };
+    }
+
+    /** From some 8 to some 24 lines in the scan. */
+    private static DoubleUnaryOperator band(SplittableRandom random) {
+        double[] phases = random.doubles(120, 0, 2 * Math.PI).toArray();
+        double[] turns = random.doubles(120, 8, 24).toArray();
+        return t -> {
+            double sum = 0;
+            for (int i = 0; i < phases.length; i++) {
+                sum += Math.sin(Math.PI * turns[i] * t + phases[i]);
+            }
+            return sum;
         };
     }
 
