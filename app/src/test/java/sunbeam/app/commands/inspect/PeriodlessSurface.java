@@ -60,13 +60,14 @@ enum PeriodlessSurface {
             case BOW -> bow(columns, rows, random);
             case ROWS_THAT_WALK -> rows(columns, rows, 1, random);
             case ROWS_OFFSET -> sum(rows(columns, rows, 0, random), smoothed(columns, rows, 4, random));
-            case DRIFT -> along(columns, rows, random.nextDouble() * Math.PI, wavy(random));
+            case DRIFT ->
+                along(columns, rows, random.nextDouble() * Math.PI, waves(4, 0.2, 2.5, turns -> 1 / turns, random));
             case ONE_STEP -> along(columns, rows, random.nextDouble() * Math.PI, steps(1, random));
             case TWO_STEPS -> along(columns, rows, random.nextDouble() * Math.PI, steps(2, random));
             case TERRACES -> along(columns, rows, random.nextDouble() * Math.PI, steps(3 + random.nextInt(7), random));
             case ROW_TERRACES -> along(columns, rows, Math.PI / 2, steps(3 + random.nextInt(7), random));
             case SCRATCHES -> along(columns, rows, random.nextDouble() * Math.PI, scratches(random));
-            case LINES -> along(columns, rows, random.nextDouble() * Math.PI, band(random));
+            case LINES -> along(columns, rows, random.nextDouble() * Math.PI, waves(120, 8, 24, turns -> 1, random));
         };
     }
 
@@ -117,26 +118,14 @@ enum PeriodlessSurface {
         };
     }
 
-    /** From some 8 to some 24 lines in the scan. */
-    private static DoubleUnaryOperator band(SplittableRandom random) {
-        double[] phases = random.doubles(120, 0, 2 * Math.PI).toArray();
-        double[] turns = random.doubles(120, 8, 24).toArray();
+    private static DoubleUnaryOperator waves(
+            int count, double fewest, double most, DoubleUnaryOperator amplitude, SplittableRandom random) {
+        double[] phases = random.doubles(count, 0, 2 * Math.PI).toArray();
+        double[] turns = random.doubles(count, fewest, most).toArray();
         return t -> {
             double sum = 0;
-            for (int i = 0; i < phases.length; i++) {
-                sum += Math.sin(Math.PI * turns[i] * t + phases[i]);
-            }
-            return sum;
-        };
-    }
-
-    private static DoubleUnaryOperator wavy(SplittableRandom random) {
-        double[] phases = random.doubles(4, 0, 2 * Math.PI).toArray();
-        double[] turns = random.doubles(4, 0.2, 2.5).toArray();
-        return t -> {
-            double sum = 0;
-            for (int i = 0; i < phases.length; i++) {
-                sum += Math.sin(Math.PI * turns[i] * t + phases[i]) / turns[i];
+            for (int i = 0; i < count; i++) {
+                sum += amplitude.applyAsDouble(turns[i]) * Math.sin(Math.PI * turns[i] * t + phases[i]);
             }
             return sum;
         };
