@@ -4,6 +4,7 @@ import java.io.DataInputStream;
 import java.io.EOFException;
 import java.io.IOException;
 import java.net.InetSocketAddress;
+import java.net.SocketException;
 import java.net.UnixDomainSocketAddress;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
@@ -30,6 +31,7 @@ final class DisplayConnection {
     /**
      * Connects to the server of {@code DISPLAY}, with the key of {@code XAUTHORITY} or {@code ~/.Xauthority}.
      *
+     * @throws EOFException when it lets go of us before we are in, as one does that starts anew
      * @throws IOException when there is none, or it does not let us in
      */
     static SocketChannel open(Map<String, String> environment) throws IOException {
@@ -44,6 +46,9 @@ final class DisplayConnection {
         try {
             setUp(server, key(environment, display.group(2)));
             return server;
+        } catch (SocketException reset) {
+            server.close();
+            throw (EOFException) new EOFException("the X server has let go").initCause(reset);
         } catch (IOException refused) {
             server.close();
             throw refused;

@@ -45,11 +45,18 @@ final class OffscreenSurface implements GlSurface {
     }
 
     private static OffscreenSurface connect(ContextOptions options) {
-        connectToDisplay();
+        try (DisplayHold hold = DisplayHold.take(System.getenv())) {
+            connectToDisplay();
+            OffscreenSurface surface = openQuietly(options);
+            DisplayWatch.start(System.getenv());
+            return surface;
+        }
+    }
+
+    private static OffscreenSurface openQuietly(ContextOptions options) {
         try (JoglNoise noise = JoglNoise.divert()) {
             OffscreenSurface surface = open(options);
             noise.discard();
-            DisplayWatch.start(System.getenv());
             return surface;
         } catch (RuntimeException | LinkageError failure) {
             throw new GraphicsException(
@@ -68,7 +75,7 @@ final class OffscreenSurface implements GlSurface {
         } catch (RuntimeException | AWTError failure) {
             throw new GraphicsException(
                     "no display: " + displayName()
-                            + ". Set DISPLAY to a running X server, or start one without a screen: Xvfb :1 & export DISPLAY=:1",
+                            + ". Set DISPLAY to a running X server, or start one without a screen: Xvfb :1 -noreset & export DISPLAY=:1",
                     failure);
         } catch (LinkageError failure) {
             throw new GraphicsException(
