@@ -1,13 +1,17 @@
 #version 330 core
 #include "jrtr/lights.glsl"
+#include "jrtr/view_rays.glsl"
 #include "include/blend.glsl"
 #include "include/display.glsl"
-#include "include/geometry.glsl"
 #include "include/look.glsl"
+#include "include/packed_surface.glsl"
 #include "include/radiance.glsl"
 
 // A skin that moves, as a screen shows it, under the first light, by those levels of colours that exist: each pixel looks in a few
 // places of the finest of them that is fine enough.
+
+// moving_geometry.frag's.
+uniform sampler2D surfaces;
 
 uniform float exposure;
 
@@ -45,24 +49,26 @@ vec3 existingXyz(Look look) {
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
-    vec4 view = texelFetch(views, pixel, 0);
-    vec2 coverageChange = vec2(dFdx(view.w), dFdy(view.w));
+    vec4 texel = texelFetch(surfaces, pixel, 0);
+    float coverage = showsSkin(texel) ? 1.0 : 0.0;
+    vec2 coverageChange = vec2(dFdx(coverage), dFdy(coverage));
     // Software renderers leave out what all pixels of a square have ended; a return they do not.
-    if (view.w == 0.0) {
+    if (coverage == 0.0) {
         discard;
     }
-    vec4 normal = texelFetch(normals, pixel, 0);
-    vec3 tangent = texelFetch(tangents, pixel, 0).xyz;
-    vec3 wi = lightDirection(mat3(tangent, normal.w * cross(normal.xyz, tangent), normal.xyz), 0);
-    vec3 uvw = diffractionVector(wi, view.xyz);
+    Skin skin = unpackedSkin(texel);
+    vec3 wi = lightDirection(skin.frame, 0);
+    vec3 wr = viewAt(gl_FragCoord.xy) * skin.frame;
+    vec3 uvw = diffractionVector(wi, wr);
     // Beside pixels that have ended they are nothing, and not used.
     vec3 a = inside(dFdx(uvw), coverageChange.x);
     vec3 b = inside(dFdy(uvw), coverageChange.y);
     vec3 diffracted = vec3(0.0);
-    if (wi.z > 0.0 && view.z > 0.0) {
+    if (wi.z > 0.0 && wr.z > 0.0) {
         vec3 xyz = existingXyz(lookOver(uvw, a, b));
-        diffracted = loopsWereCut() ? vec3(0.0) : relativeRadiance(wi, view.xyz) * xyz;
+        diffracted = loopsWereCut() ? vec3(0.0) : relativeRadiance(wi, wr) * xyz;
     }
-    vec3 albedo = LINEAR_SRGB_TO_XYZ * texelFetch(albedos, pixel, 0).rgb;
-    color = vec4(displayColor(lightRadiances[0].y * blended(diffracted, albedo, wi.z), exposure), 1.0);
+    vec3 albedo = LINEAR_SRGB_TO_XYZ * skin.albedo;
+    vec3 light = displayLight(lightRadiances[0].y * blended(diffracted, albedo, wi.z), exposure);
+    color = vec4(srgbCurveByRoots(light), 1.0);
 }

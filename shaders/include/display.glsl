@@ -18,7 +18,12 @@ vec3 intoGamut(vec3 rgb, float luminance) {
     return luminance >= 1.0 ? vec3(1.0) : clamp(grey + keep * chroma, 0.0, 1.0);
 }
 
-vec3 displayColor(vec3 xyz, float exposure) {
+// What a screen shows as light, before its curve: linear sRGB in [0, 1].
+vec3 displayLight(vec3 xyz, float exposure) {
     vec3 exposed = exposure * xyz;
-    return srgbCurve(intoGamut(XYZ_TO_LINEAR_SRGB * exposed, exposed.y));
+    return intoGamut(XYZ_TO_LINEAR_SRGB * exposed, exposed.y);
+}
+
+vec3 displayColor(vec3 xyz, float exposure) {
+    return srgbCurve(displayLight(xyz, exposure));
 }

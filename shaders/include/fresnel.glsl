@@ -9,6 +9,8 @@ uniform float mirrorWeight = 1.0;
 uniform float grazingWeight = 24.0;
 
 float relativeReflectance(float cosThetaD) {
-    // Rounding may push the cosine past 1, and pow() of a negative base is undefined.
-    return mirrorWeight + grazingWeight * pow(max(0.0, 1.0 - cosThetaD), 5.0);
+    // Rounding may push the cosine past 1.
+    float grazing = max(0.0, 1.0 - cosThetaD);
+    float square = grazing * grazing;
+    return mirrorWeight + grazingWeight * (square * square * grazing);
 }

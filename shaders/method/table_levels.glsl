@@ -9,7 +9,8 @@ uniform sampler2D lookPlaces;
 uniform sampler2D lookWide;
 uniform sampler2D lookNarrow;
 
-// Number of each page's cell among the texels, plus one; 0 for those that do not exist. Slices of one level, then of the next.
+// Number of each page's cell among the texels, plus one; 0 for those that do not exist; and that of the same page of the next slice, as
+// look-ups want both. Slices of one level, then of the next.
 uniform sampler2DArray colourPages;
 // One texel a level: u and v of its first texel, texels per unit, pages across, and what its power counts.
 uniform sampler2D colourLevels;
@@ -29,9 +30,9 @@ vec2 levelTexel(vec2 uv, vec4 grid) {
     return clamp((uv - grid.x) * grid.y, colourPageSide, colourPageSide * (grid.z - 1.0) - 0.01);
 }
 
-// The cell of a page; below 0 where the page does not exist.
-float pageCell(vec2 page, int layer) {
-    return texelFetch(colourPages, ivec3(ivec2(page), layer), 0).r - 1.0;
+// The cells of a page and of the next slice's; below 0 where the page does not exist.
+vec2 pageCells(vec2 page, int layer) {
+    return texelFetch(colourPages, ivec3(ivec2(page), layer), 0).rg - 1.0;
 }
 
 // First texel and layer of a cell. In floats: whole numbers below 2^24 are exact, and software renderers divide integers one by one.
@@ -52,12 +53,13 @@ vec3 levelXyz(vec3 uvw, int level, vec4 grid) {
     vec4 corners = round(place.corners * GRAINS) / GRAINS;
     SlicePlace slices = slicePlace(uvw.z, COLOUR_SLICES);
     vec3 xyz = vec3(0.0);
+    int layer = level * COLOUR_SLICES + slices.first;
+    vec4 cells = vec4(pageCells(page, layer), pageCells(page, layer + 2));
+    if (any(lessThan(cells, vec4(0.0)))) {
+        return vec3(MISSING);
+    }
     for (int i = 0; i < 4; ++i) {
-        float cell = pageCell(page, level * COLOUR_SLICES + slices.first + i);
-        if (cell < 0.0) {
-            return vec3(MISSING);
-        }
-        vec3 stored = cellPlace(cell);
+        vec3 stored = cellPlace(cells[i]);
         // A page begins a texel before its own.
         place.corners = (corners + (stored.xy + 1.0).xyxy) / size.xyxy;
         xyz += slices.weights[i] * splineXyz(place, stored.z);
@@ -74,12 +76,12 @@ vec3 roughXyz(vec3 uvw, int level, vec4 grid) {
     float at = clamp(-uvw.z * colourSlicesPerUnit, 0.0, float(COLOUR_SLICES) - 1.001);
     float below = floor(at);
     vec3 xyz = vec3(0.0);
+    vec2 cells = pageCells(page, level * COLOUR_SLICES + int(below));
+    if (min(cells.x, cells.y) < 0.0) {
+        return vec3(MISSING);
+    }
     for (int i = 0; i < 2; ++i) {
-        float cell = pageCell(page, level * COLOUR_SLICES + int(below) + i);
-        if (cell < 0.0) {
-            return vec3(MISSING);
-        }
-        vec3 stored = cellPlace(cell);
+        vec3 stored = cellPlace(cells[i]);
         vec3 root = textureLod(colourTexels, vec3((inTexels + stored.xy) / size, stored.z), 0.0).rgb;
         xyz += abs(below + float(1 - i) - at) * root * root;
     }

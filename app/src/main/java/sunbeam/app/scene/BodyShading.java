@@ -18,7 +18,7 @@ final class BodyShading implements AutoCloseable {
 
     BodyShading(RenderContext context, SceneRenderer renderer) {
         this.context = context;
-        this.buffers = new GeometryBuffers(context, renderer);
+        this.buffers = new GeometryBuffers(context, renderer, GeometryLayout.FULL);
         this.program = context.createFullScreenProgram(Shaders.library().load("body.frag"));
         this.targets = new KeptTarget(context, "body", FloatTargetSpec.Format.RGBA32F);
     }

@@ -9,26 +9,29 @@ import jrtr.RenderContext;
 import jrtr.Tile;
 
 /**
- * What a block of a picture shows (shaders/geometry.frag); 68 bytes a pixel.
+ * What a block of a picture shows.
  *
- * @param attributes four images with depth
+ * @param layout what is noted
+ * @param attributes its images, with depth
  */
-record GeometryBuffer(FloatTarget attributes) implements AutoCloseable {
-    private static final List<String> SAMPLERS = List.of("views", "normals", "tangents", "albedos");
-
-    static GeometryBuffer create(RenderContext context, Tile block) {
-        return new GeometryBuffer(context.createFloatTarget(
-                "geometry", new FloatTargetSpec(block.width(), block.height(), SAMPLERS.size(), true)));
+record GeometryBuffer(GeometryLayout layout, FloatTarget attributes) implements AutoCloseable {
+    static GeometryBuffer create(RenderContext context, GeometryLayout layout, Tile block) {
+        int images = layout.samplers().size();
+        return new GeometryBuffer(
+                layout,
+                context.createFloatTarget(
+                        "geometry", new FloatTargetSpec(block.width(), block.height(), images, true)));
     }
 
-    /** The attributes for shaders/skin.frag: image i to sampler i. */
+    /** The attributes for those shaders that light them: image i to sampler i. */
     List<Binding> bindings() {
-        return IntStream.range(0, SAMPLERS.size())
-                .mapToObj(i -> new Binding(SAMPLERS.get(i), attributes.texture(i)))
+        List<String> samplers = layout.samplers();
+        return IntStream.range(0, samplers.size())
+                .mapToObj(i -> new Binding(samplers.get(i), attributes.texture(i)))
                 .toList();
     }
 
-    /** Directions to the viewer and coverage, 4 values a pixel, the part's top row first. */
+    /** Of the full layout: directions to the viewer and coverage, 4 values a pixel, the part's top row first. */
     float[] views(Tile part) {
         return attributes.read(0, part);
     }

@@ -21,16 +21,18 @@ final class GeometryBuffers implements AutoCloseable {
 
     private final RenderContext context;
     private final SceneRenderer renderer;
+    private final GeometryLayout layout;
     private final ShaderProgram program;
     // Least lately used first.
     private final Map<Tile, GeometryBuffer> buffers = new LinkedHashMap<>(2 * MOST, 0.75f, true);
     private final Set<Tile> drawn = new HashSet<>();
     private SkinGeometry geometry;
 
-    GeometryBuffers(RenderContext context, SceneRenderer renderer) {
+    GeometryBuffers(RenderContext context, SceneRenderer renderer, GeometryLayout layout) {
         this.context = context;
         this.renderer = renderer;
-        this.program = context.createMeshProgram(Shaders.library().load("geometry.frag"));
+        this.layout = layout;
+        this.program = context.createMeshProgram(Shaders.library().load(layout.shader()));
     }
 
     /** A block's buffer, drawn if it was not; valid until another block is asked for. */
@@ -39,7 +41,7 @@ final class GeometryBuffers implements AutoCloseable {
         GeometryBuffer buffer = buffers.get(block);
         if (buffer == null) {
             makeRoom();
-            buffer = GeometryBuffer.create(context, block);
+            buffer = GeometryBuffer.create(context, layout, block);
             buffers.put(block, buffer);
         }
         // All at once: the vertices of each part would be as many.

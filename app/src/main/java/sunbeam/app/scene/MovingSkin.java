@@ -8,6 +8,7 @@ import jrtr.FloatTargetSpec;
 import jrtr.RenderContext;
 import jrtr.ShaderProgram;
 import jrtr.Tile;
+import jrtr.scene.ViewRays;
 import sunbeam.app.gpu.KeptTarget;
 
 /**
@@ -42,14 +43,18 @@ final class MovingSkin implements AutoCloseable {
     /**
      * Draws a block of a picture.
      *
+     * @param buffer of {@link GeometryLayout#MOVING}
+     * @param rays of the block
      * @param method textures of the method's tables
      * @return 0xffRRGGBB, top row first
      */
-    int[] draw(Scene scene, GeometryBuffer buffer, List<Binding> method, double exposure, Tile block) {
+    int[] draw(Scene scene, GeometryBuffer buffer, ViewRays rays, List<Binding> method, double exposure) {
+        rays.applyTo(program);
         program.set("exposure", (float) exposure);
         List<Binding> textures = new ArrayList<>(method);
         textures.addAll(buffer.bindings());
         textures.addAll(looks.pages().bindings());
+        FloatTargetSpec block = buffer.attributes().spec();
         Tile whole = Tile.whole(block.width(), block.height());
         FloatTarget target = targets.of(block.width(), block.height());
         int rgb = scene.background().rgb();

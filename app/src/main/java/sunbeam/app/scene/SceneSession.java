@@ -10,6 +10,7 @@ import jrtr.RenderContext;
 import jrtr.Tile;
 import jrtr.scene.PictureArea;
 import jrtr.scene.SceneRenderer;
+import jrtr.scene.ViewRays;
 import sunbeam.app.gpu.UploadedTables;
 
 /**
@@ -32,6 +33,7 @@ public final class SceneSession implements AutoCloseable {
     private final PackedShading shading;
     private final Picking picking;
     private final UploadedScene uploaded;
+    private GeometryBuffers movingBuffers;
     private BodyShading bodyShading;
     private int samplesAcross = 1;
     private long meshNanoseconds;
@@ -45,7 +47,7 @@ public final class SceneSession implements AutoCloseable {
     public SceneSession(RenderContext context, SceneData data) {
         this.context = context;
         this.renderer = new SceneRenderer(context);
-        this.buffers = new GeometryBuffers(context, renderer);
+        this.buffers = new GeometryBuffers(context, renderer, GeometryLayout.FULL);
         this.shading = new PackedShading(context);
         this.picking = new Picking(context);
         this.uploaded = upload(data);
@@ -301,9 +303,10 @@ public final class SceneSession implements AutoCloseable {
         int[] picture = ((DataBufferInt) image.getRaster().getDataBuffer()).getData();
         for (SceneBlocks.Piece piece : SceneBlocks.split(width, height, Tile.whole(width, height))) {
             long start = System.nanoTime();
-            GeometryBuffer buffer = buffers.of(geometry, piece.block());
+            GeometryBuffer buffer = movingBuffers().of(geometry, piece.block());
             meshNanoseconds += System.nanoTime() - start;
-            int[] part = uploaded.skin().move(context, scene(), buffer, exposure, piece.block());
+            ViewRays rays = geometry.viewRays(piece.block());
+            int[] part = uploaded.skin().move(context, scene(), buffer, rays, exposure);
             int columns = piece.inBlock().width();
             for (int row = 0; row < piece.inBlock().height(); row++) {
                 System.arraycopy(part, row * columns, picture, (piece.y() + row) * width + piece.x(), columns);
@@ -314,6 +317,14 @@ public final class SceneSession implements AutoCloseable {
 
     private static Tile reduced(int width, int height, int divisor) {
         return Tile.whole((width + divisor - 1) / divisor, (height + divisor - 1) / divisor);
+    }
+
+    /** Only pictures that move need them. */
+    private GeometryBuffers movingBuffers() {
+        if (movingBuffers == null) {
+            movingBuffers = new GeometryBuffers(context, renderer, GeometryLayout.MOVING);
+        }
+        return movingBuffers;
     }
 
     /** Only previews need it. */
@@ -355,6 +366,9 @@ public final class SceneSession implements AutoCloseable {
         picking.close();
         if (bodyShading != null) {
             bodyShading.close();
+        }
+        if (movingBuffers != null) {
+            movingBuffers.close();
         }
         shading.close();
         buffers.close();

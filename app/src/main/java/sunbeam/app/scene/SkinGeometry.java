@@ -4,9 +4,12 @@ import java.util.List;
 import jrtr.Binding;
 import jrtr.ImageTexture;
 import jrtr.ShaderProgram;
+import jrtr.Tile;
 import jrtr.VertexBuffer;
 import jrtr.scene.GraphSceneManager;
 import jrtr.scene.Material;
+import jrtr.scene.PictureArea;
+import jrtr.scene.ViewRays;
 import org.joml.Quaternionfc;
 
 /**
@@ -33,7 +36,13 @@ record SkinGeometry(
         return new SkinGeometry(mesh, body, scene.view(), scene.orientation(), scene.rotatePatch(), width, height);
     }
 
-    /** For the program shaders/geometry.frag. */
+    /** Towards the viewer from what the pixels of a block show. */
+    ViewRays viewRays(Tile block) {
+        return ViewRays.of(
+                view.camera(), SceneGraphs.frustum(view, mesh.bounds()), new PictureArea(width, height, block));
+    }
+
+    /** For a {@linkplain GeometryLayout#shader() program} that notes it. */
     GraphSceneManager graph(ShaderProgram program) {
         Material material =
                 new Material(program, List.of(new Binding("bodyTexture", body)), Material.tangentsTurned(rotatePatch));

@@ -9,6 +9,7 @@ import jrtr.FloatTexture;
 import jrtr.RenderContext;
 import jrtr.ShaderProgram;
 import jrtr.Tile;
+import jrtr.scene.ViewRays;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.ReflectionPart;
@@ -82,12 +83,12 @@ final class SkinSurface implements AutoCloseable {
      *
      * @throws java.util.NoSuchElementException unless its colours are made as pixels look into them
      */
-    int[] move(RenderContext context, Scene scene, GeometryBuffer buffer, double exposure, Tile block) {
+    int[] move(RenderContext context, Scene scene, GeometryBuffer buffer, ViewRays rays, double exposure) {
         if (moving == null) {
             moving = new MovingSkin(context, method.program("moving.frag"), looks.orElseThrow());
         }
         setLight(moving.program(), scene);
-        return moving.draw(scene, buffer, method.bindings(), exposure, block);
+        return moving.draw(scene, buffer, rays, method.bindings(), exposure);
     }
 
     private void setLight(ShaderProgram program, Scene scene) {

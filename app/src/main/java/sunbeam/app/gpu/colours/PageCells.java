@@ -38,7 +38,7 @@ final class PageCells implements AutoCloseable {
     private final int columns;
     private final List<float[]> layers = new ArrayList<>();
     private final BitSet changed = new BitSet();
-    // Of each slice of each level: cell of each page plus one.
+    // Of each slice of each level: cell of each page plus one, then that of the same page of the next slice.
     private final float[][] numbers;
     private FloatTexture texels;
     private FloatTexture pages;
@@ -49,7 +49,7 @@ final class PageCells implements AutoCloseable {
         this.grids = grids;
         this.slices = levels.slices();
         this.columns = grids.get(0).columns();
-        this.numbers = new float[grids.size() * slices][columns * columns];
+        this.numbers = new float[grids.size() * slices][2 * columns * columns];
         // A mesh that turns its back to the light looks into nothing, but its shader reads textures.
         addLayer();
     }
@@ -81,7 +81,12 @@ final class PageCells implements AutoCloseable {
         int across = grids.get(level).columns();
         int perSlice = across * across;
         int inSlice = page % perSlice;
-        numbers[level * slices + page / perSlice][inSlice / across * columns + inSlice % across] = cells;
+        int place = 2 * (inSlice / across * columns + inSlice % across);
+        int slice = page / perSlice;
+        numbers[level * slices + slice][place] = cells;
+        if (slice > 0) {
+            numbers[level * slices + slice - 1][place + 1] = cells;
+        }
     }
 
     private void addLayer() {
@@ -123,7 +128,7 @@ final class PageCells implements AutoCloseable {
         changed.clear();
         if (pages == null) {
             pages = context.createFloatTexture(
-                    "colour pages", FloatTextureSpec.array(columns, columns, numbers.length, FloatFormat.R32F));
+                    "colour pages", FloatTextureSpec.array(columns, columns, numbers.length, FloatFormat.RG32F));
         }
         for (int layer = 0; layer < numbers.length; layer++) {
             pages.uploadLayer(layer, FloatBuffer.wrap(numbers[layer]));

@@ -1,0 +1,43 @@
+package jrtr.scene;
+
+import jrtr.ShaderProgram;
+import org.joml.Matrix4f;
+import org.joml.Vector3f;
+import org.joml.Vector3fc;
+
+/**
+ * Directions towards the viewer from what pixels show, by their places alone: the uniforms of jrtr/view_rays.glsl. World space, not of
+ * unit length; places count pixels from the target's lower left corner.
+ *
+ * @param corner at place (0, 0)
+ * @param perColumn by how much it changes per pixel to the right
+ * @param perRow by how much it changes per pixel upwards
+ */
+public record ViewRays(Vector3fc corner, Vector3fc perColumn, Vector3fc perRow) {
+
+    /** Of a part of a picture. */
+    public static ViewRays of(Camera camera, Frustum frustum, PictureArea area) {
+        Matrix4f toClip = frustum.cameraToClip(area);
+        Matrix4f toCamera = camera.worldToCamera();
+        // At depth -1, clip x = m00 x - m20 with w = 1; towards the viewer is (-x, -y, 1).
+        Vector3f perColumn =
+                row(toCamera, 0).mul(-2 / (toClip.m00() * area.part().width()));
+        Vector3f perRow = row(toCamera, 1).mul(-2 / (toClip.m11() * area.part().height()));
+        Vector3f corner = row(toCamera, 2)
+                .add(row(toCamera, 0).mul((1 - toClip.m20()) / toClip.m00()))
+                .add(row(toCamera, 1).mul((1 - toClip.m21()) / toClip.m11()));
+        return new ViewRays(corner, perColumn, perRow);
+    }
+
+    /** An axis of the camera in world space. */
+    private static Vector3f row(Matrix4f worldToCamera, int row) {
+        return new Vector3f(worldToCamera.get(0, row), worldToCamera.get(1, row), worldToCamera.get(2, row));
+    }
+
+    /** Sets the uniforms. */
+    public void applyTo(ShaderProgram program) {
+        program.set("viewAtCorner", corner);
+        program.set("viewPerColumn", perColumn);
+        program.set("viewPerRow", perRow);
+    }
+}

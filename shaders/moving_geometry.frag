@@ -1,0 +1,15 @@
+#version 330 core
+#include "jrtr/tangent_frame.glsl"
+#include "include/packed_surface.glsl"
+
+// What geometry.frag notes of a skin, as far as moving pictures need it and in a fourth of the memory: what is left out, the direction
+// to the viewer, follows from the pixel's place (jrtr/view_rays.glsl).
+
+// Linear light; the sampler undoes the sRGB curve.
+uniform sampler2D bodyTexture;
+
+layout(location = 0) out vec4 surface;
+
+void main() {
+    surface = packedSkin(Skin(tangentFrame(), texture(bodyTexture, surfaceCoordinate).rgb));
+}
