@@ -6,6 +6,7 @@ import java.util.Set;
 import java.util.stream.Collectors;
 import picocli.CommandLine.Option;
 import sunbeam.app.terminal.UsageException;
+import sunbeam.app.terminal.progress.Progress;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.setting.Choices;
 
@@ -30,9 +31,15 @@ public final class ComparedPatches {
         if (others.size() > MOST) {
             throw new UsageException("--with is given " + others.size() + " times; give it " + MOST + " times at most");
         }
-        List<Patch> patches = new ArrayList<>(List.of(first.load(method)));
-        others.forEach(name -> patches.add(distinct(first.load(name, method), patches)));
-        return patches;
+        try (Progress progress = Progress.start("Reading the heights", 1 + others.size())) {
+            List<Patch> patches = new ArrayList<>(List.of(first.load(method)));
+            progress.step(1);
+            for (String name : others) {
+                patches.add(distinct(first.load(name, method), patches));
+                progress.step(1);
+            }
+            return patches;
+        }
     }
 
     /** Files of one name in two folders are told apart by a number: in pictures, tables and progress. */

@@ -7,8 +7,8 @@ import me.tongfei.progressbar.ProgressBarBuilder;
 import sunbeam.app.terminal.ShutdownHook;
 
 /**
- * How far a long task is, with the time left, on standard error; only on a terminal, only once the task has taken 2 s,
- * and gone when the task ends. Thread-safe.
+ * How far a long task is, with the time left, on standard error, only once the task has taken 2 s: on a terminal one line, gone
+ * when the task ends; elsewhere lines without a bar, one every 10 s at most, however many tasks follow each other. Thread-safe.
  */
 public final class Progress implements AutoCloseable {
     static final Duration DELAY = Duration.ofSeconds(2);
@@ -16,6 +16,8 @@ public final class Progress implements AutoCloseable {
 
     /** Of the process, as its standard error is. */
     private static volatile boolean quiet;
+    /** Of the process, too. */
+    private static final Pace PACE = new Pace(System::nanoTime);
 
     private final ProgressLine line;
     private final ProgressBar bar;
@@ -44,21 +46,21 @@ public final class Progress implements AutoCloseable {
      * @param total number of steps, at least 0
      */
     public static Progress start(String label, long total) {
-        return start(label, total, Terminal.ofStandardError(System.getenv()), System::nanoTime);
+        return start(label, total, Terminal.ofStandardError(System.getenv()), System::nanoTime, PACE);
     }
 
-    static Progress start(String label, long total, Terminal terminal, LongSupplier nanoseconds) {
-        if (quiet || !terminal.interactive()) {
+    static Progress start(String label, long total, Terminal terminal, LongSupplier nanoseconds, Pace pace) {
+        if (quiet) {
             return none();
         }
-        ProgressLine line = new ProgressLine(terminal, nanoseconds);
+        ProgressLine line = new ProgressLine(terminal, nanoseconds, pace);
         // On Ctrl-C the half-drawn line goes, and none is drawn after it.
         ShutdownHook hook = new ShutdownHook(line::close);
         ProgressBar bar = new ProgressBarBuilder()
                 .setTaskName(label)
                 .setInitialMax(total)
                 .setUpdateIntervalMillis(REDRAW_MILLISECONDS)
-                .setRenderer(new TimeLeftRenderer())
+                .setRenderer(new TimeLeftRenderer(terminal.interactive()))
                 .setConsumer(line)
                 .build();
         return new Progress(line, bar, hook);

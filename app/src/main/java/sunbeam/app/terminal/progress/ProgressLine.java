@@ -6,21 +6,24 @@ import java.util.function.LongSupplier;
 import me.tongfei.progressbar.ProgressBarConsumer;
 
 /**
- * The one line of a terminal that progress is drawn on, over and over; it leaves nothing behind. Of several, as of a task that is
- * part of another, the newest has the terminal.
+ * The one line of a terminal that progress is drawn on, over and over; it leaves nothing behind. Where no terminal is, lines that
+ * stay, a few a minute. Of several, as of a task that is part of another, the newest has the terminal.
  */
 final class ProgressLine implements ProgressBarConsumer {
     private static final Deque<ProgressLine> OPEN = new ConcurrentLinkedDeque<>();
 
     private final Terminal terminal;
     private final LongSupplier nanoseconds;
+    private final Pace pace;
     private final long start;
     private int drawn;
     private boolean closed;
 
-    ProgressLine(Terminal terminal, LongSupplier nanoseconds) {
+    /** @param pace of lines that stay, which follow those of tasks before */
+    ProgressLine(Terminal terminal, LongSupplier nanoseconds, Pace pace) {
         this.terminal = terminal;
         this.nanoseconds = nanoseconds;
+        this.pace = pace;
         this.start = nanoseconds.getAsLong();
         OPEN.addLast(this);
     }
@@ -34,6 +37,12 @@ final class ProgressLine implements ProgressBarConsumer {
     @Override
     public synchronized void accept(String text) {
         if (closed || OPEN.peekLast() != this || nanoseconds.getAsLong() - start < Progress.DELAY.toNanos()) {
+            return;
+        }
+        if (!terminal.interactive()) {
+            if (pace.isDue()) {
+                print("sunbeam: " + text + System.lineSeparator());
+            }
             return;
         }
         String fitting = text.substring(0, Math.min(text.length(), getMaxRenderedLength()));

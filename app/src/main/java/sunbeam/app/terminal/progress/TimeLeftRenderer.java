@@ -5,18 +5,24 @@ import java.util.Locale;
 import me.tongfei.progressbar.ProgressBarRenderer;
 import me.tongfei.progressbar.ProgressState;
 
-/** {@code rendering [=====>     ]  45 %, 12 s left}, in ASCII, which every terminal shows. */
-final class TimeLeftRenderer implements ProgressBarRenderer {
+/**
+ * {@code rendering [=====>     ]  45 %, 12 s left}, in ASCII, which every terminal shows.
+ *
+ * @param withBar else {@code rendering: 45 %, 12 s left}
+ */
+record TimeLeftRenderer(boolean withBar) implements ProgressBarRenderer {
     private static final int FEWEST_BAR = 5;
 
     @Override
     public String render(ProgressState state, int maxLength) {
         double done = state.getMax() == 0 ? 1 : Math.min(1, state.getCurrent() / (double) state.getMax());
-        return render(state.getTaskName(), done, state.getElapsedAfterStart(), maxLength);
+        return withBar
+                ? render(state.getTaskName(), done, state.getElapsedAfterStart(), maxLength)
+                : plain(state.getTaskName(), done, state.getElapsedAfterStart());
     }
 
     static String render(String label, double done, Duration elapsed, int maxLength) {
-        String figures = String.format(Locale.ROOT, " %3.0f %%, %s", Math.floor(100 * done), timeLeft(done, elapsed));
+        String figures = String.format(Locale.ROOT, " %3.0f %%, %s", percent(done), timeLeft(done, elapsed));
         int room = maxLength - label.length() - figures.length() - " []".length();
         if (room < FEWEST_BAR) {
             // Of a long name of a file its start; how far and how long stay.
@@ -26,6 +32,14 @@ final class TimeLeftRenderer implements ProgressBarRenderer {
         int filled = (int) (room * done);
         String arrow = filled < room ? "=".repeat(filled) + ">" + " ".repeat(room - filled - 1) : "=".repeat(room);
         return label + " [" + arrow + "]" + figures;
+    }
+
+    static String plain(String label, double done, Duration elapsed) {
+        return String.format(Locale.ROOT, "%s: %.0f %%, %s", label, percent(done), timeLeft(done, elapsed));
+    }
+
+    private static double percent(double done) {
+        return Math.floor(100 * done);
     }
 
     /** Assumes that the rest goes as fast as what is done. */

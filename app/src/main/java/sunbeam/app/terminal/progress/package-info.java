@@ -1,2 +1,2 @@
-/** Progress and time left, on terminals only. */
+/** Progress and time left, on a terminal, and sparsely elsewhere. */
 package sunbeam.app.terminal.progress;

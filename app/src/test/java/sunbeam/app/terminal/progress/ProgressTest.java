@@ -8,10 +8,13 @@ import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 import java.util.concurrent.atomic.AtomicLong;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 final class ProgressTest {
     private final ByteArrayOutputStream drawn = new ByteArrayOutputStream();
     private final AtomicLong nanoseconds = new AtomicLong();
+    private final Pace pace = new Pace(nanoseconds::get);
 
     private Terminal terminal(boolean interactive) {
         return new Terminal(new PrintStream(drawn, true, StandardCharsets.US_ASCII), interactive, 60);
@@ -22,17 +25,40 @@ final class ProgressTest {
     }
 
     @Test
-    void nothingIsDrawnWhereNobodyLooks() {
-        try (Progress progress = Progress.start("rendering", 10, terminal(false), nanoseconds::get)) {
-            nanoseconds.set(Duration.ofHours(1).toNanos());
+    void whereNoTerminalIsALineStaysEveryTenSecondsAtMost() {
+        try (ProgressLine line = new ProgressLine(terminal(false), nanoseconds::get, pace)) {
+            for (int second = 0; second < 35; second++) {
+                nanoseconds.set(Duration.ofSeconds(second).toNanos());
+                line.accept("at " + second);
+            }
+        }
+        assertThat(text().lines()).containsExactly("sunbeam: at 10", "sunbeam: at 20", "sunbeam: at 30");
+    }
+
+    @Test
+    void shortTasksThatFollowEachOtherShareThePaceOfLinesThatStay() {
+        for (int second = 0; second < 25; second += 3) {
+            nanoseconds.set(Duration.ofSeconds(second).toNanos());
+            try (ProgressLine line = new ProgressLine(terminal(false), nanoseconds::get, pace)) {
+                nanoseconds.addAndGet(Progress.DELAY.toNanos());
+                line.accept("task of second " + second);
+            }
+        }
+        assertThat(text().lines()).containsExactly("sunbeam: task of second 9", "sunbeam: task of second 21");
+    }
+
+    @Test
+    void aLongTaskIsToldInAPlainLineWhereNoTerminalIs() {
+        try (Progress progress = Progress.start("rendering", 10, terminal(false), nanoseconds::get, pace)) {
+            nanoseconds.set(Pace.INTERVAL.toNanos());
             progress.step(5);
         }
-        assertThat(text()).isEmpty();
+        assertThat(text()).startsWith("sunbeam: rendering: 50 %, ").hasLineCount(1);
     }
 
     @Test
     void aShortTaskDrawsNothing() {
-        try (Progress progress = Progress.start("rendering", 10, terminal(true), nanoseconds::get)) {
+        try (Progress progress = Progress.start("rendering", 10, terminal(true), nanoseconds::get, pace)) {
             progress.step(10);
         }
         assertThat(text()).isEmpty();
@@ -40,7 +66,7 @@ final class ProgressTest {
 
     @Test
     void aLongTaskIsDrawnAndLeavesAnEmptyLine() {
-        try (Progress progress = Progress.start("rendering", 10, terminal(true), nanoseconds::get)) {
+        try (Progress progress = Progress.start("rendering", 10, terminal(true), nanoseconds::get, pace)) {
             nanoseconds.set(Progress.DELAY.toNanos());
             progress.step(5);
         }
@@ -48,11 +74,12 @@ final class ProgressTest {
         assertThat(text()).endsWith("\r" + " ".repeat(59) + "\r").doesNotContain("\n");
     }
 
-    @Test
-    void nothingIsDrawnForWhoWantsItQuiet() {
+    @ParameterizedTest
+    @ValueSource(booleans = {true, false})
+    void nothingIsDrawnForWhoWantsItQuiet(boolean interactive) {
         Progress.setQuiet(true);
-        try (Progress progress = Progress.start("rendering", 10, terminal(true), nanoseconds::get)) {
-            nanoseconds.set(Progress.DELAY.toNanos());
+        try (Progress progress = Progress.start("rendering", 10, terminal(interactive), nanoseconds::get, pace)) {
+            nanoseconds.set(Pace.INTERVAL.toNanos());
             progress.step(5);
         } finally {
             Progress.setQuiet(false);
@@ -62,7 +89,7 @@ final class ProgressTest {
 
     @Test
     void aShorterLineCoversALongerOne() {
-        try (ProgressLine line = new ProgressLine(terminal(true), nanoseconds::get)) {
+        try (ProgressLine line = new ProgressLine(terminal(true), nanoseconds::get, pace)) {
             nanoseconds.set(Progress.DELAY.toNanos());
             line.accept("long line");
             line.accept("short");
@@ -72,9 +99,9 @@ final class ProgressTest {
 
     @Test
     void ofATaskWithinATaskTheInnerOneIsDrawnUntilItEnds() {
-        try (ProgressLine outer = new ProgressLine(terminal(true), nanoseconds::get)) {
+        try (ProgressLine outer = new ProgressLine(terminal(true), nanoseconds::get, pace)) {
             nanoseconds.set(Progress.DELAY.toNanos());
-            try (ProgressLine inner = new ProgressLine(terminal(true), () -> nanoseconds.get() * 2)) {
+            try (ProgressLine inner = new ProgressLine(terminal(true), () -> nanoseconds.get() * 2, pace)) {
                 nanoseconds.set(2 * Progress.DELAY.toNanos());
                 outer.accept("outer");
                 inner.accept("inner");
@@ -87,7 +114,7 @@ final class ProgressTest {
 
     @Test
     void nothingIsDrawnAfterTheEnd() {
-        ProgressLine line = new ProgressLine(terminal(true), nanoseconds::get);
+        ProgressLine line = new ProgressLine(terminal(true), nanoseconds::get, pace);
         nanoseconds.set(Progress.DELAY.toNanos());
         line.close();
         line.accept("late");
@@ -106,6 +133,11 @@ final class ProgressTest {
         assertThat(TimeLeftRenderer.render("Colours of a scan of a very long name", 0.25, Duration.ofSeconds(10), 40))
                 .isEqualTo("Colours of a scan of ..  25 %, 30 s left");
         assertThat(TimeLeftRenderer.render("x", 1, Duration.ofSeconds(3), 40)).contains("=] 100 %");
+    }
+
+    @Test
+    void aPlainLineHasNoBar() {
+        assertThat(TimeLeftRenderer.plain("x", 0.25, Duration.ofSeconds(10))).isEqualTo("x: 25 %, 30 s left");
     }
 
     @Test
