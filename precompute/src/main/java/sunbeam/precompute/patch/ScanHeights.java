@@ -73,8 +73,12 @@ final class ScanHeights {
                                     + channels.names()));
         }
         int index = channels.find(wanted.get())
-                .orElseThrow(() ->
-                        new SettingException(CHANNEL, "is no channel of " + file + ", which has " + channels.names()));
+                .orElseThrow(() -> new SettingException(
+                        CHANNEL,
+                        "is no channel of " + file + ", which has " + channels.names()
+                                + channels.nearest(wanted.get())
+                                        .map(name -> " (did you mean " + Quoted.of(name) + "?)")
+                                        .orElse("")));
         ScanChannel channel = channels.channels().get(index);
         if (!channel.maybeHeights()) {
             throw new SettingException(

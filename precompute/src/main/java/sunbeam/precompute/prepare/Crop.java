@@ -6,6 +6,7 @@ import java.util.regex.Pattern;
 import sunbeam.precompute.setting.Kinds;
 import sunbeam.precompute.setting.ValueKind;
 import sunbeam.precompute.text.Quoted;
+import sunbeam.precompute.units.Decimals;
 import sunbeam.precompute.units.Lengths;
 
 /**
@@ -27,6 +28,7 @@ public record Crop(double left, double right, double bottom, double top) {
             "LEFT:RIGHT,BOTTOM:TOP, such as 5um:25um,0um:10um");
 
     private static final Pattern FORM = Pattern.compile("([^:,]+):([^:,]+),([^:,]+):([^:,]+)");
+    private static final Pattern HAS_UNIT = Pattern.compile("\\p{L}");
     // Rounding of lengths that were divided into samples.
     private static final double SLACK = 1e-6;
     // Of the distance between samples: as far as an edge between two may move.
@@ -49,10 +51,16 @@ public record Crop(double left, double right, double bottom, double top) {
     private static Crop parse(String text) {
         Matcher matcher = FORM.matcher(text.strip());
         if (!matcher.matches()) {
-            throw new IllegalArgumentException(
-                    Quoted.of(text) + " is no area; give LEFT:RIGHT,BOTTOM:TOP, such as 5um:25um,0um:10um");
+            throw new IllegalArgumentException(Quoted.of(text)
+                    + " is no area of four lengths; give LEFT:RIGHT,BOTTOM:TOP, such as 5um:25um,0um:10um"
+                    + commaRemedy(text));
         }
         return new Crop(edge(matcher.group(1)), edge(matcher.group(2)), edge(matcher.group(3)), edge(matcher.group(4)));
+    }
+
+    /** A comma stands between two lengths, whose first ends with its unit; between digits it is a decimal comma. */
+    private static String commaRemedy(String text) {
+        return HAS_UNIT.matcher(text).find() ? Decimals.commaRemedy(text) : "";
     }
 
     /** 0 needs no unit. */

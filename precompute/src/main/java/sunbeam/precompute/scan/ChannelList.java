@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.IntStream;
+import sunbeam.precompute.text.Similar;
 
 /** The channels of a file, under labels that tell them apart, and which of them holds the heights. */
 public final class ChannelList {
@@ -59,6 +60,17 @@ public final class ChannelList {
                 .boxed()
                 .min(Comparator.comparing(i -> channels.get(i).direction() == Direction.RETRACE));
         return labelled.or(() -> named).or(() -> numbered(plain));
+    }
+
+    /** The channel that a user may have meant who asked for one that there is not: its name, or nothing. */
+    public Optional<String> nearest(String wanted) {
+        Optional<String> label = Similar.nearest(wanted, labels);
+        Optional<String> begun = labels.stream()
+                .filter(name -> !wanted.isBlank() && plain(name).startsWith(plain(wanted)))
+                .findFirst();
+        return label.or(() -> Similar.nearest(
+                        wanted, channels.stream().map(ScanChannel::name).toList()))
+                .or(() -> begun);
     }
 
     private Optional<Integer> numbered(String text) {

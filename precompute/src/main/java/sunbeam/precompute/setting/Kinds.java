@@ -7,6 +7,7 @@ import java.util.function.Function;
 import java.util.function.UnaryOperator;
 import java.util.stream.Collectors;
 import sunbeam.precompute.text.Quoted;
+import sunbeam.precompute.text.Similar;
 import sunbeam.precompute.units.Angles;
 import sunbeam.precompute.units.Decimals;
 import sunbeam.precompute.units.Lengths;
@@ -75,7 +76,10 @@ public final class Kinds {
         Function<String, T> parse = text -> values.stream()
                 .filter(value -> name.apply(value).equals(text.strip().toLowerCase(Locale.ROOT)))
                 .findFirst()
-                .orElseThrow(() -> new IllegalArgumentException(Quoted.of(text) + " is not one of " + names));
+                .orElseThrow(() -> new IllegalArgumentException(Quoted.of(text) + " is not one of " + names
+                        + Similar.nearest(text, values.stream().map(name).toList())
+                                .map(near -> " (did you mean " + near + "?)")
+                                .orElse("")));
         return new TextKind<>(placeholder, ValueKind.Form.TEXT, parse, value -> value, name, names);
     }
 

@@ -46,6 +46,17 @@ class ScanHeightsTest {
         assertThat(map.at(1, 2)).isCloseTo(90e-9, within(1e-22));
     }
 
+    @Test
+    void aMisspeltChannelIsAskedBackBesideTheList() throws IOException {
+        Path file = file(HEADER + NUMBERS);
+
+        assertThatThrownBy(() -> load(file, PatchSettings.CHANNEL, "Hight"))
+                .isInstanceOf(SettingException.class)
+                .hasMessageContaining("scan.txt, which has Height (did you mean \"Height\"?)");
+        assertThatThrownBy(() -> load(file, PatchSettings.CHANNEL, "Phase"))
+                .hasMessageEndingWith("scan.txt, which has Height");
+    }
+
     @ParameterizedTest
     @CsvSource({"width, 5um, 4 um wide", "height, 5um, 3 um high", "heightUnit, um, in nm", "maxHeight, 1nm, in nm"})
     void whatAFileKnowsIsNotOverruled(String key, String word, String complaint) throws IOException {

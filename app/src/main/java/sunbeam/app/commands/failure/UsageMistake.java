@@ -4,13 +4,12 @@ import java.util.List;
 import java.util.Locale;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.UnmatchedArgumentException;
+import sunbeam.precompute.text.Similar;
 import sunbeam.precompute.units.Decimals;
 
 /** One line for a command line that cannot be understood: what is wrong, what may have been meant, where to read on. */
 final class UsageMistake {
     private static final List<String> UNITS = List.of("pm", "nm", "um", "\u00b5m", "\u03bcm", "mm", "cm", "m", "deg");
-    /** Letters of a name that may be wrong in a suggestion. */
-    private static final int WRONG_LETTERS = 3;
 
     private UsageMistake() {}
 
@@ -57,27 +56,9 @@ final class UsageMistake {
     /** Those that a slip of the finger makes of one another; all where there are none. */
     private static List<String> closest(List<String> suggestions, String argument) {
         List<String> close = suggestions.stream()
-                .filter(suggestion -> wrongLetters(suggestion, argument.split("=", 2)[0]) < WRONG_LETTERS)
+                .filter(suggestion -> Similar.are(suggestion, argument.split("=", 2)[0]))
                 .toList();
         return close.isEmpty() ? suggestions : close;
-    }
-
-    /** Letters to be put in, left out or changed (Levenshtein's distance). */
-    private static int wrongLetters(String one, String other) {
-        int[] above = new int[other.length() + 1];
-        for (int column = 0; column < above.length; column++) {
-            above[column] = column;
-        }
-        for (int row = 1; row <= one.length(); row++) {
-            int[] current = new int[above.length];
-            current[0] = row;
-            for (int column = 1; column < current.length; column++) {
-                int changed = above[column - 1] + (one.charAt(row - 1) == other.charAt(column - 1) ? 0 : 1);
-                current[column] = Math.min(changed, 1 + Math.min(above[column], current[column - 1]));
-            }
-            above = current;
-        }
-        return above[other.length()];
     }
 
     /** picocli's own words, without names of Java's types. */

@@ -1,0 +1,49 @@
+package sunbeam.precompute.text;
+
+import java.util.Comparator;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+
+/** What somebody may have meant who wrote a name that there is not. */
+public final class Similar {
+    /** Letters of a name that may be wrong in a suggestion. */
+    private static final int MOST_WRONG = 2;
+
+    private Similar() {}
+
+    /** Whether a slip of the finger makes one of the other: two letters put in, left out or changed, and not most of them. */
+    public static boolean are(String one, String other) {
+        return wrongLetters(one, other) <= Math.min(MOST_WRONG, Math.min(one.length(), other.length()) / 2);
+    }
+
+    /** The nearest of some names that a slip of the finger, in whatever case, makes of what was written. */
+    public static Optional<String> nearest(String written, List<String> names) {
+        String plain = plain(written);
+        return names.stream()
+                .filter(name -> are(plain, plain(name)))
+                .min(Comparator.comparingInt(name -> wrongLetters(plain, plain(name))));
+    }
+
+    private static String plain(String name) {
+        return name.strip().toLowerCase(Locale.ROOT);
+    }
+
+    /** Letters to be put in, left out or changed (Levenshtein's distance). */
+    private static int wrongLetters(String one, String other) {
+        int[] above = new int[other.length() + 1];
+        for (int column = 0; column < above.length; column++) {
+            above[column] = column;
+        }
+        for (int row = 1; row <= one.length(); row++) {
+            int[] current = new int[above.length];
+            current[0] = row;
+            for (int column = 1; column < current.length; column++) {
+                int changed = above[column - 1] + (one.charAt(row - 1) == other.charAt(column - 1) ? 0 : 1);
+                current[column] = Math.min(changed, 1 + Math.min(above[column], current[column - 1]));
+            }
+            above = current;
+        }
+        return above[other.length()];
+    }
+}

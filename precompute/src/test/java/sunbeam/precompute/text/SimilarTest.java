@@ -1,0 +1,25 @@
+package sunbeam.precompute.text;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+final class SimilarTest {
+    private static final List<String> NAMES = List.of("Height", "Weight", "Phase", "ZSensor", "X");
+
+    @ParameterizedTest
+    @CsvSource({"Hight, Height", "heigth, Height", "PHASES, Phase", "Z Sensor, ZSensor", "wieght, Weight"})
+    void aSlipOfTheFingerIsNearItsName(String written, String meant) {
+        assertThat(Similar.nearest(written, NAMES)).contains(meant);
+    }
+
+    /** Two wrong letters of three or four would make any short word of any other. */
+    @ParameterizedTest
+    @ValueSource(strings = {"", "Y", "red", "Topography"})
+    void anotherWordIsNearNone(String written) {
+        assertThat(Similar.nearest(written, NAMES)).isEmpty();
+    }
+}
