@@ -31,7 +31,7 @@ class BadOptionsTest {
                 "brdf-map --anchor floor|anchor floor is the middle of a neighbourhood of bins, but no radius is given",
                 "brdf-map --method gem --terms 5|--terms 5 belongs to --method full, nmm or pq, not gem; leave it out",
                 "brdf-map --preset these|--preset \"these\" is not one of none, thesis",
-                "brdf-map --output map.png --linear map.png|--linear map.png would be a NumPy array in spite of its name; end it with .npy",
+                "brdf-map --output map.png --linear map.png|--linear map.png would be a NumPy array, which its name does not say; end it with .npy",
                 "brdf-mop|unknown command 'brdf-mop' (did you mean brdf-map",
                 "brdf-map --sise 8|unknown option '--sise' (did you mean --size",
                 "reflectance --directions in.csv|missing required option: '--output"

@@ -86,6 +86,29 @@ class BadOutputTest {
         assertThat(workplace.files()).containsExactly("in.csv");
     }
 
+    /** A patch that is not there would be told (exit code 4) if it were looked for first. */
+    @ParameterizedTest
+    @CsvSource({
+        "inspect none.gwy --output taken.png, taken.png",
+        "brdf-map --patch none.gwy --output taken.png, taken.png",
+        "brdf-map --patch none.gwy --output free.png --linear taken.npy, taken.npy",
+        "color --patch none.gwy --output taken.png, taken.png",
+        "color --patch none.gwy --output only-the-table.png, only-the-table.csv",
+        "evaluate --patch none.gwy --output taken, taken.png",
+        "evaluate --patch none.gwy --output taken.npy, taken.png",
+        "precompute --patch none.gwy --output taken.h5, taken.h5",
+        "performance --patch none.gwy --output taken.md, taken.md"
+    })
+    void anOutputThatExistsIsRefusedBeforeThePatchIsRead(String commandLine, String taken) throws Exception {
+        Files.createFile(workplace.resolve(taken));
+
+        Complaint.assertThatIt(
+                workplace.here(commandLine.split(" ", -1)),
+                Complaint.CANNOT_WRITE,
+                "cannot write " + taken + ": it exists; add --force");
+        assertThat(workplace.files()).containsExactly(taken);
+    }
+
     /** The system refuses to let a file grow beyond 8 MB: the picture fits, the 12 MB of linear colours do not. */
     @Test
     void aDiskThatFillsUpWhileTheSecondFileIsWritten() throws Exception {

@@ -143,6 +143,8 @@ public final class BrdfMapCommand implements Callable<Integer> {
         RefractiveIndex material = material();
         // Before scans are read, as all that is wrong with the command line.
         Direction lightDirection = light.direction();
+        AtomicFile.checkNamed(output, force.overwrite());
+        AtomicFile.checkNamed(linear, force.overwrite());
         PrintWriter err = specification.commandLine().getErr();
         List<DiffractionSetup> setups = compared.load(patchOptions, asked).stream()
                 .map(patch -> new DiffractionSetup(patch, environment, err))
@@ -154,7 +156,6 @@ public final class BrdfMapCommand implements Callable<Integer> {
         AtomicFile.checkWritable(picture, force.overwrite(output));
         if (linear != null) {
             checkDifferent(picture);
-            AtomicFile.checkWritable(linear, force.overwrite());
         }
         PrintWriter out = StandardOutput.reports(specification.commandLine().getOut(), err, picture, linear);
         List<MaterialMap> materials = planned(setups, choices, material);

@@ -35,6 +35,7 @@ import sunbeam.app.terminal.options.ComparedPatches;
 import sunbeam.app.terminal.options.LightOptions;
 import sunbeam.app.terminal.options.MethodOptions;
 import sunbeam.app.terminal.options.PatchOptions;
+import sunbeam.app.terminal.progress.Progress;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.method.FittingPart;
 import sunbeam.precompute.method.Method;
@@ -141,10 +142,13 @@ public final class ColorCommand implements Callable<Integer> {
         RefractiveIndex material = index.parse();
         ExposureOption.Exposure exposed = exposure.parse();
         Methods.of(choices);
+        if (output != null) {
+            new ColorFiles(output, force.overwrite()).checkWritable();
+        }
         PrintWriter err = specification.commandLine().getErr();
         List<ColorStrips> strips = compared.load(patchOptions, choices).stream()
                 .map(patch -> new DiffractionSetup(patch, environment, err))
-                .map(setup -> strips(setup, choices, material))
+                .map(setup -> told(setup, choices, material))
                 .toList();
         Path picture = output != null ? output : Path.of("color-" + names(strips) + ".png");
         ColorFiles files = new ColorFiles(picture, force.overwrite(output));
@@ -208,6 +212,14 @@ public final class ColorCommand implements Callable<Integer> {
             if (!(Math.abs(angle) <= ColorStrips.LARGEST_VIEW_DEGREES)) {
                 throw new UsageException("--spectrum " + angle + " is out of range; give -80 to 80");
             }
+        }
+    }
+
+    private ColorStrips told(DiffractionSetup setup, Choices choices, RefractiveIndex material) {
+        try (Progress progress = Progress.start("Planning " + setup.patch().name(), 1)) {
+            ColorStrips strips = strips(setup, choices, material);
+            progress.step(1);
+            return strips;
         }
     }
 

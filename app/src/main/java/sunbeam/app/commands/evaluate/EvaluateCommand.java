@@ -3,6 +3,7 @@ package sunbeam.app.commands.evaluate;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.PrintWriter;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
@@ -41,6 +42,7 @@ import sunbeam.precompute.setting.Choices;
                 + " docs/evaluation.md.")
 public final class EvaluateCommand implements Callable<Integer> {
     private static final int MOST_POSITIONS = 10_000;
+    private static final List<String> ENDINGS = List.of(".png", ".json", ".csv", ".npy");
 
     private final Environment environment;
 
@@ -92,7 +94,9 @@ public final class EvaluateCommand implements Callable<Integer> {
     @Option(
             names = "--output",
             paramLabel = "NAME",
-            description = "What the files are called, without their endings. Default: a name made of the patch.")
+            description =
+                    "What the files are called; an ending .png, .json, .csv or .npy is left out, as each file has its"
+                            + " own. Default: a name made of the patch.")
     private Path output;
 
     @Spec
@@ -114,9 +118,12 @@ public final class EvaluateCommand implements Callable<Integer> {
         if (positions < 0 || positions > MOST_POSITIONS) {
             throw new UsageException("--positions " + positions + " is out of range; give 0 to " + MOST_POSITIONS);
         }
+        if (output != null) {
+            new FileGroup(stem(output), endings(), force.overwrite()).checkWritable();
+        }
         DiffractionSetup setup = new DiffractionSetup(
                 patchOptions, asked, environment, specification.commandLine().getErr());
-        Path stem = output != null ? output : Path.of(setup.patch().name() + "-evaluate");
+        Path stem = output != null ? stem(output) : Path.of(setup.patch().name() + "-evaluate");
         FileGroup files = new FileGroup(stem, endings(), force.overwrite(output));
         files.checkWritable();
         Choices choices =
@@ -126,10 +133,22 @@ public final class EvaluateCommand implements Callable<Integer> {
         return answered ? DoubtfulPicture.ofPatches(List.of(setup.patch())).code() : ExitCode.UNUSABLE_INPUT.code();
     }
 
+    /** What all files are called whose endings follow, also where one of the endings was given. */
+    static Path stem(Path named) {
+        String name = String.valueOf(named.getFileName());
+        return ENDINGS.stream()
+                .filter(ending -> name.endsWith(ending) && name.length() > ending.length())
+                .findFirst()
+                .map(ending -> named.resolveSibling(name.substring(0, name.length() - ending.length())))
+                .orElse(named);
+    }
+
     private List<String> endings() {
-        return positions > 0
-                ? List.of(".png", ".json", ".csv", ".npy", "-positions.csv", "-positions.png")
-                : List.of(".png", ".json", ".csv", ".npy");
+        List<String> all = new ArrayList<>(ENDINGS);
+        if (positions > 0) {
+            all.addAll(List.of("-positions.csv", "-positions.png"));
+        }
+        return all;
     }
 
     /** @return whether there is an answer */

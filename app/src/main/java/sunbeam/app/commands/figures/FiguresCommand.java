@@ -89,13 +89,13 @@ public final class FiguresCommand implements Callable<Integer> {
         Overwrite overwrite = force.overwrite();
         FigurePatches patches = new FigurePatches(patchFolder, environment, err);
         OutputFolder.create(output);
+        checkPage(overwrite);
         PanelStore store = new PanelStore(output, size, overwrite, patches);
         List<Panel> missing = wanted.stream()
                 .flatMap(figure -> figure.panels().stream())
                 .filter(panel -> store.finished(panel).isEmpty())
                 .toList();
         missing.forEach(store::requireFree);
-        checkPage(overwrite);
         Journal journal = new Journal(err, missing.size());
         List<String> failures = draw(missing, patches, store, journal);
         writePage(store);

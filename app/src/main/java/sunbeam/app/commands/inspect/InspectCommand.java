@@ -66,6 +66,7 @@ public final class InspectCommand implements Callable<Integer> {
         }
         PrintWriter err = specification.commandLine().getErr();
         PrintWriter out = StandardOutput.reports(specification.commandLine().getOut(), err, output);
+        AtomicFile.checkNamed(output, force.overwrite());
         Patch loaded = load();
         loaded.notes().forEach(note -> err.println(Messages.note(loaded.name() + ": " + note)));
         loaded.warnings().forEach(warning -> err.println(Messages.warning(loaded.name() + ": " + warning)));

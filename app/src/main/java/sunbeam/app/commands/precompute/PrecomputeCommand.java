@@ -65,6 +65,7 @@ public final class PrecomputeCommand implements Callable<Integer> {
 
     private int write(Choices choices) {
         FullMethod.of(choices);
+        AtomicFile.checkNamed(output, force.overwrite());
         DiffractionSetup setup = new DiffractionSetup(
                 patchOptions, choices, environment, specification.commandLine().getErr());
         FullMethod method =

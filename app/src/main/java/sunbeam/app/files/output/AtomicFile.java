@@ -80,6 +80,17 @@ public final class AtomicFile implements AutoCloseable {
     }
 
     /**
+     * As {@link #checkWritable}, before anything is read, for a target that the user may have named.
+     *
+     * @param named null for a name that Sunbeam will choose, which is checked when it is known
+     */
+    public static void checkNamed(Path named, Overwrite overwrite) {
+        if (named != null) {
+            checkWritable(named, overwrite);
+        }
+    }
+
+    /**
      * Writes the whole target through a buffered stream; an {@link IOException} of the content is the target's.
      *
      * @return where it is, which another output's name decides with {@link Overwrite#NUMBER}

@@ -91,8 +91,8 @@ public final class PerformanceCommand implements Callable<Integer> {
         }
         Overwrite overwrite = force.overwrite();
         String folder = name.substring(0, name.length() - ENDING.length());
-        Map<String, Patch> named = load();
         AtomicFile.checkWritable(output, overwrite);
+        Map<String, Patch> named = load();
         OutputFolder.create(output.resolveSibling(folder));
         Scale scale = quick ? Scale.QUICK : usual;
         double loadBefore = load1();

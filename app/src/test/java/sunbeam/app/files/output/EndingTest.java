@@ -9,18 +9,25 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.app.terminal.UsageException;
 
-/** A name that says JPEG, EXR or table is not given to a PNG. */
+/** A name that says JPEG, EXR, table or nothing is not given to a PNG. */
 final class EndingTest {
     @ParameterizedTest
-    @ValueSource(strings = {"map.jpg", "map.JPEG", "folder/map.exr", "map.npy", "map.csv", ".png.gif"})
-    void aNameThatPromisesAnotherFormatIsRefused(String name) {
+    @ValueSource(strings = {"map.jpg", "map.JPEG", "folder/map.exr", "map.npy", "map.csv", ".png.gif", "scan.v1.2"})
+    void aNameThatSaysOtherwiseIsRefused(String name) {
         assertThatThrownBy(() -> Ending.PNG.require("--output", Path.of(name)))
                 .isInstanceOf(UsageException.class)
-                .hasMessage("--output " + name + " would be a PNG picture in spite of its name; end it with .png");
+                .hasMessage(
+                        "--output " + name + " would be a PNG picture, which its name does not say; end it with .png");
+    }
+
+    @Test
+    void aNameWithoutEndingIsRefusedWithTheNameThatWillDo() {
+        assertThatThrownBy(() -> Ending.HDF5.require("--output", Path.of("folder.h5/q")))
+                .hasMessage("--output folder.h5/q would be an HDF5 file, which its name does not say; call it q.h5");
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"map.png", "map.PNG", "map", "scan.v1.2", "folder.jpg/map.png", "-", "/dev/null", "/", "."})
+    @ValueSource(strings = {"map.png", "map.PNG", "scan.v1.2.png", "folder.jpg/map.png", "-", "/dev/null", "/", "."})
     void othersPass(String name) {
         assertThatCode(() -> Ending.PNG.require("--output", Path.of(name))).doesNotThrowAnyException();
     }
