@@ -9,6 +9,9 @@ public record CoherenceWindow(double sigmaMetres) {
     /** Sunlight's coherence length, metres (thesis section 2.2.2). */
     public static final double SUNLIGHT_COHERENCE_LENGTH = 65e-6;
 
+    private static final double LONGEST_WAVELENGTH = 780e-9;
+    private static final double LONGEST_WAVE = 5e-6;
+
     public CoherenceWindow {
         if (!(sigmaMetres > 0) || !Double.isFinite(sigmaMetres)) {
             throw new IllegalArgumentException("sigma must be positive, got " + sigmaMetres + " m");
@@ -35,5 +38,13 @@ public record CoherenceWindow(double sigmaMetres) {
      */
     public double specularReach(double longestWavelength) {
         return 5 * sigmaFrequency() * longestWavelength;
+    }
+
+    /**
+     * |(u, v)| up to which a direction sees the mirror's light or its surroundings, the gloss, and no order (docs/color.md): the
+     * specular peak of visible light, and what waves of the surface longer than 5 um scatter.
+     */
+    public double mirrorReach() {
+        return Math.max(specularReach(LONGEST_WAVELENGTH), LONGEST_WAVELENGTH / LONGEST_WAVE);
     }
 }

@@ -44,6 +44,7 @@ import sunbeam.app.measure.errors.CertifyOption;
 import sunbeam.app.measure.errors.Explainer;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;
+import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.app.terminal.options.ComparedPatches;
 import sunbeam.app.terminal.options.LightOptions;
@@ -51,6 +52,7 @@ import sunbeam.app.terminal.options.MethodOptions;
 import sunbeam.app.terminal.options.PatchOptions;
 import sunbeam.precompute.method.Method;
 import sunbeam.precompute.method.Methods;
+import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.patch.Patch;
@@ -179,11 +181,7 @@ public final class BrdfMapCommand implements Callable<Integer> {
             certificate.ifPresent(stated -> text.put("Certificate", stated.summary()));
             List<BufferedImage> plain =
                     maps.stream().map(map -> plain(map, display, factor)).toList();
-            doubt = DoubtfulPicture.judge(
-                    maps.stream().map(MaterialMap.Drawn::patch).toList(),
-                    plain.stream().anyMatch(DoubtfulPicture::isBlack),
-                    "the map",
-                    err);
+            doubt = judge(maps, plain, lightDirection, factor);
             List<BufferedImage> images = new ArrayList<>();
             for (int i = 0; i < maps.size(); i++) {
                 images.add(image(
@@ -247,6 +245,29 @@ public final class BrdfMapCommand implements Callable<Integer> {
                     materials.get(i).plan(), specification.commandLine().getErr());
         }
         return materials;
+    }
+
+    /** Warns of maps that show nothing, or nothing but the mirror at an exposure that others asked for. */
+    private ExitCode judge(
+            List<MaterialMap.Drawn> maps, List<BufferedImage> plain, Direction lightDirection, double factor) {
+        PrintWriter err = specification.commandLine().getErr();
+        DiscDirections directions = new DiscDirections(size, lightDirection);
+        Optional<String> black = Optional.empty();
+        for (int i = 0; i < maps.size(); i++) {
+            MaterialMap.Drawn map = maps.get(i);
+            CoherenceWindow window = CoherenceWindow.ofCoherenceLength(map.coherenceLength());
+            if (DoubtfulPicture.isBlack(plain.get(i))) {
+                black = black.or(() -> Optional.of(
+                        compared.areSeveral() ? "the map of " + map.patch().name() : "the map"));
+            } else if (compared.areSeveral() && LostMap.is(map.picture(), directions, window, factor)) {
+                err.println(Messages.warning("the map of " + map.patch().name()
+                        + " is black but for the mirror's light at the exposure that all maps share; draw it alone, with"
+                        + " --exposure auto"));
+                err.flush();
+            }
+        }
+        return DoubtfulPicture.judge(
+                maps.stream().map(MaterialMap.Drawn::patch).toList(), black.isPresent(), black.orElse("the map"), err);
     }
 
     private BufferedImage plain(MaterialMap.Drawn map, DisplayPass display, double factor) {

@@ -13,15 +13,12 @@ import sunbeam.precompute.optics.DirectionPair;
  * no colour but that of a glare that falls faster for blue than for red.
  */
 record MirrorReach(CoherenceWindow window) {
-    private static final double LONGEST_WAVELENGTH = 780e-9;
-    private static final double LONGEST_WAVE = 5e-6;
-
     /** Luminance, in proportion to a mirror's, below which no colour is promised, nor seen beside the mirror. */
     private static final double FAINTEST = 1e-9;
 
     /** |(u, v)| up to which the mirror reaches. */
     double radius() {
-        return Math.max(window.specularReach(LONGEST_WAVELENGTH), LONGEST_WAVELENGTH / LONGEST_WAVE);
+        return window.mirrorReach();
     }
 
     /** Whether a direction lies within. */

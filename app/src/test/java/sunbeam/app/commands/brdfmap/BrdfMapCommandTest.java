@@ -13,6 +13,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
@@ -82,6 +83,32 @@ class BrdfMapCommandTest {
         assertThat(image("all.png").getWidth())
                 .isGreaterThanOrEqualTo(2 * image("blaze.png").getWidth());
         assertThat(image("lamellar.png").getWidth()).as("not annotated").isEqualTo(24);
+    }
+
+    /** Waves of 100 and 2 nm: the powers of faint orders are as the squares, 1 in 1000. */
+    @Test
+    void aMapThatASharedExposureLeavesBlackIsNamed() throws IOException {
+        Path faint = grating("faint", 2);
+
+        draw("both.png", "--patch", grating("strong", 100).toString(), "--with", faint.toString());
+        assertThat(err.toString())
+                .contains("warning: the map of faint is black but for the mirror's light", "draw it alone")
+                .doesNotContain("the map of strong");
+        err.getBuffer().setLength(0);
+        draw("faint.png", "--patch", faint.toString());
+        assertThat(err.toString()).doesNotContain("is black");
+    }
+
+    /** Waves of 1 um across 20 um. */
+    private Path grating(String name, double nanometres) throws IOException {
+        StringBuilder text = new StringBuilder("# Channel: Height\n# Width: 20 um\n# Height: 20 um\n# Value units: nm\n");
+        for (int row = 0; row < 200; row++) {
+            for (int column = 0; column < 200; column++) {
+                text.append(String.format(Locale.ROOT, "%.5f ", nanometres * Math.sin(2 * Math.PI * column / 10)));
+            }
+            text.append('\n');
+        }
+        return Files.writeString(folder.resolve(name + ".txt"), text);
     }
 
     @Test
