@@ -34,13 +34,16 @@ record Measured(HeightField whole, Crop.Samples samples) {
         return samples.firstRow() + row + 1;
     }
 
-    /** The part of the whole scan with these rows and all columns that count. */
+    /** The part of the whole scan with these rows and the columns that count, save what is a picture's frame. */
     Crop rows(int first, int end) {
+        int[] columns = PictureFrame.columnsWithin(this, first, end);
+        boolean framed = columns[1] - columns[0] < columns();
+        int[] rows = framed ? PictureFrame.rowsWithin(this, columns, first, end) : new int[] {first, end};
         return new Crop.Samples(
-                        samples.firstColumn(),
-                        samples.endColumn(),
-                        samples.firstRow() + first,
-                        samples.firstRow() + end)
+                        samples.firstColumn() + columns[0],
+                        samples.firstColumn() + columns[1],
+                        samples.firstRow() + rows[0],
+                        samples.firstRow() + rows[1])
                 .area(whole);
     }
 }

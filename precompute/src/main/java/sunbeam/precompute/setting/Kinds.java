@@ -137,8 +137,8 @@ public final class Kinds {
 
     private static double number(String text) {
         return Decimals.parse(text)
-                .orElseThrow(() ->
-                        new IllegalArgumentException(Quoted.of(text) + " is no number" + Decimals.commaRemedy(text)));
+                .orElseThrow(
+                        () -> new IllegalArgumentException(Quoted.of(text) + " is no number" + Decimals.remedy(text)));
     }
 
     private static int whole(String text) {

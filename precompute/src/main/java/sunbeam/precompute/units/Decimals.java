@@ -26,6 +26,23 @@ public final class Decimals {
         return pointed.equals(text.strip()) ? "" : "; write a decimal point for the comma, " + Quoted.of(pointed);
     }
 
+    /** What helps where a number has a decimal comma or is in percent (the number itself, after a semicolon), else nothing. */
+    public static String remedy(String text) {
+        String written = text.strip();
+        if (!written.endsWith("%")) {
+            return commaRemedy(text);
+        }
+        OptionalDouble percent = parse(written.substring(0, written.length() - 1));
+        return percent.isEmpty()
+                ? ""
+                : "; write "
+                        + new BigDecimal(Double.toString(percent.getAsDouble()))
+                                .movePointLeft(2)
+                                .stripTrailingZeros()
+                                .toPlainString()
+                        + " for that many percent";
+    }
+
     /** A number as people write it: whole ones without a point, powers of ten as 1e-5. */
     public static String format(double value) {
         return value == Math.rint(value) && Math.abs(value) < 1e7

@@ -75,6 +75,24 @@ class ScanFaultsTest {
         }
     }
 
+    /** A picture of a scan on a screen, with a colour bar at the right. */
+    @Test
+    void thePartOfAFramedPictureHasNoFrameAtItsSidesEither() {
+        double[] heights = scan(1);
+        for (int row = 0; row < ROWS; row++) {
+            for (int column = 0; column < COLUMNS; column++) {
+                boolean bar = column >= 108 && column < 114;
+                if (row < 8 || row >= 88 || column < 10 || column >= 100 && !bar) {
+                    heights[row * COLUMNS + column] = 1e-7;
+                }
+            }
+        }
+
+        assertThat(faults(heights))
+                .extracting(ScanFault::part)
+                .containsOnly(Optional.of(new Crop.Samples(10, 100, 8, 88).area(field(heights))));
+    }
+
     @Test
     void aSoundScanHasNoFault() {
         assertThat(faults(scan(1))).isEmpty();
