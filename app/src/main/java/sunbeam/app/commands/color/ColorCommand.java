@@ -198,7 +198,7 @@ public final class ColorCommand implements Callable<Integer> {
     private void check() {
         Ending.PNG.require("--output", output);
         if (!(step >= 0.1 && step <= 10)) {
-            throw new UsageException("--step " + step + " is out of range; give 0.1 to 10");
+            throw new UsageException("--step " + Decimals.format(step) + " is out of range; give 0.1 to 10");
         }
         double first = Math.toDegrees(light.choices().get(LightOptions.THETA_I));
         if (lastTheta != null && !(lastTheta > first && lastTheta < 90)) {

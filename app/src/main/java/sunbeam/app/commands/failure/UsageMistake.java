@@ -11,6 +11,8 @@ import sunbeam.precompute.units.Decimals;
 final class UsageMistake {
     private static final List<String> UNITS = List.of("pm", "nm", "um", "\u00b5m", "\u03bcm", "mm", "cm", "m", "deg");
 
+    private static final List<String> YES_AND_NO = List.of("yes", "no", "true", "false", "on", "off");
+
     private UsageMistake() {}
 
     static String message(ParameterException mistake) {
@@ -39,6 +41,9 @@ final class UsageMistake {
     private static String argumentRemedy(ParameterException mistake, String argument) {
         if (UNITS.contains(argument)) {
             return "; write a number and its unit without a blank, such as 10" + argument;
+        }
+        if (YES_AND_NO.contains(argument.toLowerCase(Locale.ROOT))) {
+            return "; an option that takes no value is on where it is given, and off where it is left out";
         }
         var options = mistake.getCommandLine().getCommandSpec().optionsMap();
         String more = options.containsKey("--with") ? ", more with --with" : "";

@@ -24,10 +24,10 @@ public final class ExposureOption {
 
     /** What was asked for, checked before anything is computed; reads the picture that is named. */
     public Exposure parse() {
-        if (exposure.equals(AUTOMATIC)) {
+        if (isOfAll()) {
             return AutoExposure::of;
         }
-        if (exposure.equals(FIRST)) {
+        if (isOfFirst()) {
             return pictures -> AutoExposure.of(pictures[0]);
         }
         if (exposure.toLowerCase(Locale.ROOT).endsWith(".png")) {
@@ -45,12 +45,16 @@ public final class ExposureOption {
 
     /** Whether the factor is chosen from pictures. */
     public boolean isAutomatic() {
-        return exposure.equals(AUTOMATIC) || exposure.equals(FIRST);
+        return isOfAll() || isOfFirst();
     }
 
     /** Whether the factor is chosen from all pictures. */
     public boolean isOfAll() {
-        return exposure.equals(AUTOMATIC);
+        return exposure.equalsIgnoreCase(AUTOMATIC);
+    }
+
+    private boolean isOfFirst() {
+        return exposure.equalsIgnoreCase(FIRST);
     }
 
     private double recorded() {

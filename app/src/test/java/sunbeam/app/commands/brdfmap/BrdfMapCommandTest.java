@@ -101,7 +101,8 @@ class BrdfMapCommandTest {
 
     /** Waves of 1 um across 20 um. */
     private Path grating(String name, double nanometres) throws IOException {
-        StringBuilder text = new StringBuilder("# Channel: Height\n# Width: 20 um\n# Height: 20 um\n# Value units: nm\n");
+        StringBuilder text =
+                new StringBuilder("# Channel: Height\n# Width: 20 um\n# Height: 20 um\n# Value units: nm\n");
         for (int row = 0; row < 200; row++) {
             for (int column = 0; column < 200; column++) {
                 text.append(String.format(Locale.ROOT, "%.5f ", nanometres * Math.sin(2 * Math.PI * column / 10)));
