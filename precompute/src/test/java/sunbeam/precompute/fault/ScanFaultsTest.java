@@ -82,7 +82,7 @@ class ScanFaultsTest {
         for (int row = 0; row < ROWS; row++) {
             for (int column = 0; column < COLUMNS; column++) {
                 boolean bar = column >= 108 && column < 114;
-                if (row < 8 || row >= 88 || column < 10 || column >= 100 && !bar) {
+                if (row < 8 || row >= 88 || column < 10 || (column >= 100 && !bar)) {
                     heights[row * COLUMNS + column] = 1e-7;
                 }
             }

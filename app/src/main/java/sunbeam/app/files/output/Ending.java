@@ -3,7 +3,6 @@ package sunbeam.app.files.output;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
-import java.util.Set;
 import sunbeam.app.terminal.UsageException;
 
 /** What the name of an output says of its content. */
@@ -16,12 +15,13 @@ public enum Ending {
 
     private final String what;
     private final String usual;
-    private final Set<String> endings;
+    /** All that fit, between blanks. */
+    private final String endings;
 
     Ending(String what, String... endings) {
         this.what = what;
         this.usual = endings[0];
-        this.endings = Set.of(endings);
+        this.endings = " " + String.join(" ", endings) + " ";
     }
 
     /**
@@ -36,13 +36,13 @@ public enum Ending {
         if (named == null
                 || named.getFileName() == null
                 || StandardOutput.isMeant(named)
-                || Files.exists(named) && !Files.isRegularFile(named)) {
+                || (Files.exists(named) && !Files.isRegularFile(named))) {
             return;
         }
         String name = named.getFileName().toString();
         int dot = name.lastIndexOf('.');
         String ending = dot < 0 ? "" : name.substring(dot + 1).toLowerCase(Locale.ROOT);
-        if (!endings.contains(ending)) {
+        if (!endings.contains(" " + ending + " ")) {
             throw new UsageException(option + " " + named + " would be " + what + ", which its name does not say; "
                     + (ending.isEmpty() ? "call it " + name + "." + usual : "end it with ." + usual));
         }

@@ -19,8 +19,9 @@ final class LostMapTest {
     private static LinearPicture map(float light) {
         float[] xyz = new float[3 * SIZE * SIZE];
         for (int pixel = 0; pixel < SIZE * SIZE; pixel++) {
+            int row = pixel / SIZE;
             double x = (pixel % SIZE + 0.5) / SIZE * 2 - 1;
-            double y = (pixel / SIZE + 0.5) / SIZE * 2 - 1;
+            double y = (row + 0.5) / SIZE * 2 - 1;
             Arrays.fill(xyz, 3 * pixel, 3 * pixel + 3, Math.hypot(x, y) < 0.99 ? light : Float.NaN);
         }
         int middle = SIZE * SIZE / 2;
