@@ -45,11 +45,14 @@ final class OffscreenSurface implements GlSurface {
     }
 
     private static OffscreenSurface connect(ContextOptions options) {
-        try (DisplayHold hold = DisplayHold.take(System.getenv())) {
+        DisplayHold hold = DisplayHold.take(System.getenv());
+        try {
             connectToDisplay();
             OffscreenSurface surface = openQuietly(options);
             DisplayWatch.start(System.getenv());
             return surface;
+        } finally {
+            hold.close();
         }
     }
 
