@@ -15,6 +15,7 @@ import java.util.Optional;
  * @param drift where the period changes across the scan: from one end to the other
  * @param slips where the wave jumps from one row to the next: up to {@link #MOST_SLIPS_FOLLOWED}, what is between was followed
  *     by itself; of more, the interval reaches to what is told between them
+ * @param chance whether chance may have put the lines so ({@link ChanceLines}): no period, then
  */
 public record PeriodEstimate(
         double period,
@@ -23,7 +24,8 @@ public record PeriodEstimate(
         double periods,
         Optional<Second> second,
         Optional<Drift> drift,
-        List<Slip> slips) {
+        List<Slip> slips,
+        boolean chance) {
 
     /** Of a scanner. Where more rows jump, the surface may have lines that know little of each other. */
     public static final int MOST_SLIPS_FOLLOWED = 3;
@@ -35,7 +37,7 @@ public record PeriodEstimate(
     /** Of a scan whose rows continue each other. */
     public PeriodEstimate(
             double period, double low, double high, double periods, Optional<Second> second, Optional<Drift> drift) {
-        this(period, low, high, periods, second, drift, List.of());
+        this(period, low, high, periods, second, drift, List.of(), false);
     }
 
     /** Of one period, or few, of a surface that repeats without end: known exactly. */
@@ -85,12 +87,12 @@ public record PeriodEstimate(
 
     /** The same without the second. */
     PeriodEstimate alone() {
-        return new PeriodEstimate(period, low, high, periods, Optional.empty(), drift, slips);
+        return new PeriodEstimate(period, low, high, periods, Optional.empty(), drift, slips, chance);
     }
 
     /** The same of a scan that slipped. */
     PeriodEstimate slippedAt(List<Slip> found) {
-        return new PeriodEstimate(period, low, high, periods, second, drift, found);
+        return new PeriodEstimate(period, low, high, periods, second, drift, found, chance);
     }
 
     /** The same with an interval that holds those of others that contradict it. */
@@ -107,12 +109,17 @@ public record PeriodEstimate(
     /** The same that changes from one end of the scan to the other, unless it is known how already. */
     PeriodEstimate drifting(double first, double last) {
         return new PeriodEstimate(
-                period, low, high, periods, second, drift.or(() -> Optional.of(new Drift(first, last))), slips);
+                period, low, high, periods, second, drift.or(() -> Optional.of(new Drift(first, last))), slips, chance);
     }
 
     /** The same with another interval. */
     PeriodEstimate within(double lowest, double highest) {
-        return new PeriodEstimate(period, lowest, highest, periods, second, drift, slips);
+        return new PeriodEstimate(period, lowest, highest, periods, second, drift, slips, chance);
+    }
+
+    /** The same of lines that chance may have put so. */
+    PeriodEstimate ofChance() {
+        return new PeriodEstimate(period, low, high, periods, second, drift, slips, true);
     }
 
     /** Whether their intervals have nothing in common. */

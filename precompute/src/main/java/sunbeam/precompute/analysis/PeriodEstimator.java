@@ -45,6 +45,10 @@ public final class PeriodEstimator {
      * @param map without missing samples
      */
     public static Optional<PeriodEstimate> estimate(HeightMap map, SpectrumPeak peak) {
+        return followed(map, peak).map(told -> ChanceLines.in(map, peak, told) ? told.ofChance() : told);
+    }
+
+    private static Optional<PeriodEstimate> followed(HeightMap map, SpectrumPeak peak) {
         RowSlips rows = RowSlips.in(map, peak.frequencyX(), peak.frequencyY());
         List<PeriodEstimate.Slip> slips = rows.slips();
         ScanPieces pieces = new ScanPieces(map, peak);

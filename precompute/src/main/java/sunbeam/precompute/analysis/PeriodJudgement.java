@@ -69,6 +69,12 @@ public final class PeriodJudgement {
                     shortly(told.low()),
                     Double.isFinite(told.high()) ? shortly(told.high()) : "any length"));
         }
+        if (told.chance()) {
+            return Optional.of(String.format(
+                    Locale.ROOT,
+                    "straight lines some %s apart, but no grating: their wave comes and goes, and other distances are about as strong, as where chance put the lines; scan another place to see whether it tells the same",
+                    Lengths.rounded(told.period(), 2)));
+        }
         return Optional.empty();
     }
 

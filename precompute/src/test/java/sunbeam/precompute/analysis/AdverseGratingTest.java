@@ -198,4 +198,12 @@ class AdverseGratingTest {
                     .isEmpty();
         }
     }
+
+    /** Its wave comes and goes, as chance's does, but no other wave is beside it. */
+    @Test
+    void aGratingOnPartOfAScanIsNoChance() {
+        PeriodEstimate estimate = estimate(scan(300, 80, 80e-9, (x, y) -> x > 2.4e-6 ? 1e-7 * ridge(x / 1100e-9) : 0));
+        assertThat(estimate.chance()).isFalse();
+        assertThat(1100e-9).isBetween(estimate.low(), estimate.high());
+    }
 }

@@ -35,10 +35,13 @@ record SimulatedGrating(HeightMap map, Kind kind, double[] truths, double azimut
         ROWS
     }
 
-    /** What the program answers. */
+    /** What the program answers, where it does not take the lines for chance's. */
     Optional<PeriodEstimate> estimate() {
         return new PeriodFinder(map)
-                .all().peaks().stream().findFirst().flatMap(peak -> PeriodEstimator.estimate(map, peak));
+                .all().peaks().stream()
+                        .findFirst()
+                        .flatMap(peak -> PeriodEstimator.estimate(map, peak))
+                        .filter(told -> !told.chance());
     }
 
     /** The direction that is told with a period. */

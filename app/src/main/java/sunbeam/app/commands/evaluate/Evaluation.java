@@ -98,10 +98,12 @@ public final class Evaluation {
                 Degrees.text(grid.plane().thetaI()),
                 Degrees.text(grid.plane().azimuth()));
         Optional<GratingMeasurement> measurement =
-                orders.areTold() ? Optional.of(target.measure(response, sigmaFrequency)) : Optional.empty();
+                orders.areTold() ? target.measure(response, sigmaFrequency) : Optional.empty();
+        Optional<String> noRidge =
+                measurement.isPresent() ? Optional.empty() : orders.shortfall().or(() -> Optional.of(target.noRidge()));
         Optional<PeriodAnswer> answer =
                 target.estimate().map(told -> answer(told, setup, grating, responses, budget, orders));
-        return new Evaluation(target, responses, quantity, response, measurement, orders.shortfall(), title, answer);
+        return new Evaluation(target, responses, quantity, response, measurement, noRidge, title, answer);
     }
 
     /**
@@ -168,7 +170,7 @@ public final class Evaluation {
         return grid().plane().azimuth();
     }
 
-    /** The ridge of the first order and its periods; empty where light does not tell its orders apart. */
+    /** The ridge of the first order and its periods; empty where light does not tell its orders apart, or shows none. */
     public Optional<GratingMeasurement> measurement() {
         return measurement;
     }

@@ -164,12 +164,13 @@ public record GratingRequest(
         if (seen.length < FEWEST) {
             throw new UsageException(String.format(
                     Locale.ROOT,
-                    "no angle sees the first order of a period near %s at %d --wavelengths or more: with the light at --theta-i %s it is seen up to %s, and with no light beyond %s",
+                    "no angle sees the first order of a period near %s at %d --wavelengths or more: with the light at --theta-i %s it is seen up to %s, and with no light beyond %s%s",
                     Lengths.rounded(order.middle(), DIGITS),
                     FEWEST,
                     Degrees.text(thetaI),
                     Lengths.rounded(longest, DIGITS),
-                    Lengths.rounded(2 * order.middle(), DIGITS)));
+                    Lengths.rounded(2 * order.middle(), DIGITS),
+                    longest > all[0] ? "; give finer steps of --wavelengths below that" : ""));
         }
         return seen;
     }

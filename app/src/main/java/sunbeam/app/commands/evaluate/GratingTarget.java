@@ -55,6 +55,7 @@ record GratingTarget(
     private static final int SPECTRUM = 5;
     private static final int SEARCH = 3;
     private static final int ESTIMATE = 2;
+    private static final int DIGITS = 3;
 
     /**
      * Aims.
@@ -107,8 +108,13 @@ record GratingTarget(
         if (request.period().isEmpty()) {
             requireTold(patch, estimate, heights.peaks().get(0));
         }
-        String doubt = estimate.isPresent() ? "" : spoilt.orElseGet(() -> doubt(patch, given, heights, near));
-        return new GratingTarget(patch, request.plane(azimuth), order, heights, near, estimate, doubt);
+        Optional<String> chance = near.filter(
+                        peak -> estimate.filter(PeriodEstimate::chance).isPresent())
+                .flatMap(peak -> PeriodJudgement.refusal(patch.faults(), estimate, peak));
+        Optional<PeriodEstimate> told = chance.isPresent() ? Optional.empty() : estimate;
+        String doubt =
+                told.isPresent() ? "" : spoilt.or(() -> chance).orElseGet(() -> doubt(patch, given, heights, near));
+        return new GratingTarget(patch, request.plane(azimuth), order, heights, near, told, doubt);
     }
 
     /** Why no period is told near one that was asked for. */
@@ -198,18 +204,25 @@ record GratingTarget(
     }
 
     /**
-     * Measures a response.
+     * Measures a response; empty where it has no ridge and the heights tell the period all the same.
      *
-     * @throws NoPeriodException where it has no ridge
+     * @throws NoPeriodException where neither tells one
      */
-    GratingMeasurement measure(ResponseMatrix response, double sigmaFrequency) {
-        return GratingMeasurement.of(response, order, sigmaFrequency)
-                .orElseThrow(() -> new NoPeriodException(String.format(
-                        Locale.ROOT,
-                        "%s: the response has no ridge of periods from %s to %s within --angles; choose others or --period (the heights: %s)",
-                        patch.name(),
-                        Lengths.format(order.shortest()),
-                        Lengths.format(order.longest()),
-                        heights.describeFigure())));
+    Optional<GratingMeasurement> measure(ResponseMatrix response, double sigmaFrequency) {
+        Optional<GratingMeasurement> found = GratingMeasurement.of(response, order, sigmaFrequency);
+        if (found.isEmpty() && estimate.isEmpty()) {
+            throw new NoPeriodException(
+                    patch.name() + ": " + noRidge() + ", or --period" + (doubt.isEmpty() ? "" : " (" + doubt + ")"));
+        }
+        return found;
+    }
+
+    /** What is said of a response without one. */
+    String noRidge() {
+        return String.format(
+                Locale.ROOT,
+                "the response has no ridge of periods from %s to %s at 3 --wavelengths or more within --angles; choose more of them",
+                Lengths.rounded(order.shortest(), DIGITS),
+                Lengths.rounded(order.longest(), DIGITS));
     }
 }

@@ -360,4 +360,28 @@ final class EvaluateCommandTest {
         assertThat(run("--patch", "blaze")).isEqualTo(6);
         assertThat(err.toString()).contains("--force");
     }
+
+    /** Three wavelengths, the longest at the horizon: "no ridge (the heights: 1e9 times above its surroundings, 100 are needed)". */
+    @Test
+    void fewWavelengthsLeaveTheRidgeOutAndNotThePeriod() throws IOException {
+        StringBuilder text = new StringBuilder();
+        for (int i = 0; i < 128 * 128; i++) {
+            text.append(15 * Math.sin(2 * Math.PI * (i % 128) * 50 / 250.0)).append(i % 128 == 127 ? "\n" : "\t");
+        }
+        Path scan = Files.writeString(folder.resolve("scan.txt"), text);
+        String[] coarse = {"--patch", scan.toString(), "--width", "6.4um", "--height-unit", "nm", "--wavelengths"};
+        assertThat(run(Stream.concat(Stream.of(coarse), Stream.of("380:780:50")).toArray(String[]::new)))
+                .as(err.toString())
+                .isZero();
+        assertThat(out.toString())
+                .contains(
+                        "period               250",
+                        "left out: the response has no ridge of periods from 185 nm to 337 nm at 3")
+                .doesNotContain("are needed");
+        assertThat(report().at("/period/nm").doubleValue()).isCloseTo(250, within(0.5));
+        assertThat(run(Stream.concat(Stream.of(coarse), Stream.of("380:780:100", "--force"))
+                        .toArray(String[]::new)))
+                .isEqualTo(2);
+        assertThat(err.toString()).contains("finer steps of --wavelengths");
+    }
 }

@@ -1,10 +1,13 @@
 package sunbeam.app.commands.inspect;
 
+import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import sunbeam.precompute.analysis.FewPeriods;
 import sunbeam.precompute.analysis.PeriodEstimator;
 import sunbeam.precompute.analysis.PeriodFinder;
+import sunbeam.precompute.analysis.PeriodJudgement;
 import sunbeam.precompute.analysis.PeriodRemedy;
 import sunbeam.precompute.analysis.Periodicity;
 import sunbeam.precompute.patch.HeightMap;
@@ -37,7 +40,11 @@ class FalseAlarmsRun {
             if (found.found()) {
                 alarms[0]++;
                 alarms[1] += PeriodEstimator.estimate(scan, found.peaks().get(0))
-                                .filter(told -> told.high() <= 1.5 * told.low())
+                                .filter(told -> PeriodJudgement.refusal(
+                                                List.of(),
+                                                Optional.of(told),
+                                                found.peaks().get(0))
+                                        .isEmpty())
                                 .isPresent()
                         ? 1
                         : 0;
