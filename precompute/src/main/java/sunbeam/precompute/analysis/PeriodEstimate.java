@@ -15,7 +15,7 @@ import java.util.Optional;
  * @param drift where the period changes across the scan: from one end to the other
  * @param slips where the wave jumps from one row to the next: up to {@link #MOST_SLIPS_FOLLOWED}, what is between was followed
  *     by itself; of more, the interval reaches to what is told between them
- * @param chance whether chance may have put the lines so ({@link ChanceLines}): no period, then
+ * @param doubt why it is no period all the same
  */
 public record PeriodEstimate(
         double period,
@@ -25,10 +25,20 @@ public record PeriodEstimate(
         Optional<Second> second,
         Optional<Drift> drift,
         List<Slip> slips,
-        boolean chance) {
+        Doubt doubt) {
 
     /** Of a scanner. Where more rows jump, the surface may have lines that know little of each other. */
     public static final int MOST_SLIPS_FOLLOWED = 3;
+
+    /** Why a wave that can be followed is no period of the surface. */
+    public enum Doubt {
+        /** It is one. */
+        NONE,
+        /** Chance may have put the lines so ({@link ChanceLines}). */
+        CHANCE,
+        /** Every second row seems to be shifted by half of the period, of which this is half ({@link HalfShiftedRows}). */
+        HALF_SHIFTED
+    }
 
     public PeriodEstimate {
         slips = List.copyOf(slips);
@@ -37,7 +47,7 @@ public record PeriodEstimate(
     /** Of a scan whose rows continue each other. */
     public PeriodEstimate(
             double period, double low, double high, double periods, Optional<Second> second, Optional<Drift> drift) {
-        this(period, low, high, periods, second, drift, List.of(), false);
+        this(period, low, high, periods, second, drift, List.of(), Doubt.NONE);
     }
 
     /** Of one period, or few, of a surface that repeats without end: known exactly. */
@@ -87,12 +97,12 @@ public record PeriodEstimate(
 
     /** The same without the second. */
     PeriodEstimate alone() {
-        return new PeriodEstimate(period, low, high, periods, Optional.empty(), drift, slips, chance);
+        return new PeriodEstimate(period, low, high, periods, Optional.empty(), drift, slips, doubt);
     }
 
     /** The same of a scan that slipped. */
     PeriodEstimate slippedAt(List<Slip> found) {
-        return new PeriodEstimate(period, low, high, periods, second, drift, found, chance);
+        return new PeriodEstimate(period, low, high, periods, second, drift, found, doubt);
     }
 
     /** The same with an interval that holds those of others that contradict it. */
@@ -109,17 +119,17 @@ public record PeriodEstimate(
     /** The same that changes from one end of the scan to the other, unless it is known how already. */
     PeriodEstimate drifting(double first, double last) {
         return new PeriodEstimate(
-                period, low, high, periods, second, drift.or(() -> Optional.of(new Drift(first, last))), slips, chance);
+                period, low, high, periods, second, drift.or(() -> Optional.of(new Drift(first, last))), slips, doubt);
     }
 
     /** The same with another interval. */
     PeriodEstimate within(double lowest, double highest) {
-        return new PeriodEstimate(period, lowest, highest, periods, second, drift, slips, chance);
+        return new PeriodEstimate(period, lowest, highest, periods, second, drift, slips, doubt);
     }
 
-    /** The same of lines that chance may have put so. */
-    PeriodEstimate ofChance() {
-        return new PeriodEstimate(period, low, high, periods, second, drift, slips, true);
+    /** The same that is no period. */
+    PeriodEstimate doubted(Doubt why) {
+        return new PeriodEstimate(period, low, high, periods, second, drift, slips, why);
     }
 
     /** Whether their intervals have nothing in common. */

@@ -45,7 +45,14 @@ public final class PeriodEstimator {
      * @param map without missing samples
      */
     public static Optional<PeriodEstimate> estimate(HeightMap map, SpectrumPeak peak) {
-        return followed(map, peak).map(told -> ChanceLines.in(map, peak, told) ? told.ofChance() : told);
+        return followed(map, peak).map(told -> told.doubted(doubt(map, peak, told)));
+    }
+
+    private static PeriodEstimate.Doubt doubt(HeightMap map, SpectrumPeak peak, PeriodEstimate told) {
+        if (HalfShiftedRows.in(map, peak, told)) {
+            return PeriodEstimate.Doubt.HALF_SHIFTED;
+        }
+        return ChanceLines.in(map, peak, told) ? PeriodEstimate.Doubt.CHANCE : PeriodEstimate.Doubt.NONE;
     }
 
     private static Optional<PeriodEstimate> followed(HeightMap map, SpectrumPeak peak) {
@@ -62,7 +69,7 @@ public final class PeriodEstimator {
                     .findFirst()
                     .map(largest -> largest.reaching(told).slippedAt(slips));
         }
-        return ofMany(map, peak, rows);
+        return ofMany(map, peak, rows).map(pieces::comparedWithHalves);
     }
 
     /**

@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Function;
+import java.util.stream.LongStream;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.patch.HeightMap;
 
@@ -26,6 +27,8 @@ public final class PeriodFinder {
     private static final double STRONGER = 2;
     // Fewer periods might be waviness, whose single bins stand out, too.
     private static final double FEWEST_OF_HIDDEN = 12;
+    // By its heights, than the strongest overtone.
+    private static final double STRONG_OVERTONE = 0.5;
     // Lines that differ by less are alike.
     private static final double LEAST_FUNDAMENTAL = 0.1;
 
@@ -118,13 +121,29 @@ public final class PeriodFinder {
         return found;
     }
 
-    private static Periodicity withFundamental(Periodicity found, SpectrumPeak below) {
+    /** Whether another overtone of a fundamental, which the first is no fundamental of, is strong, too: not only do neighbours differ. */
+    private boolean hasOtherOvertone(SpectrumPeak first, SpectrumPeak below) {
+        long divisor = Math.round(first.frequency() / below.frequency());
+        return LongStream.rangeClosed(2, LARGEST_DIVISOR)
+                .filter(multiple -> multiple % divisor != 0)
+                .mapToObj(multiple -> new SharpLines(tapered)
+                        .at(multiple * first.frequencyX() / divisor, multiple * first.frequencyY() / divisor))
+                .flatMap(Optional::stream)
+                .anyMatch(peak -> peak.rms() >= STRONG_OVERTONE * first.rms());
+    }
+
+    private Periodicity withFundamental(Periodicity found, SpectrumPeak below) {
         List<SpectrumPeak> peaks = new ArrayList<>(found.peaks());
         // The averaged spectrum may have shown it, too.
         peaks.removeIf(
                 peak -> Math.hypot(peak.frequencyX() - below.frequencyX(), peak.frequencyY() - below.frequencyY())
                         < 0.1 * below.frequency());
-        peaks.add(below.rms() >= found.peaks().get(0).rms() ? 0 : 1, below);
+        peaks.add(
+                below.rms() >= found.peaks().get(0).rms()
+                                || hasOtherOvertone(found.peaks().get(0), below)
+                        ? 0
+                        : 1,
+                below);
         return new Periodicity(found.edges(), peaks, found.figure(), found.threshold());
     }
 

@@ -69,13 +69,24 @@ public final class PeriodJudgement {
                     shortly(told.low()),
                     Double.isFinite(told.high()) ? shortly(told.high()) : "any length"));
         }
-        if (told.chance()) {
-            return Optional.of(String.format(
-                    Locale.ROOT,
-                    "straight lines some %s apart, but no grating: their wave comes and goes, and other distances are about as strong, as where chance put the lines; scan another place to see whether it tells the same",
-                    Lengths.rounded(told.period(), 2)));
-        }
-        return Optional.empty();
+        return doubt(told);
+    }
+
+    private static Optional<String> doubt(PeriodEstimate told) {
+        return switch (told.doubt()) {
+            case NONE -> Optional.empty();
+            case CHANCE ->
+                Optional.of(String.format(
+                        Locale.ROOT,
+                        "straight lines some %s apart, but no grating: their wave comes and goes, and other distances are about as strong, as where chance put the lines; scan another place to see whether it tells the same",
+                        Lengths.rounded(told.period(), 2)));
+            case HALF_SHIFTED ->
+                Optional.of(String.format(
+                        Locale.ROOT,
+                        "every second row seems to be shifted by half of a period of about %s, as where trace and retrace are mixed (save one of them alone); what is left repeats after %s",
+                        shortly(2 * told.period()),
+                        shortly(told.period())));
+        };
     }
 
     /** Samples a period along the axis along which it has fewer; infinite along a single row or column. */

@@ -126,7 +126,7 @@ public record PeriodRemedy(
                 .limit(1)
                 .filter(peak -> peak.rms() * peak.rms() >= LEAST_SHARE * variance)
                 .flatMap(peak -> PeriodEstimator.estimate(map, peak).stream()
-                        .filter(told -> !told.chance() && told.high() <= WIDEST * told.low())
+                        .filter(told -> told.doubt() == PeriodEstimate.Doubt.NONE && told.high() <= WIDEST * told.low())
                         .map(told -> new PeriodRemedy(levelling, part, half, told, peak.direction())))
                 .findFirst();
     }

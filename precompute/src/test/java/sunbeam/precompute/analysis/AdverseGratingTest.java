@@ -3,6 +3,7 @@ package sunbeam.precompute.analysis;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.List;
 import java.util.Optional;
 import java.util.function.DoubleBinaryOperator;
 import org.junit.jupiter.api.Test;
@@ -202,8 +203,51 @@ class AdverseGratingTest {
     /** Its wave comes and goes, as chance's does, but no other wave is beside it. */
     @Test
     void aGratingOnPartOfAScanIsNoChance() {
-        PeriodEstimate estimate = estimate(scan(300, 80, 80e-9, (x, y) -> x > 2.4e-6 ? 1e-7 * ridge(x / 1100e-9) : 0));
-        assertThat(estimate.chance()).isFalse();
+        PeriodEstimate estimate =
+                estimate(scan(300, 80, 80e-9, (x, y) -> x > 0 ? 1e-7 * (ridge(x / 1100e-9) - 0.5) : 0));
+        assertThat(estimate.doubt()).isEqualTo(PeriodEstimate.Doubt.NONE);
         assertThat(1100e-9).isBetween(estimate.low(), estimate.high());
+    }
+
+    /** Its first wave becomes one of two rows a period, and its second was told: 450 nm, 95 % 449.8 to 450.4. */
+    @ParameterizedTest
+    @CsvSource({"20", "60", "90"})
+    void everySecondRowShiftedByHalfAPeriodIsSaid(double degrees) {
+        double cosine = Math.cos(Math.toRadians(degrees));
+        double sine = Math.sin(Math.toRadians(degrees));
+        HeightMap map = scan(
+                160,
+                160,
+                40e-9,
+                (x, y) -> 5e-8 * part((x * cosine + y * sine) / 900e-9 + 0.5 * (Math.rint(y / 40e-9) % 2)));
+        SpectrumPeak peak = periods(map).peaks().get(0);
+        assertThat(PeriodJudgement.refusal(List.of(), PeriodEstimator.estimate(map, peak), peak))
+                .hasValueSatisfying(why -> assertThat(why)
+                        // Walls between samples move that of 22.5 samples by up to 1 %.
+                        .containsPattern("shifted by half of a period of about (89|90). nm"));
+    }
+
+    /** Three rows a period look like their own half with every second row turned. */
+    @Test
+    void threeRowsAPeriodAreNotShifted() {
+        PeriodEstimate estimate = estimate(scan(64, 96, 300e-9, (x, y) -> 5e-8 * Math.sin(2 * Math.PI * y / 900e-9)));
+        assertThat(estimate.doubt()).isEqualTo(PeriodEstimate.Doubt.NONE);
+        assertThat(900e-9).isBetween(estimate.low(), estimate.high());
+    }
+
+    /** A tip with two ends draws each ridge twice: the third and second parts of 1000 nm, 333 and 500, were told as two periods. */
+    @Test
+    void twoOvertonesHaveOneFundamental() {
+        HeightMap map = scan(
+                300,
+                60,
+                40e-9,
+                (x, y) -> 6e-8
+                        * Math.max(
+                                part(x / 1000e-9 + 0.21) < 0.2 ? 1 : 0,
+                                part((x - 380e-9) / 1000e-9 + 0.21) < 0.2 ? 0.7 : 0));
+        PeriodEstimate estimate = estimate(map);
+        assertThat(1000e-9).isBetween(estimate.low(), estimate.high());
+        assertThat(estimate.second()).isEmpty();
     }
 }

@@ -35,13 +35,13 @@ record SimulatedGrating(HeightMap map, Kind kind, double[] truths, double azimut
         ROWS
     }
 
-    /** What the program answers, where it does not take the lines for chance's. */
+    /** What the program answers, where it does not doubt it. */
     Optional<PeriodEstimate> estimate() {
         return new PeriodFinder(map)
                 .all().peaks().stream()
                         .findFirst()
                         .flatMap(peak -> PeriodEstimator.estimate(map, peak))
-                        .filter(told -> !told.chance());
+                        .filter(told -> told.doubt() == PeriodEstimate.Doubt.NONE);
     }
 
     /** The direction that is told with a period. */

@@ -108,12 +108,13 @@ record GratingTarget(
         if (request.period().isEmpty()) {
             requireTold(patch, estimate, heights.peaks().get(0));
         }
-        Optional<String> chance = near.filter(
-                        peak -> estimate.filter(PeriodEstimate::chance).isPresent())
+        Optional<String> doubted = near.filter(
+                        peak -> estimate.filter(told -> told.doubt() != PeriodEstimate.Doubt.NONE)
+                                .isPresent())
                 .flatMap(peak -> PeriodJudgement.refusal(patch.faults(), estimate, peak));
-        Optional<PeriodEstimate> told = chance.isPresent() ? Optional.empty() : estimate;
+        Optional<PeriodEstimate> told = doubted.isPresent() ? Optional.empty() : estimate;
         String doubt =
-                told.isPresent() ? "" : spoilt.or(() -> chance).orElseGet(() -> doubt(patch, given, heights, near));
+                told.isPresent() ? "" : spoilt.or(() -> doubted).orElseGet(() -> doubt(patch, given, heights, near));
         return new GratingTarget(patch, request.plane(azimuth), order, heights, near, told, doubt);
     }
 
