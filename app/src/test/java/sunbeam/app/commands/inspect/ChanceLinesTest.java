@@ -24,7 +24,7 @@ class ChanceLinesTest {
             SpectrumPeak peak = new PeriodFinder(scan, false).all().peaks().get(0);
             Optional<PeriodEstimate> estimate = PeriodEstimator.estimate(scan, peak);
             PeriodJudgement.refusal(List.of(), estimate, peak)
-                    .ifPresentOrElse(refused::add, () -> told.add(scan + ": " + estimate));
+                    .ifPresentOrElse(refused::add, () -> told.add(estimate.toString()));
         }
         // The highest of ten maxima of chance is, once in 25, so much higher than the others that they do not show it.
         assertThat(told).hasSizeLessThan(2);
