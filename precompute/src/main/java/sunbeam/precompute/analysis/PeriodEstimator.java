@@ -69,7 +69,7 @@ public final class PeriodEstimator {
                     .findFirst()
                     .map(largest -> largest.reaching(told).slippedAt(slips));
         }
-        return ofMany(map, peak, rows).map(pieces::comparedWithHalves);
+        return ofMany(map, peak, rows).map(pieces::reachingHalves);
     }
 
     /**

@@ -58,6 +58,12 @@ final class ScanPieces {
                 compared, half(0, middleColumn, 0, map.rows()), half(middleColumn, map.columns(), 0, map.rows()));
     }
 
+    /** What the whole scan says, widened where its halves contradict it; which of them is right is not known where many rows jump. */
+    PeriodEstimate reachingHalves(PeriodEstimate told) {
+        PeriodEstimate compared = comparedWithHalves(told);
+        return told.within(compared.low(), compared.high());
+    }
+
     private static PeriodEstimate compared(
             PeriodEstimate told, Optional<PeriodEstimate> first, Optional<PeriodEstimate> last) {
         List<PeriodEstimate> halves = new ArrayList<>();
