@@ -5,16 +5,14 @@ import java.util.List;
 /** What is noted of a skin's pixels before they are lit. */
 enum GeometryLayout {
     /** All, in single precision (shaders/geometry.frag); with depth 68 bytes a pixel. */
-    FULL("geometry.frag", List.of("views", "normals", "tangents", "albedos")),
+    FULL("geometry.frag"),
     /** As much as moving pictures need (shaders/moving_geometry.frag); with depth 20 bytes a pixel. */
-    MOVING("moving_geometry.frag", List.of("surfaces"));
+    MOVING("moving_geometry.frag");
 
     private final String shader;
-    private final List<String> samplers;
 
-    GeometryLayout(String shader, List<String> samplers) {
+    GeometryLayout(String shader) {
         this.shader = shader;
-        this.samplers = samplers;
     }
 
     /** The fragment shader that notes it. */
@@ -24,6 +22,9 @@ enum GeometryLayout {
 
     /** By which names those that light it know its images, in their order. */
     List<String> samplers() {
-        return samplers;
+        return switch (this) {
+            case FULL -> List.of("views", "normals", "tangents", "albedos");
+            case MOVING -> List.of("surfaces");
+        };
     }
 }

@@ -34,6 +34,8 @@ public record WaveDirection(double radians, double halfWidth) {
     private static final double SHARED = 1.9;
     // Of 1 / the lines' length over the frequency: nothing is claimed to better than that.
     private static final double FINEST = 1e-3;
+    // Of an interval to either side, degrees: with more a direction and the one across it are as good.
+    private static final double MOST_DEGREES = 45;
 
     /**
      * The direction of a wave whose period is told; of a scan that slipped, in the most rows without a slip.
@@ -98,12 +100,15 @@ public record WaveDirection(double radians, double halfWidth) {
     }
 
     /**
-     * "168.69 +- 0.02 degrees (95 %)", with as many digits as the interval leaves known.
+     * "168.69 +- 0.02 degrees (95 %)", with as many digits as the interval leaves known; "not known" where that is none.
      *
      * @param around degrees, of the half turn that is shown: a direction and its opposite are one
      */
     public String describe(double around) {
         double half = Math.toDegrees(halfWidth);
+        if (half > MOST_DEGREES) {
+            return "not known";
+        }
         double shown = around + Math.IEEEremainder(Math.toDegrees(radians) - around, 180);
         // Within the interval it is as well 0, as people say.
         double near = shown + half >= 180 ? shown - 180 : shown;
