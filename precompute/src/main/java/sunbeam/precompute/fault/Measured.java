@@ -34,6 +34,12 @@ record Measured(HeightField whole, Crop.Samples samples) {
         return samples.firstRow() + row + 1;
     }
 
+    /** Whether a part has fewer columns than count: those of a picture within its frame. */
+    boolean isFramed(Crop part) {
+        Crop.Samples within = part.samples(whole);
+        return within.endColumn() - within.firstColumn() < columns();
+    }
+
     /** The part of the whole scan with these rows and the columns that count, save what is a picture's frame. */
     Crop rows(int first, int end) {
         int[] columns = PictureFrame.columnsWithin(this, first, end);

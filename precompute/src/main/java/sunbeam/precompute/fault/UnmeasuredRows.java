@@ -183,9 +183,13 @@ final class UnmeasuredRows {
         }
         if (!repeated.isEmpty()) {
             boolean one = repeated.cardinality() == 1;
+            // Whoever gives the scan's width for a picture that shows more than the scan gets lengths of another scale.
+            String cause = part.filter(scan::isFramed).isPresent()
+                    ? ", as in a picture with a margin, whose width must then be given with the margin"
+                    : ", as where a line is stuck";
             faults.add(ScanFault.ofRows(
                     words(repeated) + (one ? " the row" : " each the row") + " above once more"
-                            + (aborted(repeated).isEmpty() ? ", as where a line is stuck" : aborted(repeated)),
+                            + (aborted(repeated).isEmpty() ? cause : aborted(repeated)),
                     part,
                     share(repeated)));
         }

@@ -16,6 +16,7 @@ import sunbeam.precompute.prepare.Levelling;
 import sunbeam.precompute.prepare.OnePeriod;
 import sunbeam.precompute.prepare.Preparation;
 import sunbeam.precompute.prepare.Seam;
+import sunbeam.precompute.prepare.Spikes;
 import sunbeam.precompute.prepare.Tilt;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
@@ -75,6 +76,9 @@ record ScanFinish(String name, String file, Choices choices, Kind kind) {
                     prepared.missing(),
                     (long) scan.columns() * scan.rows()));
         }
+        if (kind != Kind.BUILT_IN && !preparation.despike()) {
+            warnOfSpikes(prepared.scan(), warnings);
+        }
         Optional<String> mirror = ReliefCheck.mirror(heights);
         mirror.ifPresent(warnings::add);
         if (measured.relief() > 0 && repetition != Patch.Repetition.PERIODIC) {
@@ -82,6 +86,9 @@ record ScanFinish(String name, String file, Choices choices, Kind kind) {
         }
         if (mirror.isEmpty() && repetition != Patch.Repetition.PERIODIC) {
             warnOfSeam(prepared.scan(), levelling, edges, warnings);
+        }
+        if (choices.get(PERIODIC, false)) {
+            warnOfTornPeriod(prepared.scan(), warnings);
         }
         SamplingCheck.pitch(heights).ifPresent(warnings::add);
         // Of what was measured, as inspect tells it: blending bends the border.
@@ -147,6 +154,17 @@ record ScanFinish(String name, String file, Choices choices, Kind kind) {
         return choices.origin(PatchSettings.PATCH).name(setting) + " " + value;
     }
 
+    private void warnOfSpikes(HeightField scan, List<String> warnings) {
+        Spikes.conspicuous(scan)
+                .ifPresent(spikes -> warnings.add(String.format(
+                        Locale.ROOT,
+                        "%d samples stand alone, up to %s off all around them, as dust or a slipping tip does, and make most of the"
+                                + " relief; remove them (%s)",
+                        spikes.count(),
+                        Lengths.rounded(spikes.largest(), 3),
+                        choices.origin(PatchSettings.PATCH).name(DESPIKE))));
+    }
+
     private void warnOfRamp(HeightMap measured, Levelling levelling, List<String> warnings) {
         boolean levelled = levelling != Levelling.NONE && levelling != Levelling.MEAN;
         if (levelled && OnePeriod.isRamp(measured.field())) {
@@ -154,6 +172,19 @@ record ScanFinish(String name, String file, Choices choices, Kind kind) {
                     "the heights are one even ramp, of which levelling leaves nothing; if it is one period of a blazed"
                             + " grating, say so ("
                             + choices.origin(PatchSettings.PATCH).name(PERIODIC) + ")");
+        }
+    }
+
+    /** Who asks for sharper orders than a scan can tell is told what they are. */
+    private static void warnOfTornPeriod(HeightField scan, List<String> warnings) {
+        Seam seam = Seam.of(scan);
+        if (seam.ratio() > TORN && !seam.fits()) {
+            warnings.add(String.format(
+                    Locale.ROOT,
+                    "it is taken for one period, as said, but does not go on across its borders, which differ by %s rms (neighbours by %s):"
+                            + " the sharp orders that are drawn are its repetition's, not the surface's",
+                    Lengths.rounded(seam.jump(), 2),
+                    Lengths.rounded(seam.inside(), 2)));
         }
     }
 

@@ -11,6 +11,8 @@ public record Seam(double jump, double inside, double steepest) {
     /** Of a scan without border. */
     public static final Seam NONE = new Seam(0, 0, 0);
 
+    // Metres: a thousandth of the least relief that is read; heights are rounded to less.
+    private static final double ROUNDING = 1e-15;
     // Neighbours inside differ by chance less or more than their mean.
     private static final double FITTING = 2;
     // A grating's walls are alike.
@@ -64,7 +66,7 @@ public record Seam(double jump, double inside, double steepest) {
 
     /** The step over that between neighbours; 0 where there is none. */
     public double ratio() {
-        return jump == 0 ? 0 : jump / inside;
+        return jump <= ROUNDING ? 0 : jump / inside;
     }
 
     /** Whether the surface goes on across the border as it does inside: smoothly, or with a wall like its others. */

@@ -1,6 +1,7 @@
 package sunbeam.precompute.prepare;
 
 import java.util.Arrays;
+import java.util.Optional;
 import java.util.stream.IntStream;
 
 /**
@@ -12,11 +13,58 @@ import java.util.stream.IntStream;
  * @param count how many samples were replaced
  * @param largest difference that was taken away, metres
  */
-record Spikes(HeightField field, int count, double largest) {
+public record Spikes(HeightField field, int count, double largest) {
+    // Relief over the range of nearly all heights, before anything is looked for, and then over the relief without
+    // spikes: noise has 2.
+    private static final double CONSPICUOUS = 2.5;
+    private static final double NEARLY_ALL = 0.995;
+    private static final int MOST_LOOKED_AT = 100_000;
     private static final double DEVIATIONS = 8;
     private static final double GAUSSIAN = 1.4826;
     private static final double ISOLATED = 0.25;
     private static final int REACH = 2;
+
+    /**
+     * Those that make most of a scan's relief, as nobody leaves in on purpose; empty where none do.
+     *
+     * @param field levelled
+     */
+    public static Optional<Spikes> conspicuous(HeightField field) {
+        double relief = relief(field.heights());
+        if (!(relief > CONSPICUOUS * usualRange(field.heights()))) {
+            return Optional.empty();
+        }
+        return Optional.of(removed(field))
+                .filter(spikes -> spikes.count() > 0 && relief > CONSPICUOUS * relief(spikes.field.heights()));
+    }
+
+    /** Highest less lowest of those that are there. */
+    private static double relief(double[] heights) {
+        double lowest = Double.POSITIVE_INFINITY;
+        double highest = Double.NEGATIVE_INFINITY;
+        for (double height : heights) {
+            if (Double.isFinite(height)) {
+                lowest = Math.min(lowest, height);
+                highest = Math.max(highest, height);
+            }
+        }
+        return highest - lowest;
+    }
+
+    /** Of nearly all of a sample of the heights. */
+    private static double usualRange(double[] heights) {
+        int stride = Math.max(1, heights.length / MOST_LOOKED_AT);
+        double[] some = IntStream.range(0, heights.length / stride)
+                .mapToDouble(i -> heights[i * stride])
+                .filter(Double::isFinite)
+                .sorted()
+                .toArray();
+        if (some.length == 0) {
+            return Double.NaN;
+        }
+        int outside = (int) ((1 - NEARLY_ALL) * some.length);
+        return some[some.length - 1 - outside] - some[outside];
+    }
 
     static Spikes removed(HeightField field) {
         double[] medians = new double[field.heights().length];

@@ -1,0 +1,72 @@
+package sunbeam.precompute.patch;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.function.DoubleBinaryOperator;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import sunbeam.precompute.patch.builtin.BuiltInPatches;
+import sunbeam.precompute.setting.Setting;
+
+/** What a scan's user is told before anything is drawn. */
+class ScanFinishTest {
+    private static final int SAMPLES = 96;
+
+    @TempDir
+    Path folder;
+
+    /** Nanometres over samples of 50 nm. */
+    private Patch scan(DoubleBinaryOperator heights, Object... choices) throws IOException {
+        String rows = IntStream.range(0, SAMPLES)
+                .mapToObj(y -> IntStream.range(0, SAMPLES)
+                        .mapToObj(x -> Double.toString(heights.applyAsDouble(x, y)))
+                        .collect(Collectors.joining(" ")))
+                .collect(Collectors.joining("\n"));
+        Path file = Files.writeString(
+                folder.resolve("scan.txt"),
+                "# Channel: Height\n# Width: 4.8 um\n# Height: 4.8 um\n# Value units: nm\n" + rows + "\n");
+        PatchRequest request = PatchRequests.parse(file.toString(), null, null, null, null, "plane");
+        for (int i = 0; i < choices.length; i += 2) {
+            request = PatchRequests.with(request, (Setting<?>) choices[i], (String) choices[i + 1]);
+        }
+        return new PatchLoader(List.of(), BuiltInPatches::generate).load(request);
+    }
+
+    /** Lines 17.3 samples apart, 80 nm high, on a ground that wanders a little. */
+    private static double lines(double x, double y) {
+        return 40 * Math.sin(2 * Math.PI * (x + 0.05 * y) / 17.3) + 3 * Math.sin(0.7 * x * y);
+    }
+
+    private static double withDust(double x, double y) {
+        return lines(x, y) + ((x == 20 && y == 30) || (x == 70 && y == 80) ? 500 : 0);
+    }
+
+    @Test
+    void spikesThatMakeTheReliefAreToldUntilTheyAreGone() throws IOException {
+        assertThat(scan(ScanFinishTest::withDust).warnings())
+                .anySatisfy(line -> assertThat(line)
+                        .startsWith("2 samples stand alone, up to ")
+                        .contains("despike"));
+        assertThat(scan(ScanFinishTest::withDust, PatchSettings.DESPIKE, "true").warnings())
+                .noneMatch(line -> line.contains("stand alone"));
+        assertThat(scan(ScanFinishTest::lines).warnings()).noneMatch(line -> line.contains("stand alone"));
+    }
+
+    @Test
+    void aScanThatIsSaidToBeAPeriodAndIsNoneIsTold() throws IOException {
+        assertThat(scan(ScanFinishTest::lines, PatchSettings.PERIODIC, "true").warnings())
+                .anySatisfy(line -> assertThat(line)
+                        .contains("taken for one period, as said")
+                        .contains("repetition's"));
+        assertThat(scan((x, y) -> 40 * Math.sin(2 * Math.PI * x / 16), PatchSettings.PERIODIC, "true")
+                        .warnings())
+                .noneMatch(line -> line.contains("taken for one period"));
+        assertThat(scan(ScanFinishTest::lines).warnings()).noneMatch(line -> line.contains("taken for one period"));
+    }
+}
