@@ -38,11 +38,12 @@ public final class SamplingCheck {
         }
         return Optional.of(String.format(
                 Locale.ROOT,
-                "sampling too coarse: samples are %s apart along %s, but light of %s sees structure down to %s; use a finer scan or expect wrong colours far from the specular direction",
+                "sampling too coarse: samples are %s apart along %s, but light of %s sees structure down to %s, and lines closer than %s show as lines farther apart; use a finer scan or expect wrong colours far from the specular direction, and periods that are none",
                 Lengths.format(coarsest),
                 pitchX >= pitchY ? "x" : "y",
                 Lengths.format(SHORTEST_WAVELENGTH),
-                Lengths.format(COARSEST_PITCH)));
+                Lengths.format(COARSEST_PITCH),
+                Lengths.rounded(2 * coarsest, 3)));
     }
 
     /**

@@ -20,8 +20,6 @@ import sunbeam.precompute.scan.ScanException;
  */
 record TextHead(List<String> header, long offset, boolean decimalComma) {
     private static final int LONGEST_HEADER = 1 << 18;
-    // By chance, of numbers of either sign, once in 2^20.
-    private static final int SIGNS_OF_HALVES = 20;
     private static final Pattern NUMBER =
             Pattern.compile("[+-]?(?:\\d+\\.?\\d*|\\.\\d+)(?:[eE][+-]?\\d{1,3})?|[+-]?[nN][aA][nN]");
     private static final Pattern COMMA_NUMBER =
@@ -135,34 +133,10 @@ record TextHead(List<String> header, long offset, boolean decimalComma) {
             }
             separated |= c == ';' || ((c == ' ' || c == '\t') && amidLine);
         }
-        if (beforeSign && !beforeBlank && !separated) {
-            requireSeparators(head, start);
+        if ((withinNumber || beforeSign) && !beforeBlank && !separated) {
+            CommaHalves.refuse(head, start);
         }
         return withinNumber && separated && !beforeSign && !(beforeBlank && twice);
-    }
-
-    /** Numbers of which every second one never has a sign, though the others have, are halves of numbers. */
-    private static void requireSeparators(byte[] head, int start) {
-        long place = 0;
-        long signs = 0;
-        for (int i = start; i < head.length; i++) {
-            byte c = head[i];
-            if (c == '\n' || c == '\r') {
-                // The first number of a line is a whole one or the first half of one.
-                place = 0;
-            } else if (c == ',') {
-                place++;
-            } else if (c == '-' && place % 2 == 1) {
-                return;
-            } else if (c == '-') {
-                signs++;
-            }
-        }
-        if (signs >= SIGNS_OF_HALVES) {
-            throw new ScanException("has commas that may be decimal marks or separators: every second number never is"
-                    + " negative, so 1,5 may be one number or two; export it with decimal points, or with semicolons between"
-                    + " the numbers");
-        }
     }
 
     private static boolean all(String line, Pattern separator, Pattern number) {

@@ -69,7 +69,11 @@ public final class TextReader implements ScanReader {
                     rows));
         }
         Extent extent = new Extent(facts.width(), facts.height(), 1);
-        return new ScanChannel(facts.channel(), toInt(columns), toInt(rows), extent, facts.unit(), numbers::read);
+        return new ScanChannel(facts.channel(), toInt(columns), toInt(rows), extent, facts.unit(), () -> {
+            double[] heights = numbers.read();
+            CountedLines.refuse(heights, toInt(columns));
+            return heights;
+        });
     }
 
     private static int toInt(long count) {

@@ -59,6 +59,27 @@ class CommasTest {
                 .hasMessageContaining("decimal marks or separators");
     }
 
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "200,05,198,71,99,30,101,22,", // two decimals
+                "200,0,198,7,99,3,101,2,", // one
+                "200,5,198,71,99,3,101,05," // as many as there are
+            })
+    void halvesOfPositiveNumbersAreSeenByTheirDigits(String numbers) {
+        String row = numbers.repeat(9) + numbers.replaceAll(",$", "\n");
+        assertThatThrownBy(() -> read(row + row))
+                .isInstanceOf(ScanException.class)
+                .hasMessageContaining("decimal marks or separators");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"7,82,144,5,22,70,149,138,", "107,182,144,155,122,170,149,138,"})
+    void wholePositiveNumbersAreNoHalves(String numbers) throws IOException {
+        String row = numbers.repeat(10) + "35,36\n";
+        assertThat(read(row + row)).hasSize(164);
+    }
+
     @Test
     void wholeNumbersOfEitherSignAreNoHalves() throws IOException {
         String row = "-7,82,44,-55,22,-70,-49,38,".repeat(10) + "35,36\n";
