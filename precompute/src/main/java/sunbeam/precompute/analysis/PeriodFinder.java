@@ -63,7 +63,8 @@ public final class PeriodFinder {
     /** The surface's regularities in all directions. */
     public Periodicity all() {
         Periodicity others = choose(TaperedPeaks::all, PeriodicPeaks::all);
-        Optional<SpectrumPeak> sharp = line().or(() -> hidden(others));
+        Optional<SpectrumPeak> sharp = line().or(() -> new SharpLines(tapered).strongestOfMany(variance(tapered)))
+                .or(() -> hidden(others));
         return withFundamental(
                 sharp.map(line -> withLattice(line, withLine(line, others))).orElse(others));
     }

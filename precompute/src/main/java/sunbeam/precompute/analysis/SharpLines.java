@@ -17,6 +17,9 @@ final class SharpLines {
 
     // Of the variance, in the line.
     private static final double LEAST_SHARE = 0.25;
+    // Of the variance, in each of many lines and in all of them; along more than one direction.
+    private static final double LEAST_SHARE_OF_MANY = 0.005;
+    private static final double LEAST_SHARE_TOGETHER = 0.4;
     // A Hann window spreads one frequency over two bins on each side.
     private static final int LINE_BINS = 2;
     private static final int SURROUNDINGS = 8;
@@ -61,6 +64,24 @@ final class SharpLines {
         return tops(variance, fewest).stream()
                 .filter(peak -> fewest < FEWEST_OF_RAY || standsOutAlongItsRay(peak))
                 .max(Comparator.comparingDouble(SpectrumPeak::rms));
+    }
+
+    /**
+     * The strongest of many lines that hold most of the heights' variance together, each of them less than a single grating's: those of
+     * a lattice of dots, which are the narrower the more there are.
+     *
+     * @param variance of the heights less their plane, square metres
+     */
+    Optional<SpectrumPeak> strongestOfMany(double variance) {
+        List<SpectrumPeak> lines = tops(LEAST_SHARE_OF_MANY * variance, FEWEST_PERIODS).stream()
+                .filter(peak -> standsOutAlongItsRay(peak))
+                .toList();
+        double together =
+                lines.stream().mapToDouble(peak -> peak.rms() * peak.rms()).sum();
+        return lines.stream()
+                .max(Comparator.comparingDouble(SpectrumPeak::rms))
+                .filter(first -> together >= LEAST_SHARE_TOGETHER * variance
+                        && lines.stream().anyMatch(first::isAcross));
     }
 
     private List<SpectrumPeak> tops(double variance, double fewest) {

@@ -90,6 +90,25 @@ final class PeriodFinderTest {
                 .containsOnly(1000.0);
     }
 
+    /** The power of narrow dots lies in hundreds of lines, none of which holds much of it. */
+    @ParameterizedTest
+    @CsvSource({"1200, 1200, 72", "1350, 900, 90"})
+    void aLatticeOfNarrowDotsHasThePeriodsOfItsRows(double first, double second, double deviation) {
+        SplittableRandom random = new SplittableRandom(1);
+        HeightMap map = Surfaces.of(256, 256, 20e-6 / 256, (x, y) -> {
+            double dx = Math.IEEEremainder(x * 1e9, second) / deviation;
+            double dy = Math.IEEEremainder(y * 1e9, first) / deviation;
+            return 60e-9 * Math.exp(-0.5 * (dx * dx + dy * dy)) + 2e-9 * random.nextGaussian();
+        });
+        // A hundredth of a bin.
+        assertThat(new PeriodFinder(map).all().peaks().subList(0, 2))
+                .extracting(peak -> peak.period() * 1e9)
+                .allSatisfy(period -> assertThat(Math.min(Math.abs(period - first), Math.abs(period - second)))
+                        .isLessThan(1))
+                .anySatisfy(period -> assertThat(period).isCloseTo(first, within(1.0)))
+                .anySatisfy(period -> assertThat(period).isCloseTo(second, within(1.0)));
+    }
+
     @Test
     void overtonesAreNotListed() {
         // 20 samples a tooth: steps of the sampling stay whole.
