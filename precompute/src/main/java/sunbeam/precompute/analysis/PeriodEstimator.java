@@ -32,6 +32,12 @@ public final class PeriodEstimator {
     // Amplitudes of one wave under windows of three periods differ by so much, by noise and disorder.
     private static final double EVEN = 0.2;
     private static final double BEAT = 0.8;
+    // Two waves in step in the middle of the scan fade to both sides as cos(phi), and (1 - cos phi) / (1 + cos phi) is
+    // phi^2 / 4: with phi pi
+    // times half of their distance, over the 0.85 of the scan where windows fit. Scanners fade less.
+    private static final double LEAST_FADING = 0.05;
+    private static final double BEATS_TO_TELL = 1.5;
+    private static final double BEAT_IN_STEP = 2 / (0.85 * Math.PI);
     private static final int ROUNDS = 3;
     // Half an interval over the period.
     private static final double LEAST_OF_GROWN = 0.02;
@@ -139,8 +145,9 @@ public final class PeriodEstimator {
         double length = (series.size() + 1) * series.step();
         double finest = FINEST / length;
         Optional<TwoWaves> two = series.isStraight() ? TwoWaves.in(series.straight()) : Optional.empty();
-        boolean trusted = (series.size() - 1) / series.window() >= FEWEST_FOR_TWO
-                || two.filter(waves -> waves.rest() <= NEAT).isPresent();
+        boolean trusted = ((series.size() - 1) / series.window() >= FEWEST_FOR_TWO
+                        || two.filter(waves -> waves.rest() <= NEAT).isPresent())
+                && !two.filter(waves -> isPartOfABeat(waves, series)).isPresent();
         if (two.isPresent() && trusted) {
             return ofTwo(frequency, series, two.get(), length);
         }
@@ -181,7 +188,18 @@ public final class PeriodEstimator {
         double largest = Arrays.stream(series.strengths()).max().orElseThrow();
         double least = Arrays.stream(series.strengths()).min().orElseThrow();
         double change = (largest - least) / (largest + least);
-        return series.isStraight() && change > EVEN ? BEAT * change : 0;
+        if (!series.isStraight()) {
+            return 0;
+        }
+        double fading = FadingStrength.sag(series.strengths());
+        return Math.max(
+                change > EVEN ? BEAT * change : 0, fading > LEAST_FADING ? BEAT_IN_STEP * Math.sqrt(fading) : 0);
+    }
+
+    /** Two waves of which one that fades to both sides is as good an explanation as another two. */
+    private static boolean isPartOfABeat(TwoWaves two, PhaseSeries series) {
+        double turns = Math.abs(two.first() - two.second()) / (2 * Math.PI) * (series.size() + 1);
+        return turns < BEATS_TO_TELL && FadingStrength.sag(series.strengths()) > LEAST_FADING;
     }
 
     private static Optional<PeriodEstimate.Drift> drift(double frequency, PhaseFit fit, PhaseSeries series) {

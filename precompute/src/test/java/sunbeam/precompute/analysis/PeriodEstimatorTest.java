@@ -10,6 +10,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import sunbeam.precompute.Surfaces;
 import sunbeam.precompute.patch.HeightMap;
 
 class PeriodEstimatorTest {
@@ -99,5 +101,22 @@ class PeriodEstimatorTest {
         }
         assertThat(tried).isGreaterThanOrEqualTo(15);
         assertThat(missed).hasSizeLessThan(5);
+    }
+
+    /** In step in the middle, they fade to both sides as one wave may; a scan of less than a beat does not tell them apart. */
+    @ParameterizedTest
+    @ValueSource(doubles = {1030, 1040})
+    void twoPeriodsOfLessThanABeatAreBothInTheInterval(double nanometres) {
+        HeightMap map = Surfaces.of(
+                256,
+                64,
+                20e-6 / 256,
+                (x, y) -> 40e-9
+                        * (Math.cos(2 * Math.PI * (x - 10e-6) / 1000e-9)
+                                + Math.cos(2 * Math.PI * (x - 10e-6) / (nanometres * 1e-9))));
+        SpectrumPeak peak = new PeriodFinder(map, false).all().peaks().get(0);
+        PeriodEstimate estimate = PeriodEstimator.estimate(map, peak).orElseThrow();
+        assertThat(estimate.low()).isLessThan(1000e-9);
+        assertThat(estimate.high()).isGreaterThan(nanometres * 1e-9);
     }
 }
