@@ -12,6 +12,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
+import sunbeam.app.files.plot.FittedNames;
 import sunbeam.app.files.plot.Plot;
 import sunbeam.precompute.color.Chromaticity;
 import sunbeam.precompute.color.CieTable;
@@ -26,19 +27,22 @@ final class ColorSheet {
     private static final Color INK = new Color(0x222222);
 
     private final List<ColorReport> reports;
+    private final List<String> names;
     private final Map<String, Object> settings;
     private final CieTable cie;
 
     /** @param settings as in the files' text */
     ColorSheet(List<ColorReport> reports, Map<String, Object> settings, CieTable cie) {
         this.reports = reports;
+        this.names = FittedNames.of(
+                reports.stream().map(ColorReport::name).toList(), StripPanel.TITLE_FONT, StripPanel.WIDEST_NAME);
         this.settings = settings;
         this.cie = cie;
     }
 
     BufferedImage draw() {
         List<StripPanel> panels = IntStream.range(0, reports.size())
-                .mapToObj(i -> new StripPanel(reports.get(i), i, WIDTH))
+                .mapToObj(i -> new StripPanel(reports.get(i), names.get(i), i, WIDTH))
                 .toList();
         int top = panels.stream().mapToInt(StripPanel::height).sum();
         BufferedImage image = new BufferedImage(WIDTH, top + PLOT_HEIGHT + CAPTION, BufferedImage.TYPE_INT_RGB);
@@ -61,21 +65,17 @@ final class ColorSheet {
 
     private void caption(Graphics2D graphics, int top) {
         graphics.setColor(INK);
-        graphics.setFont(new Font(Font.SANS_SERIF, Font.PLAIN, 14));
+        Font font = new Font(Font.SANS_SERIF, Font.PLAIN, 14);
+        graphics.setFont(font);
         // Each surface's own coherence length stands in its title.
         String options = Arrays.stream(settings.get("options").toString().split(", ", -1))
                 .filter(option -> !option.startsWith("coherence length"))
                 .collect(Collectors.joining(", "));
-        graphics.drawString(
-                String.format(
-                        Locale.ROOT,
-                        "one exposure for all: %.4g; refractive index %s; method %s, %s",
-                        (Double) settings.get("exposure"),
-                        settings.get("index"),
-                        settings.get("method"),
-                        options),
-                LEFT,
-                top + 14);
+        String exposed = String.format(Locale.ROOT, "one exposure for all: %.4g; ", (Double) settings.get("exposure"));
+        String method = "; method " + settings.get("method") + ", " + options;
+        double room = WIDTH - 2 * LEFT - FittedNames.width(exposed + method, font);
+        String index = FittedNames.of("refractive index " + settings.get("index"), font, room);
+        graphics.drawString(exposed + index + method, LEFT, top + 14);
         boolean oneLight = reports.get(0).thetas().size() == 1;
         graphics.drawString(
                 "angles of the view to the normal, negative on the side away from the azimuth; what is brighter than a screen"
@@ -96,14 +96,14 @@ final class ColorSheet {
                 Plot.Axis.linear("y"),
                 WIDTH / 2,
                 PLOT_HEIGHT));
-        plot.equalScales(TICK).outline("spectral colours", xs(locus), ys(locus));
+        plot.legendBelow().equalScales(TICK).outline("spectral colours", xs(locus), ys(locus));
         for (int i = 0; i < reports.size(); i++) {
             List<Chromaticity> seen = reports.get(i).colours().stream()
                     .filter(colour -> colour.view().along() && colour.xyz()[1] > 0)
                     .map(SeenColor::chromaticity)
                     .toList();
             if (!seen.isEmpty()) {
-                plot.points(reports.get(i).name(), xs(seen), ys(seen), new Plot.Look(i, 0));
+                plot.points(names.get(i), xs(seen), ys(seen), new Plot.Look(i, 0));
             }
         }
         List<Chromaticity> white = List.of(Chromaticity.WHITE);
@@ -139,10 +139,11 @@ final class ColorSheet {
                 Plot.Axis.linear("relative radiance, share of its maximum"),
                 WIDTH / 2,
                 PLOT_HEIGHT));
+        plot.legendBelow();
         for (int i = 0; i < reports.size(); i++) {
             List<ColorReport.SeenSpectrum> spectra = reports.get(i).spectra();
             for (int j = 0; j < spectra.size(); j++) {
-                add(plot, reports.get(i).name(), spectra.get(j), new Plot.Look(i, j));
+                add(plot, names.get(i), spectra.get(j), new Plot.Look(i, j));
             }
         }
         return plot.draw();

@@ -8,8 +8,8 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
+import sunbeam.app.files.plot.FittedNames;
 import sunbeam.app.files.plot.PlotColours;
-import sunbeam.precompute.color.DisplayColor;
 import sunbeam.precompute.units.Decimals;
 
 /**
@@ -17,6 +17,10 @@ import sunbeam.precompute.units.Decimals;
  * light by name, in rows of several lights by dots.
  */
 final class StripPanel {
+    static final Font TITLE_FONT = new Font(Font.SANS_SERIF, Font.BOLD, 15);
+    /** Pixels that a surface's name takes at most in its title: some 32 letters. */
+    static final int WIDEST_NAME = 270;
+
     private static final int LEFT = 130;
     private static final int RIGHT = 30;
     private static final int STRIP = 64;
@@ -30,6 +34,7 @@ final class StripPanel {
     private static final Color INK = new Color(0x222222);
 
     private final ColorReport report;
+    private final String name;
     private final int number;
     private final int pictureWidth;
 
@@ -39,11 +44,13 @@ final class StripPanel {
     /**
      * Of a surface.
      *
+     * @param name as it is shown
      * @param number of the surface, whose colour its name has
      * @param pictureWidth in pixels
      */
-    StripPanel(ColorReport report, int number, int pictureWidth) {
+    StripPanel(ColorReport report, String name, int number, int pictureWidth) {
         this.report = report;
+        this.name = name;
         this.number = number;
         this.pictureWidth = pictureWidth;
     }
@@ -57,23 +64,26 @@ final class StripPanel {
         graphics.setColor(PlotColours.of(number));
         graphics.fillRect(LEFT - 20, top + 8, 13, 13);
         graphics.setColor(INK);
-        graphics.setFont(new Font(Font.SANS_SERIF, Font.BOLD, 15));
-        graphics.drawString(title(), LEFT, top + 20);
+        String title = title();
+        double room = pictureWidth - LEFT - RIGHT;
+        double share = Math.min(1, room / FittedNames.width(title, TITLE_FONT));
+        graphics.setFont(TITLE_FONT.deriveFont((float) share * TITLE_FONT.getSize2D()));
+        graphics.drawString(title, LEFT, top + 20);
         strip(graphics, true, top + TITLE + MARKS);
         strip(graphics, false, top + TITLE + 2 * MARKS + stripHeight() + GAP);
     }
 
-    private String title() {
+    /** The colour is that of the strip below and of the tables: at the exposure that all share. */
+    String title() {
         List<Double> thetas = report.thetas();
         String light = thetas.size() == 1
                 ? angle(thetas.get(0))
                 : angle(thetas.get(0)) + " (top) to " + angle(thetas.get(thetas.size() - 1)) + " (bottom)";
         String purest = report.purest()
-                .map(found -> "purest "
-                        + DisplayColor.Hued.brightest(found.colour().xyz()).hex() + " at "
+                .map(found -> "purest " + found.colour().shown().hex() + " at "
                         + angle(found.colour().view().thetaRDegrees()))
                 .orElse("no order to tell the colour of");
-        return report.name() + ": light at " + light + ", azimuth " + angle(report.lightAzimuthDegrees())
+        return name + ": light at " + light + ", azimuth " + angle(report.lightAzimuthDegrees())
                 + "; coherence length " + Decimals.format(Math.round(report.coherenceLength() * 1e8) / 100.0) + " um; "
                 + purest;
     }

@@ -207,7 +207,9 @@ public final class EvaluateCommand implements Callable<Integer> {
             contents.put("-positions.csv", PositionFiles.csv(all));
             if (all.sorted().length > 0) {
                 Map<String, String> text = text(setup, choices, title, ResponseMethod.BINS);
-                contents.put("-positions.png", stream -> PngWriter.write(stream, PositionFiles.draw(title, all), text));
+                contents.put(
+                        "-positions.png",
+                        stream -> PngWriter.write(stream, PositionFiles.draw(evaluation.figureTitle(), all), text));
             }
         }
         contents.put(".csv", MatrixFiles.csv(evaluation.response()));

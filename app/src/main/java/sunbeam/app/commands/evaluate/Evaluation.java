@@ -1,11 +1,13 @@
 package sunbeam.app.commands.evaluate;
 
+import java.awt.Font;
 import java.awt.image.BufferedImage;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.Consumer;
 import sunbeam.app.files.cache.DiffractionSetup;
+import sunbeam.app.files.plot.FittedNames;
 import sunbeam.app.terminal.progress.Progress;
 import sunbeam.precompute.analysis.PeriodEstimate;
 import sunbeam.precompute.evaluation.FadedRidge;
@@ -24,13 +26,17 @@ import sunbeam.precompute.setting.Choices;
 
 /** A patch's response in the plane of incidence and the period that it shows. */
 public final class Evaluation {
+    // As plots' titles have it.
+    private static final Font TITLE_FONT = new Font(Font.SANS_SERIF, Font.BOLD, 18);
+    private static final int WIDEST_NAME = 400;
+
     private final GratingTarget target;
     private final Responses responses;
     private final Quantity quantity;
     private final ResponseMatrix response;
     private final Optional<GratingMeasurement> measurement;
     private final Optional<String> noRidge;
-    private final String title;
+    private final String name;
     private final Optional<PeriodAnswer> answer;
 
     private Evaluation(
@@ -40,7 +46,7 @@ public final class Evaluation {
             ResponseMatrix response,
             Optional<GratingMeasurement> measurement,
             Optional<String> noRidge,
-            String title,
+            String name,
             Optional<PeriodAnswer> answer) {
         this.target = target;
         this.responses = responses;
@@ -48,7 +54,7 @@ public final class Evaluation {
         this.response = response;
         this.measurement = measurement;
         this.noRidge = noRidge;
-        this.title = title;
+        this.name = name;
         this.answer = answer;
     }
 
@@ -91,19 +97,21 @@ public final class Evaluation {
         grating.unseen(target.plane(), target.order()).ifPresent(remark);
         Responses responses = new Responses(setup, method, choices, grid, planned, remark);
         ResponseMatrix response = quantity.of(responses.power());
-        String title = String.format(
-                Locale.ROOT,
-                "%s, light at %s degrees, azimuth %s degrees",
-                setup.patch().name(),
-                Degrees.text(grid.plane().thetaI()),
-                Degrees.text(grid.plane().azimuth()));
         Optional<GratingMeasurement> measurement =
                 orders.areTold() ? target.measure(response, sigmaFrequency) : Optional.empty();
         Optional<String> noRidge =
                 measurement.isPresent() ? Optional.empty() : orders.shortfall().or(() -> Optional.of(target.noRidge()));
         Optional<PeriodAnswer> answer =
                 target.estimate().map(told -> answer(told, setup, grating, responses, budget, orders));
-        return new Evaluation(target, responses, quantity, response, measurement, noRidge, title, answer);
+        return new Evaluation(
+                target,
+                responses,
+                quantity,
+                response,
+                measurement,
+                noRidge,
+                setup.patch().name(),
+                answer);
     }
 
     /**
@@ -162,7 +170,21 @@ public final class Evaluation {
 
     /** The patch, the light and the azimuth. */
     public String title() {
-        return title;
+        return title(name);
+    }
+
+    /** As {@link #title}, with a name that leaves the light its place in a figure of 900 pixels and more. */
+    String figureTitle() {
+        return title(FittedNames.of(name, TITLE_FONT, WIDEST_NAME));
+    }
+
+    private String title(String shown) {
+        return String.format(
+                Locale.ROOT,
+                "%s, light at %s degrees, azimuth %s degrees",
+                shown,
+                Degrees.text(grid().plane().thetaI()),
+                Degrees.text(grid().plane().azimuth()));
     }
 
     /** Direction of the grating in the patch, radians. */
@@ -182,7 +204,7 @@ public final class Evaluation {
 
     /** The thesis's figures 4.9 to 4.11: the response in colour, its followed peaks, and the period by the grating equation. */
     public BufferedImage plot() {
-        return ResponsePlot.draw(title, quantity.label(), response, measurement, answer);
+        return ResponsePlot.draw(figureTitle(), quantity.label(), response, measurement, answer);
     }
 
     GratingTarget target() {

@@ -10,6 +10,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import sunbeam.app.files.plot.ColorMap;
+import sunbeam.app.files.plot.FittedNames;
 import sunbeam.app.files.plot.HeatMap;
 import sunbeam.app.files.plot.Plot;
 import sunbeam.app.work.Meanwhile;
@@ -90,9 +91,10 @@ final class InspectionSheet {
 
     private void drawText(Graphics2D graphics, List<String> lines) {
         graphics.setColor(Color.BLACK);
-        graphics.setFont(new Font(Font.SANS_SERIF, Font.BOLD, 22));
+        Font title = new Font(Font.SANS_SERIF, Font.BOLD, 22);
+        graphics.setFont(title);
         int y = MARGIN + TEXT_LINE;
-        graphics.drawString(inspection.patch().name(), MARGIN, y);
+        graphics.drawString(FittedNames.of(inspection.patch().name(), title, 2 * (PANEL_WIDTH - MARGIN)), MARGIN, y);
         graphics.setFont(new Font(Font.MONOSPACED, Font.PLAIN, 16));
         for (String line : lines) {
             y += TEXT_LINE;

@@ -221,12 +221,13 @@ public final class MapAnnotation {
         for (String paragraph : caption) {
             StringBuilder line = new StringBuilder();
             for (String word : paragraph.split(" ", -1)) {
-                boolean fits = metrics.stringWidth(line + " " + word) <= width;
+                String shown = FittedNames.of(word, font, width);
+                boolean fits = metrics.stringWidth(line + " " + shown) <= width;
                 if (!line.isEmpty() && !fits) {
                     lines.add(line.toString());
                     line.setLength(0);
                 }
-                line.append(line.isEmpty() ? "" : " ").append(word);
+                line.append(line.isEmpty() ? "" : " ").append(shown);
             }
             lines.add(line.toString());
         }

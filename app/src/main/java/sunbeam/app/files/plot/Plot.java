@@ -35,6 +35,7 @@ public final class Plot {
     private final Frame frame;
     private final List<Series> allSeries = new ArrayList<>();
     private Optional<Double> equalStep = Optional.empty();
+    private RectangleEdge legendEdge = RectangleEdge.RIGHT;
 
     private enum Form {
         LINE,
@@ -142,6 +143,12 @@ public final class Plot {
         return this;
     }
 
+    /** The legend stands below, where long names leave the axes their width, not at the right. */
+    public Plot legendBelow() {
+        legendEdge = RectangleEdge.BOTTOM;
+        return this;
+    }
+
     /**
      * Adds points to be seen before all others, as black rings around what they may coincide with; every
      * series after the first as frames.
@@ -174,7 +181,7 @@ public final class Plot {
         JFreeChart chart = PlotStyle.chart(frame.title(), plot);
         // The title already says what a single series is.
         if (allSeries.size() > 1) {
-            chart.addSubtitle(PlotStyle.legend(plot, RectangleEdge.RIGHT));
+            chart.addSubtitle(PlotStyle.legend(plot, legendEdge));
         }
         equalStep.ifPresent(step -> equaliseScales(chart, step));
         return image(chart, null);
