@@ -23,7 +23,8 @@ final class ResponsePlot {
     // Decades of the response that the colours span.
     private static final double SPAN = 1e-4;
     private static final int PEAKS = 0xFFFFFF;
-    private static final int EQUATION = 0xFF5030;
+    // No hue of VIRIDIS, and brighter than most of it to eyes that see no red.
+    private static final int EQUATION = 0xFF7040;
 
     private ResponsePlot() {}
 
@@ -80,8 +81,9 @@ final class ResponsePlot {
                         .map(Math::toDegrees)
                         .toArray())
                 .toArray(double[][]::new);
-        String name = "the period, " + PeriodReport.figures(answer).replace(", 95 % interval", "; band: 95 % interval");
-        map.band(name, nanometres(grid.wavelengths()), angles[0], angles[1], angles[2], EQUATION);
+        String name =
+                "the period, " + PeriodReport.figures(answer).replace(", 95 % interval", "; dotted: 95 % interval");
+        map.interval(name, nanometres(grid.wavelengths()), angles[0], angles[1], angles[2], EQUATION);
     }
 
     private static double[][] transposed(double[][] values) {

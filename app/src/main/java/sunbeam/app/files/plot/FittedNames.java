@@ -9,7 +9,8 @@ import java.util.Set;
 
 /** Names of files in figures: those too wide lose their middle, so that what stands around them keeps its size. */
 public final class FittedNames {
-    private static final FontRenderContext CONTEXT = new FontRenderContext(null, true, true);
+    // As pictures draw text: letters begin at whole pixels.
+    private static final FontRenderContext CONTEXT = new FontRenderContext(null, true, false);
     private static final String GAP = "\u2026";
 
     private FittedNames() {}

@@ -6,6 +6,7 @@ import java.awt.Paint;
 import java.awt.geom.Line2D;
 import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
+import java.util.List;
 import org.jfree.chart.ChartRenderingInfo;
 import org.jfree.chart.JFreeChart;
 import org.jfree.chart.axis.AxisLocation;
@@ -16,7 +17,6 @@ import org.jfree.chart.axis.ValueAxis;
 import org.jfree.chart.plot.SeriesRenderingOrder;
 import org.jfree.chart.plot.XYPlot;
 import org.jfree.chart.renderer.PaintScale;
-import org.jfree.chart.renderer.xy.DeviationRenderer;
 import org.jfree.chart.renderer.xy.XYLineAndShapeRenderer;
 import org.jfree.chart.title.LegendTitle;
 import org.jfree.chart.title.PaintScaleLegend;
@@ -24,8 +24,6 @@ import org.jfree.chart.ui.Layer;
 import org.jfree.chart.ui.RectangleEdge;
 import org.jfree.chart.ui.RectangleInsets;
 import org.jfree.data.xy.DefaultXYDataset;
-import org.jfree.data.xy.YIntervalSeries;
-import org.jfree.data.xy.YIntervalSeriesCollection;
 
 /**
  * A matrix of values in colour over two axes, with a colour bar, curves and marks on top, in the look of {@link Plot}
@@ -38,18 +36,18 @@ public final class HeatMap {
     private static final double SPACE_LEFT = 76;
     private static final double SPACE_BELOW = 64;
     private static final double GAP = 12;
-    private static final float CURVE_WIDTH = 1.7f;
-    private static final float BAND_ALPHA = 0.5f;
-    private static final BasicStroke SOLID = new BasicStroke(CURVE_WIDTH, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND);
-    private static final BasicStroke DASHED =
-            new BasicStroke(CURVE_WIDTH, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 1, new float[] {10, 8}, 0);
+    private static final float CURVE_WIDTH = 2;
+    private static final float RIM_WIDTH = 1;
+    private static final float[] SOLID = {};
+    private static final float[] DASHED = {10, 8};
+    private static final float[] DOTTED = {3, 6};
 
     private final Frame frame;
     private final Values values;
     private final DefaultXYDataset curves = new DefaultXYDataset();
     private final XYLineAndShapeRenderer renderer = new XYLineAndShapeRenderer(true, false);
-    private final YIntervalSeriesCollection bands = new YIntervalSeriesCollection();
-    private final DeviationRenderer bandRenderer = new DeviationRenderer(true, false);
+    private final DefaultXYDataset rims = new DefaultXYDataset();
+    private final XYLineAndShapeRenderer rimRenderer = new XYLineAndShapeRenderer(true, false);
 
     /**
      * What stands around the matrix.
@@ -105,32 +103,55 @@ public final class HeatMap {
         this.values = values;
     }
 
-    /** Adds a curve with an entry in the legend; points that are NaN or outside the axes interrupt it. */
+    /**
+     * Adds a curve with an entry in the legend; points that are NaN or outside the axes interrupt it. As all curves it has a
+     * dark rim, which is seen on bright cells as the curve is on dark ones.
+     */
     public HeatMap curve(String name, double[] x, double[] y, int rgb, boolean dashed) {
-        int index = curves.getSeriesCount();
-        curves.addSeries(name, new double[][] {x, y});
-        renderer.setSeriesPaint(index, new Color(rgb));
-        renderer.setSeriesStroke(index, dashed ? DASHED : SOLID);
+        add(name, x, y, rgb, dashed ? DASHED : SOLID);
         return this;
     }
 
     /**
-     * Adds a curve with a band around it and one entry in the legend, under all curves; where one of the three is NaN there
-     * is nothing.
+     * Adds a curve with dotted ones on both sides and one entry in the legend; what lies between them stays in sight. Where
+     * one of the three is NaN there is nothing.
      */
-    public HeatMap band(String name, double[] x, double[] y, double[] oneSide, double[] otherSide, int rgb) {
-        YIntervalSeries series = new YIntervalSeries(name);
-        for (int i = 0; i < x.length; i++) {
-            if (Double.isFinite(y[i] + oneSide[i] + otherSide[i])) {
-                series.add(x[i], y[i], Math.min(oneSide[i], otherSide[i]), Math.max(oneSide[i], otherSide[i]));
+    public HeatMap interval(String name, double[] x, double[] y, double[] oneSide, double[] otherSide, int rgb) {
+        for (double[] side : List.of(oneSide, otherSide)) {
+            int index = add(name + curves.getSeriesCount(), x, known(side, y, oneSide, otherSide), rgb, DOTTED);
+            renderer.setSeriesVisibleInLegend(index, false);
+        }
+        add(name, x, known(y, oneSide, otherSide), rgb, SOLID);
+        return this;
+    }
+
+    /** The first of some series, where all have a value. */
+    private static double[] known(double[]... series) {
+        double[] values = series[0].clone();
+        for (int i = 0; i < values.length; i++) {
+            for (double[] other : series) {
+                values[i] = Double.isFinite(other[i]) ? values[i] : Double.NaN;
             }
         }
-        int index = bands.getSeriesCount();
-        bands.addSeries(series);
-        bandRenderer.setSeriesPaint(index, new Color(rgb));
-        bandRenderer.setSeriesFillPaint(index, new Color(rgb));
-        bandRenderer.setSeriesStroke(index, SOLID);
-        return this;
+        return values;
+    }
+
+    private int add(String name, double[] x, double[] y, int rgb, float[] dashes) {
+        int index = curves.getSeriesCount();
+        curves.addSeries(name, new double[][] {x, y});
+        renderer.setSeriesPaint(index, new Color(rgb));
+        renderer.setSeriesStroke(index, stroke(CURVE_WIDTH, dashes));
+        rims.addSeries(name, new double[][] {x, y});
+        rimRenderer.setSeriesPaint(index, Color.BLACK);
+        rimRenderer.setSeriesStroke(index, stroke(CURVE_WIDTH + 2 * RIM_WIDTH, dashes));
+        rimRenderer.setSeriesVisibleInLegend(index, false);
+        return index;
+    }
+
+    private static BasicStroke stroke(float width, float[] dashes) {
+        return dashes.length == 0
+                ? new BasicStroke(width, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND)
+                : new BasicStroke(width, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 1, dashes, 0);
     }
 
     /** Adds a ring around a point with a label beside it. */
@@ -161,15 +182,14 @@ public final class HeatMap {
         plot.setRangeGridlinesVisible(false);
         plot.setDataset(curves);
         plot.setRenderer(renderer);
-        plot.setDataset(1, bands);
-        plot.setRenderer(1, bandRenderer);
-        // Backwards over datasets, as JFreeChart does unless told otherwise: curves lie on bands.
+        plot.setDataset(1, rims);
+        plot.setRenderer(1, rimRenderer);
+        // Backwards over datasets, as JFreeChart does unless told otherwise: curves lie on their rims.
         plot.setSeriesRenderingOrder(SeriesRenderingOrder.FORWARD);
         // Or else each of a curve's pieces begins with a dash of its own.
         renderer.setDrawSeriesLineAsPath(true);
+        rimRenderer.setDrawSeriesLineAsPath(true);
         renderer.setLegendLine(new Line2D.Double(-16, 0, 16, 0));
-        bandRenderer.setLegendLine(new Line2D.Double(-16, 0, 16, 0));
-        bandRenderer.setAlpha(BAND_ALPHA);
         HeatMapCells cells = new HeatMapCells(values);
         renderer.addAnnotation(
                 new Overlay((graphics, area, alongX, alongY) -> cells.paint(graphics, area)), Layer.BACKGROUND);
@@ -179,7 +199,7 @@ public final class HeatMap {
         plot.setFixedRangeAxisSpace(space);
         plot.setFixedDomainAxisSpace(space);
         JFreeChart chart = PlotStyle.chart(frame.title(), plot);
-        if (curves.getSeriesCount() + bands.getSeriesCount() > 0) {
+        if (curves.getSeriesCount() > 0) {
             LegendTitle legend = PlotStyle.legend(plot, RectangleEdge.BOTTOM);
             legend.setBackgroundPaint(new Color(values.colors().map().at(0.2)));
             legend.setItemPaint(Color.WHITE);

@@ -5,6 +5,8 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
+import java.util.List;
+import java.util.stream.IntStream;
 import org.jfree.chart.ChartRenderingInfo;
 import org.junit.jupiter.api.Test;
 
@@ -63,10 +65,10 @@ final class HeatMapTest {
     }
 
     @Test
-    void bandsReachFromOneSideToTheOtherAndLeaveOutWhatIsNone() {
+    void intervalsLeaveInSightWhatLiesWithinAndEndWhereOneSideIsUnknown() {
         double[] x = {0, 5, 10};
-        BufferedImage image = map(new double[][] {{0}}, HeatMap.Reduction.LARGEST)
-                .band(
+        BufferedImage image = map(new double[][] {{0.5}}, HeatMap.Reduction.LARGEST)
+                .interval(
                         "level",
                         x,
                         new double[] {5, 5, Double.NaN},
@@ -74,13 +76,32 @@ final class HeatMapTest {
                         new double[] {4, 4, 4},
                         0xFFFFFF)
                 .draw(places);
-        // Half of white, between the sides alone, and as far as the middle is known.
-        assertThat(grey(image, 0.25, 0.65)).isBetween(100, 155);
-        assertThat(grey(image, 0.25, 0.45)).isBetween(100, 155);
-        assertThat(grey(image, 0.25, 0.75)).isZero();
-        assertThat(grey(image, 0.25, 0.35)).isZero();
-        assertThat(grey(image, 0.75, 0.65)).isZero();
-        assertThat(grey(image, 0.25, 0.5)).isGreaterThan(150);
+        int cell = grey(image, 0.25, 0.9);
+        assertThat(List.of(grey(image, 0.25, 0.6), grey(image, 0.25, 0.45), grey(image, 0.25, 0.75)))
+                .containsOnly(cell);
+        assertThat(grey(image, 0.25, 0.5)).isGreaterThan(cell + 50);
+        // Dots and gaps of the sides, white with dark rims.
+        assertThat(brightest(image, 0.7)).isGreaterThan(cell + 50);
+        assertThat(brightest(image, 0.4)).isGreaterThan(cell + 50);
+        assertThat(darkest(image, 0.5)).as("the rim of the curve").isLessThan(cell - 50);
+        assertThat(grey(image, 0.75, 0.5)).isEqualTo(cell);
+        assertThat(grey(image, 0.75, 0.7)).isEqualTo(cell);
+    }
+
+    private int brightest(BufferedImage image, double y) {
+        return nearby(image, y).max().orElseThrow();
+    }
+
+    private int darkest(BufferedImage image, double y) {
+        return nearby(image, y).min().orElseThrow();
+    }
+
+    /** Left of the middle, up to three pixels above and below. */
+    private IntStream nearby(BufferedImage image, double y) {
+        int row = (int) Math.round(area().getMaxY() - y * area().getHeight());
+        return IntStream.range(0, 20 * 7)
+                .map(i -> image.getRGB((int) (area().getMinX() + 0.2 * area().getWidth()) + i / 7, row - 3 + i % 7)
+                        & 0xFF);
     }
 
     @Test
