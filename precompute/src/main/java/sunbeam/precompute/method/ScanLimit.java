@@ -20,8 +20,9 @@ import sunbeam.precompute.units.Lengths;
  *
  * @param choices those that hold
  * @param line what the user should know
+ * @param limiting side of the scan that the coherence length was limited to: width or height; empty where it was not
  */
-public record ScanLimit(Choices choices, Optional<Sentence> line) {
+public record ScanLimit(Choices choices, Optional<Sentence> line, Optional<String> limiting) {
     // Lengths are divided into samples and back.
     private static final double SLACK = 1 + 1e-9;
 
@@ -32,7 +33,7 @@ public record ScanLimit(Choices choices, Optional<Sentence> line) {
         double asked = choices.get(COHERENCE_LENGTH);
         double side = patch.shorterSide();
         if (!windowed || thesis || patch.repetition() == Patch.Repetition.PERIODIC || asked <= side * SLACK) {
-            return new ScanLimit(choices, Optional.empty());
+            return new ScanLimit(choices, Optional.empty(), Optional.empty());
         }
         if (patch.repetition() == Patch.Repetition.ASSUMED) {
             return new ScanLimit(
@@ -43,10 +44,12 @@ public record ScanLimit(Choices choices, Optional<Sentence> line) {
                                     "the surface is taken to repeat itself every %s, and light of a coherence length of %s sees that: a comb of sharp orders that no scan of this size can tell; say whether it is ",
                                     Lengths.format(side),
                                     Lengths.format(asked)),
-                            PatchSettings.PERIODIC)));
+                            PatchSettings.PERIODIC)),
+                    Optional.empty());
         }
         // A window that the samples cannot hold would be refused, as any other that is too short.
         Choices limited = choices.with(COHERENCE_LENGTH, side, choices.origin(COHERENCE_LENGTH));
+        String limiting = patch.scan().width() <= side * SLACK ? "width" : "height";
         return new ScanLimit(
                 limited,
                 Optional.of(Sentence.of(
@@ -54,10 +57,11 @@ public record ScanLimit(Choices choices, Optional<Sentence> line) {
                                 Locale.ROOT,
                                 "coherence length %s (the scan's %s; %s asked): orders are drawn %s times as broad as in sunlight; a larger scan or ",
                                 Lengths.rounded(side, 4),
-                                patch.scan().width() <= side * SLACK ? "width" : "height",
+                                limiting,
                                 Lengths.format(asked),
                                 times(CoherenceWindow.SUNLIGHT_COHERENCE_LENGTH / side)),
-                        PatchSettings.PERIODIC)));
+                        PatchSettings.PERIODIC)),
+                Optional.of(limiting));
     }
 
     private static String times(double ratio) {

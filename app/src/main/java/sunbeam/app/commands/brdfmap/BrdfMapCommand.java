@@ -33,7 +33,6 @@ import sunbeam.app.files.output.StandardOutput;
 import sunbeam.app.files.plot.MapAnnotation;
 import sunbeam.app.files.plot.PictureSheet;
 import sunbeam.app.gpu.map.DiscDirections;
-import sunbeam.app.gpu.map.MapCaption;
 import sunbeam.app.gpu.picture.DisplayPass;
 import sunbeam.app.gpu.picture.DoubtfulPicture;
 import sunbeam.app.gpu.picture.ExposureOption;
@@ -50,7 +49,6 @@ import sunbeam.app.terminal.options.ComparedPatches;
 import sunbeam.app.terminal.options.LightOptions;
 import sunbeam.app.terminal.options.MethodOptions;
 import sunbeam.app.terminal.options.PatchOptions;
-import sunbeam.precompute.method.Method;
 import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.Direction;
@@ -182,10 +180,20 @@ public final class BrdfMapCommand implements Callable<Integer> {
             List<BufferedImage> plain =
                     maps.stream().map(map -> plain(map, display, factor)).toList();
             doubt = judge(maps, plain, lightDirection, factor);
+            AnnotatedMaps annotated = new AnnotatedMaps(
+                    light.direction(),
+                    material.isStandard() ? Optional.empty() : Optional.of(index.describe(material)),
+                    exposed(factor),
+                    asked);
             List<BufferedImage> images = new ArrayList<>();
             for (int i = 0; i < maps.size(); i++) {
-                images.add(image(
-                        maps.get(i), plain.get(i), factor, materials.get(i).method()));
+                images.add(
+                        annotate
+                                ? annotated.draw(
+                                        maps.get(i),
+                                        plain.get(i),
+                                        materials.get(i).method())
+                                : plain.get(i));
             }
             BufferedImage sheet = PictureSheet.of(images);
             written = write(picture, stream -> PngWriter.write(stream, sheet, text), first);
@@ -274,14 +282,9 @@ public final class BrdfMapCommand implements Callable<Integer> {
         return SrgbImage.fromEncoded(size, size, display.srgb(map.picture(), factor));
     }
 
-    private BufferedImage image(MaterialMap.Drawn map, BufferedImage plain, double factor, Method chosen) {
-        if (!annotate) {
-            return plain;
-        }
-        String exposed = MapAnnotation.exposureText(factor)
-                + (exposure.isAutomatic() ? compared.areSeveral() ? ", automatic, one for all" : ", automatic" : "");
-        List<String> caption = MapCaption.of(map.patch(), light.direction(), map.coherenceLength(), chosen);
-        return new MapAnnotation(plain, light.direction(), MapCaption.with(caption, exposed)).draw();
+    private String exposed(double factor) {
+        String shared = compared.areSeveral() ? ", automatic, one for all" : ", automatic";
+        return MapAnnotation.exposureText(factor) + (exposure.isAutomatic() ? shared : "");
     }
 
     private void checkDifferent(Path picture) {

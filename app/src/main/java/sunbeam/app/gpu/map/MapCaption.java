@@ -5,6 +5,7 @@ import java.math.MathContext;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import sunbeam.precompute.method.Method;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.patch.HeightMap;
@@ -14,7 +15,7 @@ import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.units.Decimals;
 import sunbeam.precompute.units.Lengths;
 
-/** What stands below an annotated map: patch, light, window; the exposure comes last. */
+/** What stands below an annotated map: patch, light, material, window; the exposure comes last. */
 public final class MapCaption {
     private MapCaption() {}
 
@@ -25,6 +26,22 @@ public final class MapCaption {
      * @param coherenceLength four standard deviations of the window that was drawn with, metres
      */
     public static List<String> of(Patch patch, Direction light, double coherenceLength, Method method) {
+        return of(patch, light, coherenceLength, method, Remarks.NONE);
+    }
+
+    /**
+     * What is not as it is by default.
+     *
+     * @param index refractive, for people
+     * @param limiting side of the scan that the coherence length was limited to
+     */
+    public record Remarks(Optional<String> index, Optional<String> limiting) {
+        static final Remarks NONE = new Remarks(Optional.empty(), Optional.empty());
+    }
+
+    /** As {@link #of(Patch, Direction, double, Method)}, with remarks. */
+    public static List<String> of(
+            Patch patch, Direction light, double coherenceLength, Method method, Remarks remarks) {
         HeightMap map = patch.heights();
         String surface = String.format(
                 Locale.ROOT,
@@ -35,10 +52,12 @@ public final class MapCaption {
                 Lengths.format(rounded(map.relief())));
         String lit = String.format(
                 Locale.ROOT,
-                "light %s\u00b0 from the normal, azimuth %s\u00b0; coherence length %s%s; method %s",
+                "light %s\u00b0 from the normal, azimuth %s\u00b0; %scoherence length %s%s%s; method %s",
                 degrees(Math.atan2(Math.hypot(light.x(), light.y()), light.z())),
                 degrees(Math.atan2(light.y(), light.x())),
+                remarks.index().map(index -> "refractive index " + index + "; ").orElse(""),
                 Lengths.format(rounded(coherenceLength)),
+                remarks.limiting().map(side -> " (the scan's " + side + ")").orElse(""),
                 average(method, map),
                 method.type().label());
         return List.of(surface, lit);
