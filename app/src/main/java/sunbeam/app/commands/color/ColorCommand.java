@@ -29,6 +29,7 @@ import sunbeam.app.gpu.picture.ExposureOption;
 import sunbeam.app.gpu.picture.LinearPicture;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;
+import sunbeam.app.terminal.HeardWarnings;
 import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.app.terminal.options.ComparedPatches;
@@ -145,10 +146,11 @@ public final class ColorCommand implements Callable<Integer> {
         if (output != null) {
             new ColorFiles(output, force.overwrite()).checkWritable();
         }
-        PrintWriter err = specification.commandLine().getErr();
+        HeardWarnings heard = new HeardWarnings(specification.commandLine().getErr());
+        PrintWriter err = heard.printer();
         List<ColorStrips> strips = compared.load(patchOptions, choices).stream()
                 .map(patch -> new DiffractionSetup(patch, environment, err))
-                .map(setup -> told(setup, choices, material))
+                .map(setup -> told(setup, choices, material, err))
                 .toList();
         Path picture = output != null ? output : Path.of("color-" + names(strips) + ".png");
         ColorFiles files = new ColorFiles(picture, force.overwrite(output));
@@ -178,10 +180,17 @@ public final class ColorCommand implements Callable<Integer> {
         settings.put("exposure", factor);
         settings.put("tolerance", tolerance);
         settings.put("renderer", renderer);
-        List<Path> written = files.write(reports, settings, new ColorSheet(reports, settings, cie));
+        ExitCode judged = judge(reports, strips, choices, err);
+        List<Path> written = files.write(reports, settings, heard.all(), new ColorSheet(reports, settings, cie));
         PrintWriter out = specification.commandLine().getOut();
         reports.forEach(report -> out.println(ColorSummary.of(report)));
         written.forEach(out::println);
+        return judged.code();
+    }
+
+    /** Warns of what can only be a mistake. */
+    private static ExitCode judge(
+            List<ColorReport> reports, List<ColorStrips> strips, Choices choices, PrintWriter err) {
         boolean black = reports.stream()
                 .anyMatch(report -> report.colours().stream()
                         .allMatch(colour -> colour.shown().rgb() == 0));
@@ -192,7 +201,7 @@ public final class ColorCommand implements Callable<Integer> {
             tooSmall |= SmallScan.judge(reports.get(i), patches.get(i), choices, err);
         }
         ExitCode judged = DoubtfulPicture.judge(patches, black, "the picture", err);
-        return (tooSmall ? ExitCode.TOLERANCE_MISSED : judged).code();
+        return tooSmall ? ExitCode.TOLERANCE_MISSED : judged;
     }
 
     private void check() {
@@ -215,9 +224,9 @@ public final class ColorCommand implements Callable<Integer> {
         }
     }
 
-    private ColorStrips told(DiffractionSetup setup, Choices choices, RefractiveIndex material) {
+    private ColorStrips told(DiffractionSetup setup, Choices choices, RefractiveIndex material, PrintWriter err) {
         try (Progress progress = Progress.start("Planning " + setup.patch().name(), 1)) {
-            ColorStrips strips = strips(setup, choices, material);
+            ColorStrips strips = strips(setup, choices, material, err);
             progress.step(1);
             return strips;
         }
@@ -228,8 +237,7 @@ public final class ColorCommand implements Callable<Integer> {
      *
      * @throws SettingException where that takes too much; it says which part of the surface can be drawn
      */
-    private ColorStrips strips(DiffractionSetup setup, Choices choices, RefractiveIndex material) {
-        PrintWriter err = specification.commandLine().getErr();
+    private ColorStrips strips(DiffractionSetup setup, Choices choices, RefractiveIndex material, PrintWriter err) {
         Choices seen = setup.seen(choices, err);
         try {
             ColorStrips strips = strips(setup, Methods.of(seen), material);

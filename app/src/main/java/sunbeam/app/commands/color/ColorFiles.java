@@ -36,9 +36,10 @@ final class ColorFiles {
     /**
      * All files or none.
      *
+     * @param warnings what was said of the surfaces and their colours, for JSON
      * @return where they are
      */
-    List<Path> write(List<ColorReport> reports, Map<String, Object> settings, ColorSheet sheet) {
+    List<Path> write(List<ColorReport> reports, Map<String, Object> settings, List<String> warnings, ColorSheet sheet) {
         Map<String, String> text = new LinkedHashMap<>();
         text.put(
                 "Title", "Colours of " + reports.stream().map(ColorReport::name).collect(Collectors.joining(", ")));
@@ -49,7 +50,9 @@ final class ColorFiles {
         Map<String, AtomicFile.StreamContent> contents = new LinkedHashMap<>();
         contents.put(pictureEnding, stream -> PngWriter.write(stream, sheet.draw(), text));
         contents.put(".csv", stream -> stream.write(ColorTables.csv(reports).getBytes(StandardCharsets.UTF_8)));
-        contents.put(".json", stream -> stream.write(json.writeValueAsBytes(ColorTables.tree(reports, settings))));
+        Map<String, Object> tree = ColorTables.tree(reports, settings);
+        tree.put("warnings", warnings);
+        contents.put(".json", stream -> stream.write(json.writeValueAsBytes(tree)));
         return files.write(contents);
     }
 }

@@ -13,6 +13,7 @@ import sunbeam.precompute.analysis.PrincipalDirection;
  * @param lightAzimuthDegrees of the light
  * @param coherenceLength that was drawn with, metres
  * @param plan its summary
+ * @param model its error, for people
  * @param thetas of the light, degrees
  * @param colours strip by strip, along first; in a strip light by light; by viewing angle
  * @param spectra at chosen angles along
@@ -26,6 +27,7 @@ record ColorReport(
         double lightAzimuthDegrees,
         double coherenceLength,
         String plan,
+        String model,
         List<Double> thetas,
         List<SeenColor> colours,
         List<SeenSpectrum> spectra,

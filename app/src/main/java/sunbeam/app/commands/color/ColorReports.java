@@ -9,6 +9,7 @@ import java.util.stream.IntStream;
 import jrtr.RenderContext;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.optics.RefractiveIndex;
+import sunbeam.precompute.patch.ModelError;
 
 /**
  * From what is seen to what is told.
@@ -59,6 +60,7 @@ record ColorReports(
                 strips.lightAzimuthDegrees(),
                 reach.window().coherenceLength(),
                 strips.plan().summary(),
+                ModelError.of(strips.setup().patch().scan()).describe(),
                 thetas,
                 colours,
                 spectra.isEmpty() ? all : all.subList(all.size() - spectra.size(), all.size()),

@@ -108,6 +108,7 @@ final class ColorTables {
         surface.put("light_azimuth_deg", report.lightAzimuthDegrees());
         surface.put("coherence_length_um", rounded(report.coherenceLength() * 1e6));
         surface.put("plan", report.plan());
+        surface.put("model", report.model());
         surface.put("mirror_reach", report.reach().radius());
         surface.put("purest", report.purest().map(ColorTables::purest).orElse(null));
         surface.put(

@@ -162,6 +162,15 @@ class ColorCommandTest {
         assertThat(run(scan)).isEqualTo(ExitCode.TOLERANCE_MISSED.code());
         assertThat(err.toString()).contains("is too small to tell any colour");
         JsonNode told = new ObjectMapper().readTree(folder.resolve("c.json").toFile());
+        // All that was said on standard error, in its order.
+        List<String> warned = err.toString()
+                .lines()
+                .filter(line -> line.startsWith("sunbeam: warning: "))
+                .map(line -> line.substring("sunbeam: warning: ".length()))
+                .toList();
+        assertThat(warned).anyMatch(line -> line.contains("coherence length 507.8 nm (the scan's width; 10 um asked)"));
+        assertThat(told.get("warnings")).extracting(JsonNode::asText).containsExactlyElementsOf(warned);
+        assertThat(told.get("surfaces").get(0).get("model").asText()).contains("docs/validity.md");
         assertThat(told.get("surfaces").get(0).get("purest").isNull()).isTrue();
     }
 

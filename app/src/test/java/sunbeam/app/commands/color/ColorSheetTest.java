@@ -42,6 +42,7 @@ class ColorSheetTest {
                 0,
                 65e-6,
                 "a plan",
+                "a model",
                 List.of(0.0),
                 colours,
                 List.of(new ColorReport.SeenSpectrum(
