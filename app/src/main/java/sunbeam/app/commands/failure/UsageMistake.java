@@ -2,6 +2,7 @@ package sunbeam.app.commands.failure;
 
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.UnmatchedArgumentException;
 import sunbeam.precompute.text.Similar;
@@ -12,6 +13,10 @@ final class UsageMistake {
     private static final List<String> UNITS = List.of("pm", "nm", "um", "\u00b5m", "\u03bcm", "mm", "cm", "m", "deg");
 
     private static final List<String> YES_AND_NO = List.of("yes", "no", "true", "false", "on", "off");
+
+    /** What commands that have no report for programs write for them. */
+    private static final Map<String, String> JSON_FILES =
+            Map.of("color", "color-NAME.json", "evaluate", "NAME-evaluate.json");
 
     private UsageMistake() {}
 
@@ -31,6 +36,12 @@ final class UsageMistake {
         }
         if (unmatched.isUnknownOption() && isOptionOfACommand(mistake, argument)) {
             return "option '" + argument + "' has no command before it; give the command first, then its options";
+        }
+        if (argument.equals("--json")
+                && JSON_FILES.containsKey(mistake.getCommandLine().getCommandName())) {
+            String file = JSON_FILES.get(mistake.getCommandLine().getCommandName());
+            return "unknown option '--json'; it is not needed, as " + file
+                    + " is always written beside the picture (--output" + " chooses its name)";
         }
         String kind = unmatched.isUnknownOption() ? "option" : "command";
         List<String> suggestions = closest(unmatched.getSuggestions(), argument);
