@@ -41,6 +41,8 @@ public final class PeriodEstimator {
     private static final int ROUNDS = 3;
     // Half an interval over the period.
     private static final double LEAST_OF_GROWN = 0.02;
+    // Halves of a scan tell little more, and take as long again.
+    private static final double WIDE = 0.1;
 
     private PeriodEstimator() {}
 
@@ -75,7 +77,8 @@ public final class PeriodEstimator {
                     .findFirst()
                     .map(largest -> largest.reaching(told).slippedAt(slips));
         }
-        return ofMany(map, peak, rows).map(pieces::reachingHalves);
+        return ofMany(map, peak, rows)
+                .map(told -> told.halfWidth() > WIDE * told.period() ? told : pieces.reachingHalves(told));
     }
 
     /**

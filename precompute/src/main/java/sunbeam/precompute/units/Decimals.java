@@ -20,8 +20,11 @@ public final class Decimals {
 
     private Decimals() {}
 
-    /** What helps where a number has a decimal comma (a point in its place, after a semicolon), else nothing. */
+    /** What helps where a number has a decimal comma and no point (a point in its place, after a semicolon), else nothing. */
     public static String commaRemedy(String text) {
+        if (text.contains(".")) {
+            return "";
+        }
         String pointed = DECIMAL_COMMA.matcher(text.strip()).replaceAll(".");
         return pointed.equals(text.strip()) ? "" : "; write a decimal point for the comma, " + Quoted.of(pointed);
     }
