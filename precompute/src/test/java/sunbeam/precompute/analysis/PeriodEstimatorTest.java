@@ -4,8 +4,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.stream.LongStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -87,19 +90,18 @@ class PeriodEstimatorTest {
     @ParameterizedTest
     @EnumSource
     void theTruthLiesWithinTheInterval(SimulatedGrating.Kind kind) {
-        int tried = 0;
-        List<String> missed = new ArrayList<>();
-        for (long seed = 500; seed < 525; seed++) {
+        AtomicInteger tried = new AtomicInteger();
+        List<String> missed = Collections.synchronizedList(new ArrayList<>());
+        LongStream.range(500, 525).parallel().forEach(seed -> {
             SimulatedGrating grating = SimulatedGrating.draw(kind, seed);
-            Optional<PeriodEstimate> estimate = grating.estimate();
-            if (estimate.isPresent()) {
-                tried++;
-                if (!grating.holdsTruth(estimate.get())) {
-                    missed.add(grating.words() + ": " + estimate.get());
+            grating.estimate().ifPresent(estimate -> {
+                tried.incrementAndGet();
+                if (!grating.holdsTruth(estimate)) {
+                    missed.add(grating.words() + ": " + estimate);
                 }
-            }
-        }
-        assertThat(tried).isGreaterThanOrEqualTo(15);
+            });
+        });
+        assertThat(tried.get()).isGreaterThanOrEqualTo(15);
         assertThat(missed).hasSizeLessThan(5);
     }
 
