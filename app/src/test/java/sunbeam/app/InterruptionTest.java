@@ -18,6 +18,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.Overwrite;
+import sunbeam.app.terminal.CancelledException;
 
 /** Ctrl-C, as a real process gets it. */
 final class InterruptionTest {
@@ -64,6 +65,45 @@ final class InterruptionTest {
         }
     }
 
+    /** Run as a process: the interruption comes between the making of a file and its opening. */
+    static final class OpeningLate {
+        private OpeningLate() {}
+
+        public static void main(String[] arguments) throws InterruptedException {
+            try (AtomicFile file = AtomicFile.create(Path.of(arguments[0]), Overwrite.REFUSE)) {
+                System.out.println("ready");
+                awaitItsEnd(file.path());
+                file.fill(stream -> stream.write(new byte[LENGTH]));
+            } catch (CancelledException expected) {
+                return;
+            }
+        }
+    }
+
+    /** Run as a process: as {@link OpeningLate}, with a library that opens the file by its name. */
+    static final class OpeningLateByName {
+        private OpeningLateByName() {}
+
+        public static void main(String[] arguments) {
+            AtomicFile.writeFile(Path.of(arguments[0]), Overwrite.REFUSE, file -> {
+                System.out.println("ready");
+                try {
+                    awaitItsEnd(file);
+                    Files.write(file, new byte[LENGTH]);
+                    TimeUnit.MINUTES.sleep(5);
+                } catch (InterruptedException unexpected) {
+                    throw new IOException(unexpected);
+                }
+            });
+        }
+    }
+
+    private static void awaitItsEnd(Path file) throws InterruptedException {
+        while (Files.exists(file)) {
+            TimeUnit.MILLISECONDS.sleep(1);
+        }
+    }
+
     @BeforeEach
     void assumeThatInterruptionsArrive() throws IOException {
         Path status = Path.of("/proc/self/status");
@@ -81,6 +121,14 @@ final class InterruptionTest {
     @Test
     void theFileThatIsBeingWrittenGoes() throws Exception {
         interrupt(Waiting.class);
+        assertThat(names()).isEmpty();
+    }
+
+    @Test
+    void aFileThatHasGoneIsNotMadeAgain() throws Exception {
+        interrupt(OpeningLate.class);
+        assertThat(names()).isEmpty();
+        interrupt(OpeningLateByName.class);
         assertThat(names()).isEmpty();
     }
 

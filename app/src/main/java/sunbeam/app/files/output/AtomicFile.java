@@ -6,11 +6,12 @@ import java.io.OutputStream;
 import java.io.UncheckedIOException;
 import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.Files;
-import java.nio.file.LinkOption;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
-import java.nio.file.attribute.BasicFileAttributes;
+import java.nio.file.StandardOpenOption;
 import java.util.Optional;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.LockSupport;
 import sunbeam.app.terminal.CancelledException;
 import sunbeam.app.terminal.ShutdownHook;
 
@@ -24,6 +25,9 @@ public final class AtomicFile implements AutoCloseable {
     private static final int BUFFER_BYTES = 1 << 16;
     /** One block of usual file systems: a full disk refuses it. */
     private static final int PROBE_BYTES = 4096;
+
+    /** Ten milliseconds apart: libraries open a file at once. */
+    private static final int LOOKS_AT_THE_END = 20;
 
     private enum State {
         OPEN,
@@ -40,14 +44,16 @@ public final class AtomicFile implements AutoCloseable {
     private Optional<FileAttributes> replaced = Optional.empty();
     private Optional<Placement.Held> held = Optional.empty();
     private State state = State.OPEN;
+    /** Whether somebody else may open the file by its name, and thereby make it again. */
+    private volatile boolean beingOpened;
 
     private AtomicFile(Path target, Overwrite overwrite) {
         this.target = target;
         this.overwrite = overwrite;
         this.standardOutput = StandardOutput.isMeant(target);
-        this.direct = !standardOutput && isDevice(target);
+        this.direct = !standardOutput && Targets.isDevice(target);
         this.written = target;
-        hook = new ShutdownHook(this::discard);
+        hook = new ShutdownHook(this::discardAtTheEnd);
     }
 
     /** Writes a file's bytes to a stream. */
@@ -71,11 +77,9 @@ public final class AtomicFile implements AutoCloseable {
     public static void checkWritable(Path target, Overwrite overwrite) {
         try (AtomicFile probe = create(target, overwrite)) {
             if (!probe.direct && !probe.standardOutput) {
-                AbandonedFiles.sweep(folderOf(probe.written));
-                Files.write(probe.path(), new byte[PROBE_BYTES]);
+                AbandonedFiles.sweep(Targets.folderOf(probe.written));
+                probe.fill(stream -> stream.write(new byte[PROBE_BYTES]));
             }
-        } catch (IOException failure) {
-            throw OutputException.of(target, failure);
         }
     }
 
@@ -105,7 +109,7 @@ public final class AtomicFile implements AutoCloseable {
     /** As {@link #write}, for libraries that open the file themselves. */
     public static Path writeFile(Path target, Overwrite overwrite, FileContent content) {
         try (AtomicFile file = create(target, overwrite)) {
-            content.writeTo(file.path());
+            file.fillByName(content);
             return file.commit();
         } catch (IOException failure) {
             throw OutputException.of(target, failure);
@@ -121,9 +125,9 @@ public final class AtomicFile implements AutoCloseable {
      *     takes no file
      */
     public static AtomicFile create(Path target, Overwrite overwrite) {
-        checkTarget(target, overwrite);
+        Targets.check(target, overwrite);
         try {
-            AtomicFile file = new AtomicFile(resolveLink(target), overwrite);
+            AtomicFile file = new AtomicFile(Targets.resolveLink(target), overwrite);
             file.begin();
             return file;
         } catch (IOException failure) {
@@ -155,7 +159,7 @@ public final class AtomicFile implements AutoCloseable {
             written = Files.createTempFile("sunbeam-", ".part");
             return;
         }
-        written = AbandonedFiles.create(folderOf(target));
+        written = AbandonedFiles.create(Targets.folderOf(target));
         if (overwrite == Overwrite.REPLACE && Files.isRegularFile(target)) {
             replaced = FileAttributes.of(target);
         }
@@ -170,13 +174,43 @@ public final class AtomicFile implements AutoCloseable {
      * @throws OutputException when it cannot be written, also when the content throws an {@link IOException}
      */
     public void fill(StreamContent content) {
-        try (OutputStream stream = new BufferedOutputStream(Files.newOutputStream(path()), BUFFER_BYTES)) {
+        try (OutputStream stream = new BufferedOutputStream(open(), BUFFER_BYTES)) {
             content.writeTo(stream);
         } catch (IOException failure) {
             throw OutputException.of(target, failure);
         } catch (UncheckedIOException failure) {
             throw OutputException.of(target, failure.getCause());
         }
+    }
+
+    /** The file that was made, and no other: one that the end of the process has removed must not come again. */
+    private OutputStream open() throws IOException {
+        try {
+            return Files.newOutputStream(path(), StandardOpenOption.WRITE, StandardOpenOption.TRUNCATE_EXISTING);
+        } catch (NoSuchFileException removed) {
+            if (isClosed()) {
+                CancelledException cancelled = new CancelledException();
+                cancelled.addSuppressed(removed);
+                throw cancelled;
+            }
+            throw removed;
+        }
+    }
+
+    private void fillByName(FileContent content) throws IOException {
+        beingOpened = true;
+        try {
+            if (isClosed()) {
+                throw new CancelledException();
+            }
+            content.writeTo(path());
+        } finally {
+            beingOpened = false;
+        }
+    }
+
+    private synchronized boolean isClosed() {
+        return state == State.CLOSED;
     }
 
     /** Where to write the content. Writers must have closed it before {@link #commit}. */
@@ -221,7 +255,7 @@ public final class AtomicFile implements AutoCloseable {
         }
         Durable.force(written);
         Path place = Placement.place(written, target, overwrite);
-        Durable.forceFolder(folderOf(target));
+        Durable.forceFolder(Targets.folderOf(target));
         return place;
     }
 
@@ -258,7 +292,7 @@ public final class AtomicFile implements AutoCloseable {
         Placement.Held name = held.orElseThrow();
         name.keep();
         state = State.COMMITTED;
-        Durable.forceFolder(folderOf(name.name()));
+        Durable.forceFolder(Targets.folderOf(name.name()));
         return name.name();
     }
 
@@ -269,6 +303,25 @@ public final class AtomicFile implements AutoCloseable {
             discard();
         } finally {
             hook.close();
+        }
+    }
+
+    /** No other output takes the temporary name meanwhile: while the process ends none begins. */
+    private void discardAtTheEnd() {
+        discard();
+        for (int look = 0; beingOpened && look < LOOKS_AT_THE_END; look++) {
+            LockSupport.parkNanos(TimeUnit.MILLISECONDS.toNanos(10));
+            removeAgain();
+        }
+    }
+
+    private synchronized void removeAgain() {
+        if (state == State.CLOSED && !written.equals(target)) {
+            try {
+                Files.deleteIfExists(written);
+            } catch (IOException stillHeld) {
+                return;
+            }
         }
     }
 
@@ -288,53 +341,5 @@ public final class AtomicFile implements AutoCloseable {
         } catch (IOException failure) {
             throw new OutputException("cannot remove the temporary file " + written + "; remove it by hand", failure);
         }
-    }
-
-    private static void checkTarget(Path target, Overwrite overwrite) {
-        if (StandardOutput.isMeant(target)) {
-            return;
-        }
-        if (Files.isDirectory(target)) {
-            throw new OutputException("cannot write " + target + ": it is a folder; name a file in it");
-        }
-        Path folder = folderOf(target);
-        if (!Files.exists(folder)) {
-            throw new OutputException(
-                    "cannot write " + target + ": the folder " + folder + " does not exist; create it first");
-        }
-        if (!Files.isDirectory(folder)) {
-            throw new OutputException("cannot write " + target + ": " + folder + " is not a folder");
-        }
-        if (!Files.exists(target, LinkOption.NOFOLLOW_LINKS) || isDevice(target)) {
-            return;
-        }
-        if (overwrite == Overwrite.REFUSE) {
-            throw OutputException.of(target, new FileAlreadyExistsException(target.toString()));
-        }
-        if (overwrite == Overwrite.REPLACE && !Files.isWritable(target)) {
-            throw new OutputException("cannot write " + target + ": it is write-protected; choose another name");
-        }
-    }
-
-    /** Renaming onto a symbolic link would replace the link: go to the file that it stands for. */
-    private static Path resolveLink(Path target) throws IOException {
-        boolean link = Files.isSymbolicLink(target) && Files.isRegularFile(target) && !StandardOutput.isMeant(target);
-        return link ? target.toRealPath() : target;
-    }
-
-    /** One look, whose failure is told: a file that is taken for a device would be written over in place. */
-    private static boolean isDevice(Path target) {
-        try {
-            return Files.readAttributes(target, BasicFileAttributes.class).isOther();
-        } catch (NoSuchFileException free) {
-            return false;
-        } catch (IOException failure) {
-            throw OutputException.of(target, failure);
-        }
-    }
-
-    private static Path folderOf(Path target) {
-        Path folder = target.toAbsolutePath().getParent();
-        return folder != null ? folder : target.toAbsolutePath();
     }
 }

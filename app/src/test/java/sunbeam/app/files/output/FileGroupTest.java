@@ -16,6 +16,7 @@ import java.util.concurrent.CyclicBarrier;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
+import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -107,7 +108,7 @@ final class FileGroupTest {
                     }));
                 }
                 for (int writer = 0; writer < WRITERS; writer++) {
-                    List<Path> places = writers.get(writer).get();
+                    List<Path> places = writers.get(writer).get(1, TimeUnit.MINUTES);
                     assertThat(places).hasSize(ENDINGS.size());
                     for (Path place : places) {
                         assertThat(place).hasContent("writer " + writer);
