@@ -1,9 +1,6 @@
 package sunbeam.precompute.analysis;
 
-import org.apache.commons.math3.linear.Array2DRowRealMatrix;
-import org.apache.commons.math3.linear.ArrayRealVector;
-import org.apache.commons.math3.linear.RealVector;
-import org.apache.commons.math3.linear.SingularValueDecomposition;
+import java.util.function.IntToDoubleFunction;
 import sunbeam.precompute.numerics.UnitCircle;
 import sunbeam.precompute.patch.HeightMap;
 
@@ -15,10 +12,6 @@ import sunbeam.precompute.patch.HeightMap;
 final class DemodulatedHeights {
     // Per period; the averages of that many damp the wave by less than 3 % and shift it by nothing.
     private static final int FEWEST_SAMPLES = 8;
-    // The wave and its first overtones, which a sawtooth has, too.
-    private static final int OVERTONES = 3;
-    private static final int BOW = 6;
-    private static final int TERMS = BOW + 2 * OVERTONES;
 
     private final int columns;
     private final int rows;
@@ -54,8 +47,10 @@ final class DemodulatedHeights {
                 map.pitchX() * acrossX,
                 map.pitchY() * acrossY,
                 averages(map, acrossX, acrossY));
-        result.subtractBow(frequencyX, frequencyY);
-        result.demodulate(frequencyX, frequencyY);
+        BowFit.AxisWaves alongX = wave(result.columns, result.width(), frequencyX, result::x);
+        BowFit.AxisWaves alongY = wave(result.rows, result.height(), frequencyY, result::y);
+        result.subtractBow(alongX, alongY);
+        result.demodulate(alongX, alongY);
         return result;
     }
 
@@ -79,80 +74,39 @@ final class DemodulatedHeights {
         return averages;
     }
 
-    /**
-     * Least squares of a surface of second degree and the wave with its first overtones; the pseudo-inverse bears single
-     * rows and columns.
-     */
-    private void subtractBow(double frequencyX, double frequencyY) {
-        double[][] normal = new double[TERMS][TERMS];
-        double[] right = new double[TERMS];
-        double[] terms = new double[TERMS];
-        double[] cosines = new double[columns];
-        double[] sines = new double[columns];
-        for (int row = 0; row < rows; row++) {
-            wave(frequencyX, frequencyY, row, cosines, sines);
-            for (int column = 0; column < columns; column++) {
-                bow(column, row, terms);
-                terms[BOW] = cosines[column];
-                terms[BOW + 1] = sines[column];
-                for (int i = BOW + 2; i < TERMS; i += 2) {
-                    terms[i] = terms[i - 2] * cosines[column] - terms[i - 1] * sines[column];
-                    terms[i + 1] = terms[i - 1] * cosines[column] + terms[i - 2] * sines[column];
-                }
-                double value = heights[row * columns + column];
-                for (int i = 0; i < TERMS; i++) {
-                    right[i] += terms[i] * value;
-                    for (int j = 0; j <= i; j++) {
-                        normal[i][j] += terms[i] * terms[j];
-                    }
-                }
-            }
-        }
-        for (int i = 0; i < TERMS; i++) {
-            for (int j = 0; j < i; j++) {
-                normal[j][i] = normal[i][j];
-            }
-        }
-        RealVector fitted = new SingularValueDecomposition(new Array2DRowRealMatrix(normal))
-                .getSolver()
-                .solve(new ArrayRealVector(right));
-        for (int i = 0; i < heights.length; i++) {
-            bow(i % columns, i / columns, terms);
-            for (int j = 0; j < BOW; j++) {
-                heights[i] -= fitted.getEntry(j) * terms[j];
+    private void subtractBow(BowFit.AxisWaves alongX, BowFit.AxisWaves alongY) {
+        double[] bow = new BowFit(alongX, alongY).coefficients(heights);
+        for (int row = 0, i = 0; row < rows; row++) {
+            for (int column = 0; column < columns; column++, i++) {
+                heights[i] -= BowFit.surface(bow, alongX.places()[column], alongY.places()[row]);
             }
         }
     }
 
-    private void bow(int column, int row, double[] terms) {
-        double x = x(column) / width();
-        double y = y(row) / height();
-        terms[0] = 1;
-        terms[1] = x;
-        terms[2] = y;
-        terms[3] = x * x;
-        terms[4] = x * y;
-        terms[5] = y * y;
-    }
-
-    private void demodulate(double frequencyX, double frequencyY) {
-        double[] cosines = new double[columns];
-        double[] sines = new double[columns];
-        for (int row = 0; row < rows; row++) {
-            wave(frequencyX, frequencyY, row, cosines, sines);
-            for (int column = 0, i = row * columns; column < columns; column++, i++) {
-                real[i] = heights[i] * cosines[column];
-                imaginary[i] = -heights[i] * sines[column];
+    private void demodulate(BowFit.AxisWaves alongX, BowFit.AxisWaves alongY) {
+        for (int row = 0, i = 0; row < rows; row++) {
+            double cosineY = alongY.cosines()[row];
+            double sineY = alongY.sines()[row];
+            for (int column = 0; column < columns; column++, i++) {
+                double cosineX = alongX.cosines()[column];
+                double sineX = alongX.sines()[column];
+                real[i] = heights[i] * (cosineX * cosineY - sineX * sineY);
+                imaginary[i] = -heights[i] * (sineX * cosineY + cosineX * sineY);
             }
         }
     }
 
-    /** exp(2 pi i f r) along a row. */
-    private void wave(double frequencyX, double frequencyY, int row, double[] cosines, double[] sines) {
-        for (int column = 0; column < columns; column++) {
-            sines[column] = 2 * Math.PI * (frequencyX * x(column) + frequencyY * y(row));
+    private static BowFit.AxisWaves wave(int count, double extent, double frequency, IntToDoubleFunction metres) {
+        double[] places = new double[count];
+        double[] cosines = new double[count];
+        double[] sines = new double[count];
+        for (int i = 0; i < count; i++) {
+            double place = metres.applyAsDouble(i);
+            places[i] = place / extent;
+            sines[i] = 2 * Math.PI * frequency * place;
         }
         UnitCircle.points(sines, cosines);
+        return new BowFit.AxisWaves(places, cosines, sines);
     }
 
     /** Extent along x, metres. */

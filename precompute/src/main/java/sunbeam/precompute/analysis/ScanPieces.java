@@ -4,6 +4,8 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Supplier;
+import java.util.stream.Stream;
 import sunbeam.precompute.patch.HeightMap;
 
 /**
@@ -52,10 +54,15 @@ final class ScanPieces {
     PeriodEstimate comparedWithHalves(PeriodEstimate told) {
         int middleRow = map.rows() / 2;
         int middleColumn = map.columns() / 2;
-        PeriodEstimate compared =
-                compared(told, half(0, map.columns(), middleRow, map.rows()), half(0, map.columns(), 0, middleRow));
-        return compared(
-                compared, half(0, middleColumn, 0, map.rows()), half(middleColumn, map.columns(), 0, map.rows()));
+        List<Optional<PeriodEstimate>> halves = Stream.<Supplier<Optional<PeriodEstimate>>>of(
+                        () -> half(0, map.columns(), middleRow, map.rows()),
+                        () -> half(0, map.columns(), 0, middleRow),
+                        () -> half(0, middleColumn, 0, map.rows()),
+                        () -> half(middleColumn, map.columns(), 0, map.rows()))
+                .parallel()
+                .map(Supplier::get)
+                .toList();
+        return compared(compared(told, halves.get(0), halves.get(1)), halves.get(2), halves.get(3));
     }
 
     /** What the whole scan says, widened where its halves contradict it; which of them is right is not known where many rows jump. */

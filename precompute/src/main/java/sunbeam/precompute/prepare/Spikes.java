@@ -2,6 +2,7 @@ package sunbeam.precompute.prepare;
 
 import java.util.Arrays;
 import java.util.Optional;
+import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 
 /**
@@ -19,6 +20,7 @@ public record Spikes(HeightField field, int count, double largest) {
     private static final double CONSPICUOUS = 2.5;
     private static final double NEARLY_ALL = 0.995;
     private static final int MOST_LOOKED_AT = 100_000;
+    private static final double CAUTION = 0.8;
     private static final double DEVIATIONS = 8;
     private static final double GAUSSIAN = 1.4826;
     private static final double ISOLATED = 0.25;
@@ -31,11 +33,42 @@ public record Spikes(HeightField field, int count, double largest) {
      */
     public static Optional<Spikes> conspicuous(HeightField field) {
         double relief = relief(field.heights());
-        if (!(relief > CONSPICUOUS * usualRange(field.heights()))) {
+        if (!(relief > CONSPICUOUS * usualRange(field.heights())) || !mayBeConspicuous(field, relief)) {
             return Optional.empty();
         }
         return Optional.of(removed(field))
                 .filter(spikes -> spikes.count() > 0 && relief > CONSPICUOUS * relief(spikes.field.heights()));
+    }
+
+    /**
+     * Whether the relief would be that of spikes alone, by a look at the highest and lowest samples: others change it
+     * little. The deviation is that of every so many-th sample, and taken for less than it is, so that no spike is missed.
+     */
+    private static boolean mayBeConspicuous(HeightField field, double relief) {
+        double[] heights = field.heights();
+        double[] sorted = someSorted(heights);
+        double lowest = sorted[outside(sorted)];
+        double highest = sorted[sorted.length - 1 - outside(sorted)];
+        int stride = Math.max(1, heights.length / MOST_LOOKED_AT);
+        double[] around = new double[(2 * REACH + 1) * (2 * REACH + 1)];
+        double limit = CAUTION
+                * DEVIATIONS
+                * GAUSSIAN
+                * medianOf(IntStream.range(0, heights.length / stride)
+                        .map(i -> i * stride)
+                        .mapToDouble(i -> Math.abs(heights[i] - median(field, i, around))));
+        double lowestLeft = lowest;
+        double highestLeft = highest;
+        for (int i = 0; i < heights.length; i++) {
+            if (heights[i] < lowestLeft || heights[i] > highestLeft) {
+                double median = median(field, i, around);
+                double difference = heights[i] - median;
+                boolean spike = Math.abs(difference) > limit && isAlone(field, i, median, difference, around);
+                lowestLeft = Math.min(lowestLeft, spike ? median : heights[i]);
+                highestLeft = Math.max(highestLeft, spike ? median : heights[i]);
+            }
+        }
+        return relief > CONSPICUOUS * (highestLeft - lowestLeft);
     }
 
     /** Highest less lowest of those that are there. */
@@ -53,27 +86,29 @@ public record Spikes(HeightField field, int count, double largest) {
 
     /** Of nearly all of a sample of the heights. */
     private static double usualRange(double[] heights) {
+        double[] some = someSorted(heights);
+        return some.length == 0 ? Double.NaN : some[some.length - 1 - outside(some)] - some[outside(some)];
+    }
+
+    private static int outside(double[] some) {
+        return (int) ((1 - NEARLY_ALL) * some.length);
+    }
+
+    private static double[] someSorted(double[] heights) {
         int stride = Math.max(1, heights.length / MOST_LOOKED_AT);
-        double[] some = IntStream.range(0, heights.length / stride)
+        return IntStream.range(0, heights.length / stride)
                 .mapToDouble(i -> heights[i * stride])
                 .filter(Double::isFinite)
                 .sorted()
                 .toArray();
-        if (some.length == 0) {
-            return Double.NaN;
-        }
-        int outside = (int) ((1 - NEARLY_ALL) * some.length);
-        return some[some.length - 1 - outside] - some[outside];
     }
 
     static Spikes removed(HeightField field) {
         double[] medians = new double[field.heights().length];
         IntStream.range(0, field.rows()).parallel().forEach(row -> {
             double[] around = new double[(2 * REACH + 1) * (2 * REACH + 1)];
-            for (int column = 0; column < field.columns(); column++) {
-                int count = gather(field, column, row, around);
-                Arrays.sort(around, 0, count);
-                medians[row * field.columns() + column] = count == 0 ? Double.NaN : around[count / 2];
+            for (int i = row * field.columns(); i < (row + 1) * field.columns(); i++) {
+                medians[i] = median(field, i, around);
             }
         });
         double limit = DEVIATIONS * GAUSSIAN * medianDifference(field, medians);
@@ -90,6 +125,13 @@ public record Spikes(HeightField field, int count, double largest) {
             }
         }
         return new Spikes(field.with(heights), count, largest);
+    }
+
+    /** Of the samples that are there around a place; NaN where none is. */
+    private static double median(HeightField field, int index, double[] around) {
+        int count = gather(field, index % field.columns(), index / field.columns(), around);
+        Arrays.sort(around, 0, count);
+        return count == 0 ? Double.NaN : around[count / 2];
     }
 
     /** The samples that are there around a place. */
@@ -117,9 +159,11 @@ public record Spikes(HeightField field, int count, double largest) {
 
     /** Over the samples that differ at all: most of a coarsely stored, smooth surface equal their medians. */
     private static double medianDifference(HeightField field, double[] medians) {
-        double[] differences = IntStream.range(0, medians.length)
-                .mapToDouble(i -> Math.abs(field.heights()[i] - medians[i]))
-                .filter(difference -> difference > 0 && Double.isFinite(difference))
+        return medianOf(IntStream.range(0, medians.length).mapToDouble(i -> Math.abs(field.heights()[i] - medians[i])));
+    }
+
+    private static double medianOf(DoubleStream all) {
+        double[] differences = all.filter(difference -> difference > 0 && Double.isFinite(difference))
                 .sorted()
                 .toArray();
         return differences.length == 0 ? 0 : differences[differences.length / 2];

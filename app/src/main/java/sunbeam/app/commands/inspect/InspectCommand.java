@@ -74,15 +74,17 @@ public final class InspectCommand implements Callable<Integer> {
         Path picture = output != null ? output : Path.of("inspect-" + loaded.name() + ".png");
         AtomicFile.checkWritable(picture, force.overwrite(output));
         Inspection inspection = Inspection.of(loaded);
+        List<String> lines = inspection.lines();
         if (!json.isAsked()) {
-            inspection.lines().forEach(out::println);
+            lines.forEach(out::println);
             out.flush();
         }
         Map<String, String> text = new LinkedHashMap<>();
         text.put("Title", "Inspection of " + loaded.name());
         text.put("Patch", loaded.source());
         text.put("Plan", inspection.drawing().summary());
-        Path place = PngWriter.write(picture, force.overwrite(output), new InspectionSheet(inspection).draw(), text);
+        Path place =
+                PngWriter.write(picture, force.overwrite(output), new InspectionSheet(inspection, lines).draw(), text);
         if (json.isAsked()) {
             JsonOption.print(out, new InspectionReport(inspection, place).fields());
         } else {

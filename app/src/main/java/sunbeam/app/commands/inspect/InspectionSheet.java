@@ -44,18 +44,20 @@ final class InspectionSheet {
     private static final double SHOWN_PER_PERIOD = 1.5;
 
     private final Inspection inspection;
+    private final List<String> words;
     private final HeightMap map;
 
-    InspectionSheet(Inspection inspection) {
+    /** @param words of the inspection, to stand beside the pictures */
+    InspectionSheet(Inspection inspection, List<String> words) {
+        this.words = List.copyOf(words);
         this.inspection = inspection;
         this.map = inspection.patch().scan();
     }
 
     BufferedImage draw() {
         Meanwhile<BufferedImage> heights = Meanwhile.start(this::heights);
-        List<String> lines = inspection.lines().stream()
-                .flatMap(line -> wrapped(line).stream())
-                .toList();
+        List<String> lines =
+                words.stream().flatMap(line -> wrapped(line).stream()).toList();
         int textHeight = 2 * MARGIN + (lines.size() + 2) * TEXT_LINE;
         BufferedImage sheet = new BufferedImage(
                 2 * PANEL_WIDTH, textHeight + PICTURE_HEIGHT + PLOT_HEIGHT, BufferedImage.TYPE_INT_RGB);
