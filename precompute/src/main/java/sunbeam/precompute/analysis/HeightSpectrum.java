@@ -5,8 +5,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.IntStream;
 import sunbeam.precompute.fourier.Band;
-import sunbeam.precompute.fourier.BandTransform2d;
-import sunbeam.precompute.fourier.ComplexVector;
+import sunbeam.precompute.fourier.PowerSpectrum2d;
 import sunbeam.precompute.patch.HeightMap;
 import sunbeam.precompute.patch.SamplingCheck;
 import sunbeam.precompute.prepare.Levelling;
@@ -48,17 +47,12 @@ public record HeightSpectrum(Band bandX, Band bandY, double width, double height
         double[] taperY = taper(map.rows(), tapered);
         Band bandX = band(map.columns(), map.pitchX());
         Band bandY = band(map.rows(), map.pitchY());
-        ComplexVector bins = new BandTransform2d(map.columns(), map.rows(), bandX, bandY)
-                .transform((row, real, imaginary) -> {
+        double[] power = new PowerSpectrum2d(map.columns(), map.rows(), bandX.last(), bandY.last())
+                .power((row, samples) -> {
                     for (int column = 0; column < map.columns(); column++) {
-                        real[column] = level.at(column, row) * taperX[column] * taperY[row];
-                        imaginary[column] = 0;
+                        samples[column] = level.at(column, row) * taperX[column] * taperY[row];
                     }
                 });
-        double[] power = new double[bins.length()];
-        for (int i = 0; i < power.length; i++) {
-            power[i] = bins.real()[i] * bins.real()[i] + bins.imaginary()[i] * bins.imaginary()[i];
-        }
         double beyond = Math.max(
                 0, variance(level, taperX, taperY) - Arrays.stream(power).sum());
         return new HeightSpectrum(bandX, bandY, map.width(), map.height(), beyond, power);
@@ -138,31 +132,56 @@ public record HeightSpectrum(Band bandX, Band bandY, double width, double height
 
     /** Averaged with a Gaussian over bins: less noise, peaks a few bins wide. An axis without bins stays as it is. */
     public HeightSpectrum smoothed(double sigmaBins) {
-        double[] alongX = convolve(power, bandY.count(), bandX.count(), 1, sigmaBins);
-        double[] both = convolve(alongX, bandX.count(), bandY.count(), bandX.count(), sigmaBins);
+        double[] both = convolvedColumns(convolvedRows(gaussian(sigmaBins)), gaussian(sigmaBins));
         return new HeightSpectrum(bandX, bandY, width, height, beyond, both);
     }
 
-    /** Lines of {@code length} values that lie {@code stride} apart; beyond their ends there is nothing. */
-    private static double[] convolve(double[] values, int lines, int length, int stride, double sigma) {
+    private static double[] gaussian(double sigma) {
         int radius = (int) Math.ceil(4 * sigma);
         double[] kernel = new double[2 * radius + 1];
-        double sum = 0;
         for (int i = -radius; i <= radius; i++) {
             kernel[i + radius] = Math.exp(-0.5 * i * i / (sigma * sigma));
-            sum += kernel[i + radius];
         }
-        double norm = length == 1 ? kernel[radius] : sum;
-        double[] result = new double[values.length];
-        IntStream.range(0, lines).parallel().forEach(line -> {
-            int start = stride == 1 ? line * length : line;
+        return kernel;
+    }
+
+    /** Beyond the ends of a line there is nothing. */
+    private static double norm(double[] kernel, int length) {
+        return length == 1 ? kernel[kernel.length / 2] : Arrays.stream(kernel).sum();
+    }
+
+    private double[] convolvedRows(double[] kernel) {
+        int radius = kernel.length / 2;
+        int length = bandX.count();
+        double norm = norm(kernel, length);
+        double[] result = new double[power.length];
+        IntStream.range(0, bandY.count()).parallel().forEach(row -> {
+            int start = row * length;
             for (int i = 0; i < length; i++) {
                 double value = 0;
                 int last = Math.min(length - 1, i + radius);
                 for (int j = Math.max(0, i - radius); j <= last; j++) {
-                    value += kernel[j - i + radius] * values[start + j * stride];
+                    value += kernel[j - i + radius] * power[start + j];
                 }
-                result[start + i * stride] = value / norm;
+                result[start + i] = value / norm;
+            }
+        });
+        return result;
+    }
+
+    /** Row by row, as they lie in memory. */
+    private double[] convolvedColumns(double[] values, double[] kernel) {
+        int radius = kernel.length / 2;
+        int width = bandX.count();
+        double norm = norm(kernel, bandY.count());
+        double[] result = new double[values.length];
+        IntStream.range(0, bandY.count()).parallel().forEach(row -> {
+            int last = Math.min(bandY.count() - 1, row + radius);
+            for (int other = Math.max(0, row - radius); other <= last; other++) {
+                double weight = kernel[other - row + radius] / norm;
+                for (int i = 0; i < width; i++) {
+                    result[row * width + i] += weight * values[other * width + i];
+                }
             }
         });
         return result;

@@ -15,6 +15,8 @@ public record Histogram(double minimum, double width, double[] shares) {
     private static final double FLAT_BIN = 1e-12;
     // More than these, and a bin holds so many that one more or less does not show.
     private static final int MOST_LEVELS = 5000;
+    // Of the relief.
+    private static final double ROUNDING = 1e-6;
     private static final int FIRST_LOOK = 1 << 16;
 
     /**
@@ -28,7 +30,7 @@ public record Histogram(double minimum, double width, double[] shares) {
         if (relief == 0) {
             return new Histogram(lowest - 0.5 * FLAT_BIN, FLAT_BIN, new double[] {1});
         }
-        double step = step(heights, relief);
+        double step = step(heights, lowest, relief);
         double intervals = relief / step;
         boolean quantised = intervals < MOST_LEVELS;
         double width = quantised ? step * Math.ceil((intervals + 1) / mostBins) : relief / mostBins;
@@ -45,11 +47,12 @@ public record Histogram(double minimum, double width, double[] shares) {
     }
 
     /** The smallest distance of two heights, beyond rounding; of some of them where these are too many levels already. */
-    private static double step(double[] heights, double relief) {
+    private static double step(double[] heights, double lowest, double relief) {
         double[] some = Arrays.copyOf(heights, Math.min(heights.length, FIRST_LOOK));
         Arrays.sort(some);
         double step = smallestDistance(some, relief);
-        if (some.length == heights.length || relief / step >= MOST_LEVELS) {
+        boolean many = relief / step >= MOST_LEVELS;
+        if (some.length == heights.length || many || areMultiples(heights, lowest, step, ROUNDING * relief)) {
             return step;
         }
         double[] sorted = heights.clone();
@@ -57,8 +60,19 @@ public record Histogram(double minimum, double width, double[] shares) {
         return smallestDistance(sorted, relief);
     }
 
+    /** Whether all heights are whole steps from the lowest, as those of an image with few levels. */
+    private static boolean areMultiples(double[] heights, double lowest, double step, double rounding) {
+        for (double height : heights) {
+            double steps = (height - lowest) / step;
+            if (!(Math.abs(steps - Math.rint(steps)) * step <= rounding)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
     private static double smallestDistance(double[] levels, double relief) {
-        double rounding = 1e-6 * relief;
+        double rounding = ROUNDING * relief;
         double step = Double.POSITIVE_INFINITY;
         for (int i = 1; i < levels.length; i++) {
             double distance = levels[i] - levels[i - 1];

@@ -112,13 +112,15 @@ final class LocalBackground {
         void visit(int ring, double power);
     }
 
+    /** Of one half of the plane, which the other mirrors. */
     private void forEachBin(BinVisitor visitor) {
-        for (int jy = smoothed.bandY().first(); jy <= smoothed.bandY().last(); jy++) {
-            for (int jx = smoothed.bandX().first(); jx <= smoothed.bandX().last(); jx++) {
-                if (jx != 0 || jy != 0) {
-                    double frequency = Math.hypot(jx / smoothed.width(), jy / smoothed.height());
-                    visitor.visit(ring(frequency), smoothed.at(jx, jy));
-                }
+        for (int jy = 0; jy <= smoothed.bandY().last(); jy++) {
+            double y = jy / smoothed.height();
+            for (int jx = jy == 0 ? 1 : smoothed.bandX().first();
+                    jx <= smoothed.bandX().last();
+                    jx++) {
+                double x = jx / smoothed.width();
+                visitor.visit(ring(Math.sqrt(x * x + y * y)), smoothed.at(jx, jy));
             }
         }
     }

@@ -20,6 +20,8 @@ public record Spikes(HeightField field, int count, double largest) {
     private static final double CONSPICUOUS = 2.5;
     private static final double NEARLY_ALL = 0.995;
     private static final int MOST_LOOKED_AT = 100_000;
+    // The median of so many is known to a few hundredths.
+    private static final int MEDIANS_LOOKED_AT = 10_000;
     private static final double CAUTION = 0.8;
     private static final double DEVIATIONS = 8;
     private static final double GAUSSIAN = 1.4826;
@@ -49,7 +51,7 @@ public record Spikes(HeightField field, int count, double largest) {
         double[] sorted = someSorted(heights);
         double lowest = sorted[outside(sorted)];
         double highest = sorted[sorted.length - 1 - outside(sorted)];
-        int stride = Math.max(1, heights.length / MOST_LOOKED_AT);
+        int stride = Math.max(1, heights.length / MEDIANS_LOOKED_AT);
         double[] around = new double[(2 * REACH + 1) * (2 * REACH + 1)];
         double limit = CAUTION
                 * DEVIATIONS

@@ -1,0 +1,89 @@
+package sunbeam.precompute.fourier;
+
+import java.util.stream.IntStream;
+
+/**
+ * Squared magnitudes of the bins of a real field's two-dimensional DFT, as {@link BandTransform2d} defines them, about bin
+ * 0. A real field's bins (jx, jy) and (-jx, -jy) are conjugates: two rows are transformed as the real and imaginary part of
+ * one, and half of the columns. Runs on all processors.
+ */
+public final class PowerSpectrum2d {
+    private final int columns;
+    private final int rows;
+    private final int reachX;
+    private final int reachY;
+    private final BandTransform alongX;
+    private final BandTransform alongY;
+
+    /** Fills one row of samples from index 0 on. Called from several threads. */
+    @FunctionalInterface
+    public interface RowSource {
+        void fill(int row, double[] samples);
+    }
+
+    /**
+     * @param reachX last bin along x, the first of which is -reachX; less than half of the columns
+     * @param reachY last bin along y; less than half of the rows
+     */
+    public PowerSpectrum2d(int columns, int rows, int reachX, int reachY) {
+        this.columns = columns;
+        this.rows = rows;
+        this.reachX = reachX;
+        this.reachY = reachY;
+        this.alongX = new BandTransform(columns, Band.of(-reachX, reachX));
+        this.alongY = new BandTransform(rows, Band.of(-reachY, reachY));
+    }
+
+    /** Returns {@code [(jy + reachY) (2 reachX + 1) + jx + reachX]}, jy upwards. */
+    public double[] power(RowSource source) {
+        int width = reachX + 1;
+        ComplexVector half = ComplexVector.zeros(Math.multiplyExact(rows, width));
+        IntStream.range(0, (rows + 1) / 2).parallel().forEach(pair -> transformPair(source, 2 * pair, half));
+        double[] power = new double[Math.multiplyExact(2 * reachX + 1, 2 * reachY + 1)];
+        IntStream.range(0, width).parallel().forEach(column -> {
+            ComplexVector work = alongY.workspace();
+            for (int row = 0; row < rows; row++) {
+                work.real()[row] = half.real()[row * width + column];
+                work.imaginary()[row] = half.imaginary()[row * width + column];
+            }
+            ComplexVector bins = ComplexVector.zeros(2 * reachY + 1);
+            alongY.transform(work, bins, 0, 1);
+            for (int i = 0; i < bins.length(); i++) {
+                double square = bins.real()[i] * bins.real()[i] + bins.imaginary()[i] * bins.imaginary()[i];
+                // Rows run downwards: bin jy of y is bin -jy of the row index.
+                int jy = reachY - i;
+                power[place(column, jy)] = square;
+                power[place(-column, -jy)] = square;
+            }
+        });
+        return power;
+    }
+
+    private int place(int jx, int jy) {
+        return (jy + reachY) * (2 * reachX + 1) + jx + reachX;
+    }
+
+    private void transformPair(RowSource source, int row, ComplexVector half) {
+        ComplexVector work = alongX.workspace();
+        source.fill(row, work.real());
+        boolean two = row + 1 < rows;
+        if (two) {
+            source.fill(row + 1, work.imaginary());
+        }
+        ComplexVector bins = ComplexVector.zeros(2 * reachX + 1);
+        alongX.transform(work, bins, 0, 1);
+        int width = reachX + 1;
+        for (int jx = 0; jx <= reachX; jx++) {
+            double real = bins.real()[reachX + jx];
+            double imaginary = bins.imaginary()[reachX + jx];
+            double mirroredReal = bins.real()[reachX - jx];
+            double mirroredImaginary = bins.imaginary()[reachX - jx];
+            half.real()[row * width + jx] = 0.5 * (real + mirroredReal);
+            half.imaginary()[row * width + jx] = 0.5 * (imaginary - mirroredImaginary);
+            if (two) {
+                half.real()[(row + 1) * width + jx] = 0.5 * (imaginary + mirroredImaginary);
+                half.imaginary()[(row + 1) * width + jx] = 0.5 * (mirroredReal - real);
+            }
+        }
+    }
+}
