@@ -31,7 +31,9 @@ final class HalfShiftedRows {
             return false;
         }
         HeightMap level = map.levelled(Levelling.PLANE);
-        double wave = amplitude(level, frequencyX, frequencyY, false);
+        double wave = Math.max(
+                amplitude(level, frequencyX, frequencyY, false),
+                amplitude(level, peak.frequencyX(), peak.frequencyY(), false));
         return amplitude(level, 0.5 * frequencyX, 0.5 * frequencyY, true) >= LEAST * wave;
     }
 

@@ -46,7 +46,11 @@ record RowSlips(List<PeriodEstimate.Slip> slips, double turnsARow, double deviat
         if (Math.abs(frequencyX) * map.width() < FEWEST_PERIODS || map.rows() < 2 * FEWEST_ROWS) {
             return new RowSlips(List.of(), 0, 0);
         }
-        double[][] amplitudes = amplitudes(map, frequencyX, frequencyY);
+        BeatingRows rows = BeatingRows.in(amplitudes(map, frequencyX, frequencyY));
+        double[][] amplitudes = rows.amplitudes();
+        if (amplitudes.length < 2 * FEWEST_ROWS) {
+            return new RowSlips(List.of(), 0, 0);
+        }
         List<PeriodEstimate.Slip> slips = new ArrayList<>();
         for (int reach : REACHES) {
             for (PeriodEstimate.Slip slip : new Turns(amplitudes, reach).jumps()) {
@@ -55,12 +59,15 @@ record RowSlips(List<PeriodEstimate.Slip> slips, double turnsARow, double deviat
                 }
             }
         }
-        if (slips.size() * ROWS_A_SLIP > map.rows() && coherence(amplitudes) > GOES_ON) {
+        if (slips.size() * ROWS_A_SLIP > amplitudes.length && coherence(amplitudes) > GOES_ON) {
             slips.clear();
         }
         slips.sort((a, b) -> Integer.compare(a.row(), b.row()));
         Turns beside = new Turns(amplitudes, REACHES[0]);
-        return new RowSlips(slips, beside.median, beside.deviation);
+        List<PeriodEstimate.Slip> inRows = slips.stream()
+                .map(slip -> new PeriodEstimate.Slip(rows.row(slip.row()), slip.turns()))
+                .toList();
+        return new RowSlips(inRows, beside.median / rows.step(), beside.deviation);
     }
 
     /** 0..1: whether the rows' amplitudes have one phase. */
