@@ -24,13 +24,13 @@ record BeatingRows(double[][] amplitudes, int step, int window) {
     private static final double LEAST_BESIDE = 0.1;
     // Of all, in sharp lines: slips at random leave none.
     private static final double LEAST_TOGETHER = 0.5;
+    private static final double ONE_SIZE = 0.97;
     // Beats under the window, which has its second zero there.
     private static final int BEATS = 3;
 
     /** Averages them where others beat with them. */
     static BeatingRows in(double[][] rows) {
-        double[] power = power(rows);
-        int nearest = nearestBeside(power);
+        int nearest = areOfOneSize(rows) ? 0 : nearestBeside(power(rows));
         if (nearest == 0) {
             return new BeatingRows(rows, 1, 1);
         }
@@ -50,6 +50,17 @@ record BeatingRows(double[][] amplitudes, int step, int window) {
     /** The first row after a jump between a place and the one before. */
     int row(int place) {
         return step == 1 ? place : (int) Math.round((place - 0.5) * step + 0.5 * window);
+    }
+
+    /** As slips leave them; by a wave of a third beside, (mean size)^2 is 0.95 of the mean square. */
+    private static boolean areOfOneSize(double[][] rows) {
+        double sizes = 0;
+        double squares = 0;
+        for (double[] row : rows) {
+            sizes += Math.hypot(row[0], row[1]);
+            squares += row[0] * row[0] + row[1] * row[1];
+        }
+        return sizes * sizes >= ONE_SIZE * squares * rows.length;
     }
 
     /** Over the rows under a Hann window, the wave's own frequency in the middle. */

@@ -52,7 +52,9 @@ record FaultyScan(HeightMap map, double[] truths, boolean anyBetween, String wor
         /** Bumps on a hexagonal lattice. */
         HEXAGONS,
         /** Steps of one height and hard edges, widths that differ by up to five times. */
-        TERRACES
+        TERRACES,
+        /** Two or three waves of one period, mirror images of each other about the scan's rows. */
+        ALIGNED
     }
 
     private static final Set<Kind> SIDEWAYS = EnumSet.of(Kind.SLIPPED, Kind.SLIPPED_TWICE, Kind.SLIPPED_OFTEN);
@@ -124,7 +126,7 @@ record FaultyScan(HeightMap map, double[] truths, boolean anyBetween, String wor
     static FaultyScan draw(Kind kind, long seed) {
         SplittableRandom random = new SplittableRandom(seed * 7919 + kind.name().hashCode());
         return switch (kind) {
-            case LATTICE, HEXAGONS -> lattice(kind, seed, random);
+            case LATTICE, HEXAGONS, ALIGNED -> lattice(kind, seed, random);
             case TERRACES -> terraces(seed, random);
             default -> faulty(Draw.of(kind, random), seed);
         };
@@ -218,11 +220,14 @@ record FaultyScan(HeightMap map, double[] truths, boolean anyBetween, String wor
 
     private static FaultyScan lattice(Kind kind, long seed, SplittableRandom random) {
         Draw draw = Draw.of(kind, random);
-        double between = Math.toRadians(kind == Kind.HEXAGONS ? 60 : 30 + 60 * random.nextDouble());
-        double ratio = kind == Kind.HEXAGONS ? 1 : 1 + 0.3 * random.nextDouble();
-        int waves = kind == Kind.HEXAGONS ? 3 : 2;
+        boolean hexagons = kind == Kind.HEXAGONS || kind == Kind.ALIGNED && random.nextBoolean();
+        double between = Math.toRadians(hexagons ? 60 : 30 + 60 * random.nextDouble());
+        double ratio = kind == Kind.LATTICE ? 1 + 0.3 * random.nextDouble() : 1;
+        int waves = hexagons ? 3 : 2;
         double noise = 0.03 * random.nextDouble();
-        double start = Math.toRadians(180 * random.nextDouble());
+        double start = kind == Kind.ALIGNED
+                ? -0.5 * between + (random.nextBoolean() ? 0 : 0.5 * Math.PI)
+                : Math.toRadians(180 * random.nextDouble());
         double[] truths = new double[waves];
         double[] heights = new double[draw.columns() * draw.rows()];
         for (int i = 0; i < waves; i++) {
