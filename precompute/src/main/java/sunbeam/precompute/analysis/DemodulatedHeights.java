@@ -12,6 +12,8 @@ import sunbeam.precompute.patch.HeightMap;
 final class DemodulatedHeights {
     // Per period; the averages of that many damp the wave by less than 3 % and shift it by nothing.
     private static final int FEWEST_SAMPLES = 8;
+    // Of a direction's sine or cosine; below it, a row lies in the window with all its length or with none.
+    private static final double LEAST_LEAN = 1e-9;
 
     private final int columns;
     private final int rows;
@@ -151,15 +153,28 @@ final class DemodulatedHeights {
         double sumReal = 0;
         double sumImaginary = 0;
         double weights = 0;
+        // By a step to the next column, the angle of the cosine across turns by this.
+        double turn = -Math.PI * pitchX * frame.sine() / frame.across();
+        double turnCosine = Math.cos(turn);
+        double turnSine = Math.sin(turn);
         for (int row = firstRow; row <= lastRow; row++) {
             double dy = y(row) - centreY;
-            for (int column = firstColumn; column <= lastColumn; column++) {
-                double dx = x(column) - centreX;
+            int first = Math.max(firstColumn, column(centreX + frame.firstX(dy), true));
+            int last = Math.min(lastColumn, column(centreX + frame.lastX(dy), false));
+            double dx = x(first) - centreX;
+            double angle = Math.PI * (dy * frame.cosine() - dx * frame.sine()) / frame.across();
+            double cosine = Math.cos(angle);
+            double sine = Math.sin(angle);
+            for (int column = first; column <= last; column++, dx += pitchX) {
                 double weight = spline((dx * frame.cosine() + dy * frame.sine()) / frame.along(), frame.boxes())
-                        * hann((dy * frame.cosine() - dx * frame.sine()) / frame.across());
+                        * cosine
+                        * cosine;
                 sumReal += weight * real[row * columns + column];
                 sumImaginary += weight * imaginary[row * columns + column];
                 weights += weight;
+                double turned = cosine * turnCosine - sine * turnSine;
+                sine = cosine * turnSine + sine * turnCosine;
+                cosine = turned;
             }
         }
         amplitude[0] = weights > 0 ? sumReal / weights : 0;
@@ -179,13 +194,10 @@ final class DemodulatedHeights {
         return away < 0.5 ? 0.75 - away * away : 0.5 * rest * rest;
     }
 
-    /** cos^2, 0 from half a window away. */
-    private static double hann(double windows) {
-        if (Math.abs(windows) >= 0.5) {
-            return 0;
-        }
-        double cosine = Math.cos(Math.PI * windows);
-        return cosine * cosine;
+    /** The first column at or after a place, or the last at or before it. */
+    private int column(double x, boolean after) {
+        double column = x / pitchX + 0.5 * (columns - 1);
+        return (int) Math.max(-1, Math.min(columns, after ? Math.ceil(column) : Math.floor(column)));
     }
 
     /** Whether a window's whole length, and half of its width, which has nine tenths of its weight, lie on the patch. */
@@ -207,5 +219,26 @@ final class DemodulatedHeights {
      * @param across full length across, metres
      * @param boxes of one period each, of which the one along is folded: 2 or 3
      */
-    record Frame(double cosine, double sine, double along, double across, int boxes) {}
+    record Frame(double cosine, double sine, double along, double across, int boxes) {
+        /** Where a row so far above the centre enters the window, metres from the centre. */
+        double firstX(double dy) {
+            return Math.max(
+                    -reach(cosine, along) - shift(cosine, dy * sine), -reach(sine, across) + shift(sine, dy * cosine));
+        }
+
+        /** Where it leaves it. */
+        double lastX(double dy) {
+            return Math.min(
+                    reach(cosine, along) - shift(cosine, dy * sine), reach(sine, across) + shift(sine, dy * cosine));
+        }
+
+        /** Half of what a strip cuts out of a row that runs at an angle to its width. */
+        private static double reach(double lean, double width) {
+            return Math.abs(lean) < LEAST_LEAN ? Double.POSITIVE_INFINITY : 0.5 * width / Math.abs(lean);
+        }
+
+        private static double shift(double lean, double away) {
+            return Math.abs(lean) < LEAST_LEAN ? 0 : away / lean;
+        }
+    }
 }

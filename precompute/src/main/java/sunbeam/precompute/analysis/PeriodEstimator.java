@@ -39,6 +39,8 @@ public final class PeriodEstimator {
     private static final double BEATS_TO_TELL = 1.5;
     private static final double BEAT_IN_STEP = 2 / (0.85 * Math.PI);
     private static final int ROUNDS = 3;
+    // Of a line across the scan, by which another round would move: what is left is found by the fit.
+    private static final double SETTLED = 1e-3;
     // Half an interval over the period.
     private static final double LEAST_OF_GROWN = 0.02;
     // Halves of a scan tell little more, and take as long again.
@@ -53,7 +55,12 @@ public final class PeriodEstimator {
      * @param map without missing samples
      */
     public static Optional<PeriodEstimate> estimate(HeightMap map, SpectrumPeak peak) {
-        return followed(map, peak).map(told -> told.doubted(doubt(map, peak, told)));
+        return estimate(new ScanHalves(map), peak);
+    }
+
+    /** As {@link #estimate(HeightMap, SpectrumPeak)}, for several peaks of a scan. */
+    public static Optional<PeriodEstimate> estimate(ScanHalves scan, SpectrumPeak peak) {
+        return followed(scan, peak).map(told -> told.doubted(doubt(scan.whole(), peak, told)));
     }
 
     private static PeriodEstimate.Doubt doubt(HeightMap map, SpectrumPeak peak, PeriodEstimate told) {
@@ -63,10 +70,11 @@ public final class PeriodEstimator {
         return ChanceLines.in(map, peak, told) ? PeriodEstimate.Doubt.CHANCE : PeriodEstimate.Doubt.NONE;
     }
 
-    private static Optional<PeriodEstimate> followed(HeightMap map, SpectrumPeak peak) {
+    private static Optional<PeriodEstimate> followed(ScanHalves scan, SpectrumPeak peak) {
+        HeightMap map = scan.whole();
         RowSlips rows = RowSlips.in(map, peak.frequencyX(), peak.frequencyY());
         List<PeriodEstimate.Slip> slips = rows.slips();
-        ScanPieces pieces = new ScanPieces(map, peak);
+        ScanPieces pieces = new ScanPieces(scan, peak);
         if (slips.isEmpty()) {
             return ofOnePiece(map, peak)
                     .map(told -> told.second().isPresent() ? told : pieces.comparedWithHalves(told));
@@ -115,7 +123,8 @@ public final class PeriodEstimator {
             if (round + 1 < ROUNDS) {
                 double better = moved(frequency, series.roughSlope(), series);
                 // Phases of half a turn a place would be another wave's.
-                if (!(better > 0.7 * peak.frequency() && better < 1.4 * peak.frequency())) {
+                boolean other = !(better > 0.7 * peak.frequency() && better < 1.4 * peak.frequency());
+                if (other || Math.abs(better - frequency) * series.size() * series.step() < SETTLED) {
                     break;
                 }
                 frequency = better;

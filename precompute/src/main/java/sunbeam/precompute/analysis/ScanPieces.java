@@ -4,8 +4,7 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
-import java.util.function.Supplier;
-import java.util.stream.Stream;
+import java.util.stream.IntStream;
 import sunbeam.precompute.patch.HeightMap;
 
 /**
@@ -16,15 +15,14 @@ final class ScanPieces {
     // Between the peak of a piece and that of the whole, which a slip splits in two.
     private static final double FARTHEST_BINS = 2.5;
 
+    private final ScanHalves halves;
     private final HeightMap map;
     private final SpectrumPeak whole;
 
-    /**
-     * @param map without missing samples
-     * @param whole the wave's peak of its spectrum
-     */
-    ScanPieces(HeightMap map, SpectrumPeak whole) {
-        this.map = map;
+    /** @param whole the wave's peak of the whole scan's spectrum */
+    ScanPieces(ScanHalves halves, SpectrumPeak whole) {
+        this.halves = halves;
+        this.map = halves.whole();
         this.whole = whole;
     }
 
@@ -37,13 +35,13 @@ final class ScanPieces {
         List<HeightMap> pieces = new ArrayList<>();
         int first = 0;
         for (PeriodEstimate.Slip slip : slips) {
-            pieces.add(part(0, map.columns(), first, slip.row()));
+            pieces.add(ScanHalves.part(map, 0, map.columns(), first, slip.row()));
             first = slip.row();
         }
-        pieces.add(part(0, map.columns(), first, map.rows()));
+        pieces.add(ScanHalves.part(map, 0, map.columns(), first, map.rows()));
         return pieces.stream()
                 .sorted(Comparator.comparingInt(HeightMap::rows).reversed())
-                .flatMap(piece -> near(piece).stream())
+                .flatMap(piece -> near(piece, ScanHalves.peaks(piece)).stream())
                 .toList();
     }
 
@@ -52,17 +50,12 @@ final class ScanPieces {
      * contradict each other.
      */
     PeriodEstimate comparedWithHalves(PeriodEstimate told) {
-        int middleRow = map.rows() / 2;
-        int middleColumn = map.columns() / 2;
-        List<Optional<PeriodEstimate>> halves = Stream.<Supplier<Optional<PeriodEstimate>>>of(
-                        () -> half(0, map.columns(), middleRow, map.rows()),
-                        () -> half(0, map.columns(), 0, middleRow),
-                        () -> half(0, middleColumn, 0, map.rows()),
-                        () -> half(middleColumn, map.columns(), 0, map.rows()))
+        List<List<SpectrumPeak>> peaks = halves.peaks();
+        List<Optional<PeriodEstimate>> estimates = IntStream.range(0, peaks.size())
                 .parallel()
-                .map(Supplier::get)
+                .mapToObj(number -> near(halves.half(number), peaks.get(number)))
                 .toList();
-        return compared(compared(told, halves.get(0), halves.get(1)), halves.get(2), halves.get(3));
+        return compared(compared(told, estimates.get(0), estimates.get(1)), estimates.get(2), estimates.get(3));
     }
 
     /** What the whole scan says, widened where its halves contradict it; which of them is right is not known where many rows jump. */
@@ -82,27 +75,11 @@ final class ScanPieces {
                 : reaching;
     }
 
-    private Optional<PeriodEstimate> half(int firstColumn, int endColumn, int firstRow, int endRow) {
-        return endColumn - firstColumn < 2 || endRow - firstRow < 2
-                ? Optional.empty()
-                : near(part(firstColumn, endColumn, firstRow, endRow));
-    }
-
-    private HeightMap part(int firstColumn, int endColumn, int firstRow, int endRow) {
-        int columns = endColumn - firstColumn;
-        double[] heights = new double[columns * (endRow - firstRow)];
-        for (int i = 0; i < heights.length; i++) {
-            heights[i] = map.at(firstColumn + i % columns, firstRow + i / columns);
-        }
-        return new HeightMap(columns, endRow - firstRow, map.pitchX(), map.pitchY(), heights);
-    }
-
-    private Optional<PeriodEstimate> near(HeightMap piece) {
-        return new PeriodFinder(piece, false)
-                .all().peaks().stream()
-                        .filter(peak -> bins(peak, piece) <= FARTHEST_BINS)
-                        .min(Comparator.comparingDouble(peak -> bins(peak, piece)))
-                        .flatMap(peak -> PeriodEstimator.ofOnePiece(piece, peak));
+    private Optional<PeriodEstimate> near(HeightMap piece, List<SpectrumPeak> peaks) {
+        return peaks.stream()
+                .filter(peak -> bins(peak, piece) <= FARTHEST_BINS)
+                .min(Comparator.comparingDouble(peak -> bins(peak, piece)))
+                .flatMap(peak -> PeriodEstimator.ofOnePiece(piece, peak));
     }
 
     private double bins(SpectrumPeak peak, HeightMap piece) {

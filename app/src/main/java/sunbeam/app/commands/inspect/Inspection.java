@@ -17,6 +17,7 @@ import sunbeam.precompute.analysis.PeriodFinder;
 import sunbeam.precompute.analysis.PeriodJudgement;
 import sunbeam.precompute.analysis.PeriodRemedy;
 import sunbeam.precompute.analysis.Periodicity;
+import sunbeam.precompute.analysis.ScanHalves;
 import sunbeam.precompute.analysis.SpectrumPeak;
 import sunbeam.precompute.analysis.WaveDirection;
 import sunbeam.precompute.method.ScanLimit;
@@ -34,6 +35,7 @@ import sunbeam.precompute.units.Lengths;
  * @param statistics of its heights and slopes
  * @param periodicity what repeats in it
  * @param spectrum that the periodicity rests on
+ * @param halves of the scan, with which its periods are compared
  * @param estimate what the scan tells of the first of its periods, with the uncertainty; empty for a period of a surface
  * @param few a wave that is seen too few times to be one of its periods
  * @param remedy what would show a period where none is found
@@ -45,6 +47,7 @@ record Inspection(
         HeightStatistics statistics,
         Periodicity periodicity,
         HeightSpectrum spectrum,
+        ScanHalves halves,
         Optional<PeriodEstimate> estimate,
         Optional<FewPeriods> few,
         Optional<String> remedy,
@@ -60,12 +63,14 @@ record Inspection(
         Meanwhile<DrawingPlan> drawing = Meanwhile.start(() -> DrawingPlan.of(patch, limit.choices()));
         PeriodFinder finder = new PeriodFinder(map, patch.repetition() != Patch.Repetition.NONE);
         Periodicity periodicity = finder.all();
+        ScanHalves halves = new ScanHalves(map);
         return new Inspection(
                 patch,
                 HeightStatistics.of(map),
                 periodicity,
                 finder.spectrum(periodicity),
-                estimate(map, periodicity),
+                halves,
+                estimate(halves, periodicity),
                 periodicity.found() ? Optional.empty() : FewPeriods.in(map),
                 periodicity.found()
                         ? Optional.empty()
@@ -74,10 +79,10 @@ record Inspection(
                 drawing.get());
     }
 
-    private static Optional<PeriodEstimate> estimate(HeightMap map, Periodicity periodicity) {
+    private static Optional<PeriodEstimate> estimate(ScanHalves halves, Periodicity periodicity) {
         return periodicity.edges() == HeightSpectrum.Edges.PERIODIC
                 ? Optional.empty()
-                : periodicity.peaks().stream().findFirst().flatMap(peak -> PeriodEstimator.estimate(map, peak));
+                : periodicity.peaks().stream().findFirst().flatMap(peak -> PeriodEstimator.estimate(halves, peak));
     }
 
     /** The strongest regularities. */
@@ -108,7 +113,7 @@ record Inspection(
     Optional<PeriodEstimate> toldAcross(SpectrumPeak peak) {
         return told().isEmpty() || !peak.isAcross(peaks().get(0))
                 ? Optional.empty()
-                : PeriodEstimator.estimate(patch.scan(), peak)
+                : PeriodEstimator.estimate(halves, peak)
                         .filter(estimate -> PeriodJudgement.refusal(patch.faults(), Optional.of(estimate), peak)
                                 .isEmpty());
     }
