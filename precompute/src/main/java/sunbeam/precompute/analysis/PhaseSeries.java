@@ -2,6 +2,7 @@ package sunbeam.precompute.analysis;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.IntStream;
 import sunbeam.precompute.patch.HeightMap;
 
 /**
@@ -84,7 +85,7 @@ record PhaseSeries(
         DemodulatedHeights.Frame frame = new DemodulatedHeights.Frame(cosine, sine, window, strip, boxes);
         int places = (int) Math.floor((along - window) / step * (1 + 1e-9)) + 1;
         double[][][] amplitudes = new double[Math.max(0, places)][strips][];
-        for (int place = 0; place < places; place++) {
+        IntStream.range(0, places).parallel().forEach(place -> {
             for (int i = 0; i < strips; i++) {
                 double s = (place - 0.5 * (places - 1)) * step;
                 double t = (i - 0.5 * (strips - 1)) * stripStep;
@@ -93,7 +94,7 @@ record PhaseSeries(
                     heights.amplitude(s, t, frame, amplitudes[place][i]);
                 }
             }
-        }
+        });
         return joined(amplitudes, step, window, 2 * Math.PI * frequency * stripStep);
     }
 

@@ -6,6 +6,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.function.Function;
+import java.util.stream.IntStream;
 import sunbeam.app.terminal.OptionOrigin;
 import sunbeam.app.work.Meanwhile;
 import sunbeam.precompute.analysis.FewPeriods;
@@ -35,8 +37,8 @@ import sunbeam.precompute.units.Lengths;
  * @param statistics of its heights and slopes
  * @param periodicity what repeats in it
  * @param spectrum that the periodicity rests on
- * @param halves of the scan, with which its periods are compared
- * @param estimate what the scan tells of the first of its periods, with the uncertainty; empty for a period of a surface
+ * @param estimates what the scan tells of each of the regularities that are told of, with the uncertainty; empty for a period of
+ *     a surface, and for those along the first
  * @param few a wave that is seen too few times to be one of its periods
  * @param remedy what would show a period where none is found
  * @param limit what becomes of the coherence length
@@ -47,8 +49,7 @@ record Inspection(
         HeightStatistics statistics,
         Periodicity periodicity,
         HeightSpectrum spectrum,
-        ScanHalves halves,
-        Optional<PeriodEstimate> estimate,
+        List<Optional<PeriodEstimate>> estimates,
         Optional<FewPeriods> few,
         Optional<String> remedy,
         ScanLimit limit,
@@ -63,14 +64,12 @@ record Inspection(
         Meanwhile<DrawingPlan> drawing = Meanwhile.start(() -> DrawingPlan.of(patch, limit.choices()));
         PeriodFinder finder = new PeriodFinder(map, patch.repetition() != Patch.Repetition.NONE);
         Periodicity periodicity = finder.all();
-        ScanHalves halves = new ScanHalves(map);
         return new Inspection(
                 patch,
                 HeightStatistics.of(map),
                 periodicity,
                 finder.spectrum(periodicity),
-                halves,
-                estimate(halves, periodicity),
+                estimates(map, periodicity),
                 periodicity.found() ? Optional.empty() : FewPeriods.in(map),
                 periodicity.found()
                         ? Optional.empty()
@@ -79,16 +78,33 @@ record Inspection(
                 drawing.get());
     }
 
-    private static Optional<PeriodEstimate> estimate(ScanHalves halves, Periodicity periodicity) {
-        return periodicity.edges() == HeightSpectrum.Edges.PERIODIC
-                ? Optional.empty()
-                : periodicity.peaks().stream().findFirst().flatMap(peak -> PeriodEstimator.estimate(halves, peak));
+    private static List<Optional<PeriodEstimate>> estimates(HeightMap map, Periodicity periodicity) {
+        if (periodicity.edges() == HeightSpectrum.Edges.PERIODIC) {
+            return List.of();
+        }
+        List<SpectrumPeak> peaks = strongest(periodicity);
+        ScanHalves halves = new ScanHalves(map);
+        return IntStream.range(0, peaks.size())
+                .parallel()
+                .mapToObj(i -> i == 0 || peaks.get(i).isAcross(peaks.get(0))
+                        ? PeriodEstimator.estimate(halves, peaks.get(i))
+                        : Optional.<PeriodEstimate>empty())
+                .toList();
     }
 
     /** The strongest regularities. */
     List<SpectrumPeak> peaks() {
+        return strongest(periodicity);
+    }
+
+    private static List<SpectrumPeak> strongest(Periodicity periodicity) {
         List<SpectrumPeak> all = periodicity.peaks();
         return all.subList(0, Math.min(PEAKS, all.size()));
+    }
+
+    /** What the scan tells of the first of its periods, whether it is told or refused. */
+    Optional<PeriodEstimate> estimate() {
+        return estimates.stream().findFirst().flatMap(Function.identity());
     }
 
     /**
@@ -101,19 +117,23 @@ record Inspection(
         }
         return periodicity.edges() == HeightSpectrum.Edges.PERIODIC
                 ? Optional.empty()
-                : peaks().stream().findFirst().flatMap(peak -> PeriodJudgement.refusal(patch.faults(), estimate, peak));
+                : peaks().stream()
+                        .findFirst()
+                        .flatMap(peak -> PeriodJudgement.refusal(patch.faults(), estimate(), peak));
     }
 
     /** The period that is told; empty where there is none, or it is exact. */
     Optional<PeriodEstimate> told() {
-        return refusal().isPresent() ? Optional.empty() : estimate;
+        return refusal().isPresent() ? Optional.empty() : estimate();
     }
 
     /** The period of another wave of a lattice, where the first is told. */
     Optional<PeriodEstimate> toldAcross(SpectrumPeak peak) {
-        return told().isEmpty() || !peak.isAcross(peaks().get(0))
+        int number = peaks().indexOf(peak);
+        return told().isEmpty() || number < 1
                 ? Optional.empty()
-                : PeriodEstimator.estimate(halves, peak)
+                : estimates
+                        .get(number)
                         .filter(estimate -> PeriodJudgement.refusal(patch.faults(), Optional.of(estimate), peak)
                                 .isEmpty());
     }
