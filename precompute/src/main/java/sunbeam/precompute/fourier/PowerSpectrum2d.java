@@ -8,7 +8,6 @@ import java.util.stream.IntStream;
  * one, and half of the columns. Runs on all processors.
  */
 public final class PowerSpectrum2d {
-    private final int columns;
     private final int rows;
     private final int reachX;
     private final int reachY;
@@ -26,7 +25,6 @@ public final class PowerSpectrum2d {
      * @param reachY last bin along y; less than half of the rows
      */
     public PowerSpectrum2d(int columns, int rows, int reachX, int reachY) {
-        this.columns = columns;
         this.rows = rows;
         this.reachX = reachX;
         this.reachY = reachY;
