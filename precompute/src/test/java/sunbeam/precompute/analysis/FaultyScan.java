@@ -220,7 +220,7 @@ record FaultyScan(HeightMap map, double[] truths, boolean anyBetween, String wor
 
     private static FaultyScan lattice(Kind kind, long seed, SplittableRandom random) {
         Draw draw = Draw.of(kind, random);
-        boolean hexagons = kind == Kind.HEXAGONS || kind == Kind.ALIGNED && random.nextBoolean();
+        boolean hexagons = kind == Kind.HEXAGONS || (kind == Kind.ALIGNED && random.nextBoolean());
         double between = Math.toRadians(hexagons ? 60 : 30 + 60 * random.nextDouble());
         double ratio = kind == Kind.LATTICE ? 1 + 0.3 * random.nextDouble() : 1;
         int waves = hexagons ? 3 : 2;
