@@ -8,7 +8,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.regex.Pattern;
-import sunbeam.precompute.scan.ScanBytes;
 import sunbeam.precompute.scan.ScanException;
 
 /**
@@ -28,7 +27,7 @@ record TextHead(List<String> header, long offset, boolean decimalComma) {
     private static final Pattern BLANKS_AND_COMMAS = Pattern.compile("[ \\t;,\"\\f]+");
 
     /** Nothing when the file is no text, or has no line of numbers after at most 256 KB of header. */
-    static Optional<TextHead> of(ScanBytes file) throws IOException {
+    static Optional<TextHead> of(TextBytes file) throws IOException {
         byte[] head = file.head(LONGEST_HEADER);
         if (!isText(head)) {
             return Optional.empty();

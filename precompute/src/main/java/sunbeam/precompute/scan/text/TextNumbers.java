@@ -2,13 +2,12 @@ package sunbeam.precompute.scan.text;
 
 import java.io.IOException;
 import java.util.Locale;
-import sunbeam.precompute.scan.ScanBytes;
 import sunbeam.precompute.scan.ScanException;
 import sunbeam.precompute.scan.ScanLimits;
 
 /** The numbers of a text, counted before memory is taken for them. */
 final class TextNumbers {
-    private final ScanBytes file;
+    private final TextBytes file;
     private final TextHead head;
     private final long columns;
     private final long rows;
@@ -18,7 +17,7 @@ final class TextNumbers {
 
     private final long raggedCount;
 
-    private TextNumbers(ScanBytes file, TextHead head, long columns, long rows, long count, long[] ragged) {
+    private TextNumbers(TextBytes file, TextHead head, long columns, long rows, long count, long[] ragged) {
         this.file = file;
         this.head = head;
         this.columns = columns;
@@ -33,7 +32,7 @@ final class TextNumbers {
      *
      * @throws ScanException when there are too many, or something that is no number
      */
-    static TextNumbers count(ScanBytes file, TextHead head) throws IOException {
+    static TextNumbers count(TextBytes file, TextHead head) throws IOException {
         NumberStream numbers = stream(file, head);
         long[] ragged = new long[2];
         long columns = 0;
@@ -70,7 +69,7 @@ final class TextNumbers {
         }
     }
 
-    private static NumberStream stream(ScanBytes file, TextHead head) throws IOException {
+    private static NumberStream stream(TextBytes file, TextHead head) throws IOException {
         return new NumberStream(
                 file.stream(head.offset()), head.decimalComma(), head.header().size() + 1L);
     }

@@ -32,14 +32,15 @@ public final class TextReader implements ScanReader {
 
     @Override
     public boolean recognises(ScanBytes file) throws IOException {
-        return TextHead.of(file).isPresent();
+        return TextHead.of(TextBytes.of(file)).isPresent();
     }
 
     @Override
     public List<ScanChannel> channels(ScanBytes file) throws IOException {
-        TextHead head = TextHead.of(file).orElseThrow();
+        TextBytes text = TextBytes.of(file);
+        TextHead head = TextHead.of(text).orElseThrow();
         TextFacts facts = TextFacts.of(head.header());
-        TextNumbers numbers = TextNumbers.count(file, head);
+        TextNumbers numbers = TextNumbers.count(text, head);
         boolean matrix = facts.width().isPresent() || facts.columns().isPresent();
         if (!matrix && numbers.columns() == POINT && numbers.isRectangular() && numbers.rows() > POINT) {
             Optional<ScanChannel> points = points(head, numbers);

@@ -21,7 +21,8 @@ class CommasTest {
     private double[] read(String text) throws IOException {
         Path file = folder.resolve("scan.txt");
         Files.writeString(file, text);
-        try (ScanBytes bytes = ScanBytes.open(file)) {
+        try (ScanBytes opened = ScanBytes.open(file)) {
+            TextBytes bytes = TextBytes.of(opened);
             TextHead head = TextHead.of(bytes).orElseThrow();
             TextNumbers numbers = TextNumbers.count(bytes, head);
             numbers.requireRectangular();
