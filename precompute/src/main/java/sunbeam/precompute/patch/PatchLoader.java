@@ -8,6 +8,7 @@ import static sunbeam.precompute.patch.PatchSettings.WIDTH;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.Function;
@@ -75,7 +76,20 @@ public final class PatchLoader {
         } catch (InvalidPathException e) {
             throw unusable("is no file name (" + e.getReason() + "); ");
         }
-        throw unusable("is no file that is there; ");
+        boolean several = name.indexOf(',') > 0
+                && Arrays.stream(name.split(",", -1)).map(String::strip).allMatch(this::isKnown);
+        throw unusable(
+                several
+                        ? "names several, of which it takes one; commands that compare take each other by --with; "
+                        : "is no file that is there; ");
+    }
+
+    private boolean isKnown(String name) {
+        try {
+            return builtIn.contains(name) || (!name.isEmpty() && Files.exists(Path.of(name)));
+        } catch (InvalidPathException none) {
+            return false;
+        }
     }
 
     private SettingException unusable(String problem) {

@@ -249,8 +249,13 @@ public final class BrdfMapCommand implements Callable<Integer> {
         for (int i = 0; i < setups.size(); i++) {
             Choices chosen = choices.get(i);
             materials.add(new MaterialMap(setups.get(i), chosen, Methods.of(chosen), material, light.direction()));
-            methodOptions.print(
-                    materials.get(i).plan(), specification.commandLine().getErr());
+            PrintWriter err = specification.commandLine().getErr();
+            if (setups.size() > 1) {
+                methodOptions.print(
+                        setups.get(i).patch().name(), materials.get(i).plan(), err);
+            } else {
+                methodOptions.print(materials.get(i).plan(), err);
+            }
         }
         return materials;
     }

@@ -155,7 +155,11 @@ public final class ColorCommand implements Callable<Integer> {
         Path picture = output != null ? output : Path.of("color-" + names(strips) + ".png");
         ColorFiles files = new ColorFiles(picture, force.overwrite(output));
         files.checkWritable();
-        strips.forEach(strip -> methodOptions.print(strip.plan(), err));
+        if (strips.size() > 1) {
+            strips.forEach(strip -> methodOptions.print(strip.setup().patch().name(), strip.plan(), err));
+        } else {
+            methodOptions.print(strips.get(0).plan(), err);
+        }
         double tolerance = choices.get(TOLERANCE);
         CieTable cie = CieTable.load();
         List<ColorReport> reports = new ArrayList<>();

@@ -14,6 +14,7 @@ import sunbeam.precompute.plan.MethodSettings;
 import sunbeam.precompute.plan.Plan;
 import sunbeam.precompute.plan.PlanReport;
 import sunbeam.precompute.setting.Setting;
+import sunbeam.precompute.text.Quoted;
 
 /** Which method, and what a user fixes of it; to be used as a picocli mixin. */
 public final class MethodOptions extends SettingOptions {
@@ -47,19 +48,28 @@ public final class MethodOptions extends SettingOptions {
     public void explain(Plan plan, PrintWriter out) {
         if (explain) {
             PlanReport report = new PlanReport(plan);
-            print(report.summary(), report.reasons(), out);
+            print("plan: ", report.summary(), report.reasons(), out);
         }
     }
 
     /** Prints a method's plan, with reasons where they are asked for, and what breaks its tolerance. */
     public void print(MethodPlan method, PrintWriter out) {
-        print(method.summary(), method.reasons(), out);
+        printPlan("plan: ", method, out);
+    }
+
+    /** As {@link #print(MethodPlan, PrintWriter)}, for one of several patches. */
+    public void print(String patch, MethodPlan method, PrintWriter out) {
+        printPlan("plan: " + Quoted.oneLine(patch) + ": ", method, out);
+    }
+
+    private void printPlan(String title, MethodPlan method, PrintWriter out) {
+        print(title, method.summary(), method.reasons(), out);
         method.warnings().forEach(line -> out.println(Messages.warning(line.in(OptionOrigin.INSTANCE))));
         out.flush();
     }
 
-    private void print(String summary, List<String> reasons, PrintWriter out) {
-        out.println("plan: " + summary);
+    private void print(String title, String summary, List<String> reasons, PrintWriter out) {
+        out.println(title + summary);
         if (explain) {
             reasons.forEach(line -> out.println("  " + line));
         }
