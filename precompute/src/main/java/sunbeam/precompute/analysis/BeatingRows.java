@@ -25,12 +25,17 @@ record BeatingRows(double[][] amplitudes, int step, int window) {
     // Of all, in sharp lines: slips at random leave none.
     private static final double LEAST_TOGETHER = 0.5;
     private static final double ONE_SIZE = 0.97;
+    // So many at equal distances, by half a period each, are hard squares; no scanner slips so.
+    private static final int SURE_BEATS = 7;
     // Beats under the window, which has its second zero there.
     private static final int BEATS = 3;
 
     /** Averages them where others beat with them. */
     static BeatingRows in(double[][] rows) {
-        int nearest = areOfOneSize(rows) ? 0 : nearestBeside(power(rows));
+        int nearest = nearestBeside(power(rows));
+        if (nearest < SURE_BEATS && areOfOneSize(rows)) {
+            nearest = 0;
+        }
         if (nearest == 0) {
             return new BeatingRows(rows, 1, 1);
         }

@@ -2,6 +2,7 @@ package sunbeam.precompute.analysis;
 
 import java.util.Locale;
 import java.util.Optional;
+import org.apache.commons.math3.stat.StatUtils;
 import sunbeam.precompute.patch.HeightMap;
 import sunbeam.precompute.prepare.Levelling;
 import sunbeam.precompute.units.Lengths;
@@ -24,6 +25,9 @@ public record FewPeriods(double period, double direction, double count) {
     // Periods in the scan. Of fewer, a half would be compared; of more, the spectrum tells.
     private static final double FEWEST = 2.5;
     private static final double MOST = 6;
+    // Of the variance, in what is much coarser than the samples that are compared: fine waves have a moire with these.
+    private static final double LEAST_COARSE = 0.5;
+    private static final int COARSE = 4;
     // Shifts over the scan's length.
     private static final int STEPS = 240;
     // Samples along a side that are compared.
@@ -36,7 +40,11 @@ public record FewPeriods(double period, double direction, double count) {
         if (map.columns() < 8 || map.rows() < 8 || !(map.relief() > 0)) {
             return Optional.empty();
         }
-        Shifted heights = Shifted.of(map.levelled(Levelling.PLANE));
+        HeightMap level = map.levelled(Levelling.PLANE);
+        Shifted heights = Shifted.of(level);
+        if (heights.averaged().variance() < LEAST_COARSE * StatUtils.populationVariance(level.toArray())) {
+            return Optional.empty();
+        }
         double direction = heights.steepestDirection();
         double length = Math.min(
                 map.width() / Math.max(1e-12, Math.abs(Math.cos(direction))),
@@ -78,8 +86,10 @@ public record FewPeriods(double period, double direction, double count) {
     private record Shifted(int columns, int rows, double pitchX, double pitchY, double[] heights) {
         /** Means of blocks of samples; what is left over at the right and the bottom is left out. */
         static Shifted of(HeightMap map) {
-            int blockX = Math.max(1, map.columns() / SIDE);
-            int blockY = Math.max(1, map.rows() / SIDE);
+            return of(map, Math.max(1, map.columns() / SIDE), Math.max(1, map.rows() / SIDE));
+        }
+
+        private static Shifted of(HeightMap map, int blockX, int blockY) {
             int columns = map.columns() / blockX;
             int rows = map.rows() / blockY;
             double[] heights = new double[columns * rows];
@@ -89,6 +99,15 @@ public record FewPeriods(double period, double direction, double count) {
                 }
             }
             return new Shifted(columns, rows, blockX * map.pitchX(), blockY * map.pitchY(), heights);
+        }
+
+        /** Of some samples a side. */
+        Shifted averaged() {
+            return of(new HeightMap(columns, rows, pitchX, pitchY, heights), COARSE, COARSE);
+        }
+
+        double variance() {
+            return StatUtils.populationVariance(heights);
         }
 
         /** Principal axis of the gradients, radians, -pi/2 to pi/2. */

@@ -29,6 +29,9 @@ public record HeightSpectrum(Band bandX, Band bandY, double width, double height
     private static final double MUCH = 0.1;
     private static final double SHORTEST_PERIOD = SamplingCheck.SHORTEST_WAVELENGTH / 2;
 
+    /** What light can see, cycles per metre. */
+    static final double HIGHEST_FREQUENCY = 1 / SHORTEST_PERIOD;
+
     /** How the patch's edges are treated. */
     public enum Edges {
         /** One period of a surface that repeats: heights less their mean, each bin one exact frequency. */
@@ -41,12 +44,21 @@ public record HeightSpectrum(Band bandX, Band bandY, double width, double height
 
     /** Transforms the heights of a map without missing samples. */
     public static HeightSpectrum of(HeightMap map, Edges edges) {
+        return of(map, edges, band(map.columns(), map.pitchX()), band(map.rows(), map.pitchY()));
+    }
+
+    /** Tapered, of all that the samples hold. */
+    static HeightSpectrum ofAllFrequencies(HeightMap map) {
+        int reachX = (map.columns() - 1) / 2;
+        int reachY = (map.rows() - 1) / 2;
+        return of(map, Edges.TAPERED, Band.of(-reachX, reachX), Band.of(-reachY, reachY));
+    }
+
+    private static HeightSpectrum of(HeightMap map, Edges edges, Band bandX, Band bandY) {
         boolean tapered = edges == Edges.TAPERED;
         HeightMap level = map.levelled(tapered ? Levelling.PLANE : Levelling.MEAN);
         double[] taperX = taper(map.columns(), tapered);
         double[] taperY = taper(map.rows(), tapered);
-        Band bandX = band(map.columns(), map.pitchX());
-        Band bandY = band(map.rows(), map.pitchY());
         double[] power = new PowerSpectrum2d(map.columns(), map.rows(), bandX.last(), bandY.last())
                 .power((row, samples) -> {
                     for (int column = 0; column < map.columns(); column++) {
@@ -86,9 +98,19 @@ public record HeightSpectrum(Band bandX, Band bandY, double width, double height
         return taper;
     }
 
+    /** Whether a map's samples hold more than light can see. */
+    static boolean endsBeforeSamplesDo(HeightMap map) {
+        return Math.min(map.pitchX(), map.pitchY()) < 0.5 * SHORTEST_PERIOD;
+    }
+
+    /** Of the heights' variance, what lies beyond the bands; 0..1. */
+    double shareBeyond() {
+        return beyond / (beyond + Arrays.stream(power).sum());
+    }
+
     /** What is finer than light can see, where that is much of the heights; a sentence without a full stop. */
     public Optional<String> describeBeyond() {
-        double share = beyond / (beyond + Arrays.stream(power).sum());
+        double share = shareBeyond();
         return !(share >= MUCH) || !isCutByLight()
                 ? Optional.empty()
                 : Optional.of(String.format(

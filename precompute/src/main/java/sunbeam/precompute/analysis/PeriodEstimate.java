@@ -37,7 +37,11 @@ public record PeriodEstimate(
         /** Chance may have put the lines so ({@link ChanceLines}). */
         CHANCE,
         /** Every second row seems to be shifted by half of the period, of which this is half ({@link HalfShiftedRows}). */
-        HALF_SHIFTED
+        HALF_SHIFTED,
+        /** Waves too fine for light may have left it ({@link FineWaves}). */
+        ALIAS,
+        /** Rows were levelled one by one, and its lines run along them ({@link LevelledRows}). */
+        LEVELLED_ROWS
     }
 
     public PeriodEstimate {
@@ -89,7 +93,7 @@ public record PeriodEstimate(
             return String.format(
                     Locale.ROOT,
                     "the lines jump sideways by %.2g periods (or as much and whole ones) after row %d from the top, as where the"
-                            + " scanner slipped or a line ends: the rows above and below were followed by themselves",
+                            + " scanner slipped, a line ends, or dust or filled samples lie: the rows above and below were followed by themselves",
                     Math.abs(turns),
                     row);
         }
@@ -149,7 +153,7 @@ public record PeriodEstimate(
         }
         return List.of(String.format(
                 Locale.ROOT,
-                "the lines jump sideways at %d rows, the first %d from the top, as where a scanner slips often or lines end: the"
+                "the lines jump sideways at %d rows, the first %d from the top, as where a scanner slips often, lines end, or dust or filled samples lie: the"
                         + " interval reaches to what is told between them",
                 slips.size(),
                 slips.get(0).row()));

@@ -60,10 +60,17 @@ public final class PeriodEstimator {
 
     /** As {@link #estimate(HeightMap, SpectrumPeak)}, for several peaks of a scan. */
     public static Optional<PeriodEstimate> estimate(ScanHalves scan, SpectrumPeak peak) {
-        return followed(scan, peak).map(told -> told.doubted(doubt(scan.whole(), peak, told)));
+        return followed(scan, peak).map(told -> told.doubted(doubt(scan, peak, told)));
     }
 
-    private static PeriodEstimate.Doubt doubt(HeightMap map, SpectrumPeak peak, PeriodEstimate told) {
+    private static PeriodEstimate.Doubt doubt(ScanHalves scan, SpectrumPeak peak, PeriodEstimate told) {
+        HeightMap map = scan.whole();
+        if (scan.fineWaves().mayHaveLeft(peak)) {
+            return PeriodEstimate.Doubt.ALIAS;
+        }
+        if (LevelledRows.spoil(map, peak)) {
+            return PeriodEstimate.Doubt.LEVELLED_ROWS;
+        }
         if (HalfShiftedRows.in(map, peak, told)) {
             return PeriodEstimate.Doubt.HALF_SHIFTED;
         }

@@ -50,10 +50,13 @@ public final class PeriodJudgement {
         if (estimate.isEmpty()) {
             return Optional.of(String.format(
                     Locale.ROOT,
-                    "repeats after about %s, but too few of these periods fit into the scan along their direction to say how well that is known; take a larger scan",
+                    "repeats after about %s, but too few of these periods fit into the scan along their direction to say how well that is known; take a scan that is longer along it",
                     shortly(peak.period())));
         }
         PeriodEstimate told = estimate.get();
+        if (told.doubt() == PeriodEstimate.Doubt.ALIAS) {
+            return doubt(told);
+        }
         if (told.drift().isPresent() && told.drift().get().ratio() > LARGEST_DRIFT) {
             return Optional.of(String.format(
                     Locale.ROOT,
@@ -78,7 +81,7 @@ public final class PeriodJudgement {
             case CHANCE ->
                 Optional.of(String.format(
                         Locale.ROOT,
-                        "straight lines some %s apart, but no grating: their wave comes and goes, and other distances are about as strong, as where chance put the lines; scan another place to see whether it tells the same",
+                        "straight lines some %s apart, but no grating: their wave comes and goes, and other distances are about as strong, as where chance put the lines, or dust and damage lie on them; scan another place to see whether it tells the same",
                         Lengths.rounded(told.period(), 2)));
             case HALF_SHIFTED ->
                 Optional.of(String.format(
@@ -86,6 +89,16 @@ public final class PeriodJudgement {
                         "every second row seems to be shifted by half of a period of about %s, as where trace and retrace are mixed (save one of them alone); what is left repeats after %s",
                         shortly(2 * told.period()),
                         shortly(told.period())));
+            case ALIAS ->
+                Optional.of(String.format(
+                        Locale.ROOT,
+                        "what seems to repeat after about %s may be no more than what sampling has made of finer lines, which hold much of the heights and diffract no visible light; scan finer to see whether it stays",
+                        Lengths.rounded(told.period(), 2)));
+            case LEVELLED_ROWS ->
+                Optional.of(String.format(
+                        Locale.ROOT,
+                        "lines some %s apart run nearly along the rows, and each row has been levelled by itself, which takes a part of them and bends the rest; take the scan as it was before, or turn it by 90 degrees on the microscope",
+                        Lengths.rounded(told.period(), 2)));
         };
     }
 

@@ -11,6 +11,7 @@ import sunbeam.precompute.patch.HeightMap;
 public final class ScanHalves {
     private final HeightMap map;
     private List<List<SpectrumPeak>> peaks;
+    private FineWaves fine;
 
     /** @param map without missing samples */
     public ScanHalves(HeightMap map) {
@@ -22,7 +23,7 @@ public final class ScanHalves {
         return map;
     }
 
-    /** Lower, upper, left, right; without samples where there are too few. */
+    /** Lower, upper, left, right; of those only that have peaks. */
     HeightMap half(int number) {
         int middleRow = map.rows() / 2;
         int middleColumn = map.columns() / 2;
@@ -43,6 +44,14 @@ public final class ScanHalves {
                     .toList();
         }
         return peaks;
+    }
+
+    /** Of the whole scan. */
+    synchronized FineWaves fineWaves() {
+        if (fine == null) {
+            fine = FineWaves.of(map);
+        }
+        return fine;
     }
 
     private boolean isLargeEnough(int number) {

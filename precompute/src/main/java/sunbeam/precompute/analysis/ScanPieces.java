@@ -53,7 +53,9 @@ final class ScanPieces {
         List<List<SpectrumPeak>> peaks = halves.peaks();
         List<Optional<PeriodEstimate>> estimates = IntStream.range(0, peaks.size())
                 .parallel()
-                .mapToObj(number -> near(halves.half(number), peaks.get(number)))
+                .mapToObj(number -> peaks.get(number).isEmpty()
+                        ? Optional.<PeriodEstimate>empty()
+                        : near(halves.half(number), peaks.get(number)))
                 .toList();
         return compared(compared(told, estimates.get(0), estimates.get(1)), estimates.get(2), estimates.get(3));
     }

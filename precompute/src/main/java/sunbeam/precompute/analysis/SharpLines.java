@@ -84,6 +84,20 @@ final class SharpLines {
                         && lines.stream().anyMatch(first::isAcross));
     }
 
+    /**
+     * Lines of a frequency or higher, the strongest first.
+     *
+     * @param frequency cycles per metre
+     * @param share of the variance, in each
+     */
+    List<SpectrumPeak> beyond(double frequency, double share) {
+        double variance = Arrays.stream(spectrum.power()).sum();
+        return tops(share * variance, FEWEST_PERIODS).stream()
+                .filter(peak -> peak.frequency() > frequency)
+                .sorted(Comparator.comparingDouble(SpectrumPeak::rms).reversed())
+                .toList();
+    }
+
     private List<SpectrumPeak> tops(double variance, double fewest) {
         List<int[]> tops = new ArrayList<>();
         for (int jy = 0; jy <= spectrum.bandY().last(); jy++) {

@@ -27,6 +27,8 @@ final class RowJumps {
     // Rows on either side over which a step must not be taken back, and by how much of it.
     private static final int LASTING_ROWS = 8;
     private static final double TAKEN_BACK = 0.5;
+    // Of a step at the border, in others.
+    private static final double LIKE = 0.3;
     // Of what columns stray by: less is chance.
     private static final double LEAST_OFFSET = 0.5;
     // Correlation of steps with their neighbours: of independent offsets -0.5, of a walk 0, of a smooth surface near 1.
@@ -71,13 +73,42 @@ final class RowJumps {
 
     private List<Integer> jumps() {
         double least = Math.max(STANDING_OUT * deviation, ABOVE_SPREAD * spread);
-        return left.stream()
+        List<Integer> steep = left.stream()
                 .filter(row -> Math.abs(steps.step(row) - middle) > least)
                 .filter(row -> steps.spread(row) <= TOGETHER * spread)
                 .filter(row -> Math.abs(steps.meanStep(row) - steps.step(row)) <= ALL_ALIKE * Math.abs(steps.step(row)))
-                .filter(this::lasts)
                 .boxed()
                 .toList();
+        List<Integer> lasting = steep.stream().filter(this::lasts).toList();
+        return isTakenBack(lasting)
+                ? List.of()
+                : lasting.stream()
+                        .filter(row -> !isAtABorder(row) || !hasLikesThatAreTakenBack(row, steep))
+                        .toList();
+    }
+
+    /** Up and down again by as much: a ridge or groove along the rows. */
+    private boolean isTakenBack(List<Integer> jumps) {
+        for (int i = 1; i < jumps.size(); i++) {
+            double before = steps.step(jumps.get(i - 1)) - middle;
+            double after = steps.step(jumps.get(i)) - middle;
+            if (before * after < 0 && Math.abs(before + after) <= ALL_ALIKE * Math.abs(before)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** Where what would take it back may lie outside the scan. */
+    private boolean isAtABorder(int row) {
+        return row < LASTING_ROWS || row + LASTING_ROWS >= steps.pairs();
+    }
+
+    /** A structure along the rows, which the border cuts, shows itself elsewhere in the scan. */
+    private boolean hasLikesThatAreTakenBack(int row, List<Integer> steep) {
+        return steep.stream()
+                .anyMatch(other -> !lasts(other)
+                        && Math.abs(steps.step(other) - middle) > LIKE * Math.abs(steps.step(row) - middle));
     }
 
     /** Whether the rows on either side do not take the step back: a single row that stands out is no step. */

@@ -14,6 +14,8 @@ import sunbeam.precompute.prepare.Crop;
  * their neighbours. They are no faults.
  */
 final class UnmeasuredRows {
+    // Of the samples of most rows.
+    private static final double SCATTERED = 0.9;
     // Fewer are alike by chance, or drawn.
     private static final int FEWEST_COLUMNS = 16;
     private static final int FEWEST_ROWS = 16;
@@ -56,12 +58,18 @@ final class UnmeasuredRows {
     }
 
     private void findMissing() {
+        long samples = 0;
         for (int row = 0; row < scan.rows(); row++) {
             int count = 0;
             for (int column = 0; column < scan.columns(); column++) {
                 count += Double.isFinite(scan.at(column, row)) ? 0 : 1;
             }
             missing.set(row, 2 * count >= scan.columns());
+            samples += missing.get(row) ? count : 0;
+        }
+        // Samples that are missing here and there, as where light found no way back, stop no row.
+        if (2 * missing.cardinality() > scan.rows() && samples < SCATTERED * missing.cardinality() * scan.columns()) {
+            missing.clear();
         }
     }
 

@@ -7,6 +7,7 @@ import java.util.Locale;
 import java.util.Optional;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.patch.Patch;
+import sunbeam.precompute.patch.PatchException;
 import sunbeam.precompute.patch.PatchSettings;
 import sunbeam.precompute.plan.Preset;
 import sunbeam.precompute.setting.Choices;
@@ -24,6 +25,8 @@ import sunbeam.precompute.units.Lengths;
  */
 public record ScanLimit(Choices choices, Optional<Sentence> line, Optional<String> limiting) {
     // Lengths are divided into samples and back.
+    // Of coherence lengths, metres.
+    private static final double SHORTEST = 100e-9;
     private static final double SLACK = 1 + 1e-9;
 
     /** The choices for a patch; others than those of a method with a window stay as they are. */
@@ -47,9 +50,17 @@ public record ScanLimit(Choices choices, Optional<Sentence> line, Optional<Strin
                             PatchSettings.PERIODIC)),
                     Optional.empty());
         }
-        // A window that the samples cannot hold would be refused, as any other that is too short.
-        Choices limited = choices.with(COHERENCE_LENGTH, side, choices.origin(COHERENCE_LENGTH));
         String limiting = patch.scan().width() <= side * SLACK ? "width" : "height";
+        if (side < SHORTEST) {
+            throw new PatchException(String.format(
+                    Locale.ROOT,
+                    "%s: its %s is %s, and no light has a shorter coherence length than %s; take a scan of more samples, or one row or column alone, or say that it repeats (--periodic)",
+                    patch.name(),
+                    limiting,
+                    Lengths.format(side),
+                    Lengths.format(SHORTEST)));
+        }
+        Choices limited = choices.with(COHERENCE_LENGTH, side, choices.origin(COHERENCE_LENGTH));
         return new ScanLimit(
                 limited,
                 Optional.of(Sentence.of(

@@ -10,6 +10,8 @@ public final class OnePeriod {
     private static final double LEAST_SHARE = 0.4;
     // Of the relief: rounding of computed heights. No instrument measures lines as alike.
     private static final double SAME = 1e-6;
+    // Of the largest change of slope inside; that of a wall or crest may lie at the border alone.
+    private static final double SHARPEST = 3;
     // What rounding to 8 bits leaves of an even ramp is a thousandth of it.
     private static final double EVEN = 5e-3;
 
@@ -35,7 +37,36 @@ public final class OnePeriod {
     public static boolean isDrawn(HeightField field) {
         boolean alongX = field.columns() > 1 && isSame(field, 0, 1);
         boolean alongY = field.rows() > 1 && isSame(field, 1, 0);
-        return (alongX || alongY) && is(field);
+        return (alongX && bendsNoMoreAtItsBorder(field, field.rows(), 0, 1)
+                        || alongY && bendsNoMoreAtItsBorder(field, field.columns(), 1, 0))
+                && is(field);
+    }
+
+    /**
+     * Whether the slope changes from the last line to the first as it does from line to line elsewhere: where two and a half
+     * periods are repeated the heights meet, but not their slopes.
+     *
+     * @param count of lines
+     * @param stepX columns from one line to the next
+     * @param stepY rows from one line to the next
+     */
+    private static boolean bendsNoMoreAtItsBorder(HeightField field, int count, int stepX, int stepY) {
+        double most = 0;
+        double border = 0;
+        for (int line = 0; line < count; line++) {
+            double before = at(field, (line + count - 1) % count, stepX, stepY);
+            double here = at(field, line, stepX, stepY);
+            double after = at(field, (line + 1) % count, stepX, stepY);
+            double bend = Math.abs(after - 2 * here + before);
+            boolean outer = line == 0 || line == count - 1;
+            border = outer ? Math.max(border, bend) : border;
+            most = outer ? most : Math.max(most, bend);
+        }
+        return border <= SHARPEST * most;
+    }
+
+    private static double at(HeightField field, int line, int stepX, int stepY) {
+        return field.at(line * stepX, line * stepY);
     }
 
     /**

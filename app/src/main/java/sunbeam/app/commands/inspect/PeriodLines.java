@@ -22,6 +22,8 @@ final class PeriodLines {
     // Digits of a peak's place: it is some bins wide.
     private static final int ROUGH = 2;
     private static final int MOST_DIGITS = 6;
+    // Of a peak's place and direction.
+    private static final double NEARLY = 0.03;
     // Degrees: directions from 0 to 180.
     private static final double MIDDLE = 90;
     // Figures above say no more.
@@ -70,7 +72,7 @@ final class PeriodLines {
                                 .map(across -> "and " + IntervalWords.of(across.period(), across.low(), across.high()))
                                 .orElseGet(() ->
                                         "a peak of the spectrum at about " + Lengths.rounded(peak.period(), ROUGH))
-                        + " in " + describe(peak));
+                        + " in " + describe(peak) + differing(peak));
             }
         }
         inspection.refusal().ifPresent(refusal -> lines.add(0, refusal));
@@ -94,6 +96,20 @@ final class PeriodLines {
         lines.addAll(told.describeSlips());
         PeriodJudgement.alias(inspection.patch().scan(), peak).ifPresent(lines::add);
         told.drift().ifPresent(ends -> lines.add("drifting from about " + apart(ends.first(), ends.last())));
+    }
+
+    /** Of the wave of a whole number of periods of the one that is told. */
+    private String differing(SpectrumPeak peak) {
+        SpectrumPeak first = inspection.peaks().get(0);
+        double lines = peak.period() / first.period();
+        double across = Math.sin(peak.direction() - first.direction());
+        boolean multiple = Math.rint(lines) > 1 && Math.abs(lines - Math.rint(lines)) < NEARLY * lines;
+        return inspection.told().isPresent() && multiple && Math.abs(across) < NEARLY
+                ? String.format(
+                        Locale.ROOT,
+                        ": neighbouring lines differ, and the surface repeats after %.0f of them",
+                        Math.rint(lines))
+                : "";
     }
 
     /** With as many digits as it takes to tell them apart. */
