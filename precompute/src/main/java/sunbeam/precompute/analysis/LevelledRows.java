@@ -10,24 +10,25 @@ import sunbeam.precompute.patch.HeightMap;
  */
 final class LevelledRows {
     private static final int FEWEST_ROWS = 16;
-    // Of the heights' root mean square, in the rows' medians or means; a wave of few periods a row leaves more.
+    // Of the heights' root mean square, in what was levelled.
     private static final double LEVEL = 0.02;
+    // Of the same, in what was not: flat ground that fills more than half of each row is level by itself.
+    private static final double UNEVEN = 0.04;
     // Along a row: of more a row has all but whole periods, whose mean is nothing.
     private static final double MOST_PERIODS = 4;
+    // Of its amplitude, in the mean of a row of the wave; of whole periods it is nothing.
+    private static final double LEAST_MEAN = 0.1;
 
     private LevelledRows() {}
 
     /** Whether that spoils a wave. */
     static boolean spoil(HeightMap map, SpectrumPeak peak) {
-        return map.rows() >= FEWEST_ROWS
-                && map.columns() > 1
-                && Math.abs(peak.frequencyX()) * map.width() < MOST_PERIODS
-                && areLevel(map);
-    }
-
-    private static boolean areLevel(HeightMap map) {
+        double periods = Math.abs(peak.frequencyX()) * map.width();
+        if (map.rows() < FEWEST_ROWS || map.columns() < 4 || periods >= MOST_PERIODS) {
+            return false;
+        }
         double[] means = new double[map.rows()];
-        double[] medians = new double[map.rows()];
+        double[][] quarters = new double[3][map.rows()];
         double squares = 0;
         for (int row = 0; row < map.rows(); row++) {
             double[] heights = new double[map.columns()];
@@ -37,9 +38,21 @@ final class LevelledRows {
             means[row] = StatUtils.mean(heights);
             squares += StatUtils.populationVariance(heights, means[row]) / map.rows();
             Arrays.sort(heights);
-            medians[row] = 0.5 * (heights[(heights.length - 1) / 2] + heights[heights.length / 2]);
+            for (int i = 0; i < quarters.length; i++) {
+                quarters[i][row] = heights[(i + 1) * heights.length / 4];
+            }
         }
-        double least = Math.min(StatUtils.populationVariance(means), StatUtils.populationVariance(medians));
-        return least < LEVEL * LEVEL * squares;
+        double angle = Math.PI * periods;
+        boolean showsInMeans = angle == 0 || Math.abs(Math.sin(angle) / angle) > LEAST_MEAN;
+        boolean byMeans = showsInMeans && strays(means) < LEVEL * Math.sqrt(squares);
+        double uneven = UNEVEN * Math.sqrt(squares);
+        boolean byMedians = strays(quarters[1]) < LEVEL * Math.sqrt(squares)
+                && strays(quarters[0]) > uneven
+                && strays(quarters[2]) > uneven;
+        return byMeans || byMedians;
+    }
+
+    private static double strays(double[] values) {
+        return Math.sqrt(StatUtils.populationVariance(values));
     }
 }

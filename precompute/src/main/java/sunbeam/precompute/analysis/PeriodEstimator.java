@@ -65,14 +65,14 @@ public final class PeriodEstimator {
 
     private static PeriodEstimate.Doubt doubt(ScanHalves scan, SpectrumPeak peak, PeriodEstimate told) {
         HeightMap map = scan.whole();
+        if (HalfShiftedRows.in(map, peak, told)) {
+            return PeriodEstimate.Doubt.HALF_SHIFTED;
+        }
         if (scan.fineWaves().mayHaveLeft(peak)) {
             return PeriodEstimate.Doubt.ALIAS;
         }
         if (LevelledRows.spoil(map, peak)) {
             return PeriodEstimate.Doubt.LEVELLED_ROWS;
-        }
-        if (HalfShiftedRows.in(map, peak, told)) {
-            return PeriodEstimate.Doubt.HALF_SHIFTED;
         }
         return ChanceLines.in(map, peak, told) ? PeriodEstimate.Doubt.CHANCE : PeriodEstimate.Doubt.NONE;
     }

@@ -54,7 +54,8 @@ public final class PeriodJudgement {
                     shortly(peak.period())));
         }
         PeriodEstimate told = estimate.get();
-        if (told.doubt() == PeriodEstimate.Doubt.ALIAS) {
+        if (told.doubt() == PeriodEstimate.Doubt.ALIAS || told.doubt() == PeriodEstimate.Doubt.LEVELLED_ROWS) {
+            // Why it may drift, or be uneven, too.
             return doubt(told);
         }
         if (told.drift().isPresent() && told.drift().get().ratio() > LARGEST_DRIFT) {

@@ -1,5 +1,6 @@
 package sunbeam.precompute.analysis;
 
+import org.apache.commons.math3.stat.StatUtils;
 import sunbeam.precompute.patch.HeightMap;
 
 /**
@@ -15,6 +16,8 @@ final class SamplingBeat {
     private static final double SEEN = 0.45;
     // A jump's overtones fall as 1 / n; nothing physical falls more slowly.
     private static final double STEEPEST = 1;
+    // Of the lines' mean square, in that of their mean: a straight wave that runs aslant has 0.4.
+    private static final double ALIKE = 0.6;
 
     private SamplingBeat() {}
 
@@ -27,6 +30,20 @@ final class SamplingBeat {
      * @param length over which the wave is followed, metres
      */
     static double error(HeightMap map, double frequencyX, double frequencyY, double length) {
+        double[] axes = alongAxes(map, frequencyX, frequencyY, length);
+        double frequency = Math.hypot(frequencyX, frequencyY);
+        return (Math.abs(frequencyX) * axes[0] + Math.abs(frequencyY) * axes[1]) / frequency;
+    }
+
+    /** The same of the frequency's component across the wave, which turns its direction. */
+    static double errorAcross(HeightMap map, double frequencyX, double frequencyY, double length) {
+        double[] axes = alongAxes(map, frequencyX, frequencyY, length);
+        double frequency = Math.hypot(frequencyX, frequencyY);
+        return (Math.abs(frequencyY) * axes[0] + Math.abs(frequencyX) * axes[1]) / frequency;
+    }
+
+    /** Of the frequency's components along x and y. */
+    private static double[] alongAxes(HeightMap map, double frequencyX, double frequencyY, double length) {
         double x = Math.abs(frequencyX);
         double y = Math.abs(frequencyY);
         boolean alongX = x >= y;
@@ -35,9 +52,56 @@ final class SamplingBeat {
         // Of the overtone next to the sampling frequency, from one border to the other, in turns.
         double turned = sampling / frequency * Math.min(x, y) * (alongX ? map.height() : map.width());
         if (turned > 1) {
-            return 0;
+            return new double[] {squares(map, true, x, length), squares(map, false, y, length)};
         }
-        double jump = jump(profile(map, alongX), frequency / sampling);
+        double error = alongAxis(profile(map, alongX), frequency, sampling, length);
+        return alongX ? new double[] {error, 0} : new double[] {0, error};
+    }
+
+    /** Of waves across squares whose walls run along both axes: each row is another's mirror image, or it. */
+    private static double squares(HeightMap map, boolean alongX, double frequency, double length) {
+        double[] profile = alikeLines(map, alongX);
+        double sampling = 1 / (alongX ? map.pitchX() : map.pitchY());
+        return profile.length == 0 || frequency == 0 ? 0 : alongAxis(profile, frequency, sampling, length);
+    }
+
+    /** Mean of all rows, or columns, those upside down turned up; empty where they are not alike. */
+    private static double[] alikeLines(HeightMap map, boolean alongX) {
+        int samples = alongX ? map.columns() : map.rows();
+        int lines = alongX ? map.rows() : map.columns();
+        double[] first = line(map, alongX, lines / 2);
+        double[] mean = new double[samples];
+        double squares = 0;
+        for (int i = 0; i < lines; i++) {
+            double[] line = line(map, alongX, i);
+            double product = 0;
+            for (int k = 0; k < samples; k++) {
+                product += first[k] * line[k];
+            }
+            for (int k = 0; k < samples; k++) {
+                mean[k] += Math.signum(product) * line[k] / lines;
+                squares += line[k] * line[k] / lines;
+            }
+        }
+        double ofMean = StatUtils.sumSq(mean);
+        return ofMean >= ALIKE * squares ? mean : new double[0];
+    }
+
+    /** Of heights less its mean. */
+    private static double[] line(HeightMap map, boolean alongX, int number) {
+        double[] line = new double[alongX ? map.columns() : map.rows()];
+        for (int k = 0; k < line.length; k++) {
+            line[k] = alongX ? map.at(k, number) : map.at(number, k);
+        }
+        double mean = StatUtils.mean(line);
+        for (int k = 0; k < line.length; k++) {
+            line[k] -= mean;
+        }
+        return line;
+    }
+
+    private static double alongAxis(double[] profile, double frequency, double sampling, double length) {
+        double jump = jump(profile, frequency / sampling);
         double error = 0;
         for (int multiple = 1; multiple <= MULTIPLES; multiple++) {
             long nearest = Math.round(multiple * sampling / frequency);

@@ -96,7 +96,10 @@ public record WaveDirection(double radians, double halfWidth) {
         double positive = turned < 0 ? turned + Math.PI : turned % Math.PI;
         double finest = FINEST * period / (amplitudes.strips() * amplitudes.step);
         double factor = best.lag > 1 ? 1 : SHARED;
-        return Optional.of(new WaveDirection(positive, factor * error / perRadian + finest));
+        double length = amplitudes.strips() * amplitudes.step;
+        double beats = SamplingBeat.errorAcross(map, Math.cos(direction) / period, Math.sin(direction) / period, length)
+                * period;
+        return Optional.of(new WaveDirection(positive, factor * error / perRadian + finest + beats));
     }
 
     /**
