@@ -18,6 +18,8 @@ final class LevelledRows {
     private static final double MOST_PERIODS = 4;
     // Of its amplitude, in the mean of a row of the wave; of whole periods it is nothing.
     private static final double LEAST_MEAN = 0.1;
+    // Less than one period a row, less its mean, looks like one.
+    private static final double DRAWN_TO_ONE = 1.3;
 
     private LevelledRows() {}
 
@@ -43,7 +45,7 @@ final class LevelledRows {
             }
         }
         double angle = Math.PI * periods;
-        boolean showsInMeans = angle == 0 || Math.abs(Math.sin(angle) / angle) > LEAST_MEAN;
+        boolean showsInMeans = periods < DRAWN_TO_ONE || Math.abs(Math.sin(angle) / angle) > LEAST_MEAN;
         boolean byMeans = showsInMeans && strays(means) < LEVEL * Math.sqrt(squares);
         double uneven = UNEVEN * Math.sqrt(squares);
         boolean byMedians = strays(quarters[1]) < LEVEL * Math.sqrt(squares)

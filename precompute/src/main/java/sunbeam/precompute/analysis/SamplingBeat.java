@@ -52,17 +52,21 @@ final class SamplingBeat {
         // Of the overtone next to the sampling frequency, from one border to the other, in turns.
         double turned = sampling / frequency * Math.min(x, y) * (alongX ? map.height() : map.width());
         if (turned > 1) {
-            return new double[] {squares(map, true, x, length), squares(map, false, y, length)};
+            return squares(map, x, y, length);
         }
         double error = alongAxis(profile(map, alongX), frequency, sampling, length);
         return alongX ? new double[] {error, 0} : new double[] {0, error};
     }
 
-    /** Of waves across squares whose walls run along both axes: each row is another's mirror image, or it. */
-    private static double squares(HeightMap map, boolean alongX, double frequency, double length) {
-        double[] profile = alikeLines(map, alongX);
-        double sampling = 1 / (alongX ? map.pitchX() : map.pitchY());
-        return profile.length == 0 || frequency == 0 ? 0 : alongAxis(profile, frequency, sampling, length);
+    /** Of waves across squares whose walls run along both axes: each row, and each column, is another or its mirror image. */
+    private static double[] squares(HeightMap map, double x, double y, double length) {
+        double[] rows = x > 0 && y > 0 ? alikeLines(map, true) : new double[0];
+        double[] columns = rows.length > 0 ? alikeLines(map, false) : rows;
+        return columns.length == 0
+                ? new double[2]
+                : new double[] {
+                    alongAxis(rows, x, 1 / map.pitchX(), length), alongAxis(columns, y, 1 / map.pitchY(), length)
+                };
     }
 
     /** Mean of all rows, or columns, those upside down turned up; empty where they are not alike. */

@@ -37,8 +37,8 @@ public final class OnePeriod {
     public static boolean isDrawn(HeightField field) {
         boolean alongX = field.columns() > 1 && isSame(field, 0, 1);
         boolean alongY = field.rows() > 1 && isSame(field, 1, 0);
-        return (alongX && bendsNoMoreAtItsBorder(field, field.rows(), 0, 1)
-                        || alongY && bendsNoMoreAtItsBorder(field, field.columns(), 1, 0))
+        return ((alongX && bendsNoMoreAtItsBorder(field, field.rows(), 0, 1))
+                        || (alongY && bendsNoMoreAtItsBorder(field, field.columns(), 1, 0)))
                 && is(field);
     }
 

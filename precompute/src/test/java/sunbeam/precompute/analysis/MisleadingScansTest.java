@@ -83,8 +83,8 @@ final class MisleadingScansTest {
     void linesAlongRowsThatWereLevelledOneByOneAreNotTold(double degrees) {
         HeightMap map = scan((x, y) -> lines(along(x, y, degrees), 700e-9, 0.4));
         assertThat(refusal(map)).isEmpty();
-        assertThat(refusal(map.levelled(Levelling.MEDIAN_ROWS)))
-                .hasValueSatisfying(why -> assertThat(why).contains("levelled by itself"));
+        assertThat(refusal(map.levelled(Levelling.MEDIAN_ROWS))).isPresent();
+        assertThat(refusal(map.levelled(Levelling.ROWS))).isPresent();
     }
 
     /** 12, 31 and 17 nm between the last rows were faults, and levelling rows took the grating away. */
