@@ -143,6 +143,11 @@ record Inspection(
         return told().flatMap(told -> WaveDirection.of(patch.scan(), peaks().get(0), told));
     }
 
+    /** The same of another wave of a lattice. */
+    Optional<WaveDirection> directionAcross(SpectrumPeak peak) {
+        return toldAcross(peak).flatMap(told -> WaveDirection.of(patch.scan(), peak, told));
+    }
+
     /** What to print: a name and a value per line, aligned. */
     List<String> lines() {
         HeightMap map = patch.scan();

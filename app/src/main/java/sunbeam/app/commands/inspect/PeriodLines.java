@@ -72,7 +72,7 @@ final class PeriodLines {
                                 .map(across -> "and " + IntervalWords.of(across.period(), across.low(), across.high()))
                                 .orElseGet(() ->
                                         "a peak of the spectrum at about " + Lengths.rounded(peak.period(), ROUGH))
-                        + " in " + describe(peak) + differing(peak));
+                        + " in " + describe(peak, inspection.directionAcross(peak)) + differing(peak));
             }
         }
         inspection.refusal().ifPresent(refusal -> lines.add(0, refusal));
