@@ -54,11 +54,12 @@ public record ScanLimit(Choices choices, Optional<Sentence> line, Optional<Strin
         if (side < SHORTEST) {
             throw new PatchException(String.format(
                     Locale.ROOT,
-                    "%s: its %s is %s, and no light has a shorter coherence length than %s; take a scan of more samples, or one row or column alone, or say that it repeats (--periodic)",
+                    "%s: its %s is %s, and no light has a shorter coherence length than %s; take a scan of more samples, or one row or column alone, or say that it repeats (%s)",
                     patch.name(),
                     limiting,
                     Lengths.format(side),
-                    Lengths.format(SHORTEST)));
+                    Lengths.format(SHORTEST),
+                    choices.origin(PatchSettings.PATCH).name(PatchSettings.PERIODIC)));
         }
         Choices limited = choices.with(COHERENCE_LENGTH, side, choices.origin(COHERENCE_LENGTH));
         return new ScanLimit(

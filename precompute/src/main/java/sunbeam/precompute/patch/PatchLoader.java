@@ -80,7 +80,7 @@ public final class PatchLoader {
                 && Arrays.stream(name.split(",", -1)).map(String::strip).allMatch(this::isKnown);
         throw unusable(
                 several
-                        ? "names several, of which it takes one; commands that compare take each other by --with; "
+                        ? "names several, of which it takes one; commands that compare have an option for the others; "
                         : "is no file that is there; ");
     }
 
