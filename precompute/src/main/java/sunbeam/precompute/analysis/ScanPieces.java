@@ -84,9 +84,14 @@ final class ScanPieces {
                 .flatMap(peak -> PeriodEstimator.ofOnePiece(piece, peak));
     }
 
+    /** A frequency and its opposite are one wave's. */
     private double bins(SpectrumPeak peak, HeightMap piece) {
+        return Math.min(bins(peak, piece, 1), bins(peak, piece, -1));
+    }
+
+    private double bins(SpectrumPeak peak, HeightMap piece, int sign) {
         return Math.hypot(
-                (peak.frequencyX() - whole.frequencyX()) * piece.width(),
-                (peak.frequencyY() - whole.frequencyY()) * piece.height());
+                (sign * peak.frequencyX() - whole.frequencyX()) * piece.width(),
+                (sign * peak.frequencyY() - whole.frequencyY()) * piece.height());
     }
 }

@@ -99,6 +99,20 @@ final class MisleadingScansTest {
         }
     }
 
+    /** "Too few of these periods fit" was said, as the slip had turned the peak beyond the direction whose opposite parts show. */
+    @ParameterizedTest
+    @ValueSource(doubles = {-4, -3, -1, 0, 1, 3, 4})
+    void oneSlipOfNearlyVerticalLinesIsFollowed(double degrees) {
+        HeightMap map = scan((x, y) ->
+                60e-9 * Math.cos(2 * Math.PI * along(y < -0.6 * WIDTH ? x + 380e-9 : x, y, degrees) / 950e-9));
+        SpectrumPeak peak = new PeriodFinder(map, false).all().peaks().get(0);
+        PeriodEstimate told = PeriodEstimator.estimate(map, peak).orElseThrow();
+        assertThat(told.slips()).hasSize(1);
+        assertThat(950e-9).isBetween(told.low(), told.high());
+        // Noise of a sixtieth.
+        assertThat(told.halfWidth()).isLessThan(0.01 * told.period());
+    }
+
     /** A wave of 1.8 um was "seen 5.9 times" in the beat of 157 nm with the samples. */
     @Test
     void fineWavesAreNotSeenAFewTimes() {

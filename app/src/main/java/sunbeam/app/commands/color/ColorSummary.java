@@ -94,6 +94,6 @@ final class ColorSummary {
                     Lengths.rounded(report.coherenceLength(), 4),
                     1e9 * report.narrowestOrder());
         }
-        return "no order to tell the colour of: along it no light but the mirror's";
+        return "no order to tell the colour of: along it no light, or none but the mirror's";
     }
 }

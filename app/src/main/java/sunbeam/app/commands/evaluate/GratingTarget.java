@@ -96,13 +96,14 @@ record GratingTarget(
                             .orElse("")
                     + remedy(patch, given) + "; to look for a ridge all the same give " + asked);
         }
-        double azimuth = given.orElseGet(() -> signed(heights.peaks().get(0)));
         FirstOrder order = request.period().isPresent()
                 ? FirstOrder.around(request.period().getAsDouble(), GIVEN)
                 : FirstOrder.around(heights.peaks().get(0).period(), spread(heights));
         Optional<SpectrumPeak> near = heights.peaks().stream()
                 .filter(peak -> peak.period() >= order.shortest() && peak.period() <= order.longest())
                 .findFirst();
+        double azimuth = given.orElseGet(
+                () -> signed(near.orElseGet(() -> heights.peaks().get(0))));
         Optional<PeriodEstimate> estimate =
                 near.filter(peak -> spoilt.isEmpty()).flatMap(peak -> estimate(patch, heights, peak));
         if (request.period().isEmpty()) {

@@ -18,6 +18,8 @@ import sunbeam.precompute.units.Lengths;
 /** The period and how well it is known: what is printed first. */
 final class PeriodReport {
     private static final double NANOMETRES = 1e9;
+    // Half an interval over the period.
+    private static final double EVEN = 0.03;
     // A drift or disagreement below this share of the period is not worth a line.
     private static final double EXACT = 1e-4;
     private static final double WORTH_SAYING = 2e-3;
@@ -61,7 +63,9 @@ final class PeriodReport {
     /** Where every second or so line differs, and the surface itself repeats only after several. */
     private static Optional<String> unlike(SpectrumPeak below, PeriodEstimate told, Periodicity periods) {
         long divisor = Math.round(below.period() / told.period());
-        boolean whole = divisor >= 2 && divisor <= LARGEST_DIVISOR;
+        // Of lines at uneven distances chance makes such waves.
+        boolean even = told.halfWidth() < EVEN * told.period();
+        boolean whole = even && divisor >= 2 && divisor <= LARGEST_DIVISOR;
         Optional<SpectrumPeak> first = periods.peaks().stream()
                 .filter(peak -> whole && isMultiple(peak, below, divisor))
                 .findFirst();

@@ -56,6 +56,8 @@ record Inspection(
         DrawingPlan drawing) {
     /** Regularities that are told of. */
     static final int PEAKS = 6;
+    // Of the period.
+    private static final double SIDE = 0.05;
 
     static Inspection of(Patch patch) {
         HeightMap map = patch.scan();
@@ -134,8 +136,14 @@ record Inspection(
                 ? Optional.empty()
                 : estimates
                         .get(number)
+                        .filter(estimate -> !isSideLine(estimate, told().get()))
                         .filter(estimate -> PeriodJudgement.refusal(patch.faults(), Optional.of(estimate), peak)
                                 .isEmpty());
+    }
+
+    /** What a slip has split from the line of the wave that is told has its period and another direction. */
+    private static boolean isSideLine(PeriodEstimate estimate, PeriodEstimate told) {
+        return !told.slips().isEmpty() && Math.abs(estimate.period() - told.period()) < SIDE * told.period();
     }
 
     /** The direction of the period that is told, with its interval; empty where there is none, or the scan does not tell it. */

@@ -104,7 +104,12 @@ final class PeriodLines {
         double lines = peak.period() / first.period();
         double across = Math.sin(peak.direction() - first.direction());
         boolean multiple = Math.rint(lines) > 1 && Math.abs(lines - Math.rint(lines)) < NEARLY * lines;
-        return inspection.told().isPresent() && multiple && Math.abs(across) < NEARLY
+        // Of lines at uneven distances chance makes such waves.
+        boolean even = inspection
+                .told()
+                .filter(told -> told.halfWidth() < NEARLY * told.period())
+                .isPresent();
+        return even && multiple && Math.abs(across) < NEARLY
                 ? String.format(
                         Locale.ROOT,
                         ": neighbouring lines differ, and the surface repeats after %.0f of them",
