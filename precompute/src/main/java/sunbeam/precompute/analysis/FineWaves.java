@@ -27,10 +27,13 @@ final class FineWaves {
         this.lines = lines;
     }
 
-    /** Of a scan without missing samples. */
-    static FineWaves of(HeightMap map) {
-        if (!HeightSpectrum.endsBeforeSamplesDo(map)
-                || HeightSpectrum.of(map, HeightSpectrum.Edges.TAPERED).shareBeyond() < MUCH_BEYOND) {
+    /**
+     * Of a scan without missing samples.
+     *
+     * @param seen its tapered spectrum up to what light sees
+     */
+    static FineWaves of(HeightMap map, HeightSpectrum seen) {
+        if (!HeightSpectrum.endsBeforeSamplesDo(map) || seen.shareBeyond() < MUCH_BEYOND) {
             return new FineWaves(map, List.of());
         }
         HeightSpectrum whole = HeightSpectrum.ofAllFrequencies(map);

@@ -10,12 +10,23 @@ import sunbeam.precompute.patch.HeightMap;
  */
 public final class ScanHalves {
     private final HeightMap map;
+    private HeightSpectrum seen;
     private List<List<SpectrumPeak>> peaks;
     private FineWaves fine;
 
     /** @param map without missing samples */
     public ScanHalves(HeightMap map) {
+        this(map, null);
+    }
+
+    /**
+     * As {@link #ScanHalves(HeightMap)}, of a scan whose spectrum is there already.
+     *
+     * @param seen the whole scan's tapered spectrum
+     */
+    public ScanHalves(HeightMap map, HeightSpectrum seen) {
         this.map = map;
+        this.seen = seen;
     }
 
     /** The whole scan. */
@@ -49,7 +60,8 @@ public final class ScanHalves {
     /** Of the whole scan. */
     synchronized FineWaves fineWaves() {
         if (fine == null) {
-            fine = FineWaves.of(map);
+            seen = seen == null ? HeightSpectrum.of(map, HeightSpectrum.Edges.TAPERED) : seen;
+            fine = FineWaves.of(map, seen);
         }
         return fine;
     }

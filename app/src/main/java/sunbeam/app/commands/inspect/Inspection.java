@@ -71,7 +71,7 @@ record Inspection(
                 HeightStatistics.of(map),
                 periodicity,
                 finder.spectrum(periodicity),
-                estimates(map, periodicity),
+                estimates(map, finder, periodicity),
                 periodicity.found() ? Optional.empty() : FewPeriods.in(map),
                 periodicity.found()
                         ? Optional.empty()
@@ -80,12 +80,13 @@ record Inspection(
                 drawing.get());
     }
 
-    private static List<Optional<PeriodEstimate>> estimates(HeightMap map, Periodicity periodicity) {
+    private static List<Optional<PeriodEstimate>> estimates(
+            HeightMap map, PeriodFinder finder, Periodicity periodicity) {
         if (periodicity.edges() == HeightSpectrum.Edges.PERIODIC) {
             return List.of();
         }
         List<SpectrumPeak> peaks = strongest(periodicity);
-        ScanHalves halves = new ScanHalves(map);
+        ScanHalves halves = new ScanHalves(map, finder.spectrum(periodicity));
         return IntStream.range(0, peaks.size())
                 .parallel()
                 .mapToObj(i -> i == 0 || peaks.get(i).isAcross(peaks.get(0))

@@ -154,6 +154,19 @@ final class FaultyScansTest {
         assertThat(err.toString()).contains("of the heights' variance have periods below 190 nm, which diffract no");
     }
 
+    /** The light was sent along the strongest wave, and the period was that of another. */
+    @Test
+    void aPeriodThatIsAskedForIsLookedForAlongItsWave() throws IOException {
+        Path scan = scan(
+                "crossed.txt", (column, row) -> 30 * wave(column, row, 12.8, 10) + 15 * wave(column, row, 7.68, 70));
+        assertThat(evaluate(scan, "--azimuth", "auto", "--period", "600nm"))
+                .as(err.toString())
+                .isZero();
+        assertThat(out.toString())
+                .containsPattern("light at 75 degrees, azimuth (70|69\\.9|-110)")
+                .containsPattern("period +(599|600)");
+    }
+
     @Test
     void aLatticeHasItsOtherWavesNamed() throws IOException {
         Path scan =
