@@ -12,6 +12,8 @@
 
 // moving_geometry.frag's.
 uniform sampler2D surfaces;
+// One over its width and height.
+uniform vec2 perPicture;
 
 uniform float exposure;
 
@@ -23,22 +25,27 @@ vec3 inside(vec3 change, float coverageChange) {
     return coverageChange == 0.0 ? change : vec3(0.0);
 }
 
-// Along the wide side of what the pixel sees, in a level.
-vec3 alongXyz(Look look, int level) {
-    vec4 grid = texelFetch(colourLevels, ivec2(level, 0), 0);
+// Along the wide side of what the pixel sees, in a level and in PLACES places at most.
+vec3 alongXyz(Look look, float level) {
+    vec4 grid = textureLod(colourLevels, vec2((level + 0.5) / float(levels), 0.5), 0.0);
+#if PLACES == 1
+    return roughXyz(look.place.xyz, level, grid);
+#else
+    float step = 1.0 / look.wide.w;
     vec3 sum = vec3(0.0);
-    for (float i = 0.5; i < look.wide.w; i += 1.0) {
-        vec3 xyz = roughXyz(look.place.xyz + (i / look.wide.w - 0.5) * look.wide.xyz, level, grid);
+    for (float at = 0.5 * step - 0.5; at < 0.5; at += step) {
+        vec3 xyz = roughXyz(look.place.xyz + at * look.wide.xyz, level, grid);
         if (xyz.y == MISSING) {
             return xyz;
         }
         sum += xyz;
     }
-    return sum / look.wide.w;
+    return step * sum;
+#endif
 }
 
 vec3 existingXyz(Look look) {
-    for (int level = int(look.place.w); level < levels; ++level) {
+    for (float level = look.place.w; level < float(levels); level += 1.0) {
         vec3 xyz = alongXyz(look, level);
         if (xyz.y < MISSING) {
             return xyz;
@@ -48,8 +55,7 @@ vec3 existingXyz(Look look) {
 }
 
 void main() {
-    ivec2 pixel = ivec2(gl_FragCoord.xy);
-    vec4 texel = texelFetch(surfaces, pixel, 0);
+    vec4 texel = textureLod(surfaces, gl_FragCoord.xy * perPicture, 0.0);
     float coverage = showsSkin(texel) ? 1.0 : 0.0;
     vec2 coverageChange = vec2(dFdx(coverage), dFdy(coverage));
     // Software renderers leave out what all pixels of a square have ended; a return they do not.
@@ -65,8 +71,7 @@ void main() {
     vec3 b = inside(dFdy(uvw), coverageChange.y);
     vec3 diffracted = vec3(0.0);
     if (wi.z > 0.0 && wr.z > 0.0) {
-        vec3 xyz = existingXyz(lookOver(uvw, a, b));
-        diffracted = loopsWereCut() ? vec3(0.0) : relativeRadiance(wi, wr) * xyz;
+        diffracted = relativeRadiance(wi, wr) * existingXyz(lookOver(uvw, a, b));
     }
     vec3 albedo = LINEAR_SRGB_TO_XYZ * skin.albedo;
     vec3 light = displayLight(lightRadiances[0].y * blended(diffracted, albedo, wi.z), exposure);

@@ -11,5 +11,6 @@ uniform sampler2D bodyTexture;
 layout(location = 0) out vec4 surface;
 
 void main() {
-    surface = packedSkin(Skin(tangentFrame(), texture(bodyTexture, surfaceCoordinate).rgb));
+    vec3 albedo = texture(bodyTexture, surfaceCoordinate).rgb;
+    surface = packedSkin(worldNormal, worldTangent, vec2(tangentCosine, tangentSine), albedo);
 }

@@ -7,13 +7,9 @@
 vec3 intoGamut(vec3 rgb, float luminance) {
     float grey = clamp(luminance, 0.0, 1.0);
     vec3 chroma = rgb - luminance;
-    vec3 room = mix(vec3(-grey), vec3(1.0 - grey), greaterThan(chroma, vec3(0.0)));
-    float keep = 1.0;
-    for (int c = 0; c < 3; ++c) {
-        if (abs(chroma[c]) > abs(room[c])) {
-            keep = min(keep, room[c] / chroma[c]);
-        }
-    }
+    float above = max(max(chroma.r, chroma.g), max(chroma.b, 1e-30));
+    float below = max(max(-chroma.r, -chroma.g), max(-chroma.b, 1e-30));
+    float keep = min(1.0, min((1.0 - grey) / above, grey / below));
     // Chroma of light beyond white is of no use, and not a number where the light is infinite.
     return luminance >= 1.0 ? vec3(1.0) : clamp(grey + keep * chroma, 0.0, 1.0);
 }

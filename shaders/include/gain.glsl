@@ -5,12 +5,13 @@
 
 // Factors from diffracted power to radiance (design section 3; Stam 1999 eq. 12).
 
-// Relative radiance per power; 1 for the flat mirror seen along the normal.
+// Relative radiance per power; 1 for the flat mirror seen along the normal. With S = |wi + wr|^2 the Kirchhoff factor 1 + wi . wr is
+// S / 2, and the cosine between half vector and directions sqrt(S) / 2: F (S / 2)^2 / ((wi.z + wr.z)^2 wr.z) times the mask.
 float relativeRadiance(vec3 wi, vec3 wr) {
-    float kirchhoff = kirchhoffFactor(wi, wr);
-    float sum = wi.z + wr.z;
-    float cosThetaD = halfAngleCosine(wi, wr);
-    return relativeReflectance(cosThetaD) * kirchhoff * kirchhoff / (sum * sum * wr.z) * cavityMask(wi, wr, cosThetaD);
+    vec3 sum = wi + wr;
+    float square = dot(sum, sum);
+    float reflectance = relativeReflectance(0.5 * sqrt(square));
+    return reflectance * square * maskedSquare(square, sum.z, min(wi.z, wr.z)) / (4.0 * sum.z * sum.z * wr.z);
 }
 
 // BRDF in 1/sr per power, without the mask. The window's effective area is pi sigma^2.

@@ -1,7 +1,8 @@
 // What of (u, v, w) a pixel sees, in which level of colours (method/table_levels.glsl), and in how many places.
 
-// Standard deviation in (u, v) of what the finest level shows of a sharp order; each further level's is sqrt(2) times as large.
-uniform float finestSigma;
+// Variance in (u, v) of what the finest level shows of a sharp order, and one over it; each further level's is twice as large.
+uniform float finestVariance;
+uniform float perFinestVariance;
 uniform int levels;
 // Beyond so many places along the wide side a coarser level blurs the narrow side, too.
 uniform float mostPlaces;
@@ -28,55 +29,61 @@ const float PIXEL_BLUR = 0.2;
 // of Gaussians is even within 2 exp(-2 pi^2 / 1.6^2) = 9e-4.
 const float SPACING = 1.6;
 
-// Twelve times the variances of an evenly filled parallelogram along its narrow and its wide side.
-vec2 variances(vec2 a, vec2 b) {
-    float trace = dot(a, a) + dot(b, b);
-    float determinant = a.x * b.y - a.y * b.x;
-    determinant *= determinant;
-    float wide = 0.5 * trace + sqrt(max(0.25 * trace * trace - determinant, 0.0));
-    // The smaller root of a quadratic equation, without its cancellation.
-    return trace > 0.0 ? vec2(determinant / wide, wide) : vec2(0.0);
+// The bits of floats: floor(log2(x)) and ceil(log2(x)) of a normal positive number, and 2^n.
+int floorOfLog2(float x) {
+    return (floatBitsToInt(x) >> 23) - 127;
 }
 
-// By how much (u, v, w) changes over what is seen along a unit vector of (u, v): of w, what goes with it.
-vec3 changeAlong(vec3 a, vec3 b, vec2 side, float length) {
-    vec2 shares = vec2(dot(a.xy, side), dot(b.xy, side));
-    float depth = dot(vec2(a.z, b.z), shares) / max(dot(shares, shares), 1e-30);
-    return length * vec3(side, depth);
+int ceilOfLog2(float x) {
+    return ((floatBitsToInt(x) + 0x7fffff) >> 23) - 127;
 }
 
-// Unit vector along the wide side of a parallelogram: the eigenvector of a a^T + b b^T.
-vec2 wideSide(vec2 a, vec2 b, float wide) {
-    float mixed = a.x * a.y + b.x * b.y;
-    vec2 one = vec2(wide - a.y * a.y - b.y * b.y, mixed);
-    vec2 other = vec2(mixed, wide - a.x * a.x - b.x * b.x);
-    vec2 side = dot(one, one) > dot(other, other) ? one : other;
-    return dot(side, side) > 0.0 ? normalize(side) : vec2(1.0, 0.0);
+float powerOfTwo(int n) {
+    return intBitsToFloat((n + 127) << 23);
 }
 
 // a, b: change of (u, v, w) from the pixel to the next along either side of the picture.
 Look lookOver(vec3 uvw, vec3 a, vec3 b) {
-    vec2 seen = variances(a.xy, b.xy) / 12.0;
-    float variance = finestSigma * finestSigma;
-    float blur = max(BLUR, samplesAcross > 1.0 ? PIXEL_BLUR * samplesAcross * samplesAcross : 0.0) * seen.x;
-    float narrow = log2(1.0 + blur / variance);
-    vec2 side = wideSide(a.xy, b.xy, 12.0 * seen.y);
+    // a a^T + b b^T: twelve times the covariance of an evenly filled parallelogram. Its eigenvectors are the sides, of any length.
+    vec2 squares = a.xy * a.xy + b.xy * b.xy;
+    float mixed = a.x * a.y + b.x * b.y;
+    float determinant = a.x * b.y - a.y * b.x;
+    determinant *= determinant;
+    float halfTrace = 0.5 * (squares.x + squares.y);
+    float wideRoot = halfTrace + sqrt(max(halfTrace * halfTrace - determinant, 0.0));
+    float perWideRoot = 1.0 / max(wideRoot, 1e-30);
+    // The smaller root of a quadratic equation, without its cancellation.
+    vec2 seen = vec2(determinant * perWideRoot, wideRoot) / 12.0;
+    vec2 side = squares.x > squares.y ? vec2(wideRoot - squares.y, mixed) : vec2(mixed, wideRoot - squares.x);
+    float perSideSquare = 1.0 / max(dot(side, side), 1e-36);
     // The trapezoid's edges, seen from the narrow side.
-    vec2 edges = abs(vec2(dot(a.xy, side), dot(b.xy, side)));
-    float longer = edges.x + edges.y;
-    float wide = 2.0 * log2(max(longer / (mostPlaces * SPACING * finestSigma), 1.0));
-    int level = clamp(int(max(floor(narrow), ceil(wide))), 0, levels - 1);
+    vec2 edges = vec2(dot(a.xy, side), dot(b.xy, side));
+    float longer = abs(edges.x) + abs(edges.y);
+    float longerSquare = longer * longer * perSideSquare;
+
+    float blur = max(BLUR, samplesAcross > 1.0 ? PIXEL_BLUR * samplesAcross * samplesAcross : 0.0) * seen.x;
+    int narrow = floorOfLog2(1.0 + blur * perFinestVariance);
+    float finestSpan = mostPlaces * SPACING;
+    int wide = ceilOfLog2(max(longerSquare * perFinestVariance / (finestSpan * finestSpan), 1.0));
+    int level = clamp(max(narrow, wide), 0, levels - 1);
+    float doublings = powerOfTwo(level);
     // Level l blurs by (2^l - 1) of the finest level's variance.
-    float blurred = (exp2(float(level)) - 1.0) * variance;
-    vec2 rest = max(seen - blurred, 0.0);
+    vec2 rest = max(seen - (doublings - 1.0) * finestVariance, 0.0);
     // Along the wide side the trapezoid shrinks; along the narrow one an even line has what is left of the variance.
-    float wideLength = longer * sqrt(rest.y / max(seen.y, 1e-30));
-    float narrowLength = sqrt(12.0 * rest.x);
-    float spacing = SPACING * finestSigma * exp2(0.5 * float(level));
-    vec2 places = clamp(ceil(vec2(wideLength, narrowLength) / spacing), 1.0, mostPlaces);
-    vec4 place = vec4(uvw, float(level));
-    vec4 wideLook = vec4(changeAlong(a, b, side, wideLength), places.x);
-    float shorter = abs(edges.x - edges.y) / max(longer, 1e-30);
-    vec4 narrowLook = vec4(changeAlong(a, b, vec2(-side.y, side.x), narrowLength), places.y + 0.9 * shorter);
-    return Look(place, wideLook, narrowLook);
+    vec2 lengthSquares = 12.0 * vec2(longerSquare * rest.y * perWideRoot, rest.x);
+    float perSpacingSquare = perFinestVariance / (SPACING * SPACING * doublings);
+    vec2 places = clamp(ceil(sqrt(lengthSquares * perSpacingSquare)), 1.0, mostPlaces);
+
+    vec2 depths = vec2(a.z, b.z);
+    vec2 scales = sqrt(lengthSquares * perSideSquare);
+    // The edges' squares add up to the root times the side's.
+    float wideDepth = dot(depths, edges) * perWideRoot;
+    vec2 narrowSide = vec2(-side.y, side.x);
+    vec2 narrowEdges = vec2(dot(a.xy, narrowSide), dot(b.xy, narrowSide));
+    float narrowDepth = dot(depths, narrowEdges) * dot(side, side) / max(dot(narrowEdges, narrowEdges), 1e-36);
+    float shorter = abs(abs(edges.x) - abs(edges.y)) / max(longer, 1e-36);
+    return Look(
+            vec4(uvw, float(level)),
+            vec4(scales.x * vec3(side, wideDepth), places.x),
+            vec4(scales.y * vec3(narrowSide, narrowDepth), places.y + 0.9 * shorter));
 }

@@ -1,5 +1,6 @@
 // What a moving picture needs of a pixel's skin, in four floats: moving_geometry.frag writes them, moving.frag reads them. A fourth of
-// the memory of geometry.frag's images, and a fraction of a renderer's time for small triangles.
+// the memory of geometry.frag's images, and a fraction of a renderer's time for small triangles, so that writing is what has to be
+// cheap: nothing is brought to unit length there.
 
 // A pixel of skin: columns T, B, N of its tangent frame in world space, and its texture as linear sRGB.
 struct Skin {
@@ -14,9 +15,9 @@ float signOf(float x) {
     return x < 0.0 ? -1.0 : 1.0;
 }
 
-// A unit vector on an octahedron, unfolded to a square, [-1, 1]^2 (Meyer et al. 2010), and the other way.
-vec2 onOctahedron(vec3 unit) {
-    vec3 on = unit / (abs(unit.x) + abs(unit.y) + abs(unit.z));
+// A direction on an octahedron, unfolded to a square, [-1, 1]^2 (Meyer et al. 2010), and the other way; of any length.
+vec2 onOctahedron(vec3 direction) {
+    vec3 on = direction / max(abs(direction.x) + abs(direction.y) + abs(direction.z), 1e-30);
     vec2 folded = (1.0 - abs(on.yx)) * vec2(signOf(on.x), signOf(on.y));
     return on.z < 0.0 ? folded : on.xy;
 }
@@ -24,17 +25,10 @@ vec2 onOctahedron(vec3 unit) {
 vec3 fromOctahedron(vec2 square) {
     float z = 1.0 - abs(square.x) - abs(square.y);
     vec2 folded = (1.0 - abs(square.yx)) * vec2(signOf(square.x), signOf(square.y));
-    return normalize(vec3(z < 0.0 ? folded : square, z));
+    return vec3(z < 0.0 ? folded : square, z);
 }
 
-// Some unit vector orthogonal to another (Duff et al. 2017).
-vec3 someTangent(vec3 normal) {
-    float side = signOf(normal.z);
-    float a = -1.0 / (side + normal.z);
-    return vec3(1.0 + side * normal.x * normal.x * a, side * normal.x * normal.y * a, -side * normal.x);
-}
-
-// A direction of the plane by its place on a square instead of a circle, [-2, 2]: no arc tangent.
+// A direction of the plane by its place on a square instead of a circle, [-2, 2]: no arc tangent; of any length.
 float onDiamond(vec2 direction) {
     float place = direction.y / max(abs(direction.x) + abs(direction.y), 1e-30);
     return direction.x < 0.0 ? 2.0 * signOf(direction.y) - place : place;
@@ -42,7 +36,20 @@ float onDiamond(vec2 direction) {
 
 vec2 fromDiamond(float place) {
     float x = 1.0 - abs(place);
-    return normalize(vec2(x, x < 0.0 ? 2.0 * signOf(place) - place : place));
+    return vec2(x, x < 0.0 ? 2.0 * signOf(place) - place : place);
+}
+
+// Columns: some vector orthogonal to another, and one orthogonal to both and as long. Along the y axis the first is as short as
+// rounding, but from the same normal it comes out the same when it is read, and only the angle to it is kept.
+struct Plane {
+    vec3 first;
+    vec3 second;
+};
+
+Plane someBasis(vec3 normal) {
+    float length = sqrt(dot(normal, normal));
+    vec3 first = vec3(normal.z, 0.0, -normal.x) + vec3(1e-12, 0.0, 0.0);
+    return Plane(length * first, cross(normal, first));
 }
 
 // Where a pixel shows no skin, all four are 0.
@@ -50,23 +57,28 @@ bool showsSkin(vec4 texel) {
     return texel.w > 0.0;
 }
 
-vec4 packedSkin(Skin skin) {
+// normal, tangent: of any length, the latter with any part along the former; turn: cosine and sine of the frame's turn about the normal.
+vec4 packedSkin(vec3 normal, vec4 tangent, vec2 turn, vec3 albedo) {
     // Of the normal as it will be read, so that both sides mean the same tangent.
-    vec2 square = onOctahedron(skin.frame[2]);
-    vec3 normal = fromOctahedron(square);
-    vec3 some = someTangent(normal);
-    float place = onDiamond(vec2(dot(skin.frame[0], some), dot(skin.frame[0], cross(normal, some))));
-    float handedness = signOf(dot(cross(skin.frame[2], skin.frame[0]), skin.frame[1]));
-    vec3 steps = floor(sqrt(clamp(skin.albedo, 0.0, 1.0)) * ALBEDO_STEPS + 0.5);
+    vec2 square = onOctahedron(normal);
+    Plane plane = someBasis(fromOctahedron(square));
+    vec2 place = vec2(dot(tangent.xyz, plane.first), dot(tangent.xyz, plane.second));
+    vec2 turned = vec2(turn.x * place.x - turn.y * place.y, turn.y * place.x + turn.x * place.y);
+    vec3 steps = floor(sqrt(clamp(albedo, 0.0, 1.0)) * ALBEDO_STEPS + 0.5);
     // Whole numbers up to 2^24 are exact.
-    return vec4(square, handedness * (place + 3.0), 1.0 + steps.r + 256.0 * (steps.g + 256.0 * steps.b));
+    return vec4(
+            square,
+            signOf(tangent.w) * (onDiamond(turned) + 3.0),
+            1.0 + steps.r + 256.0 * (steps.g + 256.0 * steps.b));
 }
 
 Skin unpackedSkin(vec4 texel) {
     vec3 normal = fromOctahedron(texel.xy);
-    vec3 some = someTangent(normal);
-    vec2 turn = fromDiamond(abs(texel.z) - 3.0);
-    vec3 tangent = turn.x * some + turn.y * cross(normal, some);
+    Plane plane = someBasis(normal);
+    vec2 place = fromDiamond(abs(texel.z) - 3.0);
+    vec3 along = place.x * plane.first + place.y * plane.second;
+    vec3 tangent = along * inversesqrt(dot(along, along));
+    normal *= inversesqrt(dot(normal, normal));
     vec3 shifted = floor((texel.w - 1.0) * vec3(1.0, 1.0 / 256.0, 1.0 / 65536.0));
     vec3 root = (shifted - 256.0 * vec3(shifted.yz, 0.0)) / ALBEDO_STEPS;
     return Skin(mat3(tangent, signOf(texel.z) * cross(normal, tangent), normal), root * root);

@@ -17,6 +17,11 @@ uniform sampler2D colourLevels;
 // Texels along a page's side between which look-ups of its own fall, and cells along a layer's side.
 uniform float colourPageSide;
 uniform int colourCellsAcross;
+// One over that side, over the pages across the list, over the texels of a layer's side, over the cells across it.
+uniform float perColourPageSide;
+uniform float perColourPages;
+uniform float perColourLayerSide;
+uniform float perColourCellsAcross;
 
 // What is looked up between texels is rounded to this share of one, so that a sum with a page's place is exact, and a colour the same
 // wherever its page lies; layers' sides are powers of two.
@@ -38,8 +43,8 @@ vec2 pageCells(vec2 page, int layer) {
 // First texel and layer of a cell. In floats: whole numbers below 2^24 are exact, and software renderers divide integers one by one.
 vec3 cellPlace(float cell) {
     float across = float(colourCellsAcross);
-    float row = floor((cell + 0.5) / across);
-    float layer = floor((row + 0.5) / across);
+    float row = floor((cell + 0.5) * perColourCellsAcross);
+    float layer = floor((row + 0.5) * perColourCellsAcross);
     return vec3((colourPageSide + 3.0) * vec2(cell - row * across, row - layer * across), layer);
 }
 
@@ -67,25 +72,24 @@ vec3 levelXyz(vec3 uvw, int level, vec4 grid) {
     return xyz;
 }
 
-// Nearly as much with a tenth of the look-ups: linear between two slices, and between the spline's coefficients.
-vec3 roughXyz(vec3 uvw, int level, vec4 grid) {
+// Nearly as much with a tenth of the look-ups: linear between two slices, and between the spline's coefficients. Where texels are taken
+// as they are, software renderers are quicker to sample the nearest than to fetch by number, which asks each pixel for its mipmap.
+vec3 roughXyz(vec3 uvw, float level, vec4 grid) {
     vec2 texel = levelTexel(uvw.xy, grid);
-    vec2 page = floor(texel / colourPageSide);
+    vec2 page = floor(texel * perColourPageSide);
     vec2 inTexels = texel - page * colourPageSide + 1.5;
-    vec2 size = vec2(textureSize(colourTexels, 0).xy);
     float at = clamp(-uvw.z * colourSlicesPerUnit, 0.0, float(COLOUR_SLICES) - 1.001);
     float below = floor(at);
-    vec3 xyz = vec3(0.0);
-    vec2 cells = pageCells(page, level * COLOUR_SLICES + int(below));
+    vec3 pagePlace = vec3((page + 0.5) * perColourPages, level * float(COLOUR_SLICES) + below);
+    vec2 cells = textureLod(colourPages, pagePlace, 0.0).rg - 1.0;
     if (min(cells.x, cells.y) < 0.0) {
         return vec3(MISSING);
     }
-    for (int i = 0; i < 2; ++i) {
-        vec3 stored = cellPlace(cells[i]);
-        vec3 root = textureLod(colourTexels, vec3((inTexels + stored.xy) / size, stored.z), 0.0).rgb;
-        xyz += abs(below + float(1 - i) - at) * root * root;
-    }
-    return grid.w * xyz;
+    vec3 stored = cellPlace(cells.x);
+    vec3 root = textureLod(colourTexels, vec3((inTexels + stored.xy) * perColourLayerSide, stored.z), 0.0).rgb;
+    stored = cellPlace(cells.y);
+    vec3 next = textureLod(colourTexels, vec3((inTexels + stored.xy) * perColourLayerSide, stored.z), 0.0).rgb;
+    return grid.w * mix(root * root, next * next, at - below);
 }
 
 // The mean over what the pixel of this fragment sees, in a level.

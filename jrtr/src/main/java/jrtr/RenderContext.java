@@ -79,16 +79,23 @@ public interface RenderContext extends AutoCloseable {
     void drawFullScreen(ShaderProgram program, List<Binding> bindings, FloatTarget target, Tile tile);
 
     /**
-     * Draws triangles, both sides, to the tile and to no pixel else, without blending, where they are nearer than what
+     * Draws triangles to the tile and to no pixel else, without blending, where they are nearer than what
      * is there. The tile only cuts: tiles that cover a target draw the same picture as one draw, bit for bit.
      *
      * @param program made by {@link #createMeshProgram}; every sampler it uses must be bound
      * @param bindings textures by sampler name
      * @param mesh the triangles
+     * @param faces which sides of them
      * @param target where to; must have depth
      * @param tile must lie inside the target
      */
-    void draw(ShaderProgram program, List<Binding> bindings, VertexBuffer mesh, FloatTarget target, Tile tile);
+    void draw(
+            ShaderProgram program,
+            List<Binding> bindings,
+            VertexBuffer mesh,
+            Faces faces,
+            FloatTarget target,
+            Tile tile);
 
     /** Waits until the device has done all that was asked. */
     void finish();

@@ -5,6 +5,7 @@ import java.util.List;
 import jrtr.Binding;
 import jrtr.ContextInfo;
 import jrtr.ContextOptions;
+import jrtr.Faces;
 import jrtr.FloatTarget;
 import jrtr.FloatTargetSpec;
 import jrtr.FloatTexture;
@@ -19,6 +20,7 @@ import jrtr.Tile;
 import jrtr.VertexBuffer;
 import jrtr.VertexData;
 import jrtr.glsl.EngineShaders;
+import jrtr.glsl.FlatUniforms;
 
 /** A render context on any surface. */
 final class GlRenderContext implements RenderContext {
@@ -49,7 +51,11 @@ final class GlRenderContext implements RenderContext {
 
     @Override
     public ShaderProgram createFullScreenProgram(ShaderSource fragment) {
-        return GlProgram.create(device, fullScreen.vertexShader(), fragment);
+        if (!info().software()) {
+            return GlProgram.create(device, fullScreen.vertexShader(), fragment);
+        }
+        FlatUniforms flat = FlatUniforms.of(fullScreen.vertexShader(), fragment);
+        return GlProgram.create(device, flat.vertex(), flat.fragment());
     }
 
     @Override
@@ -88,8 +94,14 @@ final class GlRenderContext implements RenderContext {
     }
 
     @Override
-    public void draw(ShaderProgram program, List<Binding> bindings, VertexBuffer mesh, FloatTarget target, Tile tile) {
-        meshDraw.draw((GlProgram) program, bindings, (GlVertexBuffer) mesh, (GlFloatTarget) target, tile);
+    public void draw(
+            ShaderProgram program,
+            List<Binding> bindings,
+            VertexBuffer mesh,
+            Faces faces,
+            FloatTarget target,
+            Tile tile) {
+        meshDraw.draw((GlProgram) program, bindings, (GlVertexBuffer) mesh, faces, (GlFloatTarget) target, tile);
     }
 
     @Override

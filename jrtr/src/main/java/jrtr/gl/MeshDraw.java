@@ -3,6 +3,7 @@ package jrtr.gl;
 import com.jogamp.opengl.GL3;
 import java.util.List;
 import jrtr.Binding;
+import jrtr.Faces;
 import jrtr.Tile;
 
 /** Draws triangles; sets all state that the draw depends on. */
@@ -13,7 +14,13 @@ final class MeshDraw {
         this.device = device;
     }
 
-    void draw(GlProgram program, List<Binding> bindings, GlVertexBuffer mesh, GlFloatTarget target, Tile tile) {
+    void draw(
+            GlProgram program,
+            List<Binding> bindings,
+            GlVertexBuffer mesh,
+            Faces faces,
+            GlFloatTarget target,
+            Tile tile) {
         GL3 gl = device.gl();
         program.requireUsableBy(device);
         mesh.requireUsableBy(device);
@@ -26,15 +33,21 @@ final class MeshDraw {
         program.glSamplers().bind(gl, device, bindings, target);
         program.use(gl);
         target.bindForDrawing(gl, tile);
-        setState(gl);
+        setState(gl, faces);
         mesh.draw(gl);
         gl.glDisable(GL3.GL_DEPTH_TEST);
         device.check(gl, "drawing '" + mesh.label() + "'");
     }
 
-    private static void setState(GL3 gl) {
+    private static void setState(GL3 gl, Faces faces) {
         gl.glDisable(GL3.GL_BLEND);
-        gl.glDisable(GL3.GL_CULL_FACE);
+        if (faces == Faces.FRONT) {
+            gl.glEnable(GL3.GL_CULL_FACE);
+            gl.glCullFace(GL3.GL_BACK);
+            gl.glFrontFace(GL3.GL_CCW);
+        } else {
+            gl.glDisable(GL3.GL_CULL_FACE);
+        }
         gl.glEnable(GL3.GL_DEPTH_TEST);
         gl.glDepthFunc(GL3.GL_LESS);
         gl.glDepthMask(true);

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import jrtr.Binding;
+import jrtr.Faces;
 import jrtr.ShaderProgram;
 
 /**
@@ -14,13 +15,20 @@ import jrtr.ShaderProgram;
  * @param program from {@link jrtr.RenderContext#createMeshProgram}
  * @param textures by sampler name
  * @param uniforms {@code float}s by name
+ * @param faces which sides of its triangles are drawn
  */
-public record Material(ShaderProgram program, List<Binding> textures, Map<String, Float> uniforms) {
+public record Material(ShaderProgram program, List<Binding> textures, Map<String, Float> uniforms, Faces faces) {
     /** Copies the list and the map. */
     public Material {
         Objects.requireNonNull(program, "program");
         textures = List.copyOf(textures);
         uniforms = Map.copyOf(uniforms);
+        Objects.requireNonNull(faces, "faces");
+    }
+
+    /** With both sides. */
+    public Material(ShaderProgram program, List<Binding> textures, Map<String, Float> uniforms) {
+        this(program, textures, uniforms, Faces.BOTH);
     }
 
     /**

@@ -52,6 +52,6 @@ public final class SceneRenderer {
         }
         lights.applyTo(program);
         material.uniforms().forEach((name, value) -> program.set(name, value.floatValue()));
-        context.draw(program, material.textures(), item.shape().vertices(), target, tile);
+        context.draw(program, material.textures(), item.shape().vertices(), material.faces(), target, tile);
     }
 }

@@ -54,8 +54,10 @@ final class GeometryBuffers implements AutoCloseable {
                 drawn.remove(block);
                 throw failure;
             }
-            // Whoever measures the mesh and the pixels after it can tell them apart.
-            context.finish();
+            // Whoever measures the mesh and the pixels after it can tell them apart; what moves has no time for that.
+            if (layout == GeometryLayout.FULL) {
+                context.finish();
+            }
         }
         return buffer;
     }

@@ -2,37 +2,49 @@ package sunbeam.app.scene;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import jrtr.Binding;
+import jrtr.ContextInfo;
 import jrtr.FloatTarget;
 import jrtr.FloatTargetSpec;
 import jrtr.RenderContext;
 import jrtr.ShaderProgram;
 import jrtr.Tile;
 import jrtr.scene.ViewRays;
+import org.joml.Vector2f;
 import sunbeam.app.gpu.KeptTarget;
+import sunbeam.app.gpu.UploadedTables;
 
 /**
  * Draws a skin that moves, by those levels of its colours that exist (shaders/moving.frag): a few looks a pixel, and nothing comes
  * back from the graphics card but the colours of the screen.
  */
 final class MovingSkin implements AutoCloseable {
-    // Along the wide side of what a pixel sees; a still picture has up to 32.
-    static final int MOST_PLACES = 2;
+    // Along the wide side of what a pixel sees; a still picture has up to 32. Software renderers have no time for a
+    // second one, nor for
+    // the loop: what a pixel sees is then as wide as long.
+    private static final int SOFTWARE_PLACES = 1;
+    private static final int HARDWARE_PLACES = 4;
 
     private final RenderContext context;
     private final ShaderProgram program;
     private final SkinLooks looks;
     private final KeptTarget targets;
 
-    /** @param program shaders/moving.frag with the method compiled in; closed with this */
-    MovingSkin(RenderContext context, ShaderProgram program, SkinLooks looks) {
+    MovingSkin(RenderContext context, UploadedTables method, SkinLooks looks) {
         this.context = context;
-        this.program = program;
+        int places = mostPlaces(context.info());
+        this.program = method.program("moving.frag", Map.of("PLACES", Integer.toString(places)));
         this.looks = looks;
         this.targets = new KeptTarget(context, "moving", FloatTargetSpec.Format.RGBA8);
         looks.prepareLooking(program);
-        program.set("mostPlaces", (float) MOST_PLACES);
+        program.set("mostPlaces", (float) places);
         program.set("samplesAcross", 1f);
+    }
+
+    /** In so many places along the wide side of what it sees a pixel looks at most. */
+    static int mostPlaces(ContextInfo info) {
+        return info.software() ? SOFTWARE_PLACES : HARDWARE_PLACES;
     }
 
     /** The program, for what its uniforms share with others. */
@@ -56,6 +68,7 @@ final class MovingSkin implements AutoCloseable {
         textures.addAll(looks.pages().bindings());
         FloatTargetSpec block = buffer.attributes().spec();
         Tile whole = Tile.whole(block.width(), block.height());
+        program.set("perPicture", new Vector2f(1f / block.width(), 1f / block.height()));
         FloatTarget target = targets.of(block.width(), block.height());
         int rgb = scene.background().rgb();
         target.clear(whole, (rgb >> 16) / 255f, (rgb >> 8 & 0xff) / 255f, (rgb & 0xff) / 255f, 1);

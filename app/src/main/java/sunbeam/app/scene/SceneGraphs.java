@@ -59,13 +59,28 @@ final class SceneGraphs {
         return new Matrix4f().translation(center).rotate(orientation).translate(-center.x(), -center.y(), -center.z());
     }
 
-    /** The planes enclose the mesh, however it is turned. */
-    static Frustum frustum(Viewpoint view, BoundingSphere bounds) {
+    /** Whether the near plane, and so the eye, is in front of the mesh, however that is turned. */
+    static boolean seesFromOutside(Viewpoint view, BoundingSphere bounds) {
+        float distance = distance(view, bounds);
+        float reach = reach(distance, bounds);
+        return distance - reach > NEAREST * (distance + reach);
+    }
+
+    /** From the eye to the middle of the mesh, along the line of sight. */
+    private static float distance(Viewpoint view, BoundingSphere bounds) {
         Camera camera = view.camera();
         Vector3f sight = camera.lookAtPoint().sub(camera.centerOfProjection(), new Vector3f());
-        float distance =
-                bounds.center().sub(camera.centerOfProjection(), new Vector3f()).dot(sight.normalize());
-        float reach = Math.max(MARGIN * bounds.radius(), THINNEST * Math.abs(distance));
+        return bounds.center().sub(camera.centerOfProjection(), new Vector3f()).dot(sight.normalize());
+    }
+
+    private static float reach(float distance, BoundingSphere bounds) {
+        return Math.max(MARGIN * bounds.radius(), THINNEST * Math.abs(distance));
+    }
+
+    /** The planes enclose the mesh, however it is turned. */
+    static Frustum frustum(Viewpoint view, BoundingSphere bounds) {
+        float distance = distance(view, bounds);
+        float reach = reach(distance, bounds);
         // Behind the eye nothing is seen whatever the planes.
         float far = Math.max(distance, 0) + reach;
         return new Frustum(

@@ -237,7 +237,7 @@ public final class SceneSession implements AutoCloseable {
         if (uploaded.skin().looks().isEmpty()) {
             return true;
         }
-        if (!note(width, height, tiles(width, height, 1), 1, MovingSkin.MOST_PLACES, interrupted)) {
+        if (!note(width, height, tiles(width, height, 1), 1, MovingSkin.mostPlaces(context.info()), interrupted)) {
             return false;
         }
         uploaded.skin().looks().get().pages().request();

@@ -2,6 +2,7 @@ package sunbeam.app.scene;
 
 import java.util.List;
 import jrtr.Binding;
+import jrtr.Faces;
 import jrtr.ImageTexture;
 import jrtr.ShaderProgram;
 import jrtr.Tile;
@@ -16,6 +17,7 @@ import org.joml.Quaternionfc;
  * All that determines what each pixel of a picture shows before it is lit.
  *
  * @param mesh triangles
+ * @param closed whether they enclose a body
  * @param body their texture
  * @param view from where
  * @param orientation as {@link Scene#orientation()}
@@ -25,16 +27,13 @@ import org.joml.Quaternionfc;
  */
 record SkinGeometry(
         VertexBuffer mesh,
+        boolean closed,
         ImageTexture body,
         Viewpoint view,
         Quaternionfc orientation,
         double rotatePatch,
         int width,
         int height) {
-
-    static SkinGeometry of(Scene scene, VertexBuffer mesh, ImageTexture body, int width, int height) {
-        return new SkinGeometry(mesh, body, scene.view(), scene.orientation(), scene.rotatePatch(), width, height);
-    }
 
     /** Towards the viewer from what the pixels of a block show. */
     ViewRays viewRays(Tile block) {
@@ -44,8 +43,9 @@ record SkinGeometry(
 
     /** For a {@linkplain GeometryLayout#shader() program} that notes it. */
     GraphSceneManager graph(ShaderProgram program) {
-        Material material =
-                new Material(program, List.of(new Binding("bodyTexture", body)), Material.tangentsTurned(rotatePatch));
+        Faces faces = closed && SceneGraphs.seesFromOutside(view, mesh.bounds()) ? Faces.FRONT : Faces.BOTH;
+        Material material = new Material(
+                program, List.of(new Binding("bodyTexture", body)), Material.tangentsTurned(rotatePatch), faces);
         return SceneGraphs.unlit(view, orientation, mesh, material);
     }
 }

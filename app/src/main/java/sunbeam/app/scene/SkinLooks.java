@@ -13,6 +13,7 @@ import jrtr.scene.LightUniforms;
 import sunbeam.app.gpu.Shaders;
 import sunbeam.app.gpu.colours.LevelPages;
 import sunbeam.app.gpu.colours.LevelSources;
+import sunbeam.precompute.colourtable.LevelGrid;
 
 /** How a skin's pixels look into levels of colours (shaders/looks.frag), and the pages that they look into. */
 final class SkinLooks implements AutoCloseable {
@@ -38,7 +39,9 @@ final class SkinLooks implements AutoCloseable {
     }
 
     private void setLevels(ShaderProgram looking) {
-        looking.set("finestSigma", (float) pages.levels().sigma());
+        double variance = Math.pow(pages.levels().sigma(), 2);
+        looking.set("finestVariance", (float) variance);
+        looking.set("perFinestVariance", (float) (1 / variance));
         looking.set("levels", pages.levels().levels().size());
     }
 
@@ -117,6 +120,10 @@ final class SkinLooks implements AutoCloseable {
     /** Tells the program that lights the skin how texels lie. */
     void prepare(ShaderProgram skin) {
         skin.set("colourCellsAcross", pages.cellsAcross());
+        skin.set("perColourCellsAcross", 1f / pages.cellsAcross());
+        skin.set("perColourLayerSide", 1f / pages.layerSide());
+        skin.set("perColourPages", 1f / pages.columns());
+        skin.set("perColourPageSide", 1f / LevelGrid.SIDE);
     }
 
     @Override

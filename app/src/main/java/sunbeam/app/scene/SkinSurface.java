@@ -85,7 +85,7 @@ final class SkinSurface implements AutoCloseable {
      */
     int[] move(RenderContext context, Scene scene, GeometryBuffer buffer, ViewRays rays, double exposure) {
         if (moving == null) {
-            moving = new MovingSkin(context, method.program("moving.frag"), looks.orElseThrow());
+            moving = new MovingSkin(context, method, looks.orElseThrow());
         }
         setLight(moving.program(), scene);
         return moving.draw(scene, buffer, rays, method.bindings(), exposure);

@@ -41,7 +41,16 @@ final class UploadedScene implements AutoCloseable {
 
     /** What a picture of it shows. */
     SkinGeometry geometry(int width, int height) {
-        return SkinGeometry.of(data.scene(), mesh, body, width, height);
+        Scene scene = data.scene();
+        return new SkinGeometry(
+                mesh,
+                data.mesh().closed(),
+                body,
+                scene.view(),
+                scene.orientation(),
+                scene.rotatePatch(),
+                width,
+                height);
     }
 
     /** As {@link SceneSession#update(SceneData)}. */

@@ -3,14 +3,19 @@ package sunbeam.app.viewer;
 import java.util.Arrays;
 
 /**
- * At what resolution what moves is drawn by tables of colours: the finest whose frames keep to their time. What part of a frame
+ * At what resolution what moves is drawn by tables of colours: in full wherever its frames take {@link #BUDGET_NANOSECONDS}, else the
+ * finest that does. What part of a frame
  * depends on the number of pixels is not known, as processors are shared with the window's own painting: each scale's time is
  * remembered instead, and a finer scale that took too long is tried again once that is a while ago. Belongs to the render
  * thread.
  */
 final class MovingScale {
-    // Two processors draw this in time.
-    private static final int FIRST_DIVISOR = 3;
+    /**
+     * Full resolution is worth 20 frames per second: with input that comes just after a frame has begun and waits for two of them, what
+     * is seen is a tenth of a second old.
+     */
+    static final long BUDGET_NANOSECONDS = 50_000_000;
+
     // A finer scale must be foreseen to take less than this share of the budget, lest the scale swings to and fro.
     private static final double MARGIN = 0.8;
     // Of a frame's time, until a finer scale has been tried.
@@ -25,7 +30,7 @@ final class MovingScale {
 
     // Nanoseconds of a frame; NaN where none has been drawn.
     private final double[] taken = new double[PreviewScale.divisors()];
-    private int index = PreviewScale.indexOf(FIRST_DIVISOR);
+    private int index;
     // The driver makes room for pictures of another size.
     private boolean isFirst = true;
 
@@ -44,7 +49,7 @@ final class MovingScale {
             isFirst = false;
             return;
         }
-        double budget = PreviewScale.BUDGET_NANOSECONDS;
+        double budget = BUDGET_NANOSECONDS;
         double latest = Math.min((double) nanoseconds, MOST_COUNTED * budget);
         double before = taken[index];
         taken[index] = Double.isNaN(before) ? latest : before + NEWEST * (latest - before);

@@ -6,7 +6,7 @@ import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
 final class MovingScaleTest {
-    private static final double BUDGET = PreviewScale.BUDGET_NANOSECONDS;
+    private static final double BUDGET = MovingScale.BUDGET_NANOSECONDS;
 
     private static double frame(int divisor, double fixed, double full) {
         return fixed + full / divisor / divisor;

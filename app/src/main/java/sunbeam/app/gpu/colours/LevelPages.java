@@ -271,6 +271,16 @@ public final class LevelPages implements AutoCloseable {
         return PageCells.ACROSS;
     }
 
+    /** Texels along that side. */
+    public int layerSide() {
+        return PageCells.LAYER_SIDE;
+    }
+
+    /** Pages along a side of their list. */
+    public int columns() {
+        return grids.get(0).columns();
+    }
+
     /** The textures, by the names of their samplers; valid until more is made. */
     public List<Binding> bindings() {
         return cells.bindings();

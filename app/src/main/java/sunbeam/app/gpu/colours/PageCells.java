@@ -21,7 +21,7 @@ import sunbeam.precompute.plan.MemoryNeed;
 final class PageCells implements AutoCloseable {
     private static final int CELL = LevelGrid.STORED_SIDE;
     // A power of two: places in it are exact (table_levels.glsl).
-    private static final int LAYER_SIDE = 512;
+    static final int LAYER_SIDE = 512;
 
     /** Cells along a layer's side. */
     static final int ACROSS = LAYER_SIDE / CELL;

@@ -11,8 +11,15 @@ import jrtr.VertexData;
  *     -1; the bitangent is h (normal x tangent)
  * @param textureCoordinates 2 per vertex: u, v
  * @param indices 3 per triangle, counter-clockwise seen from outside
+ * @param closed whether it is known to enclose a body, so that from outside only fronts of triangles are seen
  */
-public record Mesh(float[] positions, float[] normals, float[] tangents, float[] textureCoordinates, int[] indices) {
+public record Mesh(
+        float[] positions,
+        float[] normals,
+        float[] tangents,
+        float[] textureCoordinates,
+        int[] indices,
+        boolean closed) {
 
     /** Number of vertices. */
     public int vertices() {

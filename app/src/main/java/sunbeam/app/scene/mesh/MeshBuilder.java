@@ -35,12 +35,14 @@ final class MeshBuilder {
         indices.add(third);
     }
 
-    Mesh build() {
+    /** @param closed whether the triangles enclose a body */
+    Mesh build(boolean closed) {
         return new Mesh(
                 positions.toArray(),
                 normals.toArray(),
                 tangents.toArray(),
                 textureCoordinates.toArray(),
-                indices.toArray());
+                indices.toArray(),
+                closed);
     }
 }

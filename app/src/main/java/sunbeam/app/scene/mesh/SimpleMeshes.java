@@ -17,7 +17,7 @@ final class SimpleMeshes {
                         new Vector3d((u - 0.5) * side, (v - 0.5) * side, 0),
                         new Vector3d(0, 0, 1),
                         new Vector3d(1, 0, 0)));
-        return builder.build();
+        return builder.build(false);
     }
 
     /**
@@ -34,7 +34,7 @@ final class SimpleMeshes {
             return new GridMesh.Point(
                     new Vector3d(normal).mul(radius), normal, new Vector3d(-Math.sin(turn), Math.cos(turn), 0));
         });
-        return builder.build();
+        return builder.build(true);
     }
 
     /**
@@ -51,7 +51,7 @@ final class SimpleMeshes {
                     normal,
                     new Vector3d(-Math.sin(turn), Math.cos(turn), 0));
         });
-        return builder.build();
+        return builder.build(false);
     }
 
     /** The seam's two sides are the same points to the last bit. */

@@ -32,7 +32,7 @@ public final class SnakeMesh {
         }
         snake.closeSnout(rings[0]);
         snake.closeTail(rings[RINGS - 1]);
-        return snake.builder.build();
+        return snake.builder.build(true);
     }
 
     /** Places of the rings: closer where the body is thin, so that scales keep their shape; closest at the snout. */

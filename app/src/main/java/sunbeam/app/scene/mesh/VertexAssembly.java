@@ -71,8 +71,9 @@ final class VertexAssembly {
 
     private Mesh mesh(float[] sums) {
         int count = corners.size();
+        // A file's triangles may leave holes, cross each other, or be turned inside out.
         Mesh result = new Mesh(
-                new float[3 * count], new float[3 * count], new float[4 * count], new float[2 * count], indices);
+                new float[3 * count], new float[3 * count], new float[4 * count], new float[2 * count], indices, false);
         for (int vertex = 0; vertex < count; vertex++) {
             int corner = corners.get(vertex);
             int key = normalKeys.get(vertex);

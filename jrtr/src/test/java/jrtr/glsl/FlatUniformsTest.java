@@ -1,0 +1,88 @@
+package jrtr.glsl;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.util.List;
+import java.util.stream.IntStream;
+import jrtr.ShaderSource;
+import jrtr.SourceLine;
+import org.junit.jupiter.api.Test;
+
+class FlatUniformsTest {
+    private static final ShaderSource VERTEX = source("a.vert", "#version 330 core", "void main() {", "    x();", "}");
+
+    private static ShaderSource source(String name, String... lines) {
+        List<SourceLine> origins = IntStream.range(0, lines.length)
+                .mapToObj(i -> new SourceLine(name, i + 1, lines[i]))
+                .toList();
+        return new ShaderSource(name, String.join("\n", lines) + "\n", origins);
+    }
+
+    @Test
+    void uniformsBecomeFlatInputsOfTheSameName() {
+        FlatUniforms flat = FlatUniforms.of(
+                VERTEX, source("a.frag", "uniform vec3 light = vec3(1.0, 0.0, 0.0);", "uniform int count;", "main"));
+
+        assertThat(flat.fragment().text()).isEqualTo("""
+                        flat in vec3 light_perDraw;
+                        #define light light_perDraw
+                        flat in int count_perDraw;
+                        #define count count_perDraw
+                        main
+                        """);
+        assertThat(flat.vertex().text()).isEqualTo("""
+                        #version 330 core
+                        uniform vec3 light = vec3(1.0, 0.0, 0.0); flat out vec3 light_perDraw; \
+                        uniform int count; flat out int count_perDraw; \
+                        void main() {light_perDraw = light; count_perDraw = count;\s
+                            x();
+                        }
+                        """);
+    }
+
+    @Test
+    void messagesNameTheLinesThatWereWritten() {
+        FlatUniforms flat = FlatUniforms.of(VERTEX, source("a.frag", "uniform float x;", "wrong"));
+
+        assertThat(flat.fragment().origins().stream().map(SourceLine::number)).containsExactly(1, 1, 2);
+        assertThat(flat.vertex().origins()).isEqualTo(VERTEX.origins());
+    }
+
+    @Test
+    void samplersArraysAndMatricesStay() {
+        String[] lines = {"uniform sampler2D s;", "uniform float a[3];", "uniform mat3 m;", "in vec2 uniform_x;"};
+        FlatUniforms flat = FlatUniforms.of(VERTEX, source("a.frag", lines));
+
+        assertThat(flat.fragment().text().lines()).containsExactly(lines);
+        assertThat(flat.vertex().text()).isEqualTo(VERTEX.text());
+    }
+
+    @Test
+    void whatIsDeclaredOnEitherSideOfAnElseIsHandedOnOnce() {
+        FlatUniforms flat = FlatUniforms.of(
+                VERTEX, source("a.frag", "#if A", "uniform float x;", "#else", "uniform float x;", "#endif"));
+
+        assertThat(flat.fragment().text().lines().filter(line -> line.startsWith("flat in")))
+                .hasSize(2);
+        assertThat(flat.vertex().text()).containsOnlyOnce("flat out float x_perDraw;");
+    }
+
+    @Test
+    void whatHasNoRoomStays() {
+        String[] lines =
+                IntStream.range(0, 16).mapToObj(i -> "uniform vec4 u" + i + ";").toArray(String[]::new);
+        FlatUniforms flat = FlatUniforms.of(VERTEX, source("a.frag", lines));
+
+        // 15 vectors of 4 are 60 components.
+        assertThat(flat.fragment().text().lines().filter(line -> line.startsWith("uniform")))
+                .containsExactly("uniform vec4 u15;");
+    }
+
+    @Test
+    void aVertexShaderWithoutMainIsRefused() {
+        assertThatThrownBy(() -> FlatUniforms.of(source("a.vert", "x"), source("a.frag", "uniform float x;")))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining("a.vert");
+    }
+}
