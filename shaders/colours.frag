@@ -1,6 +1,6 @@
 #version 330 core
-#include "include/loops.glsl"
 #include "method/{METHOD}.glsl"
+#include "include/loops.glsl"
 
 // Colours of a list of (u, v, w), one a fragment: what tables of colours are made of.
 

@@ -1,7 +1,7 @@
 #version 330 core
 #include "include/gain.glsl"
-#include "include/loops.glsl"
 #include "method/{METHOD}.glsl"
+#include "include/loops.glsl"
 
 // A list of directions, one per fragment, through the very code that draws the maps.
 

@@ -10,8 +10,8 @@ struct SplinePlace {
     vec2 lowWeight;
 };
 
-// texel: counted from the middle of the first; size: of the layer, in texels.
-SplinePlace splinePlace(vec2 texel, vec2 size) {
+// texel: counted from the middle of the first; perSize: one over the layer's sides, in texels.
+SplinePlace splinePlace(vec2 texel, vec2 perSize) {
     vec2 below = floor(texel);
     vec2 t = texel - below;
     vec2 s = 1.0 - t;
@@ -19,8 +19,8 @@ SplinePlace splinePlace(vec2 texel, vec2 size) {
     vec2 w1 = 2.0 / 3.0 - 0.5 * t * t * (2.0 - t);
     vec2 w3 = t * t * t / 6.0;
     vec2 low = w0 + w1;
-    vec2 lowPlace = (below - 0.5 + w1 / low) / size;
-    vec2 highPlace = (below + 1.5 + w3 / (1.0 - low)) / size;
+    vec2 lowPlace = (below - 0.5 + w1 / low) * perSize;
+    vec2 highPlace = (below + 1.5 + w3 / (1.0 - low)) * perSize;
     return SplinePlace(vec4(lowPlace, highPlace), low);
 }
 

@@ -1,6 +1,6 @@
 #include "include/gain.glsl"
-#include "include/loops.glsl"
 #include "method/{METHOD}.glsl"
+#include "include/loops.glsl"
 
 // What the chosen method diffracts from a light into a direction: linear XYZ of the relative radiance. Both directions in
 // the tangent frame, above the surface.

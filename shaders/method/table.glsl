@@ -1,3 +1,4 @@
+#define FEW_LOOP_STEPS
 #include "include/colour_spline.glsl"
 
 // Colours of power, tabulated over (u, v) and slices of w (sunbeam.precompute.colourtable): a cubic B-spline in (u, v) through
@@ -28,10 +29,11 @@ vec2 colourPlace(vec3 uvw) {
 vec3 diffractedXyz(vec3 uvw) {
     vec2 texel = (colourPlace(uvw) - colourOrigin) * colourTexelsPerUnit;
     vec2 page = floor(texel / colourPageSide);
-    vec2 first = texelFetch(colourPages, ivec2(page), 0).xy;
+    // The nearest texel: software renderers take longer to fetch one by its number.
+    vec2 first = textureLod(colourPages, (page + 0.5) / vec2(textureSize(colourPages, 0)), 0.0).xy;
     // A page begins a texel before its own.
     vec2 inTexels = first + 1.0 + texel - page * colourPageSide;
-    SplinePlace place = splinePlace(inTexels, vec2(textureSize(colourTexels, 0).xy));
+    SplinePlace place = splinePlace(inTexels, 1.0 / vec2(textureSize(colourTexels, 0).xy));
 #if COLOUR_SLICES == 1
     return splineXyz(place, 0.0);
 #else

@@ -11,10 +11,10 @@ import java.util.Arrays;
  */
 final class MovingScale {
     /**
-     * Full resolution is worth 20 frames per second: with input that comes just after a frame has begun and waits for two of them, what
-     * is seen is a tenth of a second old.
+     * What full resolution is worth: frames of 45 ms, as two processors take while the model turns, leave input to screen below 100 ms
+     * nearly always, and one that something else holds up is not yet a reason for a coarser scale.
      */
-    static final long BUDGET_NANOSECONDS = 50_000_000;
+    static final long BUDGET_NANOSECONDS = 60_000_000;
 
     // A finer scale must be foreseen to take less than this share of the budget, lest the scale swings to and fro.
     private static final double MARGIN = 0.8;

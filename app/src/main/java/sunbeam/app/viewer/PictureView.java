@@ -125,6 +125,9 @@ final class PictureView extends JComponent {
 
     /** Shows or hides the light. */
     void showCone(Optional<LightCone> value) {
+        if (value.equals(cone)) {
+            return; // it is painted with each picture that comes
+        }
         Optional<LightCone> before = cone;
         cone = value;
         // Each event of a hand moves it; the picture below it comes when it has been drawn.

@@ -142,19 +142,36 @@ final class ViewMeasurement implements FrameObserver {
             return String.format(Locale.ROOT, "no frame was shown in %.0f s", nanoseconds * 1e-9);
         }
         List<Long> sorted = latencies.stream().sorted().toList();
-        List<Integer> scales = divisors.stream().sorted().toList();
         PictureView view = viewer.window().picture();
         return String.format(
                 Locale.ROOT,
-                "%d x %d pixels, previews 1:%d (median), %.1f frames per second, from input to screen"
+                "%d x %d pixels, %s, %.1f frames per second, from input to screen"
                         + " %.0f ms (median), %.0f ms (95 %%), %.0f ms (longest)",
                 view.pictureWidth(),
                 view.pictureHeight(),
-                scales.get(scales.size() / 2),
+                resolution(),
                 divisors.size() / (nanoseconds * 1e-9),
                 milliseconds(sorted, 0.5),
                 milliseconds(sorted, 0.95),
                 milliseconds(sorted, 1));
+    }
+
+    /** In words: how many frames were no coarser than the window, and how coarse the others. */
+    private String resolution() {
+        List<Integer> coarser =
+                divisors.stream().filter(divisor -> divisor > 1).sorted().toList();
+        if (coarser.isEmpty()) {
+            return "all in full resolution";
+        }
+        int whole = divisors.size() - coarser.size();
+        String others = "1:" + coarser.get(coarser.size() / 2) + " (median)";
+        return whole == 0
+                ? "previews " + others
+                : String.format(
+                        Locale.ROOT,
+                        "%.0f %% of frames in full resolution and the others %s",
+                        100.0 * whole / divisors.size(),
+                        others);
     }
 
     private static double milliseconds(List<Long> sorted, double share) {

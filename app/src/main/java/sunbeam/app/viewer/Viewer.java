@@ -41,7 +41,7 @@ final class Viewer {
     private ViewState completed;
 
     /**
-     * Puts everything together; nothing is shown yet.
+     * Puts everything together and opens OpenGL; nothing is shown yet.
      *
      * @param scene to begin with
      * @param loader loads a scene, given the last one (null at first)
@@ -56,9 +56,11 @@ final class Viewer {
         this.journal = journal;
         asLoaded = scene;
         model = new ViewerModel(scene, loader, loading);
+        // OpenGL opens while the window is being made; what it has to say waits for the event thread.
+        loop = new RenderLoop(opening, new EventThreadListener(new FromRenderThread()));
+        loop.start();
         window = new ViewerWindow(title(scene), model);
         inspector = new PointInspector(window);
-        loop = new RenderLoop(opening, new EventThreadListener(new FromRenderThread()));
         files = new FileActions(window, model, writing, this::open);
         KeyControls keys = new KeyControls(this, model, files);
         window.setJMenuBar(keys.menus());
@@ -89,7 +91,6 @@ final class Viewer {
         journal.reached(StartJournal.Stage.WINDOW);
         window.picture().requestFocusInWindow();
         window.controls().follow();
-        loop.start();
         model.start();
     }
 
