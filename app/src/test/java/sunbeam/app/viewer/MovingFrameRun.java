@@ -3,6 +3,7 @@ package sunbeam.app.viewer;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import com.sun.management.OperatingSystemMXBean;
+import java.awt.image.BufferedImage;
 import java.lang.management.ManagementFactory;
 import java.util.ArrayList;
 import java.util.Collections;
@@ -15,15 +16,20 @@ import org.joml.Vector3f;
 import org.junit.jupiter.api.Test;
 import sunbeam.app.gpu.NeedsDisplay;
 import sunbeam.app.scene.Scene;
+import sunbeam.app.scene.SceneDisplay;
 import sunbeam.app.scene.SceneLight;
 import sunbeam.app.scene.SceneLoader;
+import sunbeam.app.scene.ScenePicture;
 import sunbeam.app.scene.SceneSession;
 import sunbeam.app.scene.Scenes;
 import sunbeam.app.terminal.Environment;
+import sunbeam.precompute.color.CieLab;
+import sunbeam.precompute.color.ColorDifference;
+import sunbeam.precompute.color.Srgb;
 
 /**
- * How long a frame of what moves takes to draw at each resolution, without window and event queue, once all colours are there: makes
- * a table of docs/viewer.md. Not among the tests: {@code ./sunbeam test -Dtest=MovingFrameRun}, with {@code
+ * How long a frame of what moves takes to draw at each resolution, without window and event queue, once all colours are there, and by
+ * how much it differs from the picture that stands still: makes a table of docs/viewer.md. Not among the tests: {@code ./sunbeam test -Dtest=MovingFrameRun}, with {@code
  * -Dsunbeam.scene=NAME} and {@code -Dsunbeam.divisors=N}, one of a first to an N-th of columns and rows. Colours are kept in the user's cache.
  */
 @NeedsDisplay
@@ -66,6 +72,8 @@ class MovingFrameRun {
                                 frame -> scene.withOrientation(
                                         new Quaternionf(scene.orientation()).rotateLocalY(0.01f * frame))));
             }
+            session.update(scene);
+            System.out.println(difference(context, session));
         }
     }
 
@@ -94,6 +102,38 @@ class MovingFrameRun {
                 milliseconds.get(FRAMES / 2),
                 milliseconds.get(FRAMES * 95 / 100),
                 processor.stream().mapToDouble(Double::doubleValue).average().orElseThrow());
+    }
+
+    /** Between the picture that moves, in full resolution, and the one that stands still. */
+    private static String difference(RenderContext context, SceneSession session) {
+        ScenePicture picture = session.draw(WIDTH, HEIGHT);
+        Scene scene = session.data().scene();
+        double exposure = SceneDisplay.exposure(scene, picture);
+        List<Double> differences = new ArrayList<>();
+        try (SceneDisplay display = new SceneDisplay(context)) {
+            BufferedImage still = display.image(picture, exposure, scene.background());
+            BufferedImage moving = session.moving(WIDTH, HEIGHT, 1, exposure);
+            for (int pixel = 0; pixel < WIDTH * HEIGHT; pixel++) {
+                if (picture.rgba()[4 * pixel + 3] > 0) {
+                    int x = pixel % WIDTH;
+                    int y = pixel / WIDTH;
+                    differences.add(ColorDifference.ciede2000(lab(still.getRGB(x, y)), lab(moving.getRGB(x, y))));
+                }
+            }
+        }
+        Collections.sort(differences);
+        return String.format(
+                Locale.ROOT,
+                "CIEDE2000 between moving and still, %d pixels of skin: mean %.2f, median %.2f, 95 %% %.2f",
+                differences.size(),
+                differences.stream().mapToDouble(Double::doubleValue).average().orElseThrow(),
+                differences.get(differences.size() / 2),
+                differences.get(differences.size() * 95 / 100));
+    }
+
+    private static CieLab lab(int rgb) {
+        double[] xyz = Srgb.xyz(Srgb.linear(rgb >> 16 & 0xff), Srgb.linear(rgb >> 8 & 0xff), Srgb.linear(rgb & 0xff));
+        return CieLab.ofXyz(xyz[0], xyz[1], xyz[2]);
     }
 
     /** Until all is there that pictures look into. */

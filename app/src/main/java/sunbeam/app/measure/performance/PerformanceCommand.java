@@ -39,8 +39,8 @@ import sunbeam.precompute.patch.PatchRequest;
                 "Measure the error and the time per pixel of every method on each patch; for method table what it takes to"
                         + " bake, how large it is and where that time goes, over the tolerance; how cost grows with the map's pixels, the"
                         + " patch's samples, its relief and the coherence length; and beside them the look-up of Dhillon et al. 2014."
-                        + " Writes a page (Markdown), and a folder of the same name with plots (PNG) and tables (CSV). Takes some ten minutes on two"
-                        + " processors that do nothing else; --quick, some three.")
+                        + " Writes a page (Markdown), and a folder of the same name with plots (PNG) and tables (CSV). Takes up to an"
+                        + " hour on two processors that do nothing else, most of it for the exact colours; --quick, a fraction of that.")
 public final class PerformanceCommand implements Callable<Integer> {
     private static final List<String> DEFAULT_PATCHES = List.of("blaze", "elaphe-like", "xenopeltis-like");
     private static final String ENDING = ".md";
