@@ -1,6 +1,5 @@
 package sunbeam.precompute.expansion;
 
-import org.apache.commons.math3.complex.Complex;
 import org.apache.commons.math3.special.BesselJ;
 
 /**
@@ -47,8 +46,8 @@ public record ChebyshevExpansion(HeightScale scale, int terms, double maximumPha
     }
 
     @Override
-    public Complex basis(int n, double s) {
-        return new Complex(Math.cos(n * Math.acos(Math.min(1, Math.max(-1, s)))));
+    public double realBasis(int n, double s) {
+        return Math.cos(n * Math.acos(Math.min(1, Math.max(-1, s))));
     }
 
     @Override

@@ -19,8 +19,18 @@ public interface Expansion {
 
     HeightScale scale();
 
-    /** T_n(s) for s in [-1, 1] and n from 0 to terms() - 1; real where {@link ExpansionKind#hasRealBasis()}. */
-    Complex basis(int n, double s);
+    /** Real part of T_n(s) for s in [-1, 1] and n from 0 to terms() - 1. */
+    double realBasis(int n, double s);
+
+    /** Imaginary part of T_n(s); none where {@link ExpansionKind#hasRealBasis()}. */
+    default double imaginaryBasis(int n, double s) {
+        return 0;
+    }
+
+    /** T_n(s). */
+    default Complex basis(int n, double s) {
+        return new Complex(realBasis(n, s), imaginaryBasis(n, s));
+    }
 
     /** All c_n(zeta), n from 0 to terms() - 1, for zeta in {@link #minimumPhase()}..{@link #maximumPhase()}. */
     double[] coefficients(double zeta);

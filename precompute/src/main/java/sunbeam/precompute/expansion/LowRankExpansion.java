@@ -11,18 +11,24 @@ import sunbeam.precompute.patch.HeightLevels;
 public final class LowRankExpansion implements Expansion {
     // The bound looks at this many heights at most, extremes included.
     private static final int BOUND_SAMPLES = 4096;
+    // Of the largest coefficient of all terms: a hundredth of a double's last digit.
+    private static final double LOST = 1e-18;
 
     private final HeightScale scale;
     private final PhaseBasis phases;
     private final int terms;
-    private final double[][] series;
+    // Coefficients of T_0, T_2, ... and of T_1, T_3, ... of each term.
+    private final double[][] even;
+    private final double[][] odd;
     private final HeightLevels heights;
 
     private LowRankExpansion(HeightScale scale, PhaseBasis phases, int terms, HeightLevels heights) {
         this.scale = scale;
         this.phases = phases;
         this.terms = terms;
-        this.series = phases.chebyshevSeries(terms);
+        double[][] series = phases.chebyshevSeries(terms);
+        this.even = everySecond(series, 0);
+        this.odd = everySecond(series, 1);
         this.heights = heights;
     }
 
@@ -46,6 +52,36 @@ public final class LowRankExpansion implements Expansion {
             HeightLevels heights, HeightScale scale, double minimumPhase, double maximumPhase, int terms) {
         PhaseBasis phases = PhaseBasis.of(heights, scale, minimumPhase, maximumPhase);
         return new LowRankExpansion(scale, phases, Math.min(terms, phases.size()), heights);
+    }
+
+    private static double[][] everySecond(double[][] series, int first) {
+        int count = Math.max(1, (seenLength(series) + 1 - first) / 2);
+        double[][] result = new double[series.length][count];
+        for (int n = 0; n < series.length; n++) {
+            for (int j = 0; j < count && 2 * j + first < series[n].length; j++) {
+                result[n][j] = series[n][2 * j + first];
+            }
+        }
+        return result;
+    }
+
+    /** Of as many coefficients as are not lost beside the largest. */
+    private static int seenLength(double[][] series) {
+        double largest = 0;
+        int length = 1;
+        for (double[] one : series) {
+            for (double coefficient : one) {
+                largest = Math.max(largest, Math.abs(coefficient));
+            }
+        }
+        for (double[] one : series) {
+            for (int k = length; k < one.length; k++) {
+                if (Math.abs(one[k]) > LOST * largest) {
+                    length = k + 1;
+                }
+            }
+        }
+        return length;
     }
 
     /** Some of the heights that occur, scaled. */
@@ -74,28 +110,37 @@ public final class LowRankExpansion implements Expansion {
         return scale;
     }
 
-    /** Even Chebyshev polynomials make the real part, odd ones the imaginary part (Jacobi-Anger), by Clenshaw. */
+    /**
+     * Even Chebyshev polynomials make the real part (Jacobi-Anger), by Clenshaw's recurrence in y = 2 s^2 - 1: with s = cos x,
+     * T_2j(s) = cos 2jx = T_j(y).
+     */
     @Override
-    public Complex basis(int n, double s) {
-        double[] coefficients = series[n];
-        double real = 0;
-        double imaginary = 0;
-        for (int parity = 0; parity <= 1; parity++) {
-            double next = 0;
-            double afterNext = 0;
-            for (int k = coefficients.length - 1; k >= 1; k--) {
-                double value = 2 * s * next - afterNext + (k % 2 == parity ? coefficients[k] : 0);
-                afterNext = next;
-                next = value;
-            }
-            double sum = s * next - afterNext + (parity == 0 ? coefficients[0] : 0);
-            if (parity == 0) {
-                real = sum;
-            } else {
-                imaginary = sum;
-            }
+    public double realBasis(int n, double s) {
+        double[] coefficients = even[n];
+        double y = 2 * s * s - 1;
+        double next = 0;
+        double afterNext = 0;
+        for (int j = coefficients.length - 1; j >= 1; j--) {
+            double value = 2 * y * next - afterNext + coefficients[j];
+            afterNext = next;
+            next = value;
         }
-        return new Complex(real, imaginary);
+        return y * next - afterNext + coefficients[0];
+    }
+
+    /** Odd ones make the imaginary part: T_2j+1(s) = s V_j(y), the Chebyshev polynomials of the third kind (DLMF 18.5.3). */
+    @Override
+    public double imaginaryBasis(int n, double s) {
+        double[] coefficients = odd[n];
+        double y = 2 * s * s - 1;
+        double next = 0;
+        double afterNext = 0;
+        for (int j = coefficients.length - 1; j >= 0; j--) {
+            double value = 2 * y * next - afterNext + coefficients[j];
+            afterNext = next;
+            next = value;
+        }
+        return s * (next - afterNext);
     }
 
     @Override

@@ -1,7 +1,6 @@
 package sunbeam.precompute.expansion;
 
 import java.util.Arrays;
-import org.apache.commons.math3.complex.Complex;
 
 /** T_n = s^n, c_n = zeta^n / n! (thesis eq. 2.44), with heights scaled to [-1, 1]. */
 public record TaylorExpansion(HeightScale scale, int terms, double maximumPhase) implements Expansion {
@@ -21,8 +20,8 @@ public record TaylorExpansion(HeightScale scale, int terms, double maximumPhase)
     }
 
     @Override
-    public Complex basis(int n, double s) {
-        return new Complex(Math.pow(s, n));
+    public double realBasis(int n, double s) {
+        return Math.pow(s, n);
     }
 
     @Override

@@ -10,6 +10,9 @@ import java.util.stream.IntStream;
  * heights takes seconds. Immutable, safe for several threads.
  */
 public final class HeightLevels {
+    private static final int GLANCE = 8192;
+    private static final double FEW_SAMPLES_PER_LEVEL = 4;
+
     private final HeightMap map;
     private final double minimum;
     private final double maximum;
@@ -135,6 +138,23 @@ public final class HeightLevels {
 
     public double maximum() {
         return maximum;
+    }
+
+    /**
+     * Whether so many heights differ, by a glance at some of them, that functions of the height are as soon evaluated at each
+     * sample as at the levels, which would have to be looked for first.
+     */
+    public boolean areMany() {
+        int samples = map.columns() * map.rows();
+        int glance = Math.min(GLANCE, samples);
+        double[] some = IntStream.range(0, glance)
+                .map(i -> (int) ((long) i * samples / glance))
+                .mapToDouble(i -> map.at(i % map.columns(), i / map.columns()) + 0.0)
+                .toArray();
+        double distinct = Arrays.stream(some).distinct().count();
+        // Of L levels n samples have n^2 / 2 L pairs of the same, where those are few (the birthday problem).
+        double levels = distinct < 0.5 * glance ? distinct : 0.5 * glance * glance / (glance - distinct);
+        return levels > samples / FEW_SAMPLES_PER_LEVEL;
     }
 
     /** How many samples have each level; not to be written to. */

@@ -1,6 +1,8 @@
 package sunbeam.precompute.rays;
 
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
 import java.util.stream.IntStream;
 import sunbeam.precompute.color.WavelengthNodes;
 
@@ -36,17 +38,43 @@ final class DirectColours {
                         .mapToObj(wavelength -> spectrum.coefficients(wavelength, depth))
                         .toArray(double[][]::new))
                 .toArray(double[][][]::new);
-        IntStream.range(0, asked.count()).parallel().forEach(i -> {
-            int at = CHANNELS * asked.number(i);
-            int slice = Arrays.binarySearch(depths, Math.abs(places[at + 2]));
-            double[] sum = sum(wavelengths, places[at], places[at + 1], coefficients[slice]);
-            for (int c = 0; c < CHANNELS; c++) {
-                xyz[at + c] = (float) Math.max(0, sum[c]);
+        List<int[]> columns = columns(asked, places);
+        IntStream.range(0, columns.size()).parallel().forEach(i -> {
+            int[] column = columns.get(i);
+            int first = CHANNELS * column[0];
+            double[][] terms = terms(wavelengths, places[first], places[first + 1]);
+            for (int place : column) {
+                int at = CHANNELS * place;
+                int slice = Arrays.binarySearch(depths, Math.abs(places[at + 2]));
+                double[] sum = sum(wavelengths, terms, coefficients[slice]);
+                for (int c = 0; c < CHANNELS; c++) {
+                    xyz[at + c] = (float) Math.max(0, sum[c]);
+                }
             }
         });
     }
 
-    private double[] sum(WavelengthNodes wavelengths, double u, double v, double[][] coefficients) {
+    /** Places of one (u, v), whose slices share all but the terms' coefficients; they are asked for one after the other. */
+    private static List<int[]> columns(RaySector.Places asked, float[] places) {
+        int[] numbers = IntStream.range(0, asked.count()).map(asked::number).toArray();
+        List<int[]> columns = new ArrayList<>();
+        int first = 0;
+        for (int i = 1; i <= numbers.length; i++) {
+            if (i == numbers.length || !sameDirection(places, numbers[first], numbers[i])) {
+                columns.add(Arrays.copyOfRange(numbers, first, i));
+                first = i;
+            }
+        }
+        return columns;
+    }
+
+    private static boolean sameDirection(float[] places, int one, int other) {
+        return places[CHANNELS * one] == places[CHANNELS * other]
+                && places[CHANNELS * one + 1] == places[CHANNELS * other + 1];
+    }
+
+    /** {@code [term][wavelength]} */
+    private double[][] terms(WavelengthNodes wavelengths, double u, double v) {
         double radius = Math.hypot(u, v);
         double[] frequencies = new double[wavelengths.count()];
         for (int i = 0; i < frequencies.length; i++) {
@@ -54,8 +82,12 @@ final class DirectColours {
         }
         double[][] terms = new double[powers.terms()][frequencies.length];
         powers.alongRay(radius == 0 ? 1 : u / radius, radius == 0 ? 0 : v / radius, frequencies, terms);
+        return terms;
+    }
+
+    private static double[] sum(WavelengthNodes wavelengths, double[][] terms, double[][] coefficients) {
         double[] sum = new double[CHANNELS];
-        for (int i = 0; i < frequencies.length; i++) {
+        for (int i = 0; i < coefficients.length; i++) {
             double power = 0;
             for (int m = 0; m < terms.length; m++) {
                 power += coefficients[i][m] * terms[m][i];

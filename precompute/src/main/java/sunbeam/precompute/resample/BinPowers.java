@@ -1,52 +1,151 @@
 package sunbeam.precompute.resample;
 
+import java.util.stream.IntStream;
+import org.apache.commons.math3.complex.Complex;
 import sunbeam.precompute.expansion.Expansion;
 import sunbeam.precompute.expansion.PhaseNodes;
-import sunbeam.precompute.fourier.ComplexVector;
 import sunbeam.precompute.table.FourierTable;
-import sunbeam.precompute.table.WindowPhase;
 
-/** |F_j|^2 of single bins at nodes of the phase. */
+/** |F_j|^2 of single bins at nodes of the phase. Where the table's phases have their origin makes no difference to it. */
 final class BinPowers {
-    private final ComplexVector[] terms;
+    private final int rows;
+    private final int columns;
+    private final int terms;
+    // By row: of each of its bins one term after the other, real and imaginary parts.
+    private final double[][] values;
     private final double[][] coefficients;
 
-    BinPowers(WindowPhase phase, FourierTable table, Expansion expansion, PhaseNodes nodes) {
-        terms = new ComplexVector[table.terms()];
-        for (int n = 0; n < terms.length; n++) {
-            terms[n] = phase.term(n);
-        }
+    BinPowers(FourierTable table, Expansion expansion, PhaseNodes nodes) {
+        rows = table.bandY().count();
+        columns = table.bandX().count();
+        terms = table.terms();
+        values = IntStream.range(0, rows)
+                .parallel()
+                .mapToObj(row -> row(table, row))
+                .toArray(double[][]::new);
         coefficients = new double[nodes.count()][];
         for (int q = 0; q < coefficients.length; q++) {
             coefficients[q] = expansion.coefficients(nodes.node(q));
         }
     }
 
+    private double[] row(FourierTable table, int row) {
+        double[] result = new double[Math.multiplyExact(columns, 2 * terms)];
+        for (int n = 0; n < terms; n++) {
+            Complex turn = table.kind().turn(n);
+            for (int column = 0; column < columns; column++) {
+                double real = table.real()[n][row * columns + column];
+                double imaginary = table.imaginary()[n][row * columns + column];
+                int at = 2 * (column * terms + n);
+                result[at] = real * turn.getReal() - imaginary * turn.getImaginary();
+                result[at + 1] = real * turn.getImaginary() + imaginary * turn.getReal();
+            }
+        }
+        return result;
+    }
+
     int bins() {
-        return terms[0].length();
+        return rows * columns;
     }
 
     /** One bin at all nodes. */
     double[] at(int bin) {
         double[] powers = new double[coefficients.length];
-        for (int q = 0; q < powers.length; q++) {
-            powers[q] = at(bin, q);
-        }
+        at(bin, powers);
         return powers;
+    }
+
+    private void at(int bin, double[] powers) {
+        for (int q = 0; q < powers.length; q++) {
+            powers[q] = power(bin, coefficients[q]);
+        }
     }
 
     /** How strong a bin is: its mean at three nodes, so that no zero of one of them hides it. */
     double strength(int bin) {
         int nodes = coefficients.length;
-        return (at(bin, nodes / 6) + at(bin, nodes / 2) + at(bin, 5 * nodes / 6)) / 3;
+        return (power(bin, coefficients[nodes / 6])
+                        + power(bin, coefficients[nodes / 2])
+                        + power(bin, coefficients[5 * nodes / 6]))
+                / 3;
     }
 
-    private double at(int bin, int node) {
+    /**
+     * Sums over the nodes of all bins' powers times some functions.
+     *
+     * @param functions {@code [function][node]}
+     * @return {@code [function][bin]}
+     */
+    double[][] sums(double[][] functions) {
+        double[][] sums = new double[functions.length][bins()];
+        int pairs = terms * (terms + 1) / 2;
+        boolean fewTerms = pairs * (2 + functions.length) < coefficients.length * (2 * terms + functions.length);
+        double[][] weights = fewTerms ? pairWeights(functions, pairs) : functions;
+        IntStream.range(0, rows).parallel().forEach(row -> {
+            double[] seen = new double[weights[0].length];
+            for (int bin = row * columns; bin < (row + 1) * columns; bin++) {
+                if (fewTerms) {
+                    products(bin, seen);
+                } else {
+                    at(bin, seen);
+                }
+                for (int n = 0; n < weights.length; n++) {
+                    sums[n][bin] = sum(weights[n], seen);
+                }
+            }
+        });
+        return sums;
+    }
+
+    /** |sum_a c_a F_a|^2 = sum_ab c_a c_b Re(F_a F_b*) for real c: the functions' sums of c_a c_b over the nodes. */
+    private double[][] pairWeights(double[][] functions, int pairs) {
+        double[][] weights = new double[functions.length][pairs];
+        for (int n = 0; n < functions.length; n++) {
+            for (int q = 0; q < coefficients.length; q++) {
+                int pair = 0;
+                for (int a = 0; a < terms; a++) {
+                    for (int b = a; b < terms; b++) {
+                        double twice = a == b ? 1 : 2;
+                        weights[n][pair++] += twice * functions[n][q] * coefficients[q][a] * coefficients[q][b];
+                    }
+                }
+            }
+        }
+        return weights;
+    }
+
+    /** Re(F_a F_b*) of a bin's terms, a <= b. */
+    private void products(int bin, double[] products) {
+        double[] row = values[bin / columns];
+        int first = 2 * (bin % columns) * terms;
+        int end = first + 2 * terms;
+        int pair = 0;
+        for (int a = first; a < end; a += 2) {
+            double real = row[a];
+            double imaginary = row[a + 1];
+            for (int b = a; b < end; b += 2) {
+                products[pair++] = real * row[b] + imaginary * row[b + 1];
+            }
+        }
+    }
+
+    private static double sum(double[] weights, double[] values) {
+        double sum = 0;
+        for (int i = 0; i < values.length; i++) {
+            sum += weights[i] * values[i];
+        }
+        return sum;
+    }
+
+    private double power(int bin, double[] factors) {
+        double[] row = values[bin / columns];
+        int at = 2 * (bin % columns) * terms;
         double real = 0;
         double imaginary = 0;
-        for (int n = 0; n < terms.length; n++) {
-            real += coefficients[node][n] * terms[n].real()[bin];
-            imaginary += coefficients[node][n] * terms[n].imaginary()[bin];
+        for (double factor : factors) {
+            real += factor * row[at];
+            imaginary += factor * row[at + 1];
+            at += 2;
         }
         return real * real + imaginary * imaginary;
     }

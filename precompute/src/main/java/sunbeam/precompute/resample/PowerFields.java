@@ -1,6 +1,7 @@
 package sunbeam.precompute.resample;
 
 import java.util.Arrays;
+import java.util.PriorityQueue;
 import java.util.SplittableRandom;
 import java.util.stream.IntStream;
 import org.apache.commons.math3.linear.Array2DRowRealMatrix;
@@ -9,9 +10,7 @@ import org.apache.commons.math3.linear.SingularValueDecomposition;
 import sunbeam.precompute.expansion.CoefficientTable;
 import sunbeam.precompute.expansion.Expansion;
 import sunbeam.precompute.expansion.PhaseNodes;
-import sunbeam.precompute.optics.WindowOrigin;
 import sunbeam.precompute.table.FourierTable;
-import sunbeam.precompute.table.WindowPhase;
 
 /**
  * Powers |F_j|^2 of the bins as a function of the phase, in the shortest real basis: the singular vectors of the powers of
@@ -41,19 +40,15 @@ public final class PowerFields implements Fields {
     public PowerFields(FourierTable table, Expansion expansion, double tolerance) {
         // Two heights differ by at most 2 in s.
         nodes = new PhaseNodes(expansion.minimumPhase(), expansion.maximumPhase(), 2);
-        BinPowers powers = new BinPowers(new WindowPhase(table, WindowOrigin.CORNER), table, expansion, nodes);
+        BinPowers powers = new BinPowers(table, expansion, nodes);
         functions = basis(powers, tolerance);
-        fields = new double[functions.length][powers.bins()];
-        IntStream.range(0, powers.bins()).parallel().forEach(bin -> {
-            double[] power = powers.at(bin);
-            for (int n = 0; n < functions.length; n++) {
-                double sum = 0;
-                for (int q = 0; q < power.length; q++) {
-                    sum += nodes.weight(q) * functions[n][q] * power[q];
-                }
-                fields[n][bin] = sum;
+        double[][] weighted = new double[functions.length][nodes.count()];
+        for (int n = 0; n < weighted.length; n++) {
+            for (int q = 0; q < nodes.count(); q++) {
+                weighted[n][q] = nodes.weight(q) * functions[n][q];
             }
-        });
+        }
+        fields = powers.sums(weighted);
     }
 
     private double[][] basis(BinPowers powers, double tolerance) {
@@ -125,9 +120,7 @@ public final class PowerFields implements Fields {
     private static int[] sample(BinPowers powers) {
         double[] strengths = new double[powers.bins()];
         Arrays.parallelSetAll(strengths, powers::strength);
-        double[] sorted = strengths.clone();
-        Arrays.parallelSort(sorted);
-        double strong = sorted[Math.max(0, sorted.length - STRONGEST_BINS)];
+        double strong = largest(strengths, STRONGEST_BINS);
         // Of equally strong bins, as in the row of a grating, whichever come first; what is dark is not strong.
         long stronger = Arrays.stream(strengths).filter(s -> s > strong).count();
         IntStream strongest = IntStream.concat(
@@ -138,6 +131,20 @@ public final class PowerFields implements Fields {
         IntStream random =
                 new SplittableRandom(SEED).ints(Math.min(RANDOM_BINS, strengths.length), 0, strengths.length);
         return IntStream.concat(strongest, random).toArray();
+    }
+
+    /** The last of so many largest values, or of all where there are fewer. */
+    private static double largest(double[] values, int count) {
+        PriorityQueue<Double> largest = new PriorityQueue<>(count);
+        for (double value : values) {
+            if (largest.size() < count) {
+                largest.add(value);
+            } else if (value > largest.element()) {
+                largest.remove();
+                largest.add(value);
+            }
+        }
+        return largest.element();
     }
 
     /** The basis at a phase. */

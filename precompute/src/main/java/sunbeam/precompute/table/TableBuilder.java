@@ -1,16 +1,18 @@
 package sunbeam.precompute.table;
 
+import java.util.Arrays;
 import java.util.Optional;
+import java.util.function.DoubleUnaryOperator;
 import java.util.function.IntConsumer;
-import java.util.stream.IntStream;
-import org.apache.commons.math3.complex.Complex;
 import sunbeam.precompute.expansion.CoefficientTable;
 import sunbeam.precompute.expansion.Expansion;
 import sunbeam.precompute.expansion.ExpansionKind;
+import sunbeam.precompute.expansion.HeightScale;
 import sunbeam.precompute.fourier.Band;
 import sunbeam.precompute.fourier.BandTransform2d;
 import sunbeam.precompute.fourier.ComplexVector;
 import sunbeam.precompute.patch.HeightLevels;
+import sunbeam.precompute.patch.HeightMap;
 
 /** Transforms the terms T_n(h) of a patch into a {@link FourierTable}. */
 public final class TableBuilder {
@@ -54,8 +56,9 @@ public final class TableBuilder {
     private void transformSingly(Expansion expansion, Band bandX, Band bandY, float[][] real, float[][] imaginary) {
         BandTransform2d transform = new BandTransform2d(patch.columns(), patch.rows(), bandX, bandY);
         for (int n = 0; n < expansion.terms(); n++) {
-            double[][] field = sample(expansion, n);
-            ComplexVector bins = transform.transform(rowsOf(field[0], field[1]));
+            int term = n;
+            ComplexVector bins = transform.transform(
+                    rows(expansion, s -> expansion.realBasis(term, s), s -> expansion.imaginaryBasis(term, s)));
             real[n] = toFloat(bins.real());
             imaginary[n] = toFloat(bins.imaginary());
             progress.accept(n + 1);
@@ -69,9 +72,9 @@ public final class TableBuilder {
         BandTransform2d transform = new BandTransform2d(patch.columns(), patch.rows(), wideX, wideY);
         for (int n = 0; n < expansion.terms(); n += 2) {
             boolean pair = n + 1 < expansion.terms();
-            double[] first = sample(expansion, n)[0];
-            double[] second = pair ? sample(expansion, n + 1)[0] : new double[first.length];
-            ComplexVector z = transform.transform(rowsOf(first, second));
+            int first = n;
+            ComplexVector z = transform.transform(rows(
+                    expansion, s -> expansion.realBasis(first, s), s -> pair ? expansion.realBasis(first + 1, s) : 0));
             for (int term = n; term <= (pair ? n + 1 : n); term++) {
                 real[term] = new float[bandX.count() * bandY.count()];
                 imaginary[term] = new float[bandX.count() * bandY.count()];
@@ -98,27 +101,37 @@ public final class TableBuilder {
         }
     }
 
-    /** T_n at every distinct height: real parts, imaginary parts. */
-    private double[][] sample(Expansion expansion, int n) {
-        double[] real = new double[heights.count()];
-        double[] imaginary = new double[heights.count()];
-        IntStream.range(0, real.length).parallel().forEach(i -> {
-            Complex value = expansion.basis(n, expansion.scale().scaled(heights.levels()[i]));
-            real[i] = value.getReal();
-            imaginary[i] = value.getImaginary();
-        });
-        return new double[][] {real, imaginary};
-    }
-
-    private BandTransform2d.RowSource rowsOf(double[] realLevels, double[] imaginaryLevels) {
-        int[] index = heights.index();
+    /** Functions of the scaled height at all samples. */
+    private BandTransform2d.RowSource rows(
+            Expansion expansion, DoubleUnaryOperator real, DoubleUnaryOperator imaginary) {
+        HeightScale scale = expansion.scale();
         int columns = patch.columns();
-        return (row, real, imaginary) -> {
+        if (heights.areMany()) {
+            HeightMap map = heights.map();
+            return (row, realRow, imaginaryRow) -> {
+                for (int column = 0; column < columns; column++) {
+                    double scaled = scale.scaled(map.at(column, row));
+                    realRow[column] = real.applyAsDouble(scaled);
+                    imaginaryRow[column] = imaginary.applyAsDouble(scaled);
+                }
+            };
+        }
+        double[] realLevels = atLevels(scale, real);
+        double[] imaginaryLevels = atLevels(scale, imaginary);
+        int[] index = heights.index();
+        return (row, realRow, imaginaryRow) -> {
             for (int column = 0, i = row * columns; column < columns; column++, i++) {
-                real[column] = realLevels[index[i]];
-                imaginary[column] = imaginaryLevels[index[i]];
+                realRow[column] = realLevels[index[i]];
+                imaginaryRow[column] = imaginaryLevels[index[i]];
             }
         };
+    }
+
+    private double[] atLevels(HeightScale scale, DoubleUnaryOperator function) {
+        double[] levels = heights.levels();
+        double[] values = new double[levels.length];
+        Arrays.parallelSetAll(values, i -> function.applyAsDouble(scale.scaled(levels[i])));
+        return values;
     }
 
     private static float[] toFloat(double[] values) {

@@ -54,4 +54,21 @@ class HeightLevelsTest {
         assertThat(check(i -> i % 3 == 0 ? -0.0 : i % 3 == 1 ? 0.0 : 1e-9).count())
                 .isEqualTo(2);
     }
+
+    /** By a glance at 8192 of them: levels that few samples share are many, a scan's 4096 are not. */
+    @Test
+    void sayWhetherTheyAreMany() {
+        Random random = new Random(6);
+        int side = 300;
+        double[] samples = new double[side * side];
+        for (int levels : new int[] {1, 2, 256, 4096, 10_000}) {
+            Arrays.setAll(samples, i -> 1e-9 * random.nextInt(levels));
+            HeightLevels few = HeightLevels.of(new HeightMap(side, side, 1e-8, 1e-8, samples.clone()));
+            assertThat(few.areMany()).as("%d levels", levels).isFalse();
+        }
+        Arrays.setAll(samples, i -> random.nextGaussian());
+        assertThat(HeightLevels.of(new HeightMap(side, side, 1e-8, 1e-8, samples))
+                        .areMany())
+                .isTrue();
+    }
 }

@@ -3,6 +3,7 @@ package sunbeam.precompute.table;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.Arrays;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import sunbeam.precompute.Surfaces;
@@ -15,10 +16,21 @@ import sunbeam.precompute.patch.HeightMap;
 class TableBuilderTest {
 
     @ParameterizedTest
-    @CsvSource({"12, 10, 5", "16, 8, 4", "1, 13, 3", "13, 1, 2", "11, 9, 1"})
-    void everyTermIsTheDftOfItsPolynomial(int columns, int rows, int terms) {
-        HeightMap map = Surfaces.random(columns, rows, 40e-9, 300e-9, columns);
+    @CsvSource({
+        "12, 10, 5, 0",
+        "16, 8, 4, 0",
+        "1, 13, 3, 0",
+        "13, 1, 2, 0",
+        "11, 9, 1, 0",
+        "12, 10, 5, 40e-9",
+        "16, 8, 4, 20e-9"
+    })
+    void everyTermIsTheDftOfItsPolynomial(int columns, int rows, int terms, double step) {
+        HeightMap random = Surfaces.random(columns, rows, 40e-9, 300e-9, columns);
+        HeightMap map = step == 0 ? random : rounded(random, step);
         HeightLevels heights = HeightLevels.of(map);
+        // Functions of the height are evaluated at samples, or at levels.
+        assertThat(heights.areMany()).isEqualTo(step == 0);
         TaylorExpansion expansion = new TaylorExpansion(HeightScale.mean(heights), terms, 5);
         Band bandX = Band.of(-2, 4);
         Band bandY = Band.of(-3, 1);
@@ -35,6 +47,12 @@ class TableBuilderTest {
                 }
             }
         }
+    }
+
+    private static HeightMap rounded(HeightMap map, double step) {
+        double[] heights = map.toArray();
+        Arrays.setAll(heights, i -> step * Math.rint(heights[i] / step));
+        return new HeightMap(map.columns(), map.rows(), map.pitchX(), map.pitchY(), heights);
     }
 
     private static double[] bin(HeightMap map, TaylorExpansion expansion, int n, int jx, int jy) {

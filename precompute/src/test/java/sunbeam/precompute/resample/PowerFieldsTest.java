@@ -1,0 +1,64 @@
+package sunbeam.precompute.resample;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import org.apache.commons.math3.complex.Complex;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import sunbeam.precompute.Surfaces;
+import sunbeam.precompute.expansion.ChebyshevExpansion;
+import sunbeam.precompute.expansion.Expansion;
+import sunbeam.precompute.expansion.HeightScale;
+import sunbeam.precompute.expansion.LowRankExpansion;
+import sunbeam.precompute.fourier.Band;
+import sunbeam.precompute.patch.HeightLevels;
+import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.table.FourierTable;
+import sunbeam.precompute.table.PatchIdentity;
+import sunbeam.precompute.table.TableBuilder;
+
+class PowerFieldsTest {
+    private static final double MAXIMUM_PHASE = 6;
+    private static final double TOLERANCE = 1e-6;
+
+    /** The basis against |sum of terms|^2, with so few terms that it is made of their products, and with more. */
+    @ParameterizedTest
+    @CsvSource({"1, true", "3, true", "6, true", "20, true", "3, false", "6, false", "30, false"})
+    void powersAreThoseOfTheTerms(int terms, boolean lowRank) {
+        HeightMap map = Surfaces.random(20, 16, 40e-9, 300e-9, terms);
+        HeightLevels heights = HeightLevels.of(map);
+        HeightScale scale = HeightScale.mean(heights);
+        Expansion expansion = lowRank
+                ? LowRankExpansion.ofTerms(heights, scale, 0, MAXIMUM_PHASE, terms)
+                : new ChebyshevExpansion(scale, terms, MAXIMUM_PHASE);
+        Band band = Band.of(-3, 4);
+        PatchIdentity patch = new PatchIdentity("random", map.columns(), map.rows(), 40e-9, 40e-9, "");
+        FourierTable table = new TableBuilder(patch, heights, done -> {}).build(expansion, band, band);
+        PowerFields fields = new PowerFields(table, expansion, TOLERANCE);
+        for (int bin = 0; bin < band.count() * band.count(); bin++) {
+            double largest = 0;
+            double worst = 0;
+            for (double phase = 0.1; phase < MAXIMUM_PHASE; phase += 0.37) {
+                double expected = power(table, expansion, phase, bin);
+                double found = fields.power(fields.functions(phase), bin);
+                largest = Math.max(largest, expected);
+                worst = Math.max(worst, Math.abs(found - expected));
+            }
+            // One row in a hundred may miss the tolerance, none by orders of magnitude; twice is for the worst of the
+            // phases
+            // beside their root mean square.
+            assertThat(worst).as("bin %d", bin).isCloseTo(0, within(20 * TOLERANCE * (largest + 1e-10)));
+        }
+    }
+
+    private static double power(FourierTable table, Expansion expansion, double phase, int bin) {
+        double[] coefficients = expansion.coefficients(phase);
+        Complex sum = Complex.ZERO;
+        for (int n = 0; n < coefficients.length; n++) {
+            Complex term = new Complex(table.real()[n][bin], table.imaginary()[n][bin]);
+            sum = sum.add(term.multiply(table.kind().turn(n)).multiply(coefficients[n]));
+        }
+        return sum.getReal() * sum.getReal() + sum.getImaginary() * sum.getImaginary();
+    }
+}
