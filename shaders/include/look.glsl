@@ -55,6 +55,8 @@ Look lookOver(vec3 uvw, vec3 a, vec3 b) {
     // The smaller root of a quadratic equation, without its cancellation.
     vec2 seen = vec2(determinant * perWideRoot, wideRoot) / 12.0;
     vec2 side = squares.x > squares.y ? vec2(wideRoot - squares.y, mixed) : vec2(mixed, wideRoot - squares.x);
+    // A square: any direction will do.
+    side = dot(side, side) == 0.0 ? vec2(1.0, 0.0) : side;
     float perSideSquare = 1.0 / max(dot(side, side), 1e-36);
     // The trapezoid's edges, seen from the narrow side.
     vec2 edges = vec2(dot(a.xy, side), dot(b.xy, side));

@@ -37,9 +37,14 @@ final class MovingSkin implements AutoCloseable {
         this.program = method.program("moving.frag", Map.of("PLACES", Integer.toString(places)));
         this.looks = looks;
         this.targets = new KeptTarget(context, "moving", FloatTargetSpec.Format.RGBA8);
-        looks.prepareLooking(program);
-        program.set("mostPlaces", (float) places);
-        program.set("samplesAcross", 1f);
+        try {
+            looks.prepareLooking(program);
+            program.set("mostPlaces", (float) places);
+            program.set("samplesAcross", 1f);
+        } catch (RuntimeException failure) {
+            close();
+            throw failure;
+        }
     }
 
     /** In so many places along the wide side of what it sees a pixel looks at most. */

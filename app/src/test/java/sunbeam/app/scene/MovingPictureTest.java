@@ -9,14 +9,19 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
 import jrtr.RenderContext;
+import jrtr.ShaderProgram;
 import jrtr.gl.RenderContexts;
 import jrtr.scene.Camera;
 import org.joml.Quaternionf;
 import org.joml.Vector3f;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.app.gpu.NeedsDisplay;
+import sunbeam.app.gpu.UploadedTables;
 import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.method.MethodType;
 import sunbeam.precompute.method.Methods;
@@ -154,5 +159,17 @@ class MovingPictureTest {
             throw new UncheckedIOException(failure);
         }
         return mesh.toString();
+    }
+
+    /** Graphics cards look in several places, software in one: both must compile, whatever the machine of the test has. */
+    @ParameterizedTest
+    @ValueSource(strings = {"1", "4"})
+    void compilesForAnyNumberOfPlaces(String places) {
+        SceneData data = PlaneScenes.load(PlaneScenes.blaze().withMethod(method(TableMethod.TYPE)), folder);
+        try (RenderContext context = RenderContexts.offscreen();
+                UploadedTables tables = UploadedTables.upload(context, data.tables());
+                ShaderProgram program = tables.program("moving.frag", Map.of("PLACES", places))) {
+            program.set("mostPlaces", Float.parseFloat(places));
+        }
     }
 }
