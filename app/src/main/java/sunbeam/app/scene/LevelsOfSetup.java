@@ -1,5 +1,6 @@
 package sunbeam.app.scene;
 
+import java.util.function.Consumer;
 import java.util.function.LongConsumer;
 import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.gpu.colours.GpuColours;
@@ -23,6 +24,8 @@ final class LevelsOfSetup implements LevelSources {
     private final LevelledPlan plan;
     private final CieTable cie;
     private RaySpectrum spectrum;
+    // Keeps what the spectrum is made of for later runs.
+    private Runnable unsaved = () -> {};
 
     /** @param cie the light that the plan is for */
     LevelsOfSetup(DiffractionSetup setup, LevelledPlan plan, CieTable cie) {
@@ -47,20 +50,29 @@ final class LevelsOfSetup implements LevelSources {
             return GpuColours.of(setup.tables(plan.source(level), MethodUse.COLOUR, GpuColours::of), done);
         }
         TableLevels.Level wanted = plan.levels().levels().get(level);
-        RaySpectrum terms = spectrum(plan.spectrum().get());
+        RaySpectrum terms = spectrum(plan.spectrum().get(), Runnable::run);
+        if (level < plan.levels().levels().size() - 1) {
+            save();
+        }
         return new RayColours(terms, wanted.area(), wanted.design().step(), level == 0, done);
     }
 
     @Override
     public void prepare() {
         if (plan.spectrum().isPresent() && !setup.hasPages(plan)) {
-            spectrum(plan.spectrum().get());
+            // Once there are coarse colours, for which somebody waits.
+            spectrum(plan.spectrum().get(), saving -> unsaved = saving);
         }
     }
 
-    private synchronized RaySpectrum spectrum(Plan widened) {
+    private synchronized void save() {
+        unsaved.run();
+        unsaved = () -> {};
+    }
+
+    private synchronized RaySpectrum spectrum(Plan widened, Consumer<Runnable> saving) {
         if (spectrum == null) {
-            spectrum = new RaySpectrum(widened, setup.table(widened), plan.tolerance(), cie);
+            spectrum = new RaySpectrum(widened, setup.table(widened, saving), plan.tolerance(), cie);
         }
         return spectrum;
     }

@@ -6,6 +6,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
 import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.files.input.IndexFile;
 import sunbeam.app.gpu.colours.GpuColours;
@@ -78,13 +79,11 @@ public final class SceneLoader {
         Mesh mesh = mesh(scene);
         // Beside the patch, most of whose work is one processor's.
         Meanwhile<BodyTexture> body = Meanwhile.start(() -> BodyTextures.load(scene.texture()));
-        Patch patch;
         try {
-            patch = patch(scene);
+            return withTables(scene, mesh, body::get, patch(scene), parts);
         } finally {
             body.settle();
         }
-        return withTables(scene, mesh, body.get(), patch, parts);
     }
 
     /** As {@link #parts(Scene)}, keeping what has not changed; files are not looked at again. */
@@ -102,11 +101,11 @@ public final class SceneLoader {
                             scene, mesh, part.patch(), part.method(), part.tables(), part.levels(), body, part.part()))
                     .toList();
         }
-        return withTables(scene, mesh, body, samePatch ? one.patch() : patch(scene), skinParts(scene));
+        return withTables(scene, mesh, () -> body, samePatch ? one.patch() : patch(scene), skinParts(scene));
     }
 
     private List<SceneData> withTables(
-            Scene scene, Mesh mesh, BodyTexture body, Patch patch, List<Optional<SkinPart>> parts) {
+            Scene scene, Mesh mesh, Supplier<BodyTexture> body, Patch patch, List<Optional<SkinPart>> parts) {
         tellLimit(scene, patch);
         return parts.stream()
                 .map(part -> withTables(scene, mesh, body, patch, part))
@@ -134,7 +133,7 @@ public final class SceneLoader {
         Optional<SkinPart> part = scene.index().isByWavelength()
                 ? Optional.of(SkinPart.approximately(index(scene), CieTable.load()))
                 : Optional.empty();
-        return withTables(scene, loaded.mesh(), loaded.body(), loaded.patch(), part);
+        return withTables(scene, loaded.mesh(), loaded::body, loaded.patch(), part);
     }
 
     private Mesh mesh(Scene scene) {
@@ -158,7 +157,8 @@ public final class SceneLoader {
     }
 
     /** Light and camera may move at any time, so that the plan holds for every pair of directions. */
-    private SceneData withTables(Scene scene, Mesh mesh, BodyTexture body, Patch patch, Optional<SkinPart> part) {
+    private SceneData withTables(
+            Scene scene, Mesh mesh, Supplier<BodyTexture> body, Patch patch, Optional<SkinPart> part) {
         DiffractionSetup setup = new DiffractionSetup(patch, environment, warning);
         Surface surface = part.map(
                         found -> setup.surface().under(found.reflection().cie()))
@@ -170,6 +170,6 @@ public final class SceneLoader {
         ShaderTables tables = levels.isPresent()
                 ? setup.freshTables(method, MethodUse.COLOUR, GpuColours::of)
                 : setup.tables(method, MethodUse.COLOUR, GpuColours::of);
-        return new SceneData(scene, mesh, patch, method, tables, levels, body, part);
+        return new SceneData(scene, mesh, patch, method, tables, levels, body.get(), part);
     }
 }

@@ -284,6 +284,14 @@ public final class SceneSession implements AutoCloseable {
         return uploaded.skin().looks().map(looks -> looks.pages().hasCoarsest()).orElse(false);
     }
 
+    /** Whether what {@link #canMoveCoarsely()} asks for was kept by an earlier run, and will soon be read in the background. */
+    public boolean hasKeptCoarse() {
+        return uploaded.skin()
+                .looks()
+                .map(looks -> looks.pages().hasKeptCoarsest())
+                .orElse(false);
+    }
+
     /**
      * Draws a picture by those colours that are there, with few looks a pixel; nothing is made for it. Fewer pixels see more each,
      * and have the mean of that.

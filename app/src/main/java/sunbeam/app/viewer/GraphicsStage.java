@@ -60,16 +60,32 @@ class GraphicsStage implements AutoCloseable {
         if (moving.isPresent() && state.moving().isEmpty()) {
             closeMoving();
         }
+        Optional<SceneSession> nextMoving = moving;
+        SceneSession nextCoarse = coarse;
         List<SceneSession> sessions = sessions();
         List<SceneData> before = sessions.stream().map(SceneSession::data).toList();
         try {
+            if (moving.isEmpty()) {
+                nextMoving = state.moving().map(data -> new SceneSession(context, data));
+            }
+            if (coarse == null && !state.isBare()) {
+                nextCoarse = new SceneSession(context, state.coarse());
+            }
             update(sessions, data(state));
         } catch (RuntimeException | OutOfMemoryError failure) {
             update(sessions, before);
+            closeNew(nextMoving.orElse(null), moving.orElse(null));
+            closeNew(nextCoarse, coarse);
             throw failure;
         }
-        if (moving.isEmpty()) {
-            moving = state.moving().map(data -> new SceneSession(context, data));
+        moving = nextMoving;
+        coarse = nextCoarse;
+    }
+
+    @SuppressWarnings("ReferenceEquality") // the same session
+    private static void closeNew(SceneSession next, SceneSession old) {
+        if (next != null && next != old) {
+            next.close();
         }
     }
 
@@ -79,11 +95,15 @@ class GraphicsStage implements AutoCloseable {
         }
     }
 
-    /** In the order of {@link #sessions()}, of which the last one may be missing. */
-    private static List<SceneData> data(ViewState state) {
+    /** Of {@link #sessions()}, in their order. */
+    private List<SceneData> data(ViewState state) {
         List<SceneData> all = new ArrayList<>(state.parts());
-        all.add(state.coarse());
-        state.moving().ifPresent(all::add);
+        if (coarse != null) {
+            all.add(state.coarse());
+        }
+        if (moving.isPresent()) {
+            all.add(state.moving().orElseThrow());
+        }
         return all;
     }
 
@@ -98,17 +118,22 @@ class GraphicsStage implements AutoCloseable {
 
     private void replace(ViewState state) {
         List<SceneSession> made = new ArrayList<>();
+        int parts = state.parts().size();
         try {
-            data(state).forEach(data -> made.add(new SceneSession(context, data)));
+            state.parts().forEach(data -> made.add(new SceneSession(context, data)));
+            // What shows the body alone is seldom asked for: what moves does, too.
+            if (!state.isBare()) {
+                made.add(new SceneSession(context, state.coarse()));
+            }
+            state.moving().ifPresent(data -> made.add(new SceneSession(context, data)));
         } catch (RuntimeException | OutOfMemoryError failure) {
             made.forEach(SceneSession::close);
             throw failure;
         }
         sessions().forEach(SceneSession::close);
-        int parts = state.parts().size();
         fine = List.copyOf(made.subList(0, parts));
-        coarse = made.get(parts);
-        moving = state.moving().map(data -> made.get(parts + 1));
+        coarse = state.isBare() ? null : made.get(parts);
+        moving = state.moving().map(data -> made.get(made.size() - 1));
     }
 
     private void closeMoving() {
@@ -165,6 +190,9 @@ class GraphicsStage implements AutoCloseable {
     }
 
     ScenePreview preview(int width, int height, int divisor) {
+        if (coarse == null) {
+            coarse = new SceneSession(context, state.coarse());
+        }
         return coarse.preview(width, height, divisor);
     }
 
@@ -174,6 +202,11 @@ class GraphicsStage implements AutoCloseable {
         return moving.isPresent()
                 ? moving.get().canMove()
                 : mover().map(SceneSession::canMoveCoarsely).orElse(false);
+    }
+
+    /** Whether {@link #canMove()} will be so in a moment, by what an earlier run has kept. */
+    boolean canMoveSoon() {
+        return mover().map(SceneSession::hasKeptCoarse).orElse(false);
     }
 
     /** Share of what pictures that stand still wait for that is there, 1 where nothing is missing. */

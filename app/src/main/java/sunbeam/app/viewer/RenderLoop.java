@@ -135,7 +135,7 @@ final class RenderLoop implements AutoCloseable {
         }
         finished = Optional.empty();
         unfinished = Optional.empty();
-        if (state.isBare()) {
+        if (state.isBare() && stage.canMoveSoon()) {
             awaitKept(stage);
         }
         double exposure = preview(stage, state);
@@ -217,6 +217,11 @@ final class RenderLoop implements AutoCloseable {
     /** Shows what moves, as large as there is time for: by tables where colours for that are there, else by the preview's plan. */
     private double preview(GraphicsStage stage, ViewState state) {
         OptionalDouble known = exposures.known(state.fine());
+        if (known.isPresent() && state.isBare() && !stage.canMove()) {
+            // The body alone, by what will draw its colours.
+            moving(stage, state, 1, known.getAsDouble());
+            return known.getAsDouble();
+        }
         if (known.isEmpty() || !stage.canMove()) {
             // Baking goes on meanwhile: whoever keeps moving would never come to see more.
             return reduced(stage, state);
@@ -231,8 +236,9 @@ final class RenderLoop implements AutoCloseable {
 
     private void moving(GraphicsStage stage, ViewState state, int divisor, double exposure) {
         long start = System.nanoTime();
+        boolean colours = stage.canMove();
         BufferedImage image = stage.moving(state.width(), state.height(), divisor, exposure);
-        listener.preview(state, image, divisor, true, exposure, System.nanoTime() - start);
+        listener.preview(state, image, divisor, colours, exposure, System.nanoTime() - start);
     }
 
     private double reduced(GraphicsStage stage, ViewState state) {

@@ -59,26 +59,31 @@ final class Viewer {
         // OpenGL opens while the window is being made; what it has to say waits for the event thread.
         loop = new RenderLoop(opening, new EventThreadListener(new FromRenderThread()));
         loop.start();
-        window = new ViewerWindow(title(scene), model);
-        inspector = new PointInspector(window);
-        files = new FileActions(window, model, writing, this::open);
-        KeyControls keys = new KeyControls(this, model, files);
-        window.setJMenuBar(keys.menus());
-        keys.install(window.picture());
-        MouseControls.install(window.picture(), model, this::pick);
-        model.setListener(new FromModel());
-        window.addWindowListener(new WindowAdapter() {
-            @Override
-            public void windowClosed(WindowEvent event) {
-                end();
-            }
-        });
-        window.picture().addComponentListener(new ComponentAdapter() {
-            @Override
-            public void componentResized(ComponentEvent event) {
-                show();
-            }
-        });
+        try {
+            window = new ViewerWindow(title(scene), model);
+            inspector = new PointInspector(window);
+            files = new FileActions(window, model, writing, this::open);
+            KeyControls keys = new KeyControls(this, model, files);
+            window.setJMenuBar(keys.menus());
+            keys.install(window.picture());
+            MouseControls.install(window.picture(), model, this::pick);
+            model.setListener(new FromModel());
+            window.addWindowListener(new WindowAdapter() {
+                @Override
+                public void windowClosed(WindowEvent event) {
+                    end();
+                }
+            });
+            window.picture().addComponentListener(new ComponentAdapter() {
+                @Override
+                public void componentResized(ComponentEvent event) {
+                    show();
+                }
+            });
+        } catch (RuntimeException | Error failure) {
+            loop.close();
+            throw failure;
+        }
     }
 
     private static String title(Scene scene) {

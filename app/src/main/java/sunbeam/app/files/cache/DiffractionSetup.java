@@ -112,6 +112,11 @@ public final class DiffractionSetup {
         return store.table(plan);
     }
 
+    /** As {@link #table(Plan)}; {@code saving} takes what keeps one for later runs that was made now. */
+    public FourierTable table(Plan plan, Consumer<Runnable> saving) {
+        return store.table(plan, saving);
+    }
+
     /**
      * What a method's shader reads, made now, layer by layer as it is asked for.
      *

@@ -134,6 +134,15 @@ public final class TableStore {
 
     /** The Fourier table for a plan. */
     public FourierTable table(Plan plan) {
+        return table(plan, Runnable::run);
+    }
+
+    /**
+     * The Fourier table for a plan.
+     *
+     * @param saving takes what keeps the table for later runs, if it was made now: whoever is in haste does so afterwards
+     */
+    FourierTable table(Plan plan, Consumer<Runnable> saving) {
         Optional<Path> file =
                 file("table 1|" + surface.identity().digest() + "|" + plan.tableKey(), CacheEntry.FOURIER);
         if (file.isEmpty()) {
@@ -141,7 +150,7 @@ public final class TableStore {
         }
         return keptOr(file.get(), present -> checked(TableFile.read(present), plan), () -> {
             FourierTable table = freshTable(plan);
-            save(file.get(), target -> TableFile.write(target, table));
+            saving.accept(() -> save(file.get(), target -> TableFile.write(target, table)));
             return table;
         });
     }

@@ -34,6 +34,7 @@ public final class LevelPages implements AutoCloseable {
     // Coarse levels as a whole, so that whatever comes into view has colours at once.
     private final List<BitSet> resident = new ArrayList<>();
     private boolean residentThere;
+    private boolean coarsestKept;
     // What was asked of the background last.
     private List<BitSet> requested = List.of();
     private Optional<PageBaker> baker = Optional.empty();
@@ -149,6 +150,8 @@ public final class LevelPages implements AutoCloseable {
      */
     public void bakeInBackground(Runnable arrived) {
         if (baker.isEmpty()) {
+            int last = grids.size() - 1;
+            coarsestKept = !sources.kept(last, resident.get(last)).isEmpty();
             baker = Optional.of(new PageBaker(sources, arrived));
             baker.get()
                     .want(resident.stream().map(pages -> (BitSet) pages.clone()).toList());
@@ -184,6 +187,11 @@ public final class LevelPages implements AutoCloseable {
     public boolean hasCoarsest() {
         int last = grids.size() - 1;
         return !resident.get(last).isEmpty() && isThere(last);
+    }
+
+    /** Whether an earlier run has kept some of the coarsest level, so that the background has it soon. */
+    public boolean hasKeptCoarsest() {
+        return coarsestKept;
     }
 
     private boolean isThere(int level) {
