@@ -1,6 +1,7 @@
 package sunbeam.app.viewer;
 
 import com.formdev.flatlaf.FlatDarkLaf;
+import java.awt.AWTError;
 import java.awt.GraphicsEnvironment;
 import java.lang.reflect.InvocationTargetException;
 import java.util.Locale;
@@ -101,10 +102,22 @@ final class ViewerStart {
                 viewer.get().start();
             });
         } catch (InvocationTargetException failure) {
+            if (failure.getCause() instanceof AWTError || failure.getCause() instanceof LinkageError) {
+                throw unreachable(failure.getCause());
+            }
             throw failure.getCause() instanceof RuntimeException cause
                     ? cause
                     : new IllegalStateException(failure.getCause());
+        } catch (AWTError | LinkageError failure) {
+            throw unreachable(failure);
         }
         return viewer.get();
+    }
+
+    /** There is a screen by name, but no way to it; or Java came without what draws on screens. */
+    private static GraphicsException unreachable(Throwable failure) {
+        String why = String.valueOf(failure.getMessage()).strip().replaceAll("\\.$", "");
+        return new GraphicsException("the viewer cannot open the screen: " + why
+                + "; start it on a desktop, or set DISPLAY to a screen that is there");
     }
 }
