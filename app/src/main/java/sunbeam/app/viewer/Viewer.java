@@ -346,8 +346,7 @@ final class Viewer {
                 ViewState state, BufferedImage image, int divisor, boolean tables, double exposure, long nanoseconds) {
             show(state, image, false, exposure);
             journal.reached(state.isBare() && !tables ? StartJournal.Stage.BODY : StartJournal.Stage.COLOURS);
-            if (tables || !state.isBare()) {
-                // Only now: it would take the processors from what is seen first.
+            if (!state.isBare()) {
                 model.loadRest();
             }
             window.status().preview(divisor, nanoseconds);
@@ -365,6 +364,8 @@ final class Viewer {
             show(state, image, true, exposure);
             journal.reached(StartJournal.Stage.FINAL);
             completed = state;
+            // Only now: it would take the processors from the picture, or from what moves.
+            model.loadRest();
             window.status().complete(nanoseconds);
             files.pictureIsFinal(state.fine(), exposure);
             measure();

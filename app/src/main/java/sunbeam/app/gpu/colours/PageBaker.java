@@ -19,8 +19,8 @@ import java.util.concurrent.TimeUnit;
 final class PageBaker implements AutoCloseable {
     // Pages that are made at once: a second's work. What is asked for meanwhile waits for them.
     private static final int CHUNK = 1200;
-    // Pages that are read at once: a tenth of a second's work.
-    private static final int MOST_AT_ONCE = 20_000;
+    // Pages that are read at once: some tenths of a second of work, which nothing that moves waits for.
+    private static final int MOST_AT_ONCE = 4000;
     private static final int LIFE_DAYS = 1000;
     private static final long HOLD_NANOSECONDS = 300_000_000;
     // Nothing has moved for so long: what stands still may as well have all processors.
