@@ -55,4 +55,16 @@ final class CubicSpline {
         }
         return sum;
     }
+
+    /**
+     * What the four coefficients around a place weigh.
+     *
+     * @param t the place, from the second of them on, 0..1
+     */
+    static double[] weights(double t) {
+        double s = 1 - t;
+        return new double[] {
+            s * s * s / 6, 2.0 / 3 - 0.5 * t * t * (2 - t), 2.0 / 3 - 0.5 * s * s * (2 - s), t * t * t / 6
+        };
+    }
 }

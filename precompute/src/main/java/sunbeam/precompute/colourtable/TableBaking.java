@@ -61,17 +61,29 @@ public final class TableBaking {
         return TableArray.of(pagesLayout(), list);
     }
 
-    private int left(int cell) {
+    /** Texels to the left of a page's, of so many before it. */
+    int left(int cell) {
         return cell % cellsAcross * pages.storedSide();
     }
 
-    private int top(int cell) {
+    /** Texels above a page's. */
+    int top(int cell) {
         int row = cell / cellsAcross;
         return row * pages.storedSide();
     }
 
-    /** Evaluates all texels. */
-    public TableArray texels(ColourSource source) {
+    /** Where a texel begins in its layer. */
+    int texel(int x, int y) {
+        return CHANNELS * (y * cellsAcross * pages.storedSide() + x);
+    }
+
+    /** The texels of all slices, as the shader has them. */
+    TableArray texels(float[][] layers) {
+        return TableArray.computed(texelsLayout(), layer -> layers[layer]);
+    }
+
+    /** Evaluates all texels, slice by slice. */
+    float[][] layers(ColourSource source) {
         ArrayLayout layout = texelsLayout();
         float[][] layers = new float[layout.layers()][layout.floatsPerLayer()];
         int cell = 0;
@@ -84,7 +96,7 @@ public final class TableBaking {
             }
             cell++;
         }
-        return TableArray.computed(layout, layer -> layers[layer]);
+        return layers;
     }
 
     /** Coefficients over a page's evaluated square, one plane a channel. */
@@ -144,11 +156,10 @@ public final class TableBaking {
     private void put(float[] layer, int cell, float[][] planes) {
         int side = pages.storedSide();
         int evaluated = pages.evaluatedSide();
-        int width = cellsAcross * side;
         for (int row = 0; row < side; row++) {
             for (int column = 0; column < side; column++) {
                 int from = (row + TablePages.MARGIN) * evaluated + column + TablePages.MARGIN;
-                int to = CHANNELS * ((top(cell) + row) * width + left(cell) + column);
+                int to = texel(left(cell) + column, top(cell) + row);
                 for (int c = 0; c < 3; c++) {
                     layer[to + c] = planes[c][from];
                 }

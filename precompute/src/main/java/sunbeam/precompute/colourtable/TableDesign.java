@@ -55,6 +55,11 @@ public record TableDesign(double step, int slices) {
         return new TableDesign(step, Math.max(TAPS, 1 + (int) Math.ceil(2 / sliceStep)));
     }
 
+    /** With all steps smaller by a factor below 1. */
+    public TableDesign finer(double factor) {
+        return new TableDesign(step * factor, 1 + (int) Math.ceil((slices - 1) / factor));
+    }
+
     /** Of |w| between slices. */
     public double sliceStep() {
         return 2.0 / (slices - 1);

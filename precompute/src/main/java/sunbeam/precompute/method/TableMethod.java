@@ -9,13 +9,13 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import sunbeam.precompute.colourtable.ColourSource;
 import sunbeam.precompute.colourtable.LevelGrid;
 import sunbeam.precompute.colourtable.TableBaking;
 import sunbeam.precompute.colourtable.TableDesign;
 import sunbeam.precompute.colourtable.TableLevels;
 import sunbeam.precompute.colourtable.TablePages;
 import sunbeam.precompute.colourtable.TableSpace;
+import sunbeam.precompute.colourtable.TriedTable;
 import sunbeam.precompute.files.Sha256;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.patch.HeightMap;
@@ -95,10 +95,14 @@ public record TableMethod(double tolerance, GaussianArea area) implements Method
         TableDesign design = TableDesign.within(tolerance, area, relief);
         TablePages pages = pages(design, range.reach());
         TableBaking baking = new TableBaking(pages);
-        requireRoom(surface, design, baking.memory());
+        requireRoom(surface, pages);
         FullMethod full =
                 new FullMethod(TableChoices.of(new Accuracy.ByTolerance(sourceTolerance())), Optional.empty(), area);
-        return new Planned(surface, pages, baking, full.plan(surface, pages.range()));
+        return new Planned(surface, this, range.reach(), pages, baking, full.plan(surface, pages.range()));
+    }
+
+    private void requireRoom(Surface surface, TablePages pages) {
+        requireRoom(surface, pages.design(), new TableBaking(pages).memory());
     }
 
     private double sourceTolerance() {
@@ -134,7 +138,9 @@ public record TableMethod(double tolerance, GaussianArea area) implements Method
         throw new IllegalArgumentException("pages of " + reach);
     }
 
-    private record Planned(Surface surface, TablePages pages, TableBaking baking, MethodPlan source)
+    /** Its pages are the coarsest; where colours need it, they become finer as they are made. */
+    private record Planned(
+            Surface surface, TableMethod method, Reach reach, TablePages pages, TableBaking baking, MethodPlan source)
             implements MethodPlan {
 
         private String step() {
@@ -145,7 +151,7 @@ public record TableMethod(double tolerance, GaussianArea area) implements Method
         public String summary() {
             return String.format(
                     Locale.ROOT,
-                    "table: %s, step %s in (u, v), %.2f million places, %.0f MB; of %s",
+                    "table: %s, step at most %s in (u, v), %.2f million places and %.0f MB or more; of %s",
                     pages.slices() == 1 ? "one light" : pages.slices() + " slices in w",
                     step(),
                     pages.evaluated() * 1e-6,
@@ -158,7 +164,8 @@ public record TableMethod(double tolerance, GaussianArea area) implements Method
             List<String> reasons = new ArrayList<>();
             reasons.add(String.format(
                     Locale.ROOT,
-                    "step %s in (u, v): cubic B-splines through square roots of X, Y, Z err by the tolerance (docs/colour-tables.md)",
+                    "step %s in (u, v), or smaller where a trial of the table asks for it: cubic B-splines through square roots of X, Y, Z err by"
+                            + " the tolerance (docs/colour-tables.md)",
                     step()));
             reasons.add(
                     pages.slices() == 1
@@ -192,25 +199,32 @@ public record TableMethod(double tolerance, GaussianArea area) implements Method
 
         @Override
         public String key(MethodUse use) {
-            return String.join("|", "table", Sha256.of(pages.key()), source.key(use));
+            return String.join(
+                    "|", "tried table", String.valueOf(method.tolerance), Sha256.of(pages.key()), source.key(use));
         }
 
         @Override
         public ShaderTables tables(MethodUse use, TableSources sources) {
             ShaderTables evaluated = source.tables(use, sources);
             ShaderTables.Builder tables = new ShaderTables.Builder("table");
-            try (ColourSource colours = sources.colours(evaluated, pages.evaluated())) {
-                tables.array(baking.texels(colours)).array(baking.pageList());
-            }
-            area(tables);
-            return tables.define("COLOUR_SLICES", pages.slices())
-                    .reals("colourOrigin", pages.originX(), pages.originY())
-                    .reals("colourTexelsPerUnit", 1 / pages.design().step())
-                    .reals("colourPageSide", pages.side())
+            TriedTable made = TriedTable.make(
+                    method.tolerance,
+                    reach,
+                    pages.design(),
+                    design -> TableMethod.pages(design, reach),
+                    places -> sources.colours(evaluated, places),
+                    finer -> method.requireRoom(surface, finer),
+                    sources::tell);
+            tables.array(made.texels()).array(made.baking().pageList());
+            area(tables, made.pages());
+            return tables.define("COLOUR_SLICES", made.pages().slices())
+                    .reals("colourOrigin", made.pages().originX(), made.pages().originY())
+                    .reals("colourTexelsPerUnit", 1 / made.pages().design().step())
+                    .reals("colourPageSide", made.pages().side())
                     .build(evaluated.windowSigma(), evaluated.specularReach());
         }
 
-        private void area(ShaderTables.Builder tables) {
+        private static void area(ShaderTables.Builder tables, TablePages pages) {
             if (pages.space() instanceof TableSpace.OneLight one) {
                 Direction light = one.light();
                 tables.reals("colourLight", light.x(), light.y(), light.z());

@@ -18,4 +18,7 @@ public interface TableSources {
      * @param places that will be asked for in all
      */
     ColourSource colours(ShaderTables tables, long places);
+
+    /** Takes a line about what is done otherwise than planned. */
+    void tell(String line);
 }

@@ -27,7 +27,7 @@ public record ErrorBudget(double tolerance, Roughness roughness) {
     static final double FINEST_CERTAIN = 2e-5;
 
     /** The 95th percentile of the power's relative error that float32 leaves, as measured. */
-    static final double FLOAT32_PERCENTILE = 4.2e-5;
+    public static final double FLOAT32_PERCENTILE = 4.2e-5;
 
     public static final double COARSEST = 1;
     public static final double STANDARD = 1e-3;

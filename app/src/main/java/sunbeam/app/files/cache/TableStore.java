@@ -2,6 +2,8 @@ package sunbeam.app.files.cache;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Function;
@@ -62,14 +64,16 @@ public final class TableStore {
         return keptOr(file.get(), reader, () -> {
             TableLabel label = new TableLabel(surface.identity().name(), plan.summary());
             // Colours take up to hours: a run that is stopped leaves those that it has.
-            Path unfinished = file(key, CacheEntry.COLOURS).orElseThrow();
+            List<Path> unfinished = new ArrayList<>();
             TableLabel half = new TableLabel(label.patch(), "half made: " + label.what());
-            ShaderTables made = freshTables(
-                    plan,
-                    use,
-                    (tables, places) -> KeptColours.of(unfinished, key, half, () -> colours.of(tables, places)));
+            ShaderTables made = freshTables(plan, use, (tables, places) -> {
+                String again = key + "|" + unfinished.size();
+                unfinished.add(file(again, CacheEntry.COLOURS).orElseThrow());
+                return KeptColours.of(
+                        unfinished.get(unfinished.size() - 1), again, half, () -> colours.of(tables, places));
+            });
             save(file.get(), path -> ShaderTablesFile.write(path, key, label, made));
-            KeptColours.delete(unfinished);
+            unfinished.forEach(KeptColours::delete);
             // Again from the file, so that no more than one layer at a time need be in memory.
             return read(file.get(), reader).orElse(made);
         });
@@ -128,6 +132,11 @@ public final class TableStore {
             @Override
             public ColourSource colours(ShaderTables tables, long places) {
                 return colours.of(tables, places);
+            }
+
+            @Override
+            public void tell(String line) {
+                warning.accept(line);
             }
         });
     }

@@ -1,0 +1,153 @@
+package sunbeam.precompute.colourtable;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Random;
+import java.util.function.Consumer;
+import java.util.function.Function;
+import org.junit.jupiter.api.Test;
+import sunbeam.precompute.optics.Direction;
+import sunbeam.precompute.optics.DirectionPair;
+import sunbeam.precompute.plan.Reach;
+
+/** Tables that are tried at directions that they were not made at. */
+class TriedTableTest {
+    private static final Direction LIGHT = Direction.ofDegrees(20, 30);
+    private static final TableDesign COARSE = new TableDesign(0.04, 11);
+    private static final double TOLERANCE = 1e-2;
+
+    private final List<String> told = new ArrayList<>();
+
+    /** Two orders' amplitudes that cancel on lines: the power is smooth, its root has a kink. */
+    private static float[] cancelling(float[] uvw) {
+        return colours(uvw, place -> Math.pow(Math.sin(9 * place[0] + 4 * place[1] + place[2]), 2) + 1e-7);
+    }
+
+    private static float[] smooth(float[] uvw) {
+        return colours(uvw, place -> 2 + Math.sin(place[0] + place[1]) + 0.1 * place[2]);
+    }
+
+    private static float[] dark(float[] uvw) {
+        return colours(uvw, place -> 1e-12 * (1 + Math.sin(1000 * place[0])));
+    }
+
+    /** Nothing that two neighbours have in common. */
+    private static float[] noisy(float[] uvw) {
+        Random random = new Random(3);
+        return colours(uvw, place -> 1 + random.nextDouble());
+    }
+
+    private static float[] colours(float[] uvw, Function<double[], Double> power) {
+        float[] xyz = new float[uvw.length];
+        for (int i = 0; i < uvw.length; i += 3) {
+            double value = power.apply(new double[] {uvw[i], uvw[i + 1], uvw[i + 2]});
+            for (int c = 0; c < 3; c++) {
+                xyz[i + c] = (float) value;
+            }
+        }
+        return xyz;
+    }
+
+    private TriedTable oneLight(ColourSource source, Consumer<TablePages> room) {
+        return TriedTable.make(
+                TOLERANCE,
+                new Reach.OneLight(LIGHT),
+                COARSE,
+                design -> TablePages.of(design, LIGHT),
+                places -> source,
+                room,
+                told::add);
+    }
+
+    private TriedTable oneLight(ColourSource source) {
+        return oneLight(source, pages -> {});
+    }
+
+    @Test
+    void aTableThatKeepsItsToleranceIsMadeOnce() {
+        TriedTable made = oneLight(TriedTableTest::smooth);
+        assertThat(made.pages().design()).isEqualTo(COARSE);
+        assertThat(told).isEmpty();
+    }
+
+    @Test
+    void whereRootsHaveKinksStepsBecomeSmallerUntilTheToleranceIsKept() {
+        TriedTable made = oneLight(TriedTableTest::cancelling);
+
+        assertThat(made.pages().design().step()).isLessThan(COARSE.step());
+        assertThat(told).isNotEmpty().allMatch(line -> line.contains("made again in steps of"));
+        List<Double> errors = new ArrayList<>();
+        Random random = new Random(11);
+        TableLookUp table = lookUp(made, TriedTableTest::cancelling);
+        while (errors.size() < 1000) {
+            // Other directions than those of the trial, evenly over the sphere.
+            double z = random.nextDouble();
+            double phi = 2 * Math.PI * random.nextDouble();
+            double sine = Math.sqrt(1 - z * z);
+            DirectionPair pair = new DirectionPair(LIGHT, new Direction(sine * Math.cos(phi), sine * Math.sin(phi), z));
+            float exact = cancelling(new float[] {(float) pair.u(), (float) pair.v(), (float) pair.w()})[1];
+            errors.add(Math.abs(table.xyz(pair)[1] - exact) / exact);
+        }
+        errors.sort(null);
+        assertThat(errors.get(500)).isLessThan(TOLERANCE);
+        assertThat(errors.get(950)).isLessThan(3 * TOLERANCE);
+    }
+
+    private static TableLookUp lookUp(TriedTable made, ColourSource source) {
+        return new TableLookUp(made.pages(), made.baking(), made.baking().layers(source));
+    }
+
+    @Test
+    void pairsHaveFinerSlicesToo() {
+        Random random = new Random(7);
+        List<DirectionPair> pairs = new ArrayList<>();
+        for (int i = 0; i < 60; i++) {
+            pairs.add(new DirectionPair(
+                    Direction.ofDegrees(80 * random.nextDouble(), 360 * random.nextDouble()),
+                    Direction.ofDegrees(80 * random.nextDouble(), 360 * random.nextDouble())));
+        }
+        ColourSource deep = uvw -> colours(uvw, place -> 1.5 + Math.sin(14 * place[2]));
+
+        TriedTable made = TriedTable.make(
+                TOLERANCE,
+                new Reach.Pairs(pairs),
+                COARSE,
+                design -> TablePages.of(design, pairs),
+                places -> deep,
+                pages -> {},
+                told::add);
+
+        assertThat(made.pages().slices()).isGreaterThan(COARSE.slices());
+        TableLookUp table = lookUp(made, deep);
+        for (DirectionPair pair : pairs) {
+            double exact = 1.5 + Math.sin(14 * pair.w());
+            // All pairs were tried; beyond the 95th percentile a polynomial errs by little more.
+            assertThat(table.xyz(pair)[0]).isCloseTo(exact, within(6 * TOLERANCE * exact));
+        }
+    }
+
+    @Test
+    void whatIsTooDarkToCountIsNoReasonForAFinerTable() {
+        assertThat(oneLight(TriedTableTest::dark).pages().design()).isEqualTo(COARSE);
+        assertThat(told).isEmpty();
+    }
+
+    @Test
+    void whereSmallerStepsDoNotHelpItSaysSo() {
+        oneLight(TriedTableTest::noisy);
+        assertThat(told).last().asString().contains("smaller steps do not help");
+    }
+
+    @Test
+    void whatWouldNotFitIsRefusedBeforeItIsMade() {
+        assertThatThrownBy(() -> oneLight(TriedTableTest::cancelling, pages -> {
+                    throw new IllegalStateException(
+                            "no room for " + pages.design().step());
+                }))
+                .hasMessageContaining("no room for");
+    }
+}

@@ -1,0 +1,84 @@
+package sunbeam.acceptance;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.nio.file.Path;
+import javax.imageio.ImageIO;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/**
+ * What {@code --tolerance} promises of method {@code table}, on a surface that the laws for its steps were not measured on: a
+ * sawtooth at an angle to the samples has sharp orders all over (u, v), between whose tails there are lines without light.
+ */
+final class TablePromiseTest {
+    private static final int SAMPLES = 256;
+
+    @TempDir
+    private Path root;
+
+    private static void write(Path file) throws IOException {
+        BufferedImage image = new BufferedImage(SAMPLES, SAMPLES, BufferedImage.TYPE_USHORT_GRAY);
+        for (int y = 0; y < SAMPLES; y++) {
+            for (int x = 0; x < SAMPLES; x++) {
+                image.getRaster().setSample(x, y, 0, (13 * x + 7 * y) % SAMPLES * 257);
+            }
+        }
+        ImageIO.write(image, "png", file.toFile());
+    }
+
+    @Test
+    void aTableKeepsItsToleranceWhereItsLawsDoNot() throws Exception {
+        Workplace workplace = Workplace.in(root);
+        write(workplace.resolve("angled.png"));
+
+        SunbeamResult result = workplace.here(
+                "brdf-map",
+                "--patch",
+                "angled.png",
+                "--width",
+                "12um",
+                "--max-height",
+                "120nm",
+                "--method",
+                "table",
+                "--average",
+                "coherent",
+                "--tolerance",
+                "1e-2",
+                "--size",
+                "128",
+                "--certify",
+                "80",
+                "--output",
+                "map.png");
+
+        // In steps of the law the 95th percentile was 0.17.
+        assertThat(result.exitCode()).as(result::toString).isZero();
+        assertThat(result.stderr()).contains("it is made again in steps of");
+
+        // What was found out is kept.
+        SunbeamResult again = workplace.here(
+                "brdf-map",
+                "--patch",
+                "angled.png",
+                "--width",
+                "12um",
+                "--max-height",
+                "120nm",
+                "--method",
+                "table",
+                "--average",
+                "coherent",
+                "--tolerance",
+                "1e-2",
+                "--size",
+                "128",
+                "--output",
+                "again.png");
+        assertThat(again.exitCode()).as(again::toString).isZero();
+        assertThat(again.stderr()).doesNotContain("made again");
+    }
+}
