@@ -77,11 +77,11 @@ final class SkinLooks implements AutoCloseable {
         float[] places = target.read(0, used);
         float[] wide = target.read(1, used);
         float[] narrow = target.read(2, used);
-        for (int i = 0; i < packing.count(); i++) {
+        pages.note(places, wide, narrow, packing.count(), i -> {
             // Rows are read from the top.
             int row = packing.rows() - 1 - packing.row(i);
-            pages.note(places, wide, narrow, CHANNELS * (row * packing.columns() + packing.column(i)));
-        }
+            return CHANNELS * (row * packing.columns() + packing.column(i));
+        });
     }
 
     /** The pages. */

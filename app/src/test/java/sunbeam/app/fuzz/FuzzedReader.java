@@ -8,6 +8,7 @@ import java.time.Instant;
 import java.util.BitSet;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import sunbeam.app.files.cache.CacheEntry;
 import sunbeam.app.files.input.CsvTable;
 import sunbeam.app.files.input.DirectionList;
@@ -113,7 +114,7 @@ enum FuzzedReader {
                 for (int level = 0; level < 3; level++) {
                     kept.read(level, pages);
                 }
-                kept.keep(2, 7, new float[LevelBaking.PAGE_FLOATS]);
+                kept.keep(2, Map.of(7, new float[LevelBaking.PAGE_FLOATS]));
             }
         }
     };

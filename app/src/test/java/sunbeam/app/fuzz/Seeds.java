@@ -113,8 +113,8 @@ final class Seeds {
     static byte[] pages() throws IOException {
         return written(file -> {
             try (KeptPages kept = pages(file)) {
-                kept.keep(0, 3, new float[LevelBaking.PAGE_FLOATS]);
-                kept.keep(1, 2, new float[LevelBaking.PAGE_FLOATS]);
+                kept.keep(0, Map.of(3, new float[LevelBaking.PAGE_FLOATS]));
+                kept.keep(1, Map.of(2, new float[LevelBaking.PAGE_FLOATS]));
             }
         });
     }

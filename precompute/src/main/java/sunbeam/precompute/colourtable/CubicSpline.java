@@ -57,6 +57,44 @@ final class CubicSpline {
     }
 
     /**
+     * As {@link #toCoefficients} along columns, all of a row at once. Rounds to float32 at each step: 1e-7 of what lies beside it,
+     * which falls with it.
+     *
+     * @param plane {@code rows * columns} values; at least 9 rows
+     */
+    static void alongColumns(float[] plane, int rows, int columns) {
+        float pole = (float) POLE;
+        for (int i = 0; i < rows * columns; i++) {
+            plane[i] *= 6;
+        }
+        float factor = pole;
+        for (int row = 1; row < HORIZON; row++) {
+            int at = row % (2 * (rows - 1));
+            addRow(plane, 0, (at < rows ? at : 2 * (rows - 1) - at) * columns, factor, columns);
+            factor *= pole;
+        }
+        for (int row = 1; row < rows; row++) {
+            addRow(plane, row * columns, (row - 1) * columns, pole, columns);
+        }
+        int last = (rows - 1) * columns;
+        float end = pole / (pole * pole - 1);
+        for (int i = 0; i < columns; i++) {
+            plane[last + i] = end * (plane[last + i] + pole * plane[last - columns + i]);
+        }
+        for (int at = last - columns; at >= 0; at -= columns) {
+            for (int i = 0; i < columns; i++) {
+                plane[at + i] = pole * (plane[at + columns + i] - plane[at + i]);
+            }
+        }
+    }
+
+    private static void addRow(float[] plane, int to, int from, float factor, int columns) {
+        for (int i = 0; i < columns; i++) {
+            plane[to + i] += factor * plane[from + i];
+        }
+    }
+
+    /**
      * What the four coefficients around a place weigh.
      *
      * @param t the place, from the second of them on, 0..1

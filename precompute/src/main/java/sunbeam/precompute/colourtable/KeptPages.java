@@ -18,7 +18,7 @@ public interface KeptPages extends AutoCloseable {
         }
 
         @Override
-        public void keep(int level, int page, float[] coefficients) {}
+        public void keep(int level, Map<Integer, float[]> pages) {}
 
         @Override
         public void close() {}
@@ -30,8 +30,8 @@ public interface KeptPages extends AutoCloseable {
     /** Reads those of some pages of a level that are kept; {@link LevelBaking#PAGE_FLOATS} values each. */
     Map<Integer, float[]> read(int level, BitSet pages);
 
-    /** Keeps a page, if it can be. */
-    void keep(int level, int page, float[] coefficients);
+    /** Keeps pages of a level, if they can be. */
+    void keep(int level, Map<Integer, float[]> pages);
 
     @Override
     void close();

@@ -6,7 +6,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.stream.IntStream;
-import java.util.stream.LongStream;
 
 /**
  * Makes the pages of a level as they are asked for: coefficients of cubic B-splines through square roots of X, Y and Z, as
@@ -55,7 +54,9 @@ public final class LevelBaking {
      * @return {@link #PAGE_FLOATS} values each, in the order of their numbers
      */
     public List<float[]> bake(BitSet pages, ColourSource source) {
-        evaluate(needed(pages), source);
+        Map<Integer, BitSet> needed = needed(pages);
+        evaluate(needed, source);
+        needed.forEach((page, texels) -> known[page].or(texels));
         return Arrays.stream(pages.stream().toArray())
                 .parallel()
                 .mapToObj(this::coefficients)
@@ -100,6 +101,12 @@ public final class LevelBaking {
     }
 
     private void evaluate(Map<Integer, BitSet> needed, ColourSource source) {
+        needed.keySet().forEach(page -> {
+            if (samples[page] == null) {
+                samples[page] = new float[SIDE * SIDE * COLOURS];
+                known[page] = new BitSet(SIDE * SIDE);
+            }
+        });
         long[] texels = inOrder(needed);
         for (int start = 0; start < texels.length; start += BATCH) {
             evaluate(Arrays.copyOfRange(texels, start, Math.min(texels.length, start + BATCH)), source);
@@ -108,16 +115,21 @@ public final class LevelBaking {
 
     /** In {@link MortonOrder}, all slices of a place together: those that read the same, or nearly so, are asked for together. */
     private long[] inOrder(Map<Integer, BitSet> needed) {
-        LongStream.Builder texels = LongStream.builder();
-        needed.forEach((page, inPage) -> {
-            int[] place = grid.place(page);
-            inPage.stream().forEach(texel -> {
+        long[] texels = new long
+                [Math.toIntExact(
+                        needed.values().stream().mapToLong(BitSet::cardinality).sum())];
+        int count = 0;
+        for (Map.Entry<Integer, BitSet> entry : needed.entrySet()) {
+            int[] place = grid.place(entry.getKey());
+            BitSet inPage = entry.getValue();
+            for (int texel = inPage.nextSetBit(0); texel >= 0; texel = inPage.nextSetBit(texel + 1)) {
                 int row = texel / SIDE;
                 long number = MortonOrder.number(place[0] * SIDE + texel % SIDE, place[1] * SIDE + row);
-                texels.add(number << Short.SIZE | place[2]);
-            });
-        });
-        return texels.build().parallel().sorted().toArray();
+                texels[count++] = number << Short.SIZE | place[2];
+            }
+        }
+        Arrays.parallelSort(texels);
+        return texels;
     }
 
     private static int number(long texel) {
@@ -139,9 +151,7 @@ public final class LevelBaking {
             }
         });
         float[] xyz = source.xyz(uvw);
-        for (int i = 0; i < texels.length; i++) {
-            keep(texels[i], xyz, COLOURS * i);
-        }
+        IntStream.range(0, texels.length).parallel().forEach(i -> keep(texels[i], xyz, COLOURS * i));
     }
 
     private void keep(long texel, float[] xyz, int from) {
@@ -149,16 +159,11 @@ public final class LevelBaking {
         int row = MortonOrder.y(number(texel));
         int page = page(column, row, slice(texel));
         int inPage = row % SIDE * SIDE + column % SIDE;
-        if (samples[page] == null) {
-            samples[page] = new float[SIDE * SIDE * COLOURS];
-            known[page] = new BitSet(SIDE * SIDE);
-        }
         float[] roots = samples[page];
         for (int c = 0; c < COLOURS; c++) {
             // A sum of the expansion's terms may leave a dark direction a little below nothing.
             roots[COLOURS * inPage + c] = (float) Math.sqrt(Math.max(0, xyz[from + c]));
         }
-        known[page].set(inPage);
     }
 
     /** The page of a texel. */
@@ -169,38 +174,51 @@ public final class LevelBaking {
 
     private float[] coefficients(int page) {
         int[] place = grid.place(page);
-        float[][] planes = new float[COLOURS][SEEN_SIDE * SEEN_SIDE];
-        for (int row = 0; row < SEEN_SIDE; row++) {
-            for (int column = 0; column < SEEN_SIDE; column++) {
-                put(planes, row * SEEN_SIDE + column, seenFrom(place[0]) + column, seenFrom(place[1]) + row, place[2]);
-            }
-        }
+        // Row by row, then column by column: a filter goes along one direction of all lines at once.
+        float[] rows = seen(place);
+        CubicSpline.alongColumns(rows, SEEN_SIDE, SEEN_SIDE * COLOURS);
+        float[] columns = transposed(rows);
+        CubicSpline.alongColumns(columns, SEEN_SIDE, SEEN_SIDE * COLOURS);
         float[] stored = new float[PAGE_FLOATS];
-        for (int c = 0; c < COLOURS; c++) {
-            filter(planes[c]);
-            for (int i = 0; i < PAGE_FLOATS / CHANNELS; i++) {
-                int row = i / LevelGrid.STORED_SIDE + MARGIN;
-                int column = i % LevelGrid.STORED_SIDE + MARGIN;
-                stored[CHANNELS * i + c] = planes[c][row * SEEN_SIDE + column];
-            }
+        for (int i = 0; i < PAGE_FLOATS / CHANNELS; i++) {
+            int row = i / LevelGrid.STORED_SIDE + MARGIN;
+            int column = i % LevelGrid.STORED_SIDE + MARGIN;
+            System.arraycopy(columns, COLOURS * (column * SEEN_SIDE + row), stored, CHANNELS * i, COLOURS);
         }
         return stored;
     }
 
-    /** Copies a texel of the grid into the planes. */
-    private void put(float[][] planes, int to, int column, int row, int slice) {
-        float[] roots = samples[page(column, row, slice)];
-        for (int c = 0; c < COLOURS; c++) {
-            planes[c][to] = roots[COLOURS * (row % SIDE * SIDE + column % SIDE) + c];
+    /** What the prefilter of a page sees: square roots of X, Y, Z, row by row. */
+    private float[] seen(int[] place) {
+        float[] plane = new float[SEEN_SIDE * SEEN_SIDE * COLOURS];
+        int top = seenFrom(place[1]);
+        int left = seenFrom(place[0]);
+        for (int row = 0; row < SEEN_SIDE; row++) {
+            int run;
+            for (int column = 0; column < SEEN_SIDE; column += run) {
+                int inPage = (left + column) % SIDE;
+                run = Math.min(SIDE - inPage, SEEN_SIDE - column);
+                float[] roots = samples[page(left + column, top + row, place[2])];
+                System.arraycopy(
+                        roots,
+                        COLOURS * ((top + row) % SIDE * SIDE + inPage),
+                        plane,
+                        COLOURS * (row * SEEN_SIDE + column),
+                        COLOURS * run);
+            }
         }
+        return plane;
     }
 
-    private static void filter(float[] plane) {
-        for (int line = 0; line < SEEN_SIDE; line++) {
-            CubicSpline.toCoefficients(plane, line * SEEN_SIDE, 1, SEEN_SIDE);
+    private static float[] transposed(float[] plane) {
+        float[] turned = new float[plane.length];
+        for (int row = 0; row < SEEN_SIDE; row++) {
+            for (int column = 0; column < SEEN_SIDE; column++) {
+                for (int c = 0; c < COLOURS; c++) {
+                    turned[COLOURS * (column * SEEN_SIDE + row) + c] = plane[COLOURS * (row * SEEN_SIDE + column) + c];
+                }
+            }
         }
-        for (int line = 0; line < SEEN_SIDE; line++) {
-            CubicSpline.toCoefficients(plane, line, SEEN_SIDE, SEEN_SIDE);
-        }
+        return turned;
     }
 }

@@ -82,6 +82,7 @@ final class BlurredPowers {
         private final int first;
         private final int bins;
         private final double ratio;
+        private final double change;
         private final double[] weights;
         private int from;
         private int count;
@@ -91,6 +92,7 @@ final class BlurredPowers {
             this.first = first;
             this.bins = bins;
             this.ratio = 1 / (sigmaFrequency * period);
+            this.change = Math.exp(-2 * ratio * ratio);
             this.weights = new double[3 + (int) Math.ceil(2 * reach / ratio)];
         }
 
@@ -103,7 +105,6 @@ final class BlurredPowers {
             double x = (from - bin) * ratio;
             double weight = Math.exp(-x * x);
             double factor = Math.exp(-(2 * x + ratio) * ratio);
-            double change = Math.exp(-2 * ratio * ratio);
             for (int i = 0; i < count; i++) {
                 weights[i] = weight;
                 weight *= factor;

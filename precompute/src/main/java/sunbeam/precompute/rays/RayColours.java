@@ -1,7 +1,9 @@
 package sunbeam.precompute.rays;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
+import java.util.concurrent.ForkJoinTask;
 import java.util.function.LongConsumer;
 import java.util.stream.IntStream;
 import sunbeam.precompute.color.WavelengthNodes;
@@ -57,39 +59,50 @@ public final class RayColours implements ColourSource {
     public float[] xyz(float[] places) {
         double[] depths = depths(places);
         List<Octave> octaves = octaves(depths);
-        double inner = octaves.get(octaves.size() - 1).low();
         List<RaySector.Places> sectors = new ArrayList<>();
         octaves.forEach(octave -> sectors.addAll(octave.sectors()));
         RaySector.Places direct = new RaySector.Places(null, 0);
-        for (int i = 0; i < places.length / CHANNELS; i++) {
-            double radius = Math.hypot(places[CHANNELS * i], places[CHANNELS * i + 1]);
-            if (radius < inner) {
-                direct.add(i);
-            } else {
-                octave(octaves, radius)
-                        .sector(places[CHANNELS * i], places[CHANNELS * i + 1])
-                        .add(i);
-            }
+        sectors.add(direct);
+        int[] sector = sectors(places, octaves);
+        for (int i = 0; i < sector.length; i++) {
+            sectors.get(sector[i]).add(i);
         }
         float[] xyz = new float[places.length];
-        sectors.removeIf(RaySector.Places::isEmpty);
-        IntStream.range(0, sectors.size()).parallel().forEach(i -> {
-            RaySector.Places sector = sectors.get(i);
-            new RaySector(sector.octave(), powers, sector).evaluate(places, depths, xyz);
-            progress.accept(sector.count());
-        });
+        List<ForkJoinTask<?>> tasks = new ArrayList<>();
+        for (RaySector.Places some : sectors) {
+            if (some != direct && !some.isEmpty()) {
+                tasks.add(ForkJoinTask.adapt(() -> {
+                    new RaySector(some.octave(), powers, some).evaluate(places, depths, xyz);
+                    progress.accept(some.count());
+                }));
+            }
+        }
+        // One by one, and not in halves as streams are: those of outer octaves take longest.
+        ForkJoinTask.invokeAll(tasks);
         new DirectColours(spectrum, powers).evaluate(direct, places, depths, xyz);
         progress.accept(direct.count());
         return xyz;
     }
 
-    private static Octave octave(List<Octave> octaves, double radius) {
-        for (Octave octave : octaves) {
-            if (radius >= octave.low()) {
-                return octave;
-            }
+    /** The number of each place's sector, octave after octave; behind the last one that of the places in the middle. */
+    private static int[] sectors(float[] places, List<Octave> octaves) {
+        int[] before = new int[octaves.size() + 1];
+        for (int i = 0; i < octaves.size(); i++) {
+            before[i + 1] = before[i] + octaves.get(i).sectors().size();
         }
-        throw new IllegalStateException("no octave holds " + radius);
+        int[] numbers = new int[places.length / CHANNELS];
+        IntStream.range(0, numbers.length).parallel().forEach(i -> {
+            double u = places[CHANNELS * i];
+            double v = places[CHANNELS * i + 1];
+            double radius = Math.sqrt(u * u + v * v);
+            int octave = 0;
+            while (octave < octaves.size() && radius < octaves.get(octave).low()) {
+                octave++;
+            }
+            numbers[i] = before[octave]
+                    + (octave < octaves.size() ? octaves.get(octave).sector(u, v) : 0);
+        });
+        return numbers;
     }
 
     private List<Octave> octaves(double[] depths) {
@@ -104,16 +117,21 @@ public final class RayColours implements ColourSource {
 
     /** |w| of all places, ascending. */
     private static double[] depths(float[] places) {
-        double[] all = IntStream.range(0, places.length / CHANNELS)
-                .mapToDouble(i -> Math.abs(places[CHANNELS * i + 2]))
-                .distinct()
-                .limit(MOST_SLICES + 1L)
-                .sorted()
-                .toArray();
-        if (all.length > MOST_SLICES) {
-            throw new IllegalArgumentException("places lie in more than " + MOST_SLICES + " slices of w");
+        double[] found = new double[MOST_SLICES];
+        int count = 0;
+        for (int i = 2; i < places.length; i += CHANNELS) {
+            double depth = Math.abs(places[i]);
+            int at = Arrays.binarySearch(found, 0, count, depth);
+            if (at < 0) {
+                if (count == MOST_SLICES) {
+                    throw new IllegalArgumentException("places lie in more than " + MOST_SLICES + " slices of w");
+                }
+                System.arraycopy(found, -at - 1, found, -at, count + at + 1);
+                found[-at - 1] = depth;
+                count++;
+            }
         }
-        return all;
+        return Arrays.copyOf(found, count);
     }
 
     /** Rays of an octave of |(u, v)|, and the places on them that belong to each of its sectors. */
@@ -167,7 +185,8 @@ public final class RayColours implements ColourSource {
             return (turns < 0 ? turns + 1 : turns) * rays;
         }
 
-        RaySector.Places sector(double u, double v) {
+        /** The number of a place's sector. */
+        int sector(double u, double v) {
             int ray = Math.min(rays - 1, (int) ray(u, v));
             int at = (int) ((long) ray * sectors.size() / rays);
             while (at + 1 < sectors.size() && sectors.get(at + 1).firstRay() <= ray) {
@@ -176,7 +195,7 @@ public final class RayColours implements ColourSource {
             while (sectors.get(at).firstRay() > ray) {
                 at--;
             }
-            return sectors.get(at);
+            return at;
         }
 
         /** The first ray beyond a sector. */

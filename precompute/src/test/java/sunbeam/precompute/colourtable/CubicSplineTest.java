@@ -61,4 +61,24 @@ class CubicSplineTest {
         CubicSpline.toCoefficients(single, 0, 1, 0);
         assertThat(single).containsExactly(3);
     }
+
+    @ParameterizedTest
+    @ValueSource(ints = {9, 10, 34})
+    void allColumnsTogetherAreThoseOneByOne(int rows) {
+        Random random = new Random(rows);
+        int columns = 7;
+        float[] together = new float[rows * columns];
+        for (int i = 0; i < together.length; i++) {
+            // Of very different sizes, as roots of colours are beside the specular peak.
+            together[i] = (float) Math.exp(-12 * random.nextDouble());
+        }
+        float[] oneByOne = together.clone();
+        CubicSpline.alongColumns(together, rows, columns);
+        for (int column = 0; column < columns; column++) {
+            CubicSpline.toCoefficients(oneByOne, column, columns, rows);
+        }
+        for (int i = 0; i < together.length; i++) {
+            assertThat(together[i]).isCloseTo(oneByOne[i], within((float) ROUNDING));
+        }
+    }
 }

@@ -11,9 +11,11 @@ import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.util.Arrays;
 import java.util.BitSet;
+import java.util.Comparator;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.function.Consumer;
+import java.util.stream.IntStream;
 import java.util.zip.CRC32;
 import sunbeam.precompute.colourtable.KeptPages;
 import sunbeam.precompute.colourtable.LevelBaking;
@@ -33,6 +35,8 @@ public final class PageFile implements KeptPages {
     private static final int TEXELS = LevelBaking.PAGE_FLOATS / CHANNELS;
     private static final int HEAD_BYTES = 2 * Integer.BYTES + Long.BYTES;
     private static final int RECORD_BYTES = HEAD_BYTES + COLOURS * TEXELS * Float.BYTES;
+    // Records that are read or written at once: a megabyte.
+    private static final int TOGETHER = 256;
 
     private final FileChannel channel;
     private final String key;
@@ -168,37 +172,56 @@ public final class PageFile implements KeptPages {
 
     @Override
     public Map<Integer, float[]> read(int level, BitSet pages) {
+        int[] inFile = kept(level, pages).stream()
+                .boxed()
+                .sorted(Comparator.comparing((Integer page) -> records.get(number(level, page))))
+                .mapToInt(Integer::intValue)
+                .toArray();
         Map<Integer, float[]> found = new HashMap<>();
-        ByteBuffer record = ByteBuffer.allocate(RECORD_BYTES);
-        kept(level, pages).stream().forEach(page -> {
-            long at = records.get(number(level, page));
-            float[] coefficients = read(level, page, at, record.clear());
-            if (coefficients == null) {
-                records.remove(number(level, page));
-                warn("cached colours are made again: some are damaged");
-            } else {
-                found.put(page, coefficients);
+        for (int from = 0; from < inFile.length; ) {
+            long at = records.get(number(level, inFile[from]));
+            int to = from + 1;
+            while (to < inFile.length
+                    && to - from < TOGETHER
+                    && records.get(number(level, inFile[to])) == at + (long) (to - from) * RECORD_BYTES) {
+                to++;
             }
-        });
+            read(level, Arrays.copyOfRange(inFile, from, to), at, found);
+            from = to;
+        }
         return found;
     }
 
-    /** Null unless it is whole and of this page. */
-    private float[] read(int level, int page, long at, ByteBuffer record) {
+    /** Reads pages that follow each other in the file. */
+    private void read(int level, int[] pages, long at, Map<Integer, float[]> found) {
+        ByteBuffer bytes = ByteBuffer.allocate(pages.length * RECORD_BYTES);
         try {
-            if (!read(channel, record, at)) {
-                return null;
-            }
+            read(channel, bytes, at);
         } catch (IOException failure) {
-            return null;
+            // What was not read is found to be damaged.
         }
-        record.flip();
+        float[][] colours = new float[pages.length][];
+        IntStream.range(0, pages.length)
+                .parallel()
+                .forEach(i -> colours[i] = coefficients(level, pages[i], bytes.slice(i * RECORD_BYTES, RECORD_BYTES)));
+        for (int i = 0; i < pages.length; i++) {
+            if (colours[i].length == 0) {
+                records.remove(number(level, pages[i]));
+                warn("cached colours are made again: some are damaged");
+            } else {
+                found.put(pages[i], colours[i]);
+            }
+        }
+    }
+
+    /** None unless the record is whole and of this page. */
+    private float[] coefficients(int level, int page, ByteBuffer record) {
         float[] colours = new float[COLOURS * TEXELS];
         record.position(HEAD_BYTES).asFloatBuffer().get(colours);
         boolean right = record.getInt(0) == level
                 && record.getInt(Integer.BYTES) == page
                 && record.getLong(2 * Integer.BYTES) == checksum(record);
-        return right ? spread(colours) : null;
+        return right ? spread(colours) : new float[0];
     }
 
     private static float[] spread(float[] colours) {
@@ -219,32 +242,49 @@ public final class PageFile implements KeptPages {
     }
 
     @Override
-    public void keep(int level, int page, float[] coefficients) {
-        if (!writable || records.containsKey(number(level, page))) {
-            return;
+    public void keep(int level, Map<Integer, float[]> pages) {
+        int[] missing = pages.keySet().stream()
+                .filter(page -> !records.containsKey(number(level, page)))
+                .mapToInt(Integer::intValue)
+                .toArray();
+        for (int from = 0; writable && from < missing.length; from += TOGETHER) {
+            int[] some = Arrays.copyOfRange(missing, from, Math.min(missing.length, from + TOGETHER));
+            try {
+                append(level, some, pages);
+            } catch (IOException failure) {
+                writable = false;
+                warn("colours are not kept: " + failure.getMessage());
+            }
         }
-        ByteBuffer record = ByteBuffer.allocate(RECORD_BYTES);
+    }
+
+    private void append(int level, int[] pages, Map<Integer, float[]> coefficients) throws IOException {
+        long whole = (channel.size() - start) / RECORD_BYTES;
+        long at = start + whole * RECORD_BYTES;
+        int count = (int) Math.min(pages.length, Math.max(0, (mostBytes - at) / RECORD_BYTES));
+        if (count < pages.length) {
+            writable = false;
+            warn("no more colours are kept: they take as much as the cache may ('sunbeam cache --limit')");
+        }
+        ByteBuffer bytes = ByteBuffer.allocate(count * RECORD_BYTES);
+        IntStream.range(0, count)
+                .parallel()
+                .forEach(i -> record(
+                        level, pages[i], coefficients.get(pages[i]), bytes.slice(i * RECORD_BYTES, RECORD_BYTES)));
+        write(channel, bytes, at);
+        for (int i = 0; i < count; i++) {
+            records.put(number(level, pages[i]), at + (long) i * RECORD_BYTES);
+        }
+    }
+
+    private void record(int level, int page, float[] coefficients, ByteBuffer record) {
         record.putInt(level).putInt(page).position(HEAD_BYTES);
         for (int texel = 0; texel < TEXELS; texel++) {
             for (int c = 0; c < COLOURS; c++) {
                 record.putFloat(coefficients[CHANNELS * texel + c]);
             }
         }
-        record.putLong(2 * Integer.BYTES, checksum(record)).rewind();
-        try {
-            long whole = (channel.size() - start) / RECORD_BYTES;
-            long at = start + whole * RECORD_BYTES;
-            if (at + RECORD_BYTES > mostBytes) {
-                writable = false;
-                warn("no more colours are kept: they take as much as the cache may ('sunbeam cache --limit')");
-                return;
-            }
-            write(channel, record, at);
-            records.put(number(level, page), at);
-        } catch (IOException failure) {
-            writable = false;
-            warn("colours are not kept: " + failure.getMessage());
-        }
+        record.putLong(2 * Integer.BYTES, checksum(record));
     }
 
     private void warn(String line) {

@@ -6,6 +6,8 @@ import java.util.BitSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.function.IntUnaryOperator;
+import java.util.stream.IntStream;
 import jrtr.Binding;
 import jrtr.GraphicsException;
 import jrtr.RenderContext;
@@ -25,6 +27,8 @@ public final class LevelPages implements AutoCloseable {
     private static final int CHANNELS = 4;
     // Some seconds of one processor.
     private static final int MOST_RESIDENT = 6000;
+    // Pixels whose pages are found by one processor at a time: about a millisecond's work.
+    private static final int NOTED_TOGETHER = 1 << 10;
 
     private final PageSources sources;
     private final List<LevelGrid> grids;
@@ -89,14 +93,35 @@ public final class LevelPages implements AutoCloseable {
     }
 
     /**
-     * Notes what a pixel looks into.
+     * Notes what pixels look into.
      *
      * @param places as shaders/looks.frag has it: u, v, w and level
      * @param wide change of u, v, w along the wide side of what the pixel sees, and number of places
      * @param narrow change of u, v, w along the narrow side, and number of places
-     * @param at where in these arrays the pixel begins
+     * @param count of the pixels
+     * @param at where in these arrays a pixel begins
      */
-    public void note(float[] places, float[] wide, float[] narrow, int at) {
+    public void note(float[] places, float[] wide, float[] narrow, int count, IntUnaryOperator at) {
+        int parts = (count + NOTED_TOGETHER - 1) / NOTED_TOGETHER;
+        IntStream.range(0, parts)
+                .parallel()
+                .mapToObj(part -> {
+                    List<BitSet> noted =
+                            grids.stream().map(grid -> new BitSet()).toList();
+                    int end = Math.min(count, (part + 1) * NOTED_TOGETHER);
+                    for (int i = part * NOTED_TOGETHER; i < end; i++) {
+                        note(places, wide, narrow, at.applyAsInt(i), noted);
+                    }
+                    return noted;
+                })
+                .forEachOrdered(noted -> {
+                    for (int level = 0; level < noted.size(); level++) {
+                        wanted.get(level).or(noted.get(level));
+                    }
+                });
+    }
+
+    private void note(float[] places, float[] wide, float[] narrow, int at, List<BitSet> noted) {
         int level = (int) places[at + 3];
         if (level < 0) {
             return;
@@ -104,7 +129,7 @@ public final class LevelPages implements AutoCloseable {
         int columns = (int) wide[at + 3];
         int rows = (int) narrow[at + 3];
         LevelGrid grid = grids.get(level);
-        BitSet pages = wanted.get(level);
+        BitSet pages = noted.get(level);
         double[] uvw = new double[CHANNELS - 1];
         for (int i = 0; i < columns; i++) {
             for (int j = 0; j < rows; j++) {

@@ -53,12 +53,11 @@ final class PageSources implements AutoCloseable {
             LevelBaking baking = bakings.get(level);
             ColourSource source =
                     opened.computeIfAbsent(level, number -> sources.open(number, count -> progress.step(count)));
-            Iterator<float[]> made = baking.bake(missing, source).iterator();
-            missing.stream().forEach(page -> {
-                float[] coefficients = made.next();
-                kept().keep(level, page, coefficients);
-                all.put(page, coefficients);
-            });
+            Iterator<float[]> coefficients = baking.bake(missing, source).iterator();
+            Map<Integer, float[]> made = new TreeMap<>();
+            missing.stream().forEach(page -> made.put(page, coefficients.next()));
+            kept().keep(level, made);
+            all.putAll(made);
         }
         return List.copyOf(all.values());
     }

@@ -53,7 +53,7 @@ final class PageFileTest {
     private void keepAll() {
         try (KeptPages pages = open(KEY, PLENTY)) {
             for (int page = 0; page < PAGES; page++) {
-                pages.keep(page % 2, page, coefficients(page % 2, page));
+                pages.keep(page % 2, Map.of(page, coefficients(page % 2, page)));
             }
         }
     }
@@ -129,8 +129,8 @@ final class PageFileTest {
         keepAll();
         try (KeptPages first = open(KEY, PLENTY);
                 KeptPages second = open(KEY, PLENTY)) {
-            second.keep(2, 1, coefficients(2, 1));
-            first.keep(2, 2, coefficients(2, 2));
+            second.keep(2, Map.of(1, coefficients(2, 1)));
+            first.keep(2, Map.of(2, coefficients(2, 2)));
             assertThat(second.read(0, all())).hasSize(PAGES / 2);
         }
         try (KeptPages later = open(KEY, PLENTY)) {
@@ -144,7 +144,7 @@ final class PageFileTest {
         try (KeptPages pages = open(KEY, PLENTY)) {
             Files.delete(file());
             assertThat(pages.read(0, all())).hasSize(PAGES / 2);
-            pages.keep(2, 1, coefficients(2, 1));
+            pages.keep(2, Map.of(1, coefficients(2, 1)));
         }
         assertThat(file()).doesNotExist();
     }
@@ -153,7 +153,7 @@ final class PageFileTest {
     void noMoreIsKeptThanTheCacheMayTake() throws IOException {
         try (KeptPages pages = open(KEY, 10_000)) {
             for (int page = 0; page < PAGES; page++) {
-                pages.keep(0, page, coefficients(0, page));
+                pages.keep(0, Map.of(page, coefficients(0, page)));
             }
             assertThat(pages.kept(0, all()).cardinality()).isEqualTo(2);
         }
@@ -165,7 +165,7 @@ final class PageFileTest {
     void aFolderThatIsGoneKeepsNothing() {
         KeptPages pages =
                 PageFile.of(folder.resolve("gone").resolve("one.pages"), KEY, LABEL, PLENTY, warnings::add, () -> {});
-        pages.keep(0, 1, coefficients(0, 1));
+        pages.keep(0, Map.of(1, coefficients(0, 1)));
         assertThat(pages.read(0, all())).isEmpty();
     }
 }
