@@ -65,15 +65,17 @@ public record CrawlCertificate(SceneCertificate frames, double change, double ex
 
     /** One line with all figures. */
     public String summary() {
-        return frames.pixels() == 0
+        return frames.relative().count() == 0
                 ? frames.summary()
                 : String.format(
                         Locale.ROOT,
-                        "%s; from a frame to the next CIEDE2000 changes by %.3g in the mean, by %.3g in the means of points (%.2f times)",
+                        "%s; from a frame to the next CIEDE2000 changes by %.3g in the mean, by %.3g in the means of points%s",
                         frames.summary(),
                         change,
                         exactChange,
-                        change / exactChange);
+                        exactChange > STILL
+                                ? String.format(Locale.ROOT, " (%.2f times)", change / exactChange)
+                                : ", which is too little for eyes");
     }
 
     /** What was missed. */

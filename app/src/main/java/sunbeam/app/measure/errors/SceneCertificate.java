@@ -42,17 +42,25 @@ public record SceneCertificate(int pixels, ErrorStatistics relative, double mean
 
     /** One line with all figures. */
     public String summary() {
-        return pixels == 0
-                ? "no pixel is filled by the mesh: nothing to compare"
-                : String.format(
-                        Locale.ROOT,
-                        "%d random pixels that the mesh fills, beside the mean of %d points in each: relative error of XYZ %s;"
-                                + " CIEDE2000 mean %.2g, maximum %.2g",
-                        pixels,
-                        SceneCertifier.POINTS * SceneCertifier.POINTS,
-                        relative,
-                        meanDifference,
-                        largestDifference);
+        if (pixels == 0) {
+            return "no pixel is filled by the mesh: nothing to compare";
+        }
+        String places = String.format(
+                Locale.ROOT,
+                "%d random pixels that the mesh fills, beside the mean of %d points in each",
+                pixels,
+                SceneCertifier.POINTS * SceneCertifier.POINTS);
+        if (relative.count() == 0) {
+            return String.format(
+                    Locale.ROOT, "%s: all are darker than %.0e, nothing to compare", places, RelativeError.FLOOR);
+        }
+        return String.format(
+                Locale.ROOT,
+                "%s: relative error of XYZ %s; CIEDE2000 mean %.2g, maximum %.2g",
+                places,
+                relative,
+                meanDifference,
+                largestDifference);
     }
 
     /** What was missed. */
