@@ -1,6 +1,8 @@
 package sunbeam.precompute.colourtable;
 
+import org.apache.commons.math3.stat.StatUtils;
 import sunbeam.precompute.optics.CoherenceWindow;
+import sunbeam.precompute.patch.HeightMap;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.GaussianArea;
 
@@ -21,6 +23,9 @@ public record TableDesign(double step, int slices) {
     private static final double SLICE_STEP = 0.1;
     // Relief of the deepest of the patches, metres.
     private static final double RELIEF = 0.82e-6;
+    // Of a grating with two heights, or few, all of the relief turns phases, not just what sticks out: such colours go
+    // up and down along w as cos(2 pi relief w / wavelength) does, and slices lie 0.06 of that apart at 1e-3.
+    private static final double RELIEF_OF_DEVIATION = 8.5;
     // The error of a cubic B-spline in square roots of colours grows between the fourth and the sixth power of its
     // step.
     private static final double STEP_ORDER = 5;
@@ -44,7 +49,7 @@ public record TableDesign(double step, int slices) {
      *
      * @param tolerance relative error of X, Y, Z
      * @param area features in (u, v) are as wide as the spectrum of its window, whatever the surface
-     * @param relief peak to valley, metres; the phase along w grows with it
+     * @param relief what {@link #depth} says, metres; the phase along w grows with it
      */
     public static TableDesign within(double tolerance, GaussianArea area, double relief) {
         double ratio = tolerance / TOLERANCE;
@@ -53,6 +58,15 @@ public record TableDesign(double step, int slices) {
         double step = STEP * Math.pow(ratio, 1 / STEP_ORDER) / length * zeros;
         double sliceStep = SLICE_STEP * Math.pow(ratio, 1 / SLICE_ORDER) * Math.min(1, RELIEF / relief);
         return new TableDesign(step, Math.max(TAPS, 1 + (int) Math.ceil(2 / sliceStep)));
+    }
+
+    /**
+     * Relief, in metres, of a surface like those that the laws were measured on, mostly flat with some that sticks out, whose
+     * colours change along w as fast as this one's.
+     */
+    public static double depth(HeightMap map) {
+        double deviation = Math.sqrt(StatUtils.populationVariance(map.toArray()));
+        return Math.max(map.relief(), RELIEF_OF_DEVIATION * deviation);
     }
 
     /** With all steps smaller by a factor below 1. */

@@ -27,7 +27,8 @@ record TableErrors(int count, double median, double percentile95) {
     private static final int PLACES = 5 * ENOUGH;
     private static final long SEED = 20140607;
 
-    // What the source leaves of a tolerance, of which it may take half, and of the three times that 5 % may exceed. Where
+    // What the source leaves of a tolerance, of which it may take half, and of the three times that 5 % may exceed.
+    // Where
     // errors have a long tail, a certificate of a hundred pixels finds twice the 95th percentile in one of twenty.
     private static final double MEDIAN_SHARE = 0.5;
     private static final double PERCENTILE_SHARE = 1.25;

@@ -45,7 +45,7 @@ public record TableLevels(GaussianArea area, List<Level> levels) {
      * Levels whose tables keep a tolerance.
      *
      * @param area what is seen at a point; of a coherent average, which is no sum of Gaussians, there is one level
-     * @param relief peak to valley, metres
+     * @param relief what {@link TableDesign#depth} says, metres
      */
     public static TableLevels within(double tolerance, GaussianArea area, double relief) {
         List<Level> levels = new ArrayList<>();

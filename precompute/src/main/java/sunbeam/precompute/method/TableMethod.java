@@ -83,16 +83,16 @@ public record TableMethod(double tolerance, GaussianArea area) implements Method
 
     @Override
     public MethodPlan plan(Surface surface, VisibleRange range) {
-        double relief = surface.map().relief();
+        double depth = TableDesign.depth(surface.map());
         if (range.reach() instanceof Reach.Everything) {
-            TableLevels levels = TableLevels.within(tolerance, area, relief);
+            TableLevels levels = TableLevels.within(tolerance, area, depth);
             TableDesign finest = levels.levels().get(0).design();
             // Of a table whose list of pages fits, there may be room for the pages of a picture; who draws it knows.
             ArrayLayout list = new LevelGrid(finest).pageList(levels.levels().size());
             requireRoom(surface, finest, MemoryNeed.of(list.bytes(), List.of(list)));
             return new LevelledTable(surface, levels, sourceTolerance());
         }
-        TableDesign design = TableDesign.within(tolerance, area, relief);
+        TableDesign design = TableDesign.within(tolerance, area, depth);
         TablePages pages = pages(design, range.reach());
         TableBaking baking = new TableBaking(pages);
         requireRoom(surface, pages);
