@@ -2,6 +2,7 @@ package sunbeam.precompute.colourtable;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Collections;
 import java.util.List;
 import java.util.Random;
 import java.util.stream.DoubleStream;
@@ -14,7 +15,8 @@ import sunbeam.precompute.plan.Reach;
 
 /**
  * By how much a table errs beside what it was made of, at random directions that it was not made at: differences of X, Y, Z
- * relative to the largest of them, where that is above {@link ErrorBudget#DARKEST_POWER}.
+ * relative to the largest of them, where that or the table's is above {@link ErrorBudget#DARKEST_POWER}. Light where there should
+ * be none is measured by that power, and what is no number errs infinitely, as in certificates.
  *
  * @param count directions that were bright enough
  * @param median of the errors, 0 where there is none
@@ -30,10 +32,12 @@ record TableErrors(int count, double median, double percentile95) {
     // What the source leaves of a tolerance, of which it may take half, and of the three times that 5 % may exceed.
     // Where
     // errors have a long tail, a certificate of a hundred pixels finds twice the 95th percentile in one of twenty.
+    private static final double PROMISED_PERCENTILE = 3;
     private static final double MEDIAN_SHARE = 0.5;
     private static final double PERCENTILE_SHARE = 1.25;
-    // Neither source nor table know colours better than float32.
-    private static final double ROUNDING = 1e-5;
+    // Neither source nor table know colours better than float32 does, and both err.
+    private static final double ROUNDING = 2e-5;
+    private static final double ROUNDING_PERCENTILE = 2 * ErrorBudget.FLOAT32_PERCENTILE;
 
     /** Directions that a table may be tried at: of one light the views, evenly as an orthographic map shows them. */
     static List<DirectionPair> places(Reach reach) {
@@ -49,10 +53,9 @@ record TableErrors(int count, double median, double percentile95) {
                 }
             }
         } else if (reach instanceof Reach.Pairs some) {
-            int all = some.pairs().size();
-            for (int i = 0; i < Math.min(all, PLACES); i++) {
-                places.add(some.pairs().get(all <= PLACES ? i : random.nextInt(all)));
-            }
+            places.addAll(some.pairs());
+            Collections.shuffle(places, random);
+            return places.subList(0, Math.min(places.size(), PLACES));
         }
         return places;
     }
@@ -86,19 +89,31 @@ record TableErrors(int count, double median, double percentile95) {
 
     /** Negative where there is too little light. */
     private static double relative(double[] xyz, float[] exact, int from) {
-        double largest = 0;
+        double exactly = 0;
+        double computed = 0;
         double difference = 0;
         for (int c = 0; c < xyz.length; c++) {
-            largest = Math.max(largest, exact[from + c]);
+            exactly = Math.max(exactly, exact[from + c]);
+            computed = Math.max(computed, xyz[c]);
             difference = Math.max(difference, Math.abs(xyz[c] - exact[from + c]));
         }
-        return largest > ErrorBudget.DARKEST_POWER ? difference / largest : -1;
+        if (Double.isNaN(difference)) {
+            return Double.POSITIVE_INFINITY;
+        }
+        return Math.max(exactly, computed) > ErrorBudget.DARKEST_POWER
+                ? difference / Math.max(ErrorBudget.DARKEST_POWER, exactly)
+                : -1;
+    }
+
+    /** Whether they keep what a tolerance promises, if with less to spare than a table should. */
+    boolean meet(double tolerance) {
+        return median <= tolerance && percentile95 <= PROMISED_PERCENTILE * tolerance;
     }
 
     /** How many times what a tolerance allows; up to 1 it is kept. */
     double excess(double tolerance) {
         return Math.max(
                 median / Math.max(ROUNDING, MEDIAN_SHARE * tolerance),
-                percentile95 / Math.max(ErrorBudget.FLOAT32_PERCENTILE, PERCENTILE_SHARE * tolerance));
+                percentile95 / Math.max(ROUNDING_PERCENTILE, PERCENTILE_SHARE * tolerance));
     }
 }

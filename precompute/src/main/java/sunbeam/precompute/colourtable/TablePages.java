@@ -220,8 +220,9 @@ public record TablePages(
                 originX + columns * side * design.step() + margin,
                 originY - margin,
                 originY + rows * side * design.step() + margin,
-                first * design.sliceStep(),
-                last * design.sliceStep());
+                // Finer slices (see TriedTable) may begin up to one of these farther away.
+                Math.max(0, first - 1) * design.sliceStep(),
+                Math.min(design.slices() - 1, last + 1) * design.sliceStep());
     }
 
     private Stream<Look> all() {

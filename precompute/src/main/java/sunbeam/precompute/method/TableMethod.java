@@ -5,6 +5,7 @@ import static sunbeam.precompute.plan.MethodSettings.COHERENCE_LENGTH;
 import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
 import static sunbeam.precompute.plan.MethodSettings.WINDOW_ORIGIN;
 
+import java.nio.ByteBuffer;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -18,6 +19,7 @@ import sunbeam.precompute.colourtable.TableSpace;
 import sunbeam.precompute.colourtable.TriedTable;
 import sunbeam.precompute.files.Sha256;
 import sunbeam.precompute.optics.Direction;
+import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.patch.HeightMap;
 import sunbeam.precompute.plan.Accuracy;
 import sunbeam.precompute.plan.ErrorBudget;
@@ -200,7 +202,28 @@ public record TableMethod(double tolerance, GaussianArea area) implements Method
         @Override
         public String key(MethodUse use) {
             return String.join(
-                    "|", "tried table", String.valueOf(method.tolerance), Sha256.of(pages.key()), source.key(use));
+                    "|",
+                    "tried table 2",
+                    String.valueOf(method.tolerance),
+                    Sha256.of(pages.key()),
+                    directions(),
+                    source.key(use));
+        }
+
+        /** Finer pages exist for what is looked at alone, and differ where coarse ones do not. */
+        private String directions() {
+            Sha256 hash = new Sha256();
+            if (reach instanceof Reach.Pairs some) {
+                ByteBuffer bytes = ByteBuffer.allocate(3 * Double.BYTES);
+                for (DirectionPair pair : some.pairs()) {
+                    bytes.clear();
+                    hash.add(bytes.putDouble(pair.u())
+                            .putDouble(pair.v())
+                            .putDouble(pair.w())
+                            .flip());
+                }
+            }
+            return hash.hex();
         }
 
         @Override
@@ -213,6 +236,9 @@ public record TableMethod(double tolerance, GaussianArea area) implements Method
                     pages.design(),
                     design -> TableMethod.pages(design, reach),
                     places -> sources.colours(evaluated, places),
+                    finer -> surface.planner()
+                            .excess(new TableBaking(finer).memory())
+                            .isEmpty(),
                     finer -> method.requireRoom(surface, finer),
                     sources::tell);
             tables.array(made.texels()).array(made.baking().pageList());

@@ -14,8 +14,9 @@ import sunbeam.precompute.shader.MethodUse;
  * @param textureBytes the arrays on the graphics card, of the use that takes more
  * @param largestTextureBytes of one of them
  * @param longestSide texels along the longest side of a texture
+ * @param layers of the texture that has most
  */
-public record MemoryNeed(long heapBytes, long textureBytes, long largestTextureBytes, long longestSide) {
+public record MemoryNeed(long heapBytes, long textureBytes, long largestTextureBytes, long longestSide, long layers) {
     /** The most that textures of one plan may take: what small graphics cards have. */
     static final long MOST_TEXTURE_BYTES = 3L << 30;
 
@@ -24,6 +25,9 @@ public record MemoryNeed(long heapBytes, long textureBytes, long largestTextureB
 
     /** The longest side that drivers of OpenGL 3.3 in use have in common. */
     static final long LONGEST_SIDE = 16384;
+
+    /** The most layers that these drivers have in common. */
+    static final long MOST_LAYERS = 2048;
 
     // Arrays this large leave gaps in the heap; some of it is the program's own.
     private static final double USABLE_HEAP = 0.8;
@@ -48,7 +52,8 @@ public record MemoryNeed(long heapBytes, long textureBytes, long largestTextureB
                 table + Math.max(transform, plan.sampling().workBytes(plan)),
                 Math.max(colour.textureBytes, spectral.textureBytes),
                 Math.max(colour.largestTextureBytes, spectral.largestTextureBytes),
-                Math.max(colour.longestSide, spectral.longestSide));
+                Math.max(colour.longestSide, spectral.longestSide),
+                Math.max(colour.layers, spectral.layers));
     }
 
     /**
@@ -57,7 +62,7 @@ public record MemoryNeed(long heapBytes, long textureBytes, long largestTextureB
      * @param heapBytes while they are made
      */
     public static MemoryNeed of(long heapBytes, List<ArrayLayout> layouts) {
-        return new MemoryNeed(heapBytes, 0, 0, 0).and(layouts);
+        return new MemoryNeed(heapBytes, 0, 0, 0, 0).and(layouts);
     }
 
     /** With further arrays on the graphics card. */
@@ -73,7 +78,10 @@ public record MemoryNeed(long heapBytes, long textureBytes, long largestTextureB
                         layouts.stream()
                                 .mapToInt(ArrayLayout::longestSide)
                                 .max()
-                                .orElse(0)));
+                                .orElse(0)),
+                Math.max(
+                        layers,
+                        layouts.stream().mapToInt(ArrayLayout::layers).max().orElse(0)));
     }
 
     /** Whether a texture is too long, which only a smaller patch mends. */
@@ -85,7 +93,8 @@ public record MemoryNeed(long heapBytes, long textureBytes, long largestTextureB
         return heapBytes <= USABLE_HEAP * heapLimit
                 && textureBytes <= MOST_TEXTURE_BYTES
                 && largestTextureBytes <= LARGEST_TEXTURE_BYTES
-                && longestSide <= LONGEST_SIDE;
+                && longestSide <= LONGEST_SIDE
+                && layers <= MOST_LAYERS;
     }
 
     /**
@@ -103,6 +112,13 @@ public record MemoryNeed(long heapBytes, long textureBytes, long largestTextureB
                     "need textures of %d texels along a side, more than the %d of common drivers",
                     longestSide,
                     LONGEST_SIDE));
+        }
+        if (layers > MOST_LAYERS) {
+            return Optional.of(String.format(
+                    Locale.ROOT,
+                    "need a texture of %d layers, more than the %d of common drivers",
+                    layers,
+                    MOST_LAYERS));
         }
         if (largestTextureBytes > LARGEST_TEXTURE_BYTES) {
             return Optional.of(String.format(

@@ -25,7 +25,7 @@ public final class RayColours implements ColourSource {
     // Of rays and of places on them, in steps of the table: quintic splines err by less there than cubic ones do at
     // one.
     private static final double SPACING = 1.1;
-    private static final int MOST_SLICES = 512;
+    private static final int MOST_SLICES = 2048;
     private static final int CHANNELS = 3;
     // exp(-reach^2) of a bin is left out: 1e-10 of it in the finest table, beside which a wing of 1e-6 stays right,
     // 2e-5 in

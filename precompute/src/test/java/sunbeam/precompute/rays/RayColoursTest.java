@@ -109,10 +109,10 @@ class RayColoursTest {
     @Test
     void placesInNoSlicesAreRefused() {
         HeightMap map = Surfaces.random(12, 12, 150e-9, 100e-9, 4);
-        float[] places = new float[3 * 1000];
-        for (int i = 0; i < 1000; i++) {
+        float[] places = new float[3 * 3000];
+        for (int i = 0; i < 3000; i++) {
             places[3 * i] = 0.5f;
-            places[3 * i + 2] = -1e-3f * i;
+            places[3 * i + 2] = -5e-4f * i;
         }
         RayColours colours = new RayColours(spectrum(map, ENSEMBLE), ENSEMBLE, STEP, true, done -> {});
         assertThatThrownBy(() -> colours.xyz(places)).hasMessageContaining("slices");

@@ -68,9 +68,11 @@ public final class TableStore {
             TableLabel half = new TableLabel(label.patch(), "half made: " + label.what());
             ShaderTables made = freshTables(plan, use, (tables, places) -> {
                 String again = key + "|" + unfinished.size();
-                unfinished.add(file(again, CacheEntry.COLOURS).orElseThrow());
-                return KeptColours.of(
-                        unfinished.get(unfinished.size() - 1), again, half, () -> colours.of(tables, places));
+                Optional<Path> keeping = file(again, CacheEntry.COLOURS);
+                keeping.ifPresent(unfinished::add);
+                return keeping.isEmpty()
+                        ? colours.of(tables, places)
+                        : KeptColours.of(keeping.get(), again, half, () -> colours.of(tables, places));
             });
             save(file.get(), path -> ShaderTablesFile.write(path, key, label, made));
             unfinished.forEach(KeptColours::delete);

@@ -10,6 +10,7 @@ import java.util.Arrays;
 import java.util.BitSet;
 import java.util.List;
 import java.util.Map;
+import java.util.TreeMap;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import sunbeam.precompute.colourtable.KeptPages;
@@ -80,6 +81,87 @@ final class PageFileTest {
         assertThat(found(KEY)).isEqualTo(PAGES);
         assertThat(PageFile.labelOf(file())).isEqualTo(LABEL);
         assertThat(warnings).isEmpty();
+    }
+
+    private static Map<Integer, float[]> many(int count) {
+        Map<Integer, float[]> pages = new TreeMap<>();
+        for (int page = 0; page < count; page++) {
+            pages.put(page, coefficients(1, page));
+        }
+        return pages;
+    }
+
+    private void requireRight(Map<Integer, float[]> found, int count) {
+        assertThat(found).hasSize(count);
+        found.forEach((page, values) -> assertThat(values).isEqualTo(coefficients(1, page)));
+    }
+
+    private static BitSet firstPages(int count) {
+        BitSet pages = new BitSet();
+        pages.set(0, count);
+        return pages;
+    }
+
+    /** More than are read and written at once. */
+    @Test
+    void manyAreKeptTogetherAndReadInAnyChoice() throws IOException {
+        try (KeptPages pages = open(KEY, PLENTY)) {
+            pages.keep(1, many(600));
+        }
+        BitSet some = new BitSet();
+        some.set(3, 8);
+        some.set(250, 260);
+        some.set(599);
+        try (KeptPages pages = open(KEY, PLENTY)) {
+            requireRight(pages.read(1, firstPages(700)), 600);
+            requireRight(pages.read(1, some), 16);
+            assertThat(pages.read(0, firstPages(700))).isEmpty();
+        }
+        assertThat(warnings).isEmpty();
+    }
+
+    @Test
+    void damageAmongManyCostsWhatItHits() throws IOException {
+        try (KeptPages pages = open(KEY, PLENTY)) {
+            pages.keep(1, many(600));
+        }
+        byte[] good = Files.readAllBytes(file());
+        int record = recordBytes(good.length);
+        byte[] bad = good.clone();
+        bad[good.length - 100 * record + 50] ^= 1;
+        Files.write(file(), bad);
+        try (KeptPages pages = open(KEY, PLENTY)) {
+            Map<Integer, float[]> found = pages.read(1, firstPages(600));
+            assertThat(found).doesNotContainKey(500);
+            requireRight(found, 599);
+        }
+        Files.write(file(), Arrays.copyOf(good, good.length - 100 * record - 7));
+        try (KeptPages pages = open(KEY, PLENTY)) {
+            requireRight(pages.read(1, firstPages(600)), 499);
+            pages.keep(1, many(600));
+        }
+        try (KeptPages pages = open(KEY, PLENTY)) {
+            requireRight(pages.read(1, firstPages(600)), 600);
+        }
+        assertThat(warnings).containsExactly("cached colours are made again: some are damaged");
+    }
+
+    @Test
+    void aLimitWithinManyKeepsWhatFits() throws IOException {
+        try (KeptPages pages = open(KEY, PLENTY)) {
+            pages.keep(1, many(PAGES + 1));
+        }
+        long length = Files.size(file());
+        long most = length + 300L * recordBytes((int) length);
+        Files.delete(file());
+        try (KeptPages pages = open(KEY, most)) {
+            pages.keep(1, many(600));
+        }
+        assertThat(Files.size(file())).isEqualTo(most);
+        try (KeptPages pages = open(KEY, PLENTY)) {
+            requireRight(pages.read(1, firstPages(600)), PAGES + 1 + 300);
+        }
+        assertThat(warnings).singleElement().asString().contains("no more colours are kept");
     }
 
     @Test
