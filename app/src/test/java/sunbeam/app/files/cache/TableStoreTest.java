@@ -1,6 +1,7 @@
 package sunbeam.app.files.cache;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.nio.FloatBuffer;
 import java.nio.file.Files;
@@ -15,6 +16,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import sunbeam.app.terminal.Environment;
 import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.colourtable.ColourSource;
 import sunbeam.precompute.colourtable.ColourSources;
 import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.method.MethodPlan;
@@ -197,6 +199,68 @@ class TableStoreTest {
         assertThat(read.patch().name()).isEqualTo("new name");
         assertThat(read.real()).isDeepEqualTo(made.real());
         assertThat(read.imaginary()).isDeepEqualTo(made.imaginary());
+        assertThat(warnings).isEmpty();
+    }
+
+    /** Asks for colours twice, as a table does that its trial makes finer; the first ones are 1, the others 2. */
+    private static final class MadeTwice implements MethodPlan {
+        @Override
+        public String summary() {
+            return "made twice";
+        }
+
+        @Override
+        public List<String> reasons() {
+            return List.of();
+        }
+
+        @Override
+        public MemoryNeed memory() {
+            return MemoryNeed.of(0, List.of());
+        }
+
+        @Override
+        public String key(MethodUse use) {
+            return "twice";
+        }
+
+        @Override
+        public ShaderTables tables(MethodUse use, TableSources sources) {
+            ShaderTables none = new ShaderTables.Builder("counted").build(1, 1);
+            float[] numbers = new float[3];
+            for (int time = 0; time < 2; time++) {
+                try (ColourSource source = sources.colours(none, 1)) {
+                    numbers[time] = source.xyz(new float[] {0.1f, 0.2f, -time})[0];
+                }
+            }
+            return new ShaderTables.Builder("counted")
+                    .array(TableArray.of(ArrayLayout.flat("numbers", 3, 1, 1), numbers))
+                    .build(1, 1);
+        }
+    }
+
+    @Test
+    void whoIsStoppedWhileATableIsMadeAgainGoesOnThere() throws Exception {
+        List<Float> evaluated = new ArrayList<>();
+        ColourSources stopping = (tables, places) -> uvw -> {
+            if (uvw[2] < 0) {
+                throw new IllegalStateException("stopped");
+            }
+            evaluated.add(uvw[2]);
+            return new float[] {1, 1, 1};
+        };
+        ColourSources going = (tables, places) -> uvw -> {
+            evaluated.add(uvw[2]);
+            return new float[] {2, 2, 2};
+        };
+
+        assertThatThrownBy(() -> store("a").tables(new MadeTwice(), MethodUse.COLOUR, stopping))
+                .hasMessage("stopped");
+        ShaderTables made = store("a").tables(new MadeTwice(), MethodUse.COLOUR, going);
+
+        assertThat(numbers(made)).containsExactly(1, 2, 0);
+        assertThat(evaluated).as("each once").containsExactly(0f, -1f);
+        assertThat(kept()).as("nothing half made is left").hasSize(1);
         assertThat(warnings).isEmpty();
     }
 }
