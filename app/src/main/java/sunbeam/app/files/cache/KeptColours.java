@@ -7,6 +7,7 @@ import java.nio.ByteBuffer;
 import java.nio.channels.FileChannel;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
+import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.util.Arrays;
@@ -59,7 +60,12 @@ final class KeptColours implements ColourSource {
         try {
             byte[] head = head(label);
             FileChannel opened = FileChannel.open(
-                    file, StandardOpenOption.CREATE, StandardOpenOption.READ, StandardOpenOption.WRITE);
+                    file,
+                    StandardOpenOption.CREATE,
+                    StandardOpenOption.READ,
+                    StandardOpenOption.WRITE,
+                    // A link's target is somebody's file.
+                    LinkOption.NOFOLLOW_LINKS);
             channel = Optional.of(opened);
             ByteBuffer found = ByteBuffer.allocate(head.length);
             boolean whole = true;

@@ -12,6 +12,9 @@ import me.tongfei.progressbar.ProgressState;
  */
 record TimeLeftRenderer(boolean withBar) implements ProgressBarRenderer {
     private static final int FEWEST_BAR = 5;
+    // What begins slowly would end in hours: nothing is said of so little, for so long.
+    private static final double TOO_LITTLE = 0.01;
+    private static final Duration TOO_EARLY = Duration.ofSeconds(10);
 
     @Override
     public String render(ProgressState state, int maxLength) {
@@ -44,7 +47,7 @@ record TimeLeftRenderer(boolean withBar) implements ProgressBarRenderer {
 
     /** Assumes that the rest goes as fast as what is done. */
     private static String timeLeft(double done, Duration elapsed) {
-        if (done <= 0) {
+        if (done <= 0 || (done < TOO_LITTLE && elapsed.compareTo(TOO_EARLY) < 0)) {
             return "time left unknown";
         }
         long seconds = Math.round(elapsed.toMillis() / 1000.0 * (1 - done) / done);

@@ -165,6 +165,16 @@ final class PageFileTest {
     }
 
     @Test
+    void aLinkInItsPlaceIsNotFollowed() throws IOException {
+        Path precious = folder.resolve("precious");
+        Files.writeString(precious, "a letter");
+        Files.createSymbolicLink(file(), precious);
+        keepAll();
+        assertThat(Files.readString(precious)).isEqualTo("a letter");
+        assertThat(found(KEY)).isZero();
+    }
+
+    @Test
     void thoseOfAnotherSurfaceOrPlanAreNotUsed() {
         keepAll();
         assertThat(found("another")).isZero();
