@@ -11,11 +11,11 @@ import sunbeam.precompute.shader.ShaderTables;
  * @param graphics a context, the upload, and the compilation
  * @param evaluation of all places by the shader
  * @param rest places, square roots, and the spline's coefficients
- * @param places that were evaluated
+ * @param places that were evaluated, those included that a table was tried at
  */
 record BakeTimes(double spectra, double graphics, double evaluation, double rest, long places) {
 
-    /** A source of colours that takes the time. */
+    /** A source of colours that takes the time; of a table that is made again, all together. */
     static final class Clock implements ColourSources {
         private final ColourSources sources;
         private final long start = System.nanoTime();
@@ -23,6 +23,7 @@ record BakeTimes(double spectra, double graphics, double evaluation, double rest
         private long graphics;
         private long evaluation;
         private long places;
+        private boolean used;
 
         Clock(ColourSources sources) {
             this.sources = sources;
@@ -31,16 +32,19 @@ record BakeTimes(double spectra, double graphics, double evaluation, double rest
         @Override
         public ColourSource of(ShaderTables tables, long asked) {
             long before = System.nanoTime();
-            spectra = before - start;
-            places = asked;
+            if (!used) {
+                spectra = before - start;
+            }
+            used = true;
             ColourSource source = sources.of(tables, asked);
-            graphics = System.nanoTime() - before;
+            graphics += System.nanoTime() - before;
             return new ColourSource() {
                 @Override
                 public float[] xyz(float[] uvw) {
                     long begun = System.nanoTime();
                     float[] xyz = source.xyz(uvw);
                     evaluation += System.nanoTime() - begun;
+                    places += uvw.length / 3;
                     return xyz;
                 }
 
@@ -64,7 +68,7 @@ record BakeTimes(double spectra, double graphics, double evaluation, double rest
 
         /** Whether anybody asked for colours. */
         boolean used() {
-            return places > 0;
+            return used;
         }
     }
 }
