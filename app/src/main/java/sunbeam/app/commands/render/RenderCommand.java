@@ -32,6 +32,7 @@ import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.SettingOptions;
 import sunbeam.app.terminal.ShutdownHook;
 import sunbeam.app.terminal.UsageException;
+import sunbeam.precompute.method.TableMethod;
 
 /** {@code sunbeam render}: a scene as a picture, or moving, without a window. */
 @Command(
@@ -42,6 +43,9 @@ import sunbeam.app.terminal.UsageException;
                 + " the frames that are finished; --resume goes on.")
 public final class RenderCommand implements Callable<Integer> {
     private static final int MOST_SUPERSAMPLES = 8;
+    // A pixel of a whole snake is as wide as the body bends: one sample leaves more than eyes allow
+    // (docs/colour-tables.md).
+    private static final int SAMPLES_BY_TABLE = 2;
 
     private final Environment environment;
 
@@ -76,9 +80,10 @@ public final class RenderCommand implements Callable<Integer> {
     @Option(
             names = "--supersample",
             paramLabel = "N",
-            defaultValue = "1",
-            description = "Each pixel is the mean of N x N, 1 to 8, in linear light. Default: ${DEFAULT-VALUE}.")
-    private int supersample;
+            description =
+                    "Each pixel is the mean of N x N, 1 to 8, in linear light. Default: 2 by method table, which is"
+                            + " anti-aliased then (--certify says how well), 1 by others and in the viewer.")
+    private Integer supersample;
 
     @Mixin
     private AnimationOptions animation;
@@ -120,7 +125,7 @@ public final class RenderCommand implements Callable<Integer> {
         err.println("plan: " + data.method().summary());
         err.flush();
         try (RenderContext context = RenderContexts.offscreen();
-                FrameSequence frames = new FrameSequence(context, parts, size, supersample)) {
+                FrameSequence frames = new FrameSequence(context, parts, size, samples(scene))) {
             Path place = animation.isAsked() ? OutputFolder.claim(target, mayUse()) : target;
             List<Path> wanted = place.equals(target) ? files : FrameFiles.names(place, scenes.size());
             outputs(place, draw(frames, scenes, wanted, place, err)).forEach(out::println);
@@ -132,8 +137,14 @@ public final class RenderCommand implements Callable<Integer> {
         }
     }
 
+    /** Along the side of a pixel. */
+    private int samples(Scene scene) {
+        int standard = scene.method().type() == TableMethod.TYPE ? SAMPLES_BY_TABLE : 1;
+        return supersample == null ? standard : supersample;
+    }
+
     private void check() {
-        if (supersample < 1 || supersample > MOST_SUPERSAMPLES) {
+        if (supersample != null && (supersample < 1 || supersample > MOST_SUPERSAMPLES)) {
             throw new UsageException(
                     "--supersample " + supersample + " is out of range; give 1 to " + MOST_SUPERSAMPLES);
         }
