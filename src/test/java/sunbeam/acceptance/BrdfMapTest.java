@@ -27,7 +27,11 @@ class BrdfMapTest {
         SunbeamResult result = workplace.succeed("brdf-map", "--size", "48");
 
         assertThat(result.stdout()).isEqualTo("brdf-elaphe-like.png\n");
-        assertThat(result.stderr()).startsWith("plan: ").hasLineCount(1);
+        // On a machine that others use it may take long enough for a line of progress.
+        assertThat(result.stderr().lines().filter(line -> !line.contains(" %, ")))
+                .singleElement()
+                .asString()
+                .startsWith("plan: ");
         assertThat(workplace.files()).containsExactly("brdf-elaphe-like.png");
         var picture = ImageIO.read(workplace.resolve("brdf-elaphe-like.png").toFile());
         assertThat(picture.getWidth()).isEqualTo(48);

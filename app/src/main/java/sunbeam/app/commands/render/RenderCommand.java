@@ -43,9 +43,9 @@ import sunbeam.precompute.method.TableMethod;
                 + " the frames that are finished; --resume goes on.")
 public final class RenderCommand implements Callable<Integer> {
     private static final int MOST_SUPERSAMPLES = 8;
-    // A pixel of a whole snake is as wide as the body bends: one sample leaves more than eyes allow
-    // (docs/colour-tables.md).
-    private static final int SAMPLES_BY_TABLE = 2;
+    // Of a picture: a pixel of a whole snake is as wide as the body bends, and one sample in each leaves more than eyes
+    // allow (docs/colour-tables.md).
+    private static final double SAMPLES_BY_TABLE = 1600.0 * 1200;
 
     private final Environment environment;
 
@@ -81,8 +81,9 @@ public final class RenderCommand implements Callable<Integer> {
             names = "--supersample",
             paramLabel = "N",
             description =
-                    "Each pixel is the mean of N x N, 1 to 8, in linear light. Default: 2 by method table, which is"
-                            + " anti-aliased then (--certify says how well), 1 by others and in the viewer.")
+                    "Each pixel is the mean of N x N, 1 to 8, in linear light. Default: 2 by method table, more in pictures"
+                            + " of less than 800 x 600 pixels, of which each sees more; 1 by other methods and in the"
+                            + " viewer. --certify says how well a picture is anti-aliased.")
     private Integer supersample;
 
     @Mixin
@@ -137,10 +138,16 @@ public final class RenderCommand implements Callable<Integer> {
         }
     }
 
-    /** Along the side of a pixel. */
+    /** Along the side of a pixel; the fewer pixels a picture of a mesh has, the more does each of them see. */
     private int samples(Scene scene) {
-        int standard = scene.method().type() == TableMethod.TYPE ? SAMPLES_BY_TABLE : 1;
-        return supersample == null ? standard : supersample;
+        if (supersample != null) {
+            return supersample;
+        }
+        if (scene.method().type() != TableMethod.TYPE) {
+            return 1;
+        }
+        double perPixel = Math.sqrt(SAMPLES_BY_TABLE / ((double) size.width() * size.height()));
+        return (int) Math.max(2, Math.min(MOST_SUPERSAMPLES, Math.round(perPixel)));
     }
 
     private void check() {

@@ -68,7 +68,7 @@ public record SceneCertificate(int pixels, ErrorStatistics relative, double mean
         return String.format(
                 Locale.ROOT,
                 "the picture is not anti-aliased: median error %.2g (at most %.2g), mean CIEDE2000 %.2g (at most %.2g); a larger"
-                        + " --supersample helps, and --method table",
+                        + " --supersample helps, or --method table if it was another",
                 relative.median(),
                 MEDIAN,
                 meanDifference,
