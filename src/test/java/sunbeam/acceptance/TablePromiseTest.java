@@ -5,6 +5,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -29,55 +31,27 @@ final class TablePromiseTest {
         ImageIO.write(image, "png", file.toFile());
     }
 
+    private static SunbeamResult map(Workplace workplace, String... more) throws IOException {
+        List<String> words = new ArrayList<>(List.of("brdf-map", "--patch", "angled.png", "--width", "12um"));
+        words.addAll(List.of("--max-height", "120nm", "--method", "table", "--average", "coherent"));
+        words.addAll(List.of("--tolerance", "1e-2", "--size", "128"));
+        words.addAll(List.of(more));
+        return workplace.here(words.toArray(String[]::new));
+    }
+
     @Test
     void aTableKeepsItsToleranceWhereItsLawsDoNot() throws Exception {
         Workplace workplace = Workplace.in(root);
         write(workplace.resolve("angled.png"));
 
-        SunbeamResult result = workplace.here(
-                "brdf-map",
-                "--patch",
-                "angled.png",
-                "--width",
-                "12um",
-                "--max-height",
-                "120nm",
-                "--method",
-                "table",
-                "--average",
-                "coherent",
-                "--tolerance",
-                "1e-2",
-                "--size",
-                "128",
-                "--certify",
-                "80",
-                "--output",
-                "map.png");
+        SunbeamResult result = map(workplace, "--certify", "80", "--output", "map.png");
 
         // In steps of the law the 95th percentile was 0.17.
         assertThat(result.exitCode()).as(result::toString).isZero();
         assertThat(result.stderr()).contains("it is made again in steps of");
 
         // What was found out is kept.
-        SunbeamResult again = workplace.here(
-                "brdf-map",
-                "--patch",
-                "angled.png",
-                "--width",
-                "12um",
-                "--max-height",
-                "120nm",
-                "--method",
-                "table",
-                "--average",
-                "coherent",
-                "--tolerance",
-                "1e-2",
-                "--size",
-                "128",
-                "--output",
-                "again.png");
+        SunbeamResult again = map(workplace, "--output", "again.png");
         assertThat(again.exitCode()).as(again::toString).isZero();
         assertThat(again.stderr()).doesNotContain("made again");
     }
