@@ -46,7 +46,7 @@ final class TablePromiseTest {
 
         SunbeamResult result = map(workplace, "--certify", "80", "--output", "map.png");
 
-        // In steps of the law the 95th percentile was 0.17.
+        // In steps of the law the 95th percentile is 0.15.
         assertThat(result.exitCode()).as(result::toString).isZero();
         assertThat(result.stderr()).contains("it is made again in steps of");
 

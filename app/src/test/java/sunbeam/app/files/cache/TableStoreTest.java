@@ -50,11 +50,11 @@ class TableStoreTest {
         throw new AssertionError("no colours are needed");
     };
 
-    private static final class Counted implements MethodPlan {
+    /** A plan of next to nothing. */
+    private abstract static class SmallPlan implements MethodPlan {
         private final String key;
-        private int made;
 
-        Counted(String key) {
+        SmallPlan(String key) {
             this.key = key;
         }
 
@@ -76,6 +76,14 @@ class TableStoreTest {
         @Override
         public String key(MethodUse use) {
             return key + use;
+        }
+    }
+
+    private static final class Counted extends SmallPlan {
+        private int made;
+
+        Counted(String key) {
+            super(key);
         }
 
         @Override
@@ -203,25 +211,9 @@ class TableStoreTest {
     }
 
     /** Asks for colours twice, as a table does that its trial makes finer; the first ones are 1, the others 2. */
-    private static final class MadeTwice implements MethodPlan {
-        @Override
-        public String summary() {
-            return "made twice";
-        }
-
-        @Override
-        public List<String> reasons() {
-            return List.of();
-        }
-
-        @Override
-        public MemoryNeed memory() {
-            return MemoryNeed.of(0, List.of());
-        }
-
-        @Override
-        public String key(MethodUse use) {
-            return "twice";
+    private static final class MadeTwice extends SmallPlan {
+        MadeTwice() {
+            super("twice");
         }
 
         @Override
