@@ -1,4 +1,8 @@
 #include "include/gain.glsl"
+
+// Whether a method had to do without a colour that it was not given: what it draws then is nothing to look at.
+bool colourIsMissing = false;
+
 #include "method/{METHOD}.glsl"
 #include "include/loops.glsl"
 

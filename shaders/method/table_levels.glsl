@@ -27,7 +27,7 @@ uniform float perColourCellsAcross;
 // wherever its page lies; layers' sides are powers of two.
 const float GRAINS = 8192.0;
 
-// What a page gives that does not exist, far above anything that light does; sunbeam.app.scene.SkinLooks knows it by its size.
+// What a page gives that does not exist, far above anything that light does.
 const float MISSING = 1e30;
 
 // Texels of a level from its first one on; what lies beyond all pages is looked up at their edge.
@@ -107,7 +107,8 @@ vec3 seenXyz(int level, vec3 middle, vec4 wide, vec4 narrow) {
         for (float j = 0.5; j < rows; j += 1.0) {
             vec3 xyz = levelXyz(middle + t * wide.xyz + (j / rows - 0.5) * narrow.xyz, level, grid);
             if (xyz.y == MISSING) {
-                return xyz;
+                colourIsMissing = true;
+                return vec3(0.0);
             }
             sum += weight * xyz;
         }

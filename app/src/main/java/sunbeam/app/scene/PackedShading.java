@@ -49,15 +49,33 @@ final class PackedShading implements AutoCloseable {
             Packing packing = new Packing(Math.min(Packing.MOST, covered.length - first));
             upload(packing, covered, first, buffer, part);
             Tile used = used(packing);
-            if (skin.looks().isPresent()) {
-                SkinLooks looks = skin.looks().get();
-                looks.find(scene, buffer, samplesAcross, SkinLooks.MOST_PLACES, sources, packing, used);
-                looks.make();
-            }
-            skin.shade(context, scene, buffer, sources, target, used);
-            unpack(packing, SkinLooks.checked(CutLoops.checked(target.read(0, used))), covered, first, lit);
+            skin.looks()
+                    .ifPresent(looks ->
+                            looks.find(scene, buffer, samplesAcross, SkinLooks.MOST_PLACES, sources, used));
+            unpack(packing, CutLoops.checked(shade(skin, scene, buffer, packing, used)), covered, first, lit);
         }
         return lit;
+    }
+
+    private float[] shade(SkinSurface skin, Scene scene, GeometryBuffer buffer, Packing packing, Tile used) {
+        // Most are drawn by what was made for them before, which need not be found out first.
+        boolean hasAny = skin.looks().map(looks -> looks.pages().pages() > 0).orElse(true);
+        if (hasAny) {
+            skin.shade(context, scene, buffer, sources, target, used);
+            float[] drawn = target.read(0, used);
+            if (!SkinLooks.isMissing(drawn)) {
+                return drawn;
+            }
+        }
+        SkinLooks looks = skin.looks().orElseThrow();
+        looks.note(packing, used);
+        looks.make();
+        skin.shade(context, scene, buffer, sources, target, used);
+        float[] drawn = target.read(0, used);
+        if (SkinLooks.isMissing(drawn)) {
+            throw new IllegalStateException("a pixel looks into colours that were not noted for it");
+        }
+        return drawn;
     }
 
     /** Notes what a part of a block looks into; as {@link #shade}, which makes it at once, for {@link SkinLooks#MOST_PLACES}. */
@@ -66,7 +84,9 @@ final class PackedShading implements AutoCloseable {
         for (int first = 0; first < covered.length; first += Packing.MOST) {
             Packing packing = new Packing(Math.min(Packing.MOST, covered.length - first));
             upload(packing, covered, first, buffer, part);
-            looks.find(scene, buffer, samplesAcross, mostPlaces, sources, packing, used(packing));
+            Tile used = used(packing);
+            looks.find(scene, buffer, samplesAcross, mostPlaces, sources, used);
+            looks.note(packing, used);
         }
     }
 

@@ -15,12 +15,34 @@ public final class PartSum {
         this.sessions = List.copyOf(sessions);
     }
 
-    /** Goes over to a scene as {@link SceneSession#update(Scene)}, and makes what its parts' pictures look into. */
+    /**
+     * Goes over to a scene as {@link SceneSession#update(Scene)}, and makes what its parts' pictures look into.
+     *
+     * @param width pixels per row of the picture
+     * @param height rows
+     * @param samples along a pixel's side
+     */
     public void prepare(Scene scene, int width, int height, int samples) {
+        int columns = samples * width;
+        int rows = samples * height;
         for (SceneSession session : sessions) {
             session.update(scene);
-            session.prepare(width, height, SceneSession.tiles(width, height, 1), samples);
+            session.prepare(columns, rows, SceneSession.tiles(columns, rows, 1), samples);
         }
+    }
+
+    /**
+     * Draws a part of a picture whose pixels are the means of their samples; where parts are prepared, for as many.
+     *
+     * @param width pixels per row of the whole picture
+     * @param height rows of the whole picture
+     * @param tile in pixels
+     * @param samples along a pixel's side
+     */
+    public ScenePicture draw(Scene scene, int width, int height, Tile tile, int samples) {
+        Tile fine =
+                new Tile(samples * tile.x(), samples * tile.y(), samples * tile.width(), samples * tile.height());
+        return draw(scene, samples * width, samples * height, fine).reduced(samples);
     }
 
     /**
@@ -28,7 +50,7 @@ public final class PartSum {
      *
      * @param scene that was prepared
      */
-    public ScenePicture draw(Scene scene, int width, int height, Tile tile) {
+    ScenePicture draw(Scene scene, int width, int height, Tile tile) {
         if (sessions.size() == 1) {
             return sessions.get(0).draw(width, height, tile);
         }

@@ -210,14 +210,19 @@ public final class SceneSession implements AutoCloseable {
      * Asks the background for all that a picture looks into, and what {@link #moving} would, unless that is interrupted; it may
      * take seconds.
      *
+     * @param width pixels per row
+     * @param height rows
+     * @param samples along a pixel's side; holds for all that is drawn from now on
      * @param interrupted asked now and then
      * @return the share of the picture's that is there, 1 where nothing is missing; nothing when it was interrupted
      */
-    public OptionalDouble request(int width, int height, BooleanSupplier interrupted) {
+    public OptionalDouble request(int width, int height, int samples, BooleanSupplier interrupted) {
+        samplesAcross = samples;
         if (uploaded.skin().looks().isEmpty()) {
             return OptionalDouble.of(1);
         }
-        if (!note(width, height, tiles(width, height, 1), 1, SkinLooks.MOST_PLACES, interrupted)) {
+        List<Tile> fine = tiles(samples * width, samples * height, 1);
+        if (!note(samples * width, samples * height, fine, samples, SkinLooks.MOST_PLACES, interrupted)) {
             return OptionalDouble.empty();
         }
         double share = uploaded.skin().looks().get().pages().share();

@@ -21,8 +21,6 @@ final class SkinLooks implements AutoCloseable {
     private static final int CHANNELS = 4;
     // Along the wide side of what a pixel sees.
     static final int MOST_PLACES = 32;
-    // MISSING in table_levels.glsl is 1e30; weights and gains leave it far above anything that light does.
-    private static final float MISSING = 1e20f;
 
     private final RenderContext context;
     private final LevelPages pages;
@@ -52,12 +50,11 @@ final class SkinLooks implements AutoCloseable {
     }
 
     /**
-     * Finds how some texels of a block look, and notes into which pages.
+     * Finds how some texels of a block look.
      *
      * @param samplesAcross of the mesh along a side of a pixel
      * @param mostPlaces along the wide side of what a pixel sees
      * @param sources which, as {@link SkinSurface#shade} has them
-     * @param packing how many
      * @param used part of the target that they take
      */
     void find(
@@ -66,7 +63,6 @@ final class SkinLooks implements AutoCloseable {
             int samplesAcross,
             int mostPlaces,
             FloatTexture sources,
-            Packing packing,
             Tile used) {
         LightUniforms.of(List.of(SceneGraphs.light(scene)).iterator()).applyTo(program);
         program.set("samplesAcross", (float) samplesAcross);
@@ -74,6 +70,10 @@ final class SkinLooks implements AutoCloseable {
         List<Binding> textures = new ArrayList<>(buffer.bindings());
         textures.add(new Binding("sources", sources));
         context.drawFullScreen(program, textures, target, used);
+    }
+
+    /** Notes into which pages those texels look that were found last. */
+    void note(Packing packing, Tile used) {
         float[] places = target.read(0, used);
         float[] wide = target.read(1, used);
         float[] narrow = target.read(2, used);
@@ -103,18 +103,14 @@ final class SkinLooks implements AutoCloseable {
         return bindings;
     }
 
-    /**
-     * Lets lit texels through that were looked up in pages that exist.
-     *
-     * @throws IllegalStateException where one was not
-     */
-    static float[] checked(float[] lit) {
-        for (float value : lit) {
-            if (value > MISSING) {
-                throw new IllegalStateException("a pixel looks into colours that were not noted for it");
+    /** Whether a texel was lit by a page that does not exist (shaders/skin.frag). */
+    static boolean isMissing(float[] lit) {
+        for (int alpha = CHANNELS - 1; alpha < lit.length; alpha += CHANNELS) {
+            if (lit[alpha] < 0) {
+                return true;
             }
         }
-        return lit;
+        return false;
     }
 
     /** Tells the program that lights the skin how texels lie. */

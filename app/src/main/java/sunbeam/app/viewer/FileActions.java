@@ -21,6 +21,7 @@ import sunbeam.app.commands.render.PictureSize;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.files.output.PngWriter;
 import sunbeam.app.scene.Scene;
+import sunbeam.app.scene.PixelSamples;
 import sunbeam.app.scene.SceneData;
 import sunbeam.app.scene.SceneReader;
 import sunbeam.app.scene.SceneWriter;
@@ -137,7 +138,9 @@ final class FileActions {
         PictureSize size = new PictureSize(image.getWidth(), image.getHeight());
         run(
                 () -> {
-                    PngWriter.write(file, Overwrite.REPLACE, image, FrameText.of(data, size, 1, exposure, renderer));
+                    int samples = PixelSamples.alongSide(data.scene().method(), size.width(), size.height());
+                    PngWriter.write(
+                            file, Overwrite.REPLACE, image, FrameText.of(data, size, samples, exposure, renderer));
                     return file;
                 },
                 saved -> window.status().message("saved " + saved));

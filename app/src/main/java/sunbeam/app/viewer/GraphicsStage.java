@@ -13,6 +13,7 @@ import jrtr.gl.RenderContexts;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.scene.PartSum;
 import sunbeam.app.scene.Pick;
+import sunbeam.app.scene.PixelSamples;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneData;
 import sunbeam.app.scene.SceneDisplay;
@@ -166,7 +167,7 @@ class GraphicsStage implements AutoCloseable {
     OptionalDouble request(int width, int height, BooleanSupplier interrupted) {
         double sum = 0;
         for (SceneSession part : fine) {
-            OptionalDouble share = part.request(width, height, interrupted);
+            OptionalDouble share = part.request(width, height, samples(width, height), interrupted);
             if (share.isEmpty()) {
                 return share;
             }
@@ -224,7 +225,17 @@ class GraphicsStage implements AutoCloseable {
     }
 
     ScenePicture part(int width, int height, Tile tile) {
-        return new PartSum(fine).draw(state.fine().scene(), width, height, tile);
+        return new PartSum(fine).draw(state.fine().scene(), width, height, tile, samples(width, height));
+    }
+
+    /** The tiles of a picture that stands still, in the order that is best drawn. */
+    List<Tile> tiles(int width, int height) {
+        return SceneSession.tiles(width, height, samples(width, height));
+    }
+
+    /** As many as {@code render} takes. */
+    private int samples(int width, int height) {
+        return PixelSamples.alongSide(state.fine().scene().method(), width, height);
     }
 
     /** Time that has gone to the mesh of parts so far. */

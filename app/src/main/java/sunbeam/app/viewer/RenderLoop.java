@@ -37,6 +37,8 @@ final class RenderLoop implements AutoCloseable {
     // Waits for colours that are being made.
     private Optional<ViewState> unfinished = Optional.empty();
     private double unfinishedExposure;
+    // Whether it is known where its pixels look.
+    private boolean isRequested;
 
     /** A final picture: as long as nothing but the map changes, it stays. */
     private record Finished(ViewState state, BufferedImage image, double exposure, long nanoseconds) {}
@@ -95,10 +97,11 @@ final class RenderLoop implements AutoCloseable {
         if (stage.takeBaked() && unfinished.isPresent() && !inbox.isInterrupted()) {
             ViewState state = unfinished.get();
             double share = stage.requestedShare();
-            // Where pixels look takes seconds to find, and is known.
             guarded(() -> {
                 if (share < 1) {
                     await(stage, state, share);
+                } else if (isRequested) {
+                    refineWhole(stage, state, unfinishedExposure);
                 } else {
                     finish(stage, state, unfinishedExposure);
                 }
@@ -163,6 +166,7 @@ final class RenderLoop implements AutoCloseable {
             // Before it is found where all pixels look, which takes seconds.
             unfinished = Optional.of(state);
             unfinishedExposure = exposure;
+            isRequested = false;
             await(stage, state, 0);
             if (!stage.canMove()) {
                 return;
@@ -173,13 +177,20 @@ final class RenderLoop implements AutoCloseable {
             return;
         }
         double share = found.getAsDouble();
-        unfinished = share < 1 ? Optional.of(state) : Optional.empty();
-        if (unfinished.isPresent()) {
+        if (share < 1) {
+            unfinished = Optional.of(state);
             unfinishedExposure = exposure;
+            isRequested = true;
             await(stage, state, share);
             map(stage, state, false);
             return;
         }
+        refineWhole(stage, state, exposure);
+    }
+
+    /** Refines what all colours are there for. */
+    private void refineWhole(GraphicsStage stage, ViewState state, double exposure) {
+        unfinished = Optional.empty();
         check(map(stage, state, false) && refine(stage, state, exposure));
         guarded(() -> stage.requestMoving(state.width(), state.height(), inbox::isInterrupted));
     }
@@ -276,7 +287,7 @@ final class RenderLoop implements AutoCloseable {
         Scene scene = state.fine().scene();
         ScenePicture whole = ScenePicture.empty(state.width(), state.height());
         long done = 0;
-        for (Tile block : SceneSession.tiles(state.width(), state.height(), 1)) {
+        for (Tile block : stage.tiles(state.width(), state.height())) {
             for (Tile tile : block.divided(tileSide.side())) {
                 doTasks(stage);
                 Optional<ViewState> picked = inbox.stateIf(first::showsThePictureOf);

@@ -20,7 +20,7 @@ import sunbeam.app.terminal.UsageException;
         header = "Open the interactive viewer.",
         description = "Show a scene in a window: drag to turn the model, drag with the right button to move the light."
                 + " What moves is drawn by coarse colours or in few pixels, as the method allows; once still, it is refined to what"
-                + " 'render --supersample 1' writes."
+                + " 'render' writes."
                 + " A scene that names no method is drawn by table at tolerance 0.01, whose colours are made the first time and kept;"
                 + " plan.method full in its file, or full in the panel, draws without them."
                 + " F1 lists the mouse and the keys; see also docs/viewer.md.")
@@ -41,8 +41,9 @@ public final class ViewCommand implements Callable<Integer> {
             names = "--measure",
             paramLabel = "SECONDS",
             description =
-                    "Drag the light to and fro, then the model, for 1 to 600 seconds each, print frames per second"
-                            + " and the time from input to screen, and close. Leave mouse and keyboard alone meanwhile.")
+                    "Wait for the final picture, if it is by method table, drag the light to and fro, then the model, for 1"
+                            + " to 600 seconds each, print when the start reached what, frames per second and the time"
+                            + " from input to screen, and close. Leave mouse and keyboard alone meanwhile.")
     private Double measure;
 
     @Spec

@@ -180,6 +180,22 @@ final class Viewer {
         return false;
     }
 
+    /**
+     * Waits for the first final picture of a scene by tables of colours, which is all that its light needs of them; not for those
+     * of other methods. Not on the event thread.
+     *
+     * @param patience milliseconds
+     */
+    void awaitFinalByTable(long patience) throws InterruptedException {
+        long end = System.nanoTime() + patience * 1_000_000;
+        boolean isByTable = model.loaded()
+                .filter(loaded -> loaded.fine().levels().isPresent())
+                .isPresent();
+        while (isByTable && !failed && !journal.has(StartJournal.Stage.FINAL) && System.nanoTime() < end) {
+            Thread.sleep(LOOK_MILLISECONDS);
+        }
+    }
+
     void quit() {
         window.dispose();
     }

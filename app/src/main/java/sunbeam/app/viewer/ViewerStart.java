@@ -55,6 +55,7 @@ final class ViewerStart {
             String tables = viewer.awaitTables(LONGEST_WAIT_MILLISECONDS)
                     ? String.format(Locale.ROOT, "; tables of colours for what moves after %.1f s", secondsSince(start))
                     : "";
+            viewer.awaitFinalByTable(LONGEST_WAIT_MILLISECONDS);
             String starting = String.format(Locale.ROOT, "first picture after %.1f s%s", first, tables);
             return viewer.journal().report()
                     + System.lineSeparator()

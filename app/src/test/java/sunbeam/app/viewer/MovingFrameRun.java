@@ -144,7 +144,7 @@ class MovingFrameRun {
             Thread.sleep(50);
             session.takeBaked();
         } while (!session.canMove() && System.nanoTime() < end);
-        session.request(WIDTH, HEIGHT, () -> false);
+        session.request(WIDTH, HEIGHT, 1, () -> false);
         while (session.requestedShare() < 1 && System.nanoTime() < end) {
             Thread.sleep(50);
             session.takeBaked();

@@ -28,6 +28,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import sunbeam.app.gpu.NeedsDisplay;
 import sunbeam.app.scene.PartSum;
+import sunbeam.app.scene.PixelSamples;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneDisplay;
 import sunbeam.app.scene.SceneLight;
@@ -304,8 +305,9 @@ class RenderLoopTest {
                 SceneDisplay display = new SceneDisplay(context)) {
             loaded.parts().forEach(part -> sessions.add(new SceneSession(context, part)));
             PartSum sum = new PartSum(sessions);
-            sum.prepare(scene, WIDTH, HEIGHT, 1);
-            ScenePicture picture = sum.draw(scene, WIDTH, HEIGHT, Tile.whole(WIDTH, HEIGHT));
+            int samples = PixelSamples.alongSide(scene.method(), WIDTH, HEIGHT);
+            sum.prepare(scene, WIDTH, HEIGHT, samples);
+            ScenePicture picture = sum.draw(scene, WIDTH, HEIGHT, Tile.whole(WIDTH, HEIGHT), samples);
             BufferedImage rendered = display.image(picture, SceneDisplay.exposure(scene, picture), scene.background());
             sessions.forEach(SceneSession::close);
             assertThat(pixels(completed)).isEqualTo(pixels(rendered));

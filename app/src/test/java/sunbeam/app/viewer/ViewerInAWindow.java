@@ -238,8 +238,6 @@ abstract class ViewerInAWindow {
                         sceneFile.toString(),
                         "--size",
                         shown.getWidth() + "x" + shown.getHeight(),
-                        "--supersample",
-                        "1",
                         "--output",
                         png.toString());
         assertThat(status).as(err.toString()).isZero();

@@ -8,8 +8,8 @@ public final class Srgb {
 
     private Srgb() {}
 
-    /** Linear light of a channel of 8 bits: 0 to 1 for 0 to 255. */
-    public static double linear(int channel) {
+    /** Linear light of a channel of 8 bits, or of a place between two: 0 to 1 for 0 to 255. */
+    public static double linear(double channel) {
         double encoded = channel / 255.0;
         return encoded <= 0.04045 ? encoded / 12.92 : Math.pow((encoded + 0.055) / 1.055, 2.4);
     }

@@ -40,7 +40,10 @@ public record LevelGrid(TableDesign design) {
     /** Pages along u, and along v. */
     public int columns() {
         // Beside the outermost look-ups there is a page, for what their splines reach.
-        return 2 * (2 + (int) Math.ceil(REACH / design.step() / SIDE));
+        double reach = REACH / design.step() / SIDE;
+        int whole = (int) reach;
+        // Millions of texels ask, and Java's first compiler calls a function for what rounds up.
+        return 2 * (2 + (whole < reach ? whole + 1 : whole));
     }
 
     /** u and v of texel (0, 0). */
@@ -132,12 +135,13 @@ public record LevelGrid(TableDesign design) {
 
     /** What lies beyond all (u, v), as a wide pixel's rim may, is looked up at the edge; so does the shader. */
     private static int page(double texel, int columns) {
-        return Math.max(1, Math.min(columns - 2, (int) Math.floor(texel / SIDE)));
+        // As floors: what is below zero is cut off.
+        return Math.max(1, Math.min(columns - 2, (int) (texel / SIDE)));
     }
 
     /** At both ends of the range all slices lie on one side. */
     private int firstSlice(double slice) {
-        return Math.max(0, Math.min((int) Math.floor(slice) - 1, design.slices() - TableDesign.TAPS));
+        return Math.max(0, Math.min((int) slice - 1, design.slices() - TableDesign.TAPS));
     }
 
     /** u, v and w of a texel; beyond what two directions can have colours stay as they are at its edge. */

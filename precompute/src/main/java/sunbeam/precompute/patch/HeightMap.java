@@ -24,6 +24,7 @@ public final class HeightMap {
     private final double pitchY;
     private final double[] heights;
     private Range range;
+    private String digest;
 
     /**
      * @param columns number of samples along x, at least 1
@@ -149,6 +150,16 @@ public final class HeightMap {
             }
             return low <= high ? new Range(low, high) : new Range(Double.NaN, Double.NaN);
         }
+    }
+
+    /** {@link HeightDigest#sha256}, found once; threads that look at the same time find the same. */
+    String digest() {
+        String known = digest;
+        if (known == null) {
+            known = HeightDigest.sha256(this);
+            digest = known;
+        }
+        return known;
     }
 
     /** Found once; threads that look at the same time find the same. */

@@ -120,8 +120,8 @@ public record Patch(
         return ReliefCheck.mirror(heights).isPresent();
     }
 
-    /** SHA-256 of the height map, for cache keys; see {@link HeightDigest#sha256}. */
+    /** SHA-256 of the height map, for cache keys; see {@link HeightMap#digest}. */
     public String digest() {
-        return HeightDigest.sha256(heights);
+        return heights.digest();
     }
 }

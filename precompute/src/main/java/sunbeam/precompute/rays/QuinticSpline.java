@@ -15,6 +15,7 @@ final class QuinticSpline {
     private static final double[] POLES = {-0.4305753470999738, -0.04309628820326465};
     private static final double GAIN = gain();
     private static final int HORIZON = 24;
+    private static final int TOGETHER = 4;
 
     private QuinticSpline() {}
 
@@ -32,37 +33,81 @@ final class QuinticSpline {
      * @param plane {@code rows * columns} values
      */
     static void alongRows(float[] plane, int rows, int columns) {
-        double[] line = new double[columns];
-        for (int row = 0; row < rows; row++) {
-            int first = row * columns;
-            for (int i = 0; i < columns; i++) {
-                line[i] = GAIN * plane[first + i];
+        double[][] lines = new double[TOGETHER][columns];
+        for (int row = 0; row < rows; row += TOGETHER) {
+            // Behind the last row it comes again.
+            for (int k = 0; k < TOGETHER; k++) {
+                int first = Math.min(row + k, rows - 1) * columns;
+                for (int i = 0; i < columns; i++) {
+                    lines[k][i] = GAIN * plane[first + i];
+                }
             }
             for (double pole : POLES) {
-                filter(line, pole);
+                filter(lines[0], lines[1], lines[2], lines[3], pole);
             }
-            for (int i = 0; i < columns; i++) {
-                plane[first + i] = (float) line[i];
+            for (int k = 0; k < Math.min(TOGETHER, rows - row); k++) {
+                int first = (row + k) * columns;
+                for (int i = 0; i < columns; i++) {
+                    plane[first + i] = (float) lines[k][i];
+                }
             }
         }
     }
 
-    private static void filter(double[] c, double pole) {
-        int last = c.length - 1;
+    /** Four lines at once: each step waits for the one before it in the same line. */
+    private static void filter(double[] line0, double[] line1, double[] line2, double[] line3, double pole) {
+        int last = line0.length - 1;
+        double c0 = first(line0, pole);
+        double c1 = first(line1, pole);
+        double c2 = first(line2, pole);
+        double c3 = first(line3, pole);
+        line0[0] = c0;
+        line1[0] = c1;
+        line2[0] = c2;
+        line3[0] = c3;
+        for (int i = 1; i <= last; i++) {
+            c0 = line0[i] + pole * c0;
+            c1 = line1[i] + pole * c1;
+            c2 = line2[i] + pole * c2;
+            c3 = line3[i] + pole * c3;
+            line0[i] = c0;
+            line1[i] = c1;
+            line2[i] = c2;
+            line3[i] = c3;
+        }
+        c0 = last(line0, pole);
+        c1 = last(line1, pole);
+        c2 = last(line2, pole);
+        c3 = last(line3, pole);
+        line0[last] = c0;
+        line1[last] = c1;
+        line2[last] = c2;
+        line3[last] = c3;
+        for (int i = last - 1; i >= 0; i--) {
+            c0 = pole * (c0 - line0[i]);
+            c1 = pole * (c1 - line1[i]);
+            c2 = pole * (c2 - line2[i]);
+            c3 = pole * (c3 - line3[i]);
+            line0[i] = c0;
+            line1[i] = c1;
+            line2[i] = c2;
+            line3[i] = c3;
+        }
+    }
+
+    private static double first(double[] c, double pole) {
         double sum = 0;
         double factor = 1;
         for (int i = 0; i < Math.min(HORIZON, c.length); i++) {
             sum += factor * c[i];
             factor *= pole;
         }
-        c[0] = sum;
-        for (int i = 1; i <= last; i++) {
-            c[i] += pole * c[i - 1];
-        }
-        c[last] = pole / (pole * pole - 1) * (c[last] + pole * c[last - 1]);
-        for (int i = last - 1; i >= 0; i--) {
-            c[i] = pole * (c[i + 1] - c[i]);
-        }
+        return sum;
+    }
+
+    private static double last(double[] c, double pole) {
+        int last = c.length - 1;
+        return pole / (pole * pole - 1) * (c[last] + pole * c[last - 1]);
     }
 
     /** As {@link #alongRows} along columns, all of a row at once. Rounds to float32 at each step: 1e-6 of the largest beside it. */

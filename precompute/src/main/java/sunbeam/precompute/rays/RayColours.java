@@ -43,7 +43,8 @@ public final class RayColours implements ColourSource {
      *
      * @param step of (u, v) between the places that will be asked for
      * @param fine whether wings of bright orders matter
-     * @param progress told how many places have been evaluated since it was told last; by any thread
+     * @param progress told how many places have been evaluated since it was told last, which may be none, every few milliseconds;
+     *     by any thread, which goes on when it returns: whoever waits there holds up the others' work as well
      */
     public RayColours(RaySpectrum spectrum, GaussianArea area, double step, boolean fine, LongConsumer progress) {
         this.spectrum = spectrum;
@@ -72,7 +73,7 @@ public final class RayColours implements ColourSource {
         for (RaySector.Places some : sectors) {
             if (some != direct && !some.isEmpty()) {
                 tasks.add(ForkJoinTask.adapt(() -> {
-                    new RaySector(some.octave(), powers, some).evaluate(places, depths, xyz);
+                    new RaySector(some.octave(), powers, some, () -> progress.accept(0)).evaluate(places, depths, xyz);
                     progress.accept(some.count());
                 }));
             }

@@ -10,12 +10,15 @@ final class RaySector {
     private final RayColours.Octave octave;
     private final BlurredPowers powers;
     private final Places asked;
+    private final Runnable between;
     private final int firstRay;
     private final int rays;
     private final int count;
 
-    RaySector(RayColours.Octave octave, BlurredPowers powers, Places asked) {
+    /** @param between run after each ray */
+    RaySector(RayColours.Octave octave, BlurredPowers powers, Places asked, Runnable between) {
         this.octave = octave;
+        this.between = between;
         this.powers = powers;
         this.asked = asked;
         octave.convolution();
@@ -86,8 +89,9 @@ final class RaySector {
             int at = COLOURS * asked.number(i);
             double place = octave.onRay(Math.hypot(places[at], places[at + 1]));
             double ray = octave.ray(places[at], places[at + 1]) - firstRay;
-            int column = (int) Math.floor(place);
-            int row = (int) Math.floor(ray);
+            // Both lie behind the margins: whole parts are floors.
+            int column = (int) place;
+            int row = (int) ray;
             QuinticSpline.weights(place - column, alongRay);
             QuinticSpline.weights(ray - row, acrossRays);
             int corner = (row - 2) * count + column - 2;
@@ -120,6 +124,7 @@ final class RaySector {
         for (int i = 0; i < rays; i++) {
             double angle = 2 * Math.PI * (firstRay + i) / octave.rays();
             line.colours(powers, Math.cos(angle), Math.sin(angle), planes, i * count);
+            between.run();
         }
         for (float[] plane : planes) {
             if (plane != null) {

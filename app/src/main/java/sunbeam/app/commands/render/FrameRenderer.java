@@ -21,7 +21,7 @@ final class FrameRenderer {
 
     /** Makes the colours that a scene's picture looks into. */
     void prepare(Scene scene) {
-        parts.prepare(scene, supersample * size.width(), supersample * size.height(), supersample);
+        parts.prepare(scene, size.width(), size.height(), supersample);
     }
 
     /**
@@ -30,17 +30,10 @@ final class FrameRenderer {
      * @param progress told after every tile how many pixels are done
      */
     ScenePicture render(Scene scene, LongConsumer progress) {
-        int width = supersample * size.width();
-        int height = supersample * size.height();
         ScenePicture picture = ScenePicture.empty(size.width(), size.height());
         for (Tile tile : SceneSession.tiles(size.width(), size.height(), supersample)) {
-            Tile fine = new Tile(
-                    supersample * tile.x(),
-                    supersample * tile.y(),
-                    supersample * tile.width(),
-                    supersample * tile.height());
-            ScenePicture part = parts.draw(scene, width, height, fine);
-            picture.put(part.reduced(supersample), tile.x(), tile.y());
+            ScenePicture part = parts.draw(scene, size.width(), size.height(), tile, supersample);
+            picture.put(part, tile.x(), tile.y());
             progress.accept(tile.pixels());
         }
         return picture;

@@ -22,6 +22,7 @@ import sunbeam.app.files.output.OutputFolder;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.files.output.StandardOutput;
 import sunbeam.app.gpu.picture.DoubtfulPicture;
+import sunbeam.app.scene.PixelSamples;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneData;
 import sunbeam.app.scene.SceneLoader;
@@ -32,7 +33,6 @@ import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.SettingOptions;
 import sunbeam.app.terminal.ShutdownHook;
 import sunbeam.app.terminal.UsageException;
-import sunbeam.precompute.method.TableMethod;
 
 /** {@code sunbeam render}: a scene as a picture, or moving, without a window. */
 @Command(
@@ -42,11 +42,6 @@ import sunbeam.precompute.method.TableMethod;
                 + " --light-sweep or --turntable a folder of numbered PNGs and an animation of them. Ctrl-C keeps"
                 + " the frames that are finished; --resume goes on.")
 public final class RenderCommand implements Callable<Integer> {
-    private static final int MOST_SUPERSAMPLES = 8;
-    // Of a picture: a pixel of a whole snake is as wide as the body bends, and one sample in each leaves more than eyes
-    // allow (docs/colour-tables.md).
-    private static final double SAMPLES_BY_TABLE = 1600.0 * 1200;
-
     private final Environment environment;
 
     @Parameters(
@@ -82,8 +77,8 @@ public final class RenderCommand implements Callable<Integer> {
             paramLabel = "N",
             description =
                     "Each pixel is the mean of N x N, 1 to 8, in linear light. Default: 2 by method table, more in pictures"
-                            + " of less than 800 x 600 pixels, of which each sees more; 1 by other methods and in the"
-                            + " viewer. --certify says how well a picture is anti-aliased.")
+                            + " of less than 800 x 600 pixels, of which each sees more; 1 by other methods. --certify"
+                            + " says how well a picture is anti-aliased.")
     private Integer supersample;
 
     @Mixin
@@ -138,22 +133,17 @@ public final class RenderCommand implements Callable<Integer> {
         }
     }
 
-    /** Along the side of a pixel; the fewer pixels a picture of a mesh has, the more does each of them see. */
+    /** Along the side of a pixel. */
     private int samples(Scene scene) {
-        if (supersample != null) {
-            return supersample;
-        }
-        if (scene.method().type() != TableMethod.TYPE) {
-            return 1;
-        }
-        double perPixel = Math.sqrt(SAMPLES_BY_TABLE / ((double) size.width() * size.height()));
-        return (int) Math.max(2, Math.min(MOST_SUPERSAMPLES, Math.round(perPixel)));
+        return supersample != null
+                ? supersample
+                : PixelSamples.alongSide(scene.method(), size.width(), size.height());
     }
 
     private void check() {
-        if (supersample != null && (supersample < 1 || supersample > MOST_SUPERSAMPLES)) {
+        if (supersample != null && (supersample < 1 || supersample > PixelSamples.MOST)) {
             throw new UsageException(
-                    "--supersample " + supersample + " is out of range; give 1 to " + MOST_SUPERSAMPLES);
+                    "--supersample " + supersample + " is out of range; give 1 to " + PixelSamples.MOST);
         }
         animation.check();
         if (!animation.isAsked()) {

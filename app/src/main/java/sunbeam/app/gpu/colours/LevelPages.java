@@ -152,6 +152,9 @@ public final class LevelPages implements AutoCloseable {
         for (int level = 0; level < grids.size(); level++) {
             wanted.get(level).andNot(made.get(level));
         }
+        if (count(wanted) == 0) {
+            return; // without waiting for what the background makes at the moment
+        }
         requireRoom();
         sources.bakeAll(
                 wanted,

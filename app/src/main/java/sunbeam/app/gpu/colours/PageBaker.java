@@ -13,12 +13,15 @@ import java.util.concurrent.ForkJoinPool;
 import java.util.concurrent.TimeUnit;
 
 /**
- * Makes pages of levels on a thread of its own, a few at a time: those that were asked for last. It keeps one processor busy, all
- * where nothing has moved for a while, and none while {@link #hold} says that pictures are being drawn.
+ * Makes pages of levels on a thread of its own, some at a time: those that were asked for last. It keeps one processor busy, all
+ * where nothing has moved for a while, and none while {@link #hold} says that pictures are being drawn, not even for what is being
+ * made at that moment.
  */
 final class PageBaker implements AutoCloseable {
-    // Pages that are made at once: a second's work. What is asked for meanwhile waits for them.
+    // Pages that are made at once by one processor, and by all: a second's work or two. What is asked for meanwhile waits
+    // for them. The fewer, the more rays are evaluated for several of them.
     private static final int CHUNK = 1200;
+    private static final int CHUNK_OF_ALL = 4800;
     // Pages that are read at once: some tenths of a second of work, which nothing that moves waits for.
     private static final int MOST_AT_ONCE = 4000;
     private static final int LIFE_DAYS = 1000;
@@ -60,6 +63,7 @@ final class PageBaker implements AutoCloseable {
         this.sources = sources;
         this.arrived = arrived;
         sources.grids().forEach(grid -> done.add(new BitSet()));
+        sources.runBetween(this::waitWhileHeld);
         this.thread = new Thread(this::run, "colours");
         thread.setDaemon(true);
         thread.start();
@@ -74,6 +78,25 @@ final class PageBaker implements AutoCloseable {
     /** Pictures are being drawn: leaves the processors to them for a while. */
     synchronized void hold() {
         heldUntil = System.nanoTime() + HOLD_NANOSECONDS;
+    }
+
+    /** In the middle of what is being made. */
+    private synchronized void waitWhileHeld() {
+        try {
+            for (long held = heldFor(); held > 0 && !closed; held = heldFor()) {
+                wait(held);
+            }
+        } catch (InterruptedException closing) {
+            Thread.currentThread().interrupt();
+        }
+        if (closed) {
+            throw new IllegalStateException("nobody waits for these colours any more");
+        }
+    }
+
+    /** Guarded by this. Milliseconds, rounded up; none where it is not positive. */
+    private long heldFor() {
+        return (heldUntil - System.nanoTime() + 999_999) / 1_000_000;
     }
 
     /**
@@ -145,7 +168,7 @@ final class PageBaker implements AutoCloseable {
     /** Waits for something to do; null in the end. */
     private synchronized Baked next() throws InterruptedException {
         while (!closed) {
-            long held = (heldUntil - System.nanoTime()) / 1_000_000;
+            long held = heldFor();
             if (held > 0) {
                 wait(held);
                 continue;
@@ -160,7 +183,7 @@ final class PageBaker implements AutoCloseable {
         return null;
     }
 
-    /** What an earlier run has made comes first, then coarse levels before fine ones. */
+    /** Guarded by this. What an earlier run has made comes first, then coarse levels before fine ones. */
     private Optional<Baked> due() {
         for (int level = wanted.size() - 1; level >= 0; level--) {
             BitSet kept = sources.kept(level, missing(level));
@@ -169,11 +192,12 @@ final class PageBaker implements AutoCloseable {
                 return Optional.of(new Baked(level, pages, List.of()));
             }
         }
+        int chunk = maySpread() ? CHUNK_OF_ALL : CHUNK;
         for (int level = wanted.size() - 1; level >= 0; level--) {
             BitSet missing = missing(level);
             if (!missing.isEmpty()) {
                 int[] pages =
-                        sources.grids().get(level).bySide(missing).limit(CHUNK).toArray();
+                        sources.grids().get(level).bySide(missing).limit(chunk).toArray();
                 return Optional.of(new Baked(level, pages, List.of()));
             }
         }

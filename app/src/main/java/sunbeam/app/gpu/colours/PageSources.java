@@ -22,6 +22,7 @@ final class PageSources implements AutoCloseable {
     // By level: what a source needs takes longer to get than a few colours.
     private final Map<Integer, ColourSource> opened = new TreeMap<>();
     private Progress progress = Progress.none();
+    private volatile Runnable between = () -> {};
     // Opened when the first page is asked for.
     private KeptPages kept;
 
@@ -39,6 +40,18 @@ final class PageSources implements AutoCloseable {
         return sources.levels();
     }
 
+    /** From now on runs something every few milliseconds while colours are made, by any thread; they wait for it. */
+    void runBetween(Runnable pause) {
+        between = pause;
+    }
+
+    private void evaluated(long places) {
+        if (places > 0) {
+            progress.step(places);
+        }
+        between.run();
+    }
+
     /** Where the pages of each level lie. */
     List<LevelGrid> grids() {
         return grids;
@@ -52,7 +65,7 @@ final class PageSources implements AutoCloseable {
         if (!missing.isEmpty()) {
             LevelBaking baking = bakings.get(level);
             ColourSource source =
-                    opened.computeIfAbsent(level, number -> sources.open(number, count -> progress.step(count)));
+                    opened.computeIfAbsent(level, number -> sources.open(number, this::evaluated));
             Iterator<float[]> coefficients = baking.bake(missing, source).iterator();
             Map<Integer, float[]> made = new TreeMap<>();
             missing.stream().forEach(page -> made.put(page, coefficients.next()));

@@ -17,9 +17,11 @@ final class ElapheColors implements BodyColors {
     private static final int CHECKS = 150;
     // An outline wobbles by 0.11, and its edge reaches 0.04 farther.
     private static final double FAR = 1.16;
+    private static final double OUTSIDE = -0.04;
 
     private final SkinNoise outline = new SkinNoise(1, 400, 24);
-    private final SkinNoise sizes = new SkinNoise(2, 60, 2);
+    private final double[] saddleSizes = sizes(0.16, 0);
+    private final double[] blotchSizes = sizes(0.3, 0.9);
     private final SkinNoise grain = new SkinNoise(3, 1600, 120);
     private final SkinNoise mottle = new SkinNoise(4, 260, 16);
 
@@ -38,15 +40,29 @@ final class ElapheColors implements BodyColors {
 
     /** A marking: red where the depth below its outline is large, black along it. */
     private static LinearRgb mark(LinearRgb ground, double depth) {
-        LinearRgb edged = ground.mix(EDGE, Steps.smooth(-0.04, 0.06, depth));
+        if (depth <= OUTSIDE) {
+            return ground;
+        }
+        LinearRgb edged = ground.mix(EDGE, Steps.smooth(OUTSIDE, 0.06, depth));
         return edged.mix(SADDLE, Steps.smooth(0.24, 0.36, depth));
+    }
+
+    /** Of the markings one after the other, 1 in the mean. */
+    private static double[] sizes(double spread, double around) {
+        SkinNoise sizes = new SkinNoise(2, 60, 2);
+        double[] all = new double[(int) SADDLES + 2];
+        for (int i = 0; i < all.length; i++) {
+            all[i] = 1 + spread * sizes.at((i + 0.5) / SADDLES, around);
+        }
+        return all;
     }
 
     /** Depth inside the nearest saddle: 1 in its middle, 0 on its outline, negative outside. */
     private double saddle(double along, double side) {
         double place = along * SADDLES;
-        double middle = Math.floor(place) + 0.5;
-        double size = 1 + 0.16 * sizes.at(middle / SADDLES, 0);
+        int saddle = (int) place;
+        double middle = saddle + 0.5;
+        double size = saddleSizes[saddle];
         // On the head the first saddle is drawn out into the spear that gives the species away.
         double length = middle < 1 ? 0.62 : 0.36 * size;
         double width = middle < 1 ? 0.34 : 0.42 * size;
@@ -55,8 +71,9 @@ final class ElapheColors implements BodyColors {
 
     private double blotch(double along, double side) {
         double place = along * SADDLES + 0.5;
-        double middle = Math.floor(place) + 0.5;
-        double size = 1 + 0.3 * sizes.at(middle / SADDLES, 0.9);
+        int blotch = (int) place;
+        double middle = blotch + 0.5;
+        double size = blotchSizes[blotch];
         return 1 - superellipse((place - middle) / (0.24 * size), (side - 0.56) / (0.13 * size));
     }
 

@@ -22,7 +22,8 @@ record LinearRgb(double red, double green, double blue) {
         return new LinearRgb(factor * red, factor * green, factor * blue);
     }
 
+    /** As {@link Srgb#channel}, without a power: a texture has millions of these. */
     static byte encoded(double linear) {
-        return (byte) Srgb.channel(linear);
+        return SrgbSteps.channel(linear);
     }
 }

@@ -16,11 +16,18 @@ final class SkinNoise {
         this.cellsAround = cellsAround;
     }
 
+    /**
+     * The value at a place.
+     *
+     * @param along from 0 to 1
+     * @param around from -1 to 1
+     */
     double at(double along, double around) {
         double x = along * cellsAlong;
         double y = 0.5 * (around + 1) * cellsAround;
-        int left = (int) Math.floor(x);
-        int below = (int) Math.floor(y);
+        // Neither is negative: the whole part is the floor, which Java's first compiler calls a function for.
+        int left = (int) x;
+        int below = (int) y;
         double fx = smooth(x - left);
         double fy = smooth(y - below);
         double low = value(left, below) * (1 - fx) + value(left + 1, below) * fx;

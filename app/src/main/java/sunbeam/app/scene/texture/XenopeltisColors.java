@@ -16,7 +16,8 @@ final class XenopeltisColors implements BodyColors {
     public LinearRgb at(double along, double around) {
         double side = Math.abs(around);
         LinearRgb skin = BACK.mix(FLANK, Steps.smooth(0.3, 0.7, side));
-        LinearRgb uneven = skin.times(1 + 0.12 * grain.at(along, around) + 0.12 * mottle.at(along, around));
-        return uneven.mix(BELLY, Steps.smooth(0.72, 0.84, side + 0.03 * mottle.at(along, around)));
+        double mottled = mottle.at(along, around);
+        LinearRgb uneven = skin.times(1 + 0.12 * grain.at(along, around) + 0.12 * mottled);
+        return uneven.mix(BELLY, Steps.smooth(0.72, 0.84, side + 0.03 * mottled));
     }
 }

@@ -73,6 +73,63 @@ class PageBakerTest {
         makesAfter(new IllegalStateException("no colours"));
     }
 
+    /** Counts its steps, and never ends but when it is told to. */
+    private static LevelSources endless(AtomicInteger steps) {
+        return new LevelSources() {
+            @Override
+            public TableLevels levels() {
+                return LEVELS;
+            }
+
+            @Override
+            public ColourSource open(int level, LongConsumer done) {
+                return asked -> {
+                    while (true) {
+                        steps.incrementAndGet();
+                        done.accept(0);
+                    }
+                };
+            }
+        };
+    }
+
+    private static void awaitAStep(AtomicInteger steps) throws InterruptedException {
+        int before = steps.get();
+        while (steps.get() == before) {
+            Thread.sleep(1);
+        }
+    }
+
+    @Test
+    void whatIsBeingMadePausesWhilePicturesAreDrawnAndEndsWithTheBaker() throws InterruptedException {
+        AtomicInteger steps = new AtomicInteger();
+        BitSet pages = new BitSet();
+        pages.set(LEVELS.slices() + 40);
+        try (PageBaker baker = new PageBaker(new PageSources(endless(steps)), arrived::release)) {
+            baker.want(List.of(pages));
+            awaitAStep(steps);
+
+            int checks = 0;
+            while (checks < 20) {
+                long start = System.nanoTime();
+                baker.hold();
+                int before = steps.get();
+                Thread.sleep(10);
+                int after = steps.get();
+                // Later than that it may have gone on.
+                if (System.nanoTime() - start < 200_000_000) {
+                    // One that had begun.
+                    assertThat(after).isBetween(before, before + 1);
+                    checks++;
+                }
+            }
+            awaitAStep(steps);
+        }
+        int atTheEnd = steps.get();
+        Thread.sleep(50);
+        assertThat(steps).hasValue(atTheEnd);
+    }
+
     @Test
     void soIsWhatFoundNoMemory() throws InterruptedException {
         makesAfter(new OutOfMemoryError("Java heap space"));
