@@ -51,7 +51,7 @@ public record Blend(double diffraction, double texture, double diffuse, double a
     }
 
     /** The diffracted light alone. */
-    Blend withoutBody() {
+    public Blend withoutBody() {
         return new Blend(diffraction, 0, 0, 0);
     }
 }

@@ -50,8 +50,7 @@ final class PackedShading implements AutoCloseable {
             upload(packing, covered, first, buffer, part);
             Tile used = used(packing);
             skin.looks()
-                    .ifPresent(looks ->
-                            looks.find(scene, buffer, samplesAcross, SkinLooks.MOST_PLACES, sources, used));
+                    .ifPresent(looks -> looks.find(scene, buffer, samplesAcross, SkinLooks.MOST_PLACES, sources, used));
             unpack(packing, CutLoops.checked(shade(skin, scene, buffer, packing, used)), covered, first, lit);
         }
         return lit;

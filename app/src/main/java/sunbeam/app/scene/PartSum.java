@@ -40,8 +40,7 @@ public final class PartSum {
      * @param samples along a pixel's side
      */
     public ScenePicture draw(Scene scene, int width, int height, Tile tile, int samples) {
-        Tile fine =
-                new Tile(samples * tile.x(), samples * tile.y(), samples * tile.width(), samples * tile.height());
+        Tile fine = new Tile(samples * tile.x(), samples * tile.y(), samples * tile.width(), samples * tile.height());
         return draw(scene, samples * width, samples * height, fine).reduced(samples);
     }
 

@@ -4,25 +4,36 @@ import java.nio.file.Path;
 import java.util.Optional;
 import sunbeam.app.files.output.OutputException;
 
-/** How a scene's files are written down: relative to the scene's folder, or absolutely. */
+/** How a scene's files are written down: relative to the scene's folder, absolutely, or without folders. */
 final class SceneNames {
     private final Optional<Path> folder;
+    private final boolean shown;
 
-    private SceneNames(Optional<Path> folder) {
+    private SceneNames(Optional<Path> folder, boolean shown) {
         this.folder = folder;
+        this.shown = shown;
     }
 
     static SceneNames relativeTo(Path sceneFile) {
-        return new SceneNames(Optional.of(sceneFile.toAbsolutePath().normalize().getParent()));
+        return new SceneNames(
+                Optional.of(sceneFile.toAbsolutePath().normalize().getParent()), false);
     }
 
     static SceneNames absolute() {
-        return new SceneNames(Optional.empty());
+        return new SceneNames(Optional.empty(), false);
+    }
+
+    /** For pictures that are shown to others, whom folders do not concern. */
+    static SceneNames withoutFolders() {
+        return new SceneNames(Optional.empty(), true);
     }
 
     /** Built-in names stay as they are; they are no absolute paths. */
     String of(String name) {
         Path path = Path.of(name);
+        if (shown && path.isAbsolute()) {
+            return String.valueOf(path.getFileName());
+        }
         if (folder.isEmpty() || !path.isAbsolute()) {
             return name;
         }

@@ -54,6 +54,11 @@ public final class SceneWriter {
         return text(scene, SceneNames.absolute());
     }
 
+    /** The scene as JSON for whoever has a picture of it: without the folders of this machine. */
+    public static String caption(Scene scene) {
+        return text(scene, SceneNames.withoutFolders());
+    }
+
     private static String text(Scene scene, SceneNames names) {
         StringWriter text = new StringWriter();
         try (JsonGenerator json = new JsonFactory().createGenerator(text)) {

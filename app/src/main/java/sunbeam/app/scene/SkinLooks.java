@@ -57,13 +57,7 @@ final class SkinLooks implements AutoCloseable {
      * @param sources which, as {@link SkinSurface#shade} has them
      * @param used part of the target that they take
      */
-    void find(
-            Scene scene,
-            GeometryBuffer buffer,
-            int samplesAcross,
-            int mostPlaces,
-            FloatTexture sources,
-            Tile used) {
+    void find(Scene scene, GeometryBuffer buffer, int samplesAcross, int mostPlaces, FloatTexture sources, Tile used) {
         LightUniforms.of(List.of(SceneGraphs.light(scene)).iterator()).applyTo(program);
         program.set("samplesAcross", (float) samplesAcross);
         program.set("mostPlaces", (float) mostPlaces);

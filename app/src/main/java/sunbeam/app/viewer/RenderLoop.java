@@ -10,7 +10,6 @@ import sunbeam.app.commands.failure.Failure;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.ScenePicture;
 import sunbeam.app.scene.ScenePreview;
-import sunbeam.app.scene.SceneSession;
 import sunbeam.precompute.method.MethodPlan;
 
 /**

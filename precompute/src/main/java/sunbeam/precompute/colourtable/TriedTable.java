@@ -18,8 +18,9 @@ import sunbeam.precompute.shader.TableArray;
  * @param pages where its texels lie
  * @param baking that made them
  * @param texels of all slices
+ * @param trial what was found, for people
  */
-public record TriedTable(TablePages pages, TableBaking baking, TableArray texels) {
+public record TriedTable(TablePages pages, TableBaking baking, TableArray texels, String trial) {
     // Errors fall with the fourth to sixth power of the step; at kinks more slowly.
     private static final double ORDER = 4;
     private static final double SMALLEST_FACTOR = 0.5;
@@ -29,6 +30,15 @@ public record TriedTable(TablePages pages, TableBaking baking, TableArray texels
     // does not
     // tell: of few directions the 95th percentile jumps.
     private static final double IMPROVEMENT = 0.8;
+
+    /** Takes a line about what is done otherwise than planned. */
+    public interface Told {
+        /** What takes longer. */
+        void delay(String line);
+
+        /** What remains less sure than asked for. */
+        void shortfall(String line);
+    }
 
     /**
      * Makes a table.
@@ -40,7 +50,7 @@ public record TriedTable(TablePages pages, TableBaking baking, TableArray texels
      * @param sources opens what evaluates so many places
      * @param room whether pages fit
      * @param refused throws what is said of pages that do not fit and are needed
-     * @param told one line each of what is done otherwise than planned
+     * @param told one line each of what takes longer than planned, or falls short
      */
     public static TriedTable make(
             double tolerance,
@@ -50,7 +60,7 @@ public record TriedTable(TablePages pages, TableBaking baking, TableArray texels
             LongFunction<ColourSource> sources,
             Predicate<TablePages> room,
             Consumer<TablePages> refused,
-            Consumer<String> told) {
+            Told told) {
         List<DirectionPair> places = TableErrors.places(reach);
         TablePages next = pages.apply(coarsest);
         double before = Double.POSITIVE_INFINITY;
@@ -65,13 +75,14 @@ public record TriedTable(TablePages pages, TableBaking baking, TableArray texels
                 errors = TableErrors.of(new TableLookUp(made, baking, layers), source, places);
             }
             double excess = errors.excess(tolerance);
+            String words = inWords(errors, made, tolerance);
+            TriedTable tried = new TriedTable(made, baking, baking.texels(layers), words);
             if (excess <= 1) {
-                return new TriedTable(made, baking, baking.texels(layers));
+                return tried;
             }
-            String words = inWords(errors, made.design());
             if (!(excess < IMPROVEMENT * beforeThat) || Double.isInfinite(excess)) {
-                told.accept(words + "; smaller steps do not help");
-                return new TriedTable(made, baking, baking.texels(layers));
+                told.shortfall("table: " + words + "; smaller steps do not help");
+                return tried;
             }
             double factor = Math.pow(excess, -1 / ORDER);
             next = pages.apply(made.design().finer(Math.max(SMALLEST_FACTOR, Math.min(LARGEST_FACTOR, factor))));
@@ -79,27 +90,37 @@ public record TriedTable(TablePages pages, TableBaking baking, TableArray texels
                 if (!errors.meet(tolerance)) {
                     refused.accept(next);
                 }
-                told.accept(words + ", less certainly than it should: for smaller steps there is no room");
-                return new TriedTable(made, baking, baking.texels(layers));
+                told.shortfall("table: " + words
+                        + ", which is closer to the limit than it should be: for smaller steps there is no room");
+                return tried;
             }
-            told.accept(words
-                    + String.format(
-                            Locale.ROOT,
-                            "; it is made again in steps of %.2g",
-                            next.design().step()));
+            told.delay(String.format(
+                    Locale.ROOT,
+                    "table: %s, too close to that or beyond it; it is made again in steps of %.2g",
+                    words,
+                    next.design().step()));
             beforeThat = before;
             before = excess;
         }
     }
 
-    private static String inWords(TableErrors errors, TableDesign design) {
-        return String.format(
+    private static String inWords(TableErrors errors, TablePages pages, double tolerance) {
+        String steps = String.format(
                 Locale.ROOT,
-                "in steps of %.2g in (u, v) a table of these colours errs by %.2g in the median and %.2g at the 95th percentile of %d"
-                        + " directions",
-                design.step(),
-                errors.median(),
-                errors.percentile95(),
-                errors.count());
+                pages.slices() > 1 ? "steps of %.2g in (u, v), %d slices in w" : "steps of %.2g in (u, v)",
+                pages.design().step(),
+                pages.slices());
+        return errors.count() == 0
+                ? steps + ", tried where light goes: nowhere, all directions are dark"
+                : String.format(
+                        Locale.ROOT,
+                        "%s, tried at %d directions: errs by %.2g in the median and %.2g at the 95th percentile beside what"
+                                + " it was made of (%.2g and %.2g are promised of both together)",
+                        steps,
+                        errors.count(),
+                        errors.median(),
+                        errors.percentile95(),
+                        tolerance,
+                        TableErrors.PROMISED_PERCENTILE * tolerance);
     }
 }

@@ -67,10 +67,11 @@ public record ScanLimit(Choices choices, Optional<Sentence> line, Optional<Strin
                 Optional.of(Sentence.of(
                         String.format(
                                 Locale.ROOT,
-                                "coherence length %s (the scan's %s; %s asked): orders are drawn %s times as broad as in sunlight; a larger scan or ",
+                                "coherence length %s (the scan's %s; %s %s): orders are drawn %s times as broad as in sunlight; a larger scan or ",
                                 Lengths.rounded(side, 4),
                                 limiting,
                                 Lengths.format(asked),
+                                choices.has(COHERENCE_LENGTH) ? "asked" : "in sunlight",
                                 times(CoherenceWindow.SUNLIGHT_COHERENCE_LENGTH / side)),
                         PatchSettings.PERIODIC)),
                 Optional.of(limiting));

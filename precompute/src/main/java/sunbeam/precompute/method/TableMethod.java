@@ -25,6 +25,7 @@ import sunbeam.precompute.plan.Accuracy;
 import sunbeam.precompute.plan.ErrorBudget;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.MemoryNeed;
+import sunbeam.precompute.plan.PlanReport;
 import sunbeam.precompute.plan.Reach;
 import sunbeam.precompute.plan.TableChoices;
 import sunbeam.precompute.plan.VisibleRange;
@@ -153,7 +154,8 @@ public record TableMethod(double tolerance, GaussianArea area) implements Method
         public String summary() {
             return String.format(
                     Locale.ROOT,
-                    "table: %s, step at most %s in (u, v), %.2f million places and %.0f MB or more; of %s",
+                    "table to %s %%: %s, step at most %s in (u, v), %.2f million places and %.0f MB or more; made of %s",
+                    PlanReport.percent(method.tolerance),
                     pages.slices() == 1 ? "one light" : pages.slices() + " slices in w",
                     step(),
                     pages.evaluated() * 1e-6,
@@ -203,7 +205,7 @@ public record TableMethod(double tolerance, GaussianArea area) implements Method
         public String key(MethodUse use) {
             return String.join(
                     "|",
-                    "tried table 2",
+                    "tried table 3",
                     String.valueOf(method.tolerance),
                     Sha256.of(pages.key()),
                     directions(),
@@ -240,8 +242,8 @@ public record TableMethod(double tolerance, GaussianArea area) implements Method
                             .excess(new TableBaking(finer).memory())
                             .isEmpty(),
                     finer -> method.requireRoom(surface, finer),
-                    sources::tell);
-            tables.array(made.texels()).array(made.baking().pageList());
+                    sources.told());
+            tables.trial(made.trial()).array(made.texels()).array(made.baking().pageList());
             area(tables, made.pages());
             return tables.define("COLOUR_SLICES", made.pages().slices())
                     .reals("colourOrigin", made.pages().originX(), made.pages().originY())

@@ -1,6 +1,7 @@
 package sunbeam.precompute.method;
 
 import sunbeam.precompute.colourtable.ColourSource;
+import sunbeam.precompute.colourtable.TriedTable;
 import sunbeam.precompute.plan.Plan;
 import sunbeam.precompute.shader.ShaderTables;
 import sunbeam.precompute.table.FourierTable;
@@ -19,6 +20,6 @@ public interface TableSources {
      */
     ColourSource colours(ShaderTables tables, long places);
 
-    /** Takes a line about what is done otherwise than planned. */
-    void tell(String line);
+    /** Takes lines about what is done otherwise than planned. */
+    TriedTable.Told told();
 }

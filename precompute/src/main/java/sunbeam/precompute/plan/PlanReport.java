@@ -26,9 +26,10 @@ public final class PlanReport {
     public String summary() {
         return String.format(
                 Locale.ROOT,
-                "%s, coherence length %s, %s",
+                "%s, coherence length %s, %s average, %s",
                 accuracy(),
                 Lengths.format(plan.window().coherenceLength()),
+                plan.average().name().toLowerCase(Locale.ROOT),
                 plan.sampling().wavelengths(plan.range()));
     }
 
@@ -43,7 +44,8 @@ public final class PlanReport {
                 : "as in the thesis";
     }
 
-    private static String percent(double share) {
+    /** A share in words, without its sign. */
+    public static String percent(double share) {
         return new BigDecimal(100 * share)
                 .round(new MathContext(3))
                 .stripTrailingZeros()

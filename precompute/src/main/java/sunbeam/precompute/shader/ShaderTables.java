@@ -15,6 +15,7 @@ import java.util.TreeMap;
  * @param arrays by the names in their layouts
  * @param windowSigma standard deviation of the coherence window, metres
  * @param specularReach |(u, v)| up to which a direction sees the specular peak, which outshines what is diffracted
+ * @param trial what was found of the tables when they were tried, for people; empty for those that are not
  */
 public record ShaderTables(
         String shader,
@@ -22,7 +23,8 @@ public record ShaderTables(
         Map<String, UniformValue> uniforms,
         List<TableArray> arrays,
         double windowSigma,
-        double specularReach) {
+        double specularReach,
+        String trial) {
 
     /** Copies. */
     public ShaderTables {
@@ -42,6 +44,7 @@ public record ShaderTables(
         private final Map<String, String> defines = new TreeMap<>();
         private final Map<String, UniformValue> uniforms = new TreeMap<>();
         private final List<TableArray> arrays = new ArrayList<>();
+        private String trial = "";
 
         /** @param shader the method's file in shaders/method, without its ending */
         public Builder(String shader) {
@@ -70,6 +73,12 @@ public record ShaderTables(
             return this;
         }
 
+        /** What was found when the tables were tried, for people. */
+        public Builder trial(String found) {
+            trial = found;
+            return this;
+        }
+
         /** All defines, uniforms and arrays of other tables. */
         public Builder all(ShaderTables others) {
             defines.putAll(others.defines());
@@ -87,7 +96,7 @@ public record ShaderTables(
         public ShaderTables build(double windowSigma, double specularReach) {
             // shaders/include/loops.glsl
             integers("loopProbe", 2);
-            return new ShaderTables(shader, defines, uniforms, arrays, windowSigma, specularReach);
+            return new ShaderTables(shader, defines, uniforms, arrays, windowSigma, specularReach, trial);
         }
     }
 }

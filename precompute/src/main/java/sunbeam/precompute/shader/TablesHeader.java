@@ -60,6 +60,7 @@ record TablesHeader(String key, TableLabel label, ShaderTables tables, List<Arra
             put(out, value);
         });
         out.putDouble(tables.windowSigma()).putDouble(tables.specularReach());
+        put(out, tables.trial());
         out.putInt(layouts.size());
         for (ArrayLayout layout : layouts) {
             put(out, layout.sampler());
@@ -108,7 +109,7 @@ record TablesHeader(String key, TableLabel label, ShaderTables tables, List<Arra
                 uniforms.put(text(in), uniform(in));
             }
             ShaderTables tables =
-                    new ShaderTables(shader, defines, uniforms, List.of(), in.getDouble(), in.getDouble());
+                    new ShaderTables(shader, defines, uniforms, List.of(), in.getDouble(), in.getDouble(), text(in));
             List<ArrayLayout> layouts = new ArrayList<>();
             for (int left = in.getInt(); left > 0; left--) {
                 layouts.add(layout(in));

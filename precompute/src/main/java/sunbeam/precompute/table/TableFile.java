@@ -65,8 +65,9 @@ public final class TableFile {
         return opened(file, (hdf, bytes) -> {
             TableAttributes attributes = attributes(hdf, bytes);
             int terms = dataset(hdf, TERMS, 4, bytes).getDimensions()[0];
-            return new TableLabel(
+            return TableLabel.of(
                     attributes.text("patch_name"),
+                    attributes.text("patch_digest_sha256"),
                     String.format(
                             Locale.ROOT,
                             "Fourier table, %d %s terms",

@@ -7,6 +7,18 @@ package sunbeam.precompute.table;
  * @param what it is, in a few words
  */
 public record TableLabel(String patch, String what) {
+    private static final int DIGITS = 6;
+
+    /**
+     * Of a surface.
+     *
+     * @param name that people call it; two may have the same
+     * @param digest of its heights, whose first digits tell them apart
+     */
+    public static TableLabel of(String name, String digest, String what) {
+        return new TableLabel(name + " " + digest.substring(0, Math.min(DIGITS, digest.length())), what);
+    }
+
     /** Of a table that nobody has named. */
     public static final TableLabel NONE = new TableLabel("", "");
 }

@@ -58,6 +58,20 @@ class TriedTableTest {
         return xyz;
     }
 
+    private TriedTable.Told told() {
+        return new TriedTable.Told() {
+            @Override
+            public void delay(String line) {
+                told.add(line);
+            }
+
+            @Override
+            public void shortfall(String line) {
+                told.add(line);
+            }
+        };
+    }
+
     private TriedTable oneLight(ColourSource source, Predicate<TablePages> room, Consumer<TablePages> refused) {
         return TriedTable.make(
                 TOLERANCE,
@@ -70,7 +84,7 @@ class TriedTableTest {
                 },
                 room,
                 refused,
-                told::add);
+                told());
     }
 
     private TriedTable oneLight(ColourSource source) {
@@ -83,6 +97,7 @@ class TriedTableTest {
         assertThat(made.pages().design()).isEqualTo(COARSE);
         assertThat(opened).isOne();
         assertThat(told).isEmpty();
+        assertThat(made.trial()).contains("tried at ", " directions: errs by ");
     }
 
     @Test
@@ -131,7 +146,7 @@ class TriedTableTest {
                 places -> deep,
                 pages -> true,
                 TriedTableTest::neverRefused,
-                told::add);
+                told());
 
         assertThat(made.pages().slices()).isGreaterThan(COARSE.slices());
         TableLookUp table = lookUp(made, deep);

@@ -167,6 +167,7 @@ public final class BrdfMapCommand implements Callable<Integer> {
             List<MaterialMap.Drawn> maps = materials.stream()
                     .map(one -> one.draw(context, lightDirection, size))
                     .toList();
+            maps.forEach(map -> methodOptions.printTrial(map.trial(), err));
             LinearPicture first = maps.get(0).picture();
             double factor =
                     exposed.of(maps.stream().map(MaterialMap.Drawn::picture).toList());
@@ -198,9 +199,9 @@ public final class BrdfMapCommand implements Callable<Integer> {
             BufferedImage sheet = PictureSheet.of(images);
             written = write(picture, stream -> PngWriter.write(stream, sheet, text), first);
         }
-        out.println(written);
+        out.println(StandardOutput.name(written));
         if (linear != null) {
-            out.println(linear);
+            out.println(StandardOutput.name(linear));
         }
         return certificate
                 .map(stated -> CertifyOption.judge(
@@ -326,6 +327,9 @@ public final class BrdfMapCommand implements Callable<Integer> {
         text.put("Method", choices.get(METHOD).label());
         text.put("Options", Methods.describe(choices));
         text.put("Plan", joined(maps, MaterialMap.Drawn::plan, "; "));
+        if (!maps.get(0).trial().isEmpty()) {
+            text.put("Table", joined(maps, MaterialMap.Drawn::trial, "; "));
+        }
         text.put("Index", index.describe(material));
         text.put("Exposure", Double.toString(factor));
         text.put("Renderer", context.info().renderer());

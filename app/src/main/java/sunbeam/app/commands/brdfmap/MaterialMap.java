@@ -20,6 +20,7 @@ import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.shader.MethodUse;
+import sunbeam.precompute.shader.ShaderTables;
 
 /**
  * The map of one patch of a material: a map for each part of its reflection, added up. Shaders know the standard material;
@@ -33,8 +34,12 @@ final class MaterialMap {
     private final List<ReflectionPart> parts;
     private final List<MethodPlan> plans = new ArrayList<>();
 
-    /** A map, and of what and how it is. */
-    record Drawn(Patch patch, String plan, double coherenceLength, LinearPicture picture) {}
+    /**
+     * A map, and of what and how it is.
+     *
+     * @param trial what was found of a table when it was tried; empty without one
+     */
+    record Drawn(Patch patch, String plan, String trial, double coherenceLength, LinearPicture picture) {}
 
     /** @param choices that hold for the patch */
     MaterialMap(DiffractionSetup setup, Choices choices, Method method, RefractiveIndex index, Direction light) {
@@ -69,16 +74,18 @@ final class MaterialMap {
         DiscDirections directions = new DiscDirections(size, light);
         float[] sum = new float[3 * size * size];
         double sigma = 0;
+        String trial = "";
         for (int p = 0; p < parts.size(); p++) {
-            try (UploadedTables tables = UploadedTables.upload(
-                            context, setup.tables(plans.get(p), MethodUse.COLOUR, GpuColours::of));
+            ShaderTables made = setup.tables(plans.get(p), MethodUse.COLOUR, GpuColours::of);
+            trial = made.trial();
+            try (UploadedTables tables = UploadedTables.upload(context, made);
                     BrdfMapRenderer renderer = new BrdfMapRenderer(context, tables, size);
                     Progress progress = Progress.start("BRDF map", (long) size * size)) {
                 add(renderer.render(light, progress::step), parts.get(p), directions, sum);
                 sigma = tables.windowSigma();
             }
         }
-        return new Drawn(setup.patch(), plan().summary(), 4 * sigma, new LinearPicture(size, size, sum));
+        return new Drawn(setup.patch(), plan().summary(), trial, 4 * sigma, new LinearPicture(size, size, sum));
     }
 
     private void add(LinearPicture map, ReflectionPart part, DiscDirections directions, float[] sum) {

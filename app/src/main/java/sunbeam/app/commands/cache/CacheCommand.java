@@ -42,7 +42,7 @@ public final class CacheCommand implements Callable<Integer> {
             paramLabel = "SIZE",
             description =
                     "From now on, let the tables take this much, for example 2GB; those used longest ago are removed"
-                            + " at once and whenever a new one would exceed it. Default: 8.6GB.")
+                            + " at once and whenever a new one would exceed it. 'default' for 8.6GB, as it is at first.")
     private String limit;
 
     @Option(names = "--clear", description = "Remove all tables; the limit stays.")
@@ -73,6 +73,9 @@ public final class CacheCommand implements Callable<Integer> {
     }
 
     private long parsedLimit() {
+        if (limit.strip().equals("default")) {
+            return CacheFolder.STANDARD_LIMIT;
+        }
         try {
             return ByteSize.parse(limit);
         } catch (IllegalArgumentException wrong) {

@@ -24,6 +24,7 @@ import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.files.input.IndexOption;
 import sunbeam.app.files.output.Ending;
 import sunbeam.app.files.output.ForceOption;
+import sunbeam.app.files.output.StandardOutput;
 import sunbeam.app.gpu.picture.DoubtfulPicture;
 import sunbeam.app.gpu.picture.ExposureOption;
 import sunbeam.app.gpu.picture.LinearPicture;
@@ -188,7 +189,7 @@ public final class ColorCommand implements Callable<Integer> {
         List<Path> written = files.write(reports, settings, heard.all(), new ColorSheet(reports, settings, cie));
         PrintWriter out = specification.commandLine().getOut();
         reports.forEach(report -> out.println(ColorSummary.of(report)));
-        written.forEach(out::println);
+        written.forEach(file -> out.println(StandardOutput.name(file)));
         return judged.code();
     }
 

@@ -19,6 +19,7 @@ import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.FileGroup;
 import sunbeam.app.files.output.ForceOption;
 import sunbeam.app.files.output.PngWriter;
+import sunbeam.app.files.output.StandardOutput;
 import sunbeam.app.gpu.picture.DoubtfulPicture;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;
@@ -221,7 +222,7 @@ public final class EvaluateCommand implements Callable<Integer> {
         Map<String, String> text = text(setup, choices, title, method);
         evaluation.plan().ifPresent(plan -> text.put("Plan", plan));
         contents.put(".png", stream -> PngWriter.write(stream, evaluation.plot(), text));
-        files.write(contents).forEach(out::println);
+        files.write(contents).forEach(file -> out.println(StandardOutput.name(file)));
         return target.isSharp();
     }
 

@@ -88,7 +88,7 @@ public final class InspectCommand implements Callable<Integer> {
         if (json.isAsked()) {
             JsonOption.print(out, new InspectionReport(inspection, place).fields());
         } else {
-            out.println(place);
+            out.println(StandardOutput.name(place));
         }
         return DoubtfulPicture.ofPatches(List.of(loaded)).code();
     }

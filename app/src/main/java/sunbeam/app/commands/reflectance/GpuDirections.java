@@ -2,6 +2,7 @@ package sunbeam.app.commands.reflectance;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Consumer;
 import jrtr.RenderContext;
 import jrtr.gl.RenderContexts;
 import sunbeam.app.files.cache.DiffractionSetup;
@@ -24,7 +25,8 @@ final class GpuDirections {
         this.plan = plan;
     }
 
-    List<double[]> evaluate(DirectionList list) {
+    /** @param trial told what was found of a table when it was tried; empty without one */
+    List<double[]> evaluate(DirectionList list, Consumer<String> trial) {
         MethodUse use = list.spectral() ? MethodUse.SPECTRAL : MethodUse.COLOUR;
         List<DirectionsRenderer.Query> queries = new ArrayList<>(list.size());
         for (int row = 0; row < list.size(); row++) {
@@ -32,6 +34,7 @@ final class GpuDirections {
             queries.add(new DirectionsRenderer.Query(list.pair(row), wavelength));
         }
         ShaderTables tables = setup.tables(plan, use, GpuColours::of);
+        trial.accept(tables.trial());
         try (RenderContext context = RenderContexts.offscreen();
                 UploadedTables method = UploadedTables.upload(context, tables);
                 DirectionsRenderer renderer = new DirectionsRenderer(context, method, list.spectral());

@@ -33,6 +33,7 @@ import sunbeam.precompute.method.Method;
 import sunbeam.precompute.method.MethodPlan;
 import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.method.ReferenceMethod;
+import sunbeam.precompute.method.TableMethod;
 import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.Choices;
@@ -91,6 +92,10 @@ public final class ReflectanceCommand implements Callable<Integer> {
         certify.check(Methods.of(asked));
         Ending.CSV.require("--output", output);
         DirectionList list = DirectionList.read(directions);
+        if (list.spectral() && asked.get(Methods.METHOD) == TableMethod.TYPE) {
+            // Before the surface is loaded and planned for.
+            throw DiffractionSetup.withoutPower();
+        }
         RefractiveIndex material = material(list);
         AtomicFile.checkWritable(output, force.overwrite());
         PrintWriter err = specification.commandLine().getErr();
@@ -100,18 +105,19 @@ public final class ReflectanceCommand implements Callable<Integer> {
         Method method = Methods.of(choices);
         if (method instanceof ReferenceMethod) {
             write(list, of(material, setup, list, new ReferenceDirections(setup.exact(method)).evaluate(list)));
-            out.println(output);
+            out.println(StandardOutput.name(output));
             return ExitCode.OK.code();
         }
         VisibleRange range = VisibleRange.of(list.pairs());
         MethodPlan plan = method.plan(setup.surface(), range);
         methodOptions.print(plan, err);
-        List<double[]> results = new GpuDirections(setup, plan).evaluate(list);
+        List<double[]> results =
+                new GpuDirections(setup, plan).evaluate(list, trial -> methodOptions.printTrial(trial, err));
         Optional<Certificate> certificate = certify.certificate(count -> new ExactRows(setup.exact(method), list)
                 .certifier(results)
                 .certify(list.size(), count, choices.get(TOLERANCE)));
         write(list, of(material, setup, list, results));
-        out.println(output);
+        out.println(StandardOutput.name(output));
         MethodUse use = list.spectral() ? MethodUse.SPECTRAL : MethodUse.COLOUR;
         return certificate
                 .map(stated -> CertifyOption.judge(stated, plan, new Explainer(setup, choices, range, use), out, err))

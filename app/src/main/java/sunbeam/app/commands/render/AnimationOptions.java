@@ -9,6 +9,8 @@ import sunbeam.app.terminal.UsageException;
 
 /** What moves; to be used as a picocli mixin. */
 public final class AnimationOptions {
+    private static final int FRAMES = 24;
+    private static final double FRAME_RATE = 12;
     private static final int MOST_FRAMES = 9999;
 
     @Option(
@@ -34,19 +36,14 @@ public final class AnimationOptions {
                     + " round.")
     private AngleSweep turn;
 
-    @Option(
-            names = "--frames",
-            paramLabel = "N",
-            defaultValue = "24",
-            description = "Number of frames of --light-sweep. Default: ${DEFAULT-VALUE}.")
-    private int frames;
+    @Option(names = "--frames", paramLabel = "N", description = "Number of frames of --light-sweep. Default: 24.")
+    private Integer frames;
 
     @Option(
             names = "--frame-rate",
             paramLabel = "HERTZ",
-            defaultValue = "12",
-            description = "Frames per second of the animation, 0.1 to 50. Default: ${DEFAULT-VALUE}.")
-    private double frameRate;
+            description = "Frames per second of the animation, 0.1 to 50. Default: 12.")
+    private Double frameRate;
 
     @Option(
             names = "--animation",
@@ -69,7 +66,7 @@ public final class AnimationOptions {
     }
 
     double frameRate() {
-        return frameRate;
+        return frameRate != null ? frameRate : FRAME_RATE;
     }
 
     /** For a folder's name. */
@@ -98,15 +95,20 @@ public final class AnimationOptions {
         if (turn != null && turntable == null) {
             throw new UsageException("--turn needs --turntable, whose frames it turns");
         }
-        if (!isAsked() && animation != null) {
-            throw new UsageException("--animation needs --light-sweep or --turntable");
+        if (!isAsked() && (animation != null || frameRate != null)) {
+            throw new UsageException(
+                    (animation != null ? "--animation" : "--frame-rate") + " needs --light-sweep or --turntable");
         }
-        int count = turntable != null ? turntable : frames;
+        if (frames != null && lightSweep == null) {
+            throw new UsageException("--frames " + frames + " needs --light-sweep, whose frames it counts"
+                    + (turntable != null ? "; --turntable has its own number" : ", as in --light-sweep 0:360"));
+        }
+        int count = turntable != null ? turntable : frames();
         if (count < 1 || count > MOST_FRAMES) {
             throw new UsageException((turntable != null ? "--turntable " : "--frames ") + count
                     + " is out of range; give 1 to " + MOST_FRAMES);
         }
-        if (!(frameRate >= 0.1 && frameRate <= 50)) {
+        if (!(frameRate() >= 0.1 && frameRate() <= 50)) {
             throw new UsageException("--frame-rate " + frameRate + " is out of range; give 0.1 to 50");
         }
         if (animation != null && !List.of("gif", "mp4").contains(extension())) {
@@ -118,6 +120,10 @@ public final class AnimationOptions {
     List<Scene> scenes(Scene scene) {
         return turntable != null
                 ? Motion.turntable(scene, turn != null ? turn : Motion.ONCE_ROUND, turntable)
-                : Motion.lightSweep(scene, lightSweep, frames);
+                : Motion.lightSweep(scene, lightSweep, frames());
+    }
+
+    private int frames() {
+        return frames != null ? frames : FRAMES;
     }
 }

@@ -33,7 +33,7 @@ public final class FrameText {
             String identity) {
         Map<String, String> text = new LinkedHashMap<>();
         text.put("Title", scene.title().isEmpty() ? "Scene" : scene.title());
-        text.put("Scene", SceneWriter.describe(scene));
+        text.put("Scene", SceneWriter.caption(scene));
         text.put("Patch", data.patch().source());
         text.put("Method", scene.method().method().type().label());
         text.put("Plan", data.method().summary());

@@ -78,10 +78,14 @@ final class PixelCertificate {
         SceneData points = loader.apply(points(scenes.get(0)));
         if (scenes.size() == 1) {
             SceneCertificate certificate = drawn.certify(context, points, certify);
-            return told(certificate.summary(), certificate.missed(), certificate.complaint(), out, err);
+            return certificate.missed()
+                    ? missed(certificate.summary(), certificate.complaint(), out, err)
+                    : kept(certificate.summary(), certificate, out);
         }
         CrawlCertificate certificate = drawn.certify(context, points, scenes, certify);
-        return told(certificate.summary(), certificate.missed(), certificate.complaint(), out, err);
+        return certificate.missed()
+                ? missed(certificate.summary(), certificate.complaint(), out, err)
+                : kept(certificate.summary(), certificate.frames(), out);
     }
 
     /** Of an anti-aliased picture the body's light and the mesh's normals are part: points of it are the reference. */
@@ -90,12 +94,18 @@ final class PixelCertificate {
                 .with(Choices.none().with(Methods.METHOD, FullMethod.TYPE).with(TOLERANCE, CERTIFYING)));
     }
 
-    private static ExitCode told(String summary, boolean missed, String complaint, PrintWriter out, PrintWriter err) {
+    private static ExitCode kept(String summary, SceneCertificate pixels, PrintWriter out) {
+        out.println("certificate: " + summary);
+        if (pixels.relative().count() > 0) {
+            out.println("verdict: " + pixels.praise());
+        }
+        out.flush();
+        return ExitCode.OK;
+    }
+
+    private static ExitCode missed(String summary, String complaint, PrintWriter out, PrintWriter err) {
         out.println("certificate: " + summary);
         out.flush();
-        if (!missed) {
-            return ExitCode.OK;
-        }
         err.println(Messages.error(complaint));
         err.flush();
         return ExitCode.TOLERANCE_MISSED;

@@ -118,13 +118,16 @@ public final class RenderCommand implements Callable<Integer> {
                 .parts(scene);
         SceneData data = parts.get(0);
         PrintWriter out = StandardOutput.reports(specification.commandLine().getOut(), err, output, linear);
-        err.println("plan: " + data.method().summary());
+        int samples = samples(scene);
+        err.println("plan: " + data.method().summary() + "; " + samples * samples
+                + (samples == 1 ? " sample a pixel" : " samples a pixel"));
         err.flush();
         try (RenderContext context = RenderContexts.offscreen();
-                FrameSequence frames = new FrameSequence(context, parts, size, samples(scene))) {
+                FrameSequence frames = new FrameSequence(context, parts, size, samples)) {
             Path place = animation.isAsked() ? OutputFolder.claim(target, mayUse()) : target;
             List<Path> wanted = place.equals(target) ? files : FrameFiles.names(place, scenes.size());
-            outputs(place, draw(frames, scenes, wanted, place, err)).forEach(out::println);
+            outputs(place, draw(frames, scenes, wanted, place, err))
+                    .forEach(file -> out.println(StandardOutput.name(file)));
             ExitCode doubt = DoubtfulPicture.judge(List.of(data.patch()), frames.isBlack(), "the picture", err);
             SceneLoader quiet = new SceneLoader(environment, warning -> {});
             ExitCode certified =
@@ -135,9 +138,7 @@ public final class RenderCommand implements Callable<Integer> {
 
     /** Along the side of a pixel. */
     private int samples(Scene scene) {
-        return supersample != null
-                ? supersample
-                : PixelSamples.alongSide(scene.method(), size.width(), size.height());
+        return supersample != null ? supersample : PixelSamples.alongSide(scene.method(), size.width(), size.height());
     }
 
     private void check() {

@@ -26,6 +26,9 @@ import sunbeam.app.terminal.Environment;
  * Directory Specification 0.8; a relative XDG_CACHE_HOME counts as none). Removing it costs time only.
  */
 public final class CacheFolder {
+    /** Bytes that a folder may take where nobody has said how many. */
+    public static final long STANDARD_LIMIT = CacheLimit.STANDARD;
+
     private static final String NAME = "sunbeam";
 
     private final Path path;

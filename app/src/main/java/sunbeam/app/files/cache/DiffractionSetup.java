@@ -50,10 +50,17 @@ public final class DiffractionSetup {
 
     /** Takes a loaded patch and says what the user should know of it. */
     public DiffractionSetup(Patch patch, Environment environment, PrintWriter err) {
-        this(patch, environment, warning -> {
-            err.println(Messages.warning(warning));
-            err.flush();
-        });
+        this(
+                patch,
+                environment,
+                note -> {
+                    err.println(Messages.note(note));
+                    err.flush();
+                },
+                warning -> {
+                    err.println(Messages.warning(warning));
+                    err.flush();
+                });
         patch.notes().forEach(note -> err.println(Messages.note(patch.name() + ": " + note)));
         patch.warnings().forEach(warning -> err.println(Messages.warning(patch.name() + ": " + warning)));
         err.flush();
@@ -62,12 +69,16 @@ public final class DiffractionSetup {
     /**
      * Takes a patch that is loaded already, whose warnings have been told.
      *
-     * @param warning told in one line each what goes wrong with the cache
+     * @param warning told in one line each what goes wrong with the cache, or falls short
      */
     public DiffractionSetup(Patch patch, Environment environment, Consumer<String> warning) {
+        this(patch, environment, note -> {}, warning);
+    }
+
+    private DiffractionSetup(Patch patch, Environment environment, Consumer<String> note, Consumer<String> warning) {
         this.patch = patch;
         this.surface = Surface.of(patch);
-        this.store = new TableStore(surface, environment, warning);
+        this.store = new TableStore(surface, environment, note, warning);
     }
 
     /**
@@ -151,9 +162,14 @@ public final class DiffractionSetup {
 
     private static void requireAnswer(MethodPlan plan, MethodUse use) {
         if (!plan.answers(use)) {
-            throw new SettingException(
-                    Methods.METHOD,
-                    "has colours, but no power at a wavelength; leave out the column wavelength, or use another method");
+            throw withoutPower();
         }
+    }
+
+    /** What is said of a method that knows colours alone, where power at a wavelength is asked for. */
+    public static SettingException withoutPower() {
+        return new SettingException(
+                Methods.METHOD,
+                "has colours, but no power at a wavelength; leave out the column wavelength, or use another method");
     }
 }

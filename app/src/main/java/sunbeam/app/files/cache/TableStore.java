@@ -16,6 +16,7 @@ import sunbeam.app.terminal.progress.Progress;
 import sunbeam.precompute.colourtable.ColourSource;
 import sunbeam.precompute.colourtable.ColourSources;
 import sunbeam.precompute.colourtable.KeptPages;
+import sunbeam.precompute.colourtable.TriedTable;
 import sunbeam.precompute.expansion.Expansion;
 import sunbeam.precompute.files.Sha256;
 import sunbeam.precompute.method.LevelledPlan;
@@ -40,12 +41,29 @@ public final class TableStore {
     private final Surface surface;
     private final CacheFolder folder;
     private final Consumer<String> warning;
+    private final TriedTable.Told told;
 
-    /** @param warning told in one line each what goes wrong with the cache */
-    public TableStore(Surface surface, Environment environment, Consumer<String> warning) {
+    /**
+     * Tables of a surface.
+     *
+     * @param note told in one line each what takes longer than planned
+     * @param warning told in one line each what goes wrong with the cache, or falls short
+     */
+    public TableStore(Surface surface, Environment environment, Consumer<String> note, Consumer<String> warning) {
         this.surface = surface;
         this.folder = CacheFolder.of(environment);
         this.warning = warning;
+        this.told = new TriedTable.Told() {
+            @Override
+            public void delay(String line) {
+                note.accept(line);
+            }
+
+            @Override
+            public void shortfall(String line) {
+                warning.accept(line);
+            }
+        };
     }
 
     /**
@@ -62,7 +80,7 @@ public final class TableStore {
         }
         Function<Path, ShaderTables> reader = path -> ShaderTablesFile.read(path, key);
         return keptOr(file.get(), reader, () -> {
-            TableLabel label = new TableLabel(surface.identity().name(), plan.summary());
+            TableLabel label = label(plan);
             // Colours take up to hours: a run that is stopped leaves those that it has.
             List<Path> unfinished = new ArrayList<>();
             TableLabel half = new TableLabel(label.patch(), "half made: " + label.what());
@@ -74,11 +92,18 @@ public final class TableStore {
                         ? colours.of(tables, places)
                         : KeptColours.of(keeping.get(), again, half, () -> colours.of(tables, places));
             });
-            save(file.get(), path -> ShaderTablesFile.write(path, key, label, made));
+            TableLabel tried = made.trial().isEmpty()
+                    ? label
+                    : new TableLabel(label.patch(), "table in " + made.trial() + "; planned as " + label.what());
+            save(file.get(), path -> ShaderTablesFile.write(path, key, tried, made));
             unfinished.forEach(KeptColours::delete);
             // Again from the file, so that no more than one layer at a time need be in memory.
             return read(file.get(), reader).orElse(made);
         });
+    }
+
+    private TableLabel label(MethodPlan plan) {
+        return TableLabel.of(surface.identity().name(), surface.identity().digest(), plan.summary());
     }
 
     private static String pagesKey(LevelledPlan plan) {
@@ -98,7 +123,7 @@ public final class TableStore {
     /** Pages of levels of colours that are kept for later runs; none without a cache folder. */
     KeptPages pages(LevelledPlan plan) {
         String key = pagesKey(plan);
-        TableLabel label = new TableLabel(surface.identity().name(), plan.summary());
+        TableLabel label = label(plan);
         Optional<Path> file = file(key, CacheEntry.PAGES);
         if (file.isEmpty()) {
             return KeptPages.NONE;
@@ -137,8 +162,8 @@ public final class TableStore {
             }
 
             @Override
-            public void tell(String line) {
-                warning.accept(line);
+            public TriedTable.Told told() {
+                return told;
             }
         });
     }

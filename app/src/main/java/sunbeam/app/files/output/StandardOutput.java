@@ -32,6 +32,11 @@ public final class StandardOutput {
         return out;
     }
 
+    /** How a target is told of. */
+    public static String name(Path target) {
+        return isMeant(target) ? "written to standard output" : target.toString();
+    }
+
     /** Copies a complete file there. The stream stays open: it is the process's. */
     static void copy(Path file) throws IOException {
         Files.copy(file, new FileOutputStream(FileDescriptor.out));

@@ -18,7 +18,8 @@ import java.util.concurrent.TimeUnit;
  * made at that moment.
  */
 final class PageBaker implements AutoCloseable {
-    // Pages that are made at once by one processor, and by all: a second's work or two. What is asked for meanwhile waits
+    // Pages that are made at once by one processor, and by all: a second's work or two. What is asked for meanwhile
+    // waits
     // for them. The fewer, the more rays are evaluated for several of them.
     private static final int CHUNK = 1200;
     private static final int CHUNK_OF_ALL = 4800;

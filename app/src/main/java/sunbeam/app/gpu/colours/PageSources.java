@@ -64,8 +64,7 @@ final class PageSources implements AutoCloseable {
         all.keySet().forEach(missing::clear);
         if (!missing.isEmpty()) {
             LevelBaking baking = bakings.get(level);
-            ColourSource source =
-                    opened.computeIfAbsent(level, number -> sources.open(number, this::evaluated));
+            ColourSource source = opened.computeIfAbsent(level, number -> sources.open(number, this::evaluated));
             Iterator<float[]> coefficients = baking.bake(missing, source).iterator();
             Map<Integer, float[]> made = new TreeMap<>();
             missing.stream().forEach(page -> made.put(page, coefficients.next()));

@@ -8,6 +8,7 @@ import java.util.Locale;
  * How far a picture or a table is from the exact one, on random places of it.
  *
  * @param places how many and what were evaluated: 40 random pixels
+ * @param complete whether these are all that there are
  * @param quantity what was compared: XYZ or power
  * @param relative errors ({@link RelativeError}) of those of them that are bright enough to be compared
  * @param relativeL2 root of the summed squares of all differences by that of all exact values; bright pixels rule it
@@ -17,6 +18,7 @@ import java.util.Locale;
  */
 public record Certificate(
         String places,
+        boolean complete,
         String quantity,
         ErrorStatistics relative,
         double relativeL2,
@@ -46,14 +48,24 @@ public record Certificate(
                 quantity,
                 relative,
                 relativeL2);
-        return colorDifference.count() == 0
-                ? errors
-                : errors
-                        + String.format(
-                                Locale.ROOT,
-                                "; CIEDE2000 median %.2g, maximum %.2g",
-                                colorDifference.median(),
-                                colorDifference.maximum());
+        String colors = colorDifference.count() == 0
+                ? ""
+                : String.format(
+                        Locale.ROOT,
+                        "; CIEDE2000 median %.2g, maximum %.2g",
+                        colorDifference.median(),
+                        colorDifference.maximum());
+        return errors + colors + (complete ? "" : relative.doubt());
+    }
+
+    /** What was kept. */
+    String praise() {
+        return String.format(
+                Locale.ROOT,
+                "these places keep the tolerance %.2g: the median may be %.2g, the 95th percentile %.2g",
+                tolerance,
+                tolerance,
+                ErrorStatistics.PERCENTILE_FACTOR * tolerance);
     }
 
     /** So many of the bright places, the worst first. */

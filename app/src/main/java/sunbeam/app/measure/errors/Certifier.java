@@ -82,6 +82,7 @@ public final class Certifier {
                 Arrays.stream(compared).map(ComparedPlace::comparison).toList();
         return new Certificate(
                 compared.length + " random pixels",
+                false,
                 "XYZ",
                 Comparison.relative(all),
                 Comparison.relativeL2(all),

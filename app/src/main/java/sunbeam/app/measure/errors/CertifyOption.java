@@ -91,6 +91,10 @@ public final class CertifyOption {
                     certificate.tolerance())));
             return ExitCode.TOLERANCE_MISSED;
         }
+        if (certificate.relative().count() > 0) {
+            out.println("verdict: " + certificate.praise());
+            out.flush();
+        }
         return ExitCode.OK;
     }
 }

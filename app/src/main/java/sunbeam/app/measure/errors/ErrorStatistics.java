@@ -36,6 +36,20 @@ public record ErrorStatistics(int count, double median, double percentile95, dou
         return count == 0 ? 0 : Math.max(median, percentile95 / PERCENTILE_FACTOR);
     }
 
+    /**
+     * What so few errors leave unknown, to be put behind other words; empty where they are enough. That all of n lie below the
+     * 95th percentile of what they were drawn from has the chance 0.95^n.
+     */
+    public String doubt() {
+        double chance = Math.pow(0.95, count);
+        return count == 0 || chance < 0.05
+                ? ""
+                : String.format(
+                        Locale.ROOT,
+                        "; of so few, the true 95th percentile exceeds their maximum with a chance of %.0f %%: give more places",
+                        100 * chance);
+    }
+
     /** For people: {@code median 1.2e-04, 95th percentile 3.4e-04, maximum 5.6e-03}. */
     @Override
     public String toString() {

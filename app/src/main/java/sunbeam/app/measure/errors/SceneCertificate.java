@@ -2,6 +2,7 @@ package sunbeam.app.measure.errors;
 
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 
 /**
  * How far pixels of a picture are from the means of many points in each.
@@ -10,16 +11,39 @@ import java.util.Locale;
  * @param relative errors of XYZ ({@link RelativeError}), body and diffracted light together
  * @param meanDifference mean CIEDE2000 after the picture's exposure
  * @param largestDifference the largest
+ * @param diffracting errors where more than {@link #DIFFRACTING} of the light is diffracted; empty where that was not looked at
  */
-public record SceneCertificate(int pixels, ErrorStatistics relative, double meanDifference, double largestDifference) {
+public record SceneCertificate(
+        int pixels,
+        ErrorStatistics relative,
+        double meanDifference,
+        double largestDifference,
+        Optional<ErrorStatistics> diffracting) {
     /** Largest median of the relative errors that an anti-aliased picture may have. */
     public static final double MEDIAN = 0.02;
 
     /** Largest mean CIEDE2000 that it may have: what eyes just tell apart. */
     public static final double DIFFERENCE = 1;
 
+    /** Share of a pixel's luminance: beside as much, errors of a body that is drawn exactly hide little. */
+    static final double DIFFRACTING = 0.1;
+
     /** Of some pixels. */
     static SceneCertificate of(List<Comparison> compared, double exposure) {
+        return of(compared, exposure, Optional.empty());
+    }
+
+    /**
+     * Of some pixels.
+     *
+     * @param diffracting those of them of whose light more than {@link #DIFFRACTING} is diffracted
+     */
+    static SceneCertificate of(List<Comparison> compared, double exposure, List<Comparison> diffracting) {
+        return of(compared, exposure, Optional.of(Comparison.relative(diffracting)));
+    }
+
+    private static SceneCertificate of(
+            List<Comparison> compared, double exposure, Optional<ErrorStatistics> diffracting) {
         double[] differences = compared.stream()
                 .mapToDouble(pixel -> pixel.colorDifference(exposure))
                 .toArray();
@@ -30,7 +54,11 @@ public record SceneCertificate(int pixels, ErrorStatistics relative, double mean
             largest = Math.max(largest, difference);
         }
         return new SceneCertificate(
-                compared.size(), Comparison.relative(compared), sum / Math.max(1, compared.size()), largest);
+                compared.size(),
+                Comparison.relative(compared),
+                sum / Math.max(1, compared.size()),
+                largest,
+                diffracting);
     }
 
     /** Whether the picture is further from the means than it may be. */
@@ -56,11 +84,35 @@ public record SceneCertificate(int pixels, ErrorStatistics relative, double mean
         }
         return String.format(
                 Locale.ROOT,
-                "%s: relative error of XYZ %s; CIEDE2000 mean %.2g, maximum %.2g",
+                "%s: relative error of XYZ %s; CIEDE2000 mean %.2g, maximum %.2g%s%s",
                 places,
                 relative,
                 meanDifference,
-                largestDifference);
+                largestDifference,
+                diffracting.map(this::ofDiffracted).orElse(""),
+                relative.doubt());
+    }
+
+    private String ofDiffracted(ErrorStatistics some) {
+        if (some.count() == 0) {
+            return "; in none of them is more than a tenth of the light diffracted";
+        }
+        return some.count() == relative.count()
+                ? "; in all of them more than a tenth of the light is diffracted"
+                : String.format(
+                        Locale.ROOT,
+                        "; in %d of them, where more than a tenth of the light is diffracted, %s",
+                        some.count(),
+                        some);
+    }
+
+    /** What was kept. */
+    public String praise() {
+        return String.format(
+                Locale.ROOT,
+                "the picture is anti-aliased: the median may be %.2g, the mean CIEDE2000 %.2g",
+                MEDIAN,
+                DIFFERENCE);
     }
 
     /** What was missed. */

@@ -70,11 +70,28 @@ public final class SceneCertifier {
         List<Exact> means = means(exact, count, new SplittableRandom(seed));
         List<double[]> pixels =
                 drawn(drawn, samples, means.stream().map(Exact::pixel).toList());
+        List<double[]> diffracted =
+                withoutBody(drawn, samples, means.stream().map(Exact::pixel).toList());
         List<Comparison> compared = new ArrayList<>();
+        List<Comparison> diffracting = new ArrayList<>();
         for (int i = 0; i < means.size(); i++) {
-            compared.add(comparison(pixels.get(i), means.get(i).xyz()));
+            Comparison pixel = comparison(pixels.get(i), means.get(i).xyz());
+            compared.add(pixel);
+            if (diffracted.get(i)[1] > SceneCertificate.DIFFRACTING * pixels.get(i)[1]) {
+                diffracting.add(pixel);
+            }
         }
-        return SceneCertificate.of(compared, exposure);
+        return SceneCertificate.of(compared, exposure, diffracting);
+    }
+
+    private List<double[]> withoutBody(SceneSession session, int samples, List<Tile> pixels) {
+        Scene scene = session.scene();
+        try {
+            session.update(scene.withBlend(scene.blend().withoutBody()));
+            return drawn(session, samples, pixels);
+        } finally {
+            session.update(scene);
+        }
     }
 
     /**

@@ -54,7 +54,8 @@ public final class TableCertifier {
             List<Comparison> compared =
                     places.stream().map(ComparedPlace::comparison).toList();
             return new Certificate(
-                    compared.size() + " random rows",
+                    drawn.size() == rows ? "all " + rows + " rows" : compared.size() + " random rows",
+                    drawn.size() == rows,
                     quantity,
                     Comparison.relative(compared),
                     Comparison.relativeL2(compared),

@@ -62,6 +62,14 @@ public final class MethodOptions extends SettingOptions {
         printPlan("plan: " + Quoted.oneLine(patch) + ": ", method, out);
     }
 
+    /** Prints what was found of a table when it was tried; nothing for what was not. */
+    public void printTrial(String trial, PrintWriter out) {
+        if (!trial.isEmpty()) {
+            out.println("table: " + trial);
+            out.flush();
+        }
+    }
+
     private void printPlan(String title, MethodPlan method, PrintWriter out) {
         print(title, method.summary(), method.reasons(), out);
         method.warnings().forEach(line -> out.println(Messages.warning(line.in(OptionOrigin.INSTANCE))));

@@ -103,7 +103,7 @@ class TableStoreTest {
     }
 
     private TableStore store(String name) {
-        return new TableStore(surface(name), new Environment(Map.of(), home), warnings::add);
+        return new TableStore(surface(name), new Environment(Map.of(), home), note -> {}, warnings::add);
     }
 
     private List<Path> kept() throws Exception {

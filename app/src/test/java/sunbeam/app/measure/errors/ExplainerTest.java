@@ -147,7 +147,7 @@ final class ExplainerTest {
                         })))
                 .toList();
         Certificate missed =
-                new Certificate("", "power", ErrorStatistics.of(0.02, 0.02), 0.02, ErrorStatistics.of(), 1e-3, wrong);
+                new Certificate("", false, "power", ErrorStatistics.of(0.02, 0.02), 0.02, ErrorStatistics.of(), 1e-3, wrong);
         assertThat(new Explainer(setup, choices, range(), MethodUse.SPECTRAL).explain(missed))
                 .contains("float32");
     }
