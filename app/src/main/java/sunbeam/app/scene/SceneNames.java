@@ -15,8 +15,7 @@ final class SceneNames {
     }
 
     static SceneNames relativeTo(Path sceneFile) {
-        return new SceneNames(
-                Optional.of(sceneFile.toAbsolutePath().normalize().getParent()), false);
+        return new SceneNames(Optional.of(sceneFile.toAbsolutePath().normalize().getParent()), false);
     }
 
     static SceneNames absolute() {

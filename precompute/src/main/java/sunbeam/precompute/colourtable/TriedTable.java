@@ -106,10 +106,10 @@ public record TriedTable(TablePages pages, TableBaking baking, TableArray texels
 
     private static String inWords(TableErrors errors, TablePages pages, double tolerance) {
         String steps = String.format(
-                Locale.ROOT,
-                pages.slices() > 1 ? "steps of %.2g in (u, v), %d slices in w" : "steps of %.2g in (u, v)",
-                pages.design().step(),
-                pages.slices());
+                Locale.ROOT, "steps of %.2g in (u, v)", pages.design().step());
+        if (pages.slices() > 1) {
+            steps += String.format(Locale.ROOT, ", %d slices in w", pages.slices());
+        }
         return errors.count() == 0
                 ? steps + ", tried where light goes: nowhere, all directions are dark"
                 : String.format(

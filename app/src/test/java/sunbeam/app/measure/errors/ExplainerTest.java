@@ -146,8 +146,8 @@ final class ExplainerTest {
                             1.02 * place.comparison().computed()[0]
                         })))
                 .toList();
-        Certificate missed =
-                new Certificate("", false, "power", ErrorStatistics.of(0.02, 0.02), 0.02, ErrorStatistics.of(), 1e-3, wrong);
+        Certificate missed = new Certificate(
+                "", false, "power", ErrorStatistics.of(0.02, 0.02), 0.02, ErrorStatistics.of(), 1e-3, wrong);
         assertThat(new Explainer(setup, choices, range(), MethodUse.SPECTRAL).explain(missed))
                 .contains("float32");
     }
