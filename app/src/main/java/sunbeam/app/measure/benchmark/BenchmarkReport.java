@@ -98,15 +98,20 @@ record BenchmarkReport(String patch, int size, int frames, String light, int sam
     private static void line(PrintWriter out, FrameTime time, FrameTime thesis) {
         out.printf(
                 Locale.ROOT,
-                "  %-24s %7.2f s %5.2f s %7.4f s %s %8.1f %10.2f  %s%n",
+                "  %-24s %7.2f s %5.2f s %7.4f s %s %8s %10s  %s%n",
                 time.contender().name(),
                 time.tableSeconds(),
                 time.uploadSeconds(),
                 time.frameSeconds(),
                 perPixel(time.microsecondsPerPixel()),
-                thesis.frameSeconds() / time.frameSeconds(),
-                thesis.firstFrameSeconds() / time.firstFrameSeconds(),
+                ratio(thesis.frameSeconds() / time.frameSeconds()),
+                ratio(thesis.firstFrameSeconds() / time.firstFrameSeconds()),
                 time.errors().map(BenchmarkReport::errors).orElse("not measured"));
+    }
+
+    /** Runs differ by some per cent: three digits. */
+    private static String ratio(double value) {
+        return String.format(Locale.ROOT, value >= 100 ? "%.0f" : value >= 10 ? "%.1f" : "%.2f", value);
     }
 
     private static String perPixel(double microseconds) {
