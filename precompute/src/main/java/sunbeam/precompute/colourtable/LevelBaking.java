@@ -1,5 +1,6 @@
 package sunbeam.precompute.colourtable;
 
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.BitSet;
 import java.util.List;
@@ -113,22 +114,35 @@ public final class LevelBaking {
         }
     }
 
-    /** In {@link MortonOrder}, all slices of a place together: those that read the same, or nearly so, are asked for together. */
+    /** Some texels of a page. */
+    private record OfSlice(int slice, BitSet texels) {}
+
+    /**
+     * In {@link MortonOrder}, all slices of a place together: those that read the same, or nearly so, are asked for together. A
+     * page's side is a power of two, so that pages in that order have their texels in it, too.
+     */
     private long[] inOrder(Map<Integer, BitSet> needed) {
-        long[] texels = new long
-                [Math.toIntExact(
-                        needed.values().stream().mapToLong(BitSet::cardinality).sum())];
+        Map<Long, List<OfSlice>> byPlace = new TreeMap<>();
         int count = 0;
         for (Map.Entry<Integer, BitSet> entry : needed.entrySet()) {
             int[] place = grid.place(entry.getKey());
-            BitSet inPage = entry.getValue();
-            for (int texel = inPage.nextSetBit(0); texel >= 0; texel = inPage.nextSetBit(texel + 1)) {
-                int row = texel / SIDE;
-                long number = MortonOrder.number(place[0] * SIDE + texel % SIDE, place[1] * SIDE + row);
-                texels[count++] = number << Short.SIZE | place[2];
+            byPlace.computeIfAbsent(MortonOrder.number(place[0], place[1]), number -> new ArrayList<>())
+                    .add(new OfSlice(place[2], entry.getValue()));
+            count = Math.addExact(count, entry.getValue().cardinality());
+        }
+        long[] texels = new long[count];
+        int at = 0;
+        for (Map.Entry<Long, List<OfSlice>> place : byPlace.entrySet()) {
+            for (int inPage = 0; inPage < SIDE * SIDE; inPage++) {
+                int texel = MortonOrder.y(inPage) * SIDE + MortonOrder.x(inPage);
+                long number = place.getKey() * SIDE * SIDE + inPage;
+                for (OfSlice page : place.getValue()) {
+                    if (page.texels.get(texel)) {
+                        texels[at++] = number << Short.SIZE | page.slice;
+                    }
+                }
             }
         }
-        Arrays.parallelSort(texels);
         return texels;
     }
 
