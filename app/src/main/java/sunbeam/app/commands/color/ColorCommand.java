@@ -194,7 +194,7 @@ public final class ColorCommand implements Callable<Integer> {
     }
 
     /** Warns of what can only be a mistake. */
-    private static ExitCode judge(
+    private ExitCode judge(
             List<ColorReport> reports, List<ColorStrips> strips, Choices choices, PrintWriter err) {
         boolean black = reports.stream()
                 .anyMatch(report -> report.colours().stream()
@@ -205,7 +205,7 @@ public final class ColorCommand implements Callable<Integer> {
         for (int i = 0; i < patches.size(); i++) {
             tooSmall |= SmallScan.judge(reports.get(i), patches.get(i), choices, err);
         }
-        ExitCode judged = DoubtfulPicture.judge(patches, black, "the picture", err);
+        ExitCode judged = DoubtfulPicture.judge(patches, black, "the picture", exposure.isAutomatic(), err);
         return tooSmall ? ExitCode.TOLERANCE_MISSED : judged;
     }
 

@@ -5,6 +5,7 @@ import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
 import java.io.PrintWriter;
 import java.util.List;
 import java.util.function.Function;
+import jrtr.GraphicsException;
 import jrtr.RenderContext;
 import picocli.CommandLine.Option;
 import sunbeam.app.measure.errors.CrawlCertificate;
@@ -36,6 +37,10 @@ final class PixelCertificate {
                             + " pixels of each two frames that follow one another, and by how much they change; exit code 3 also when"
                             + " that is a tenth more than their means do: such an animation crawls. By full and table.")
     private Integer certify;
+
+    boolean isAsked() {
+        return certify != null;
+    }
 
     /** Before anything is loaded. */
     void check(List<Scene> frames) {
@@ -76,6 +81,21 @@ final class PixelCertificate {
             return ExitCode.OK;
         }
         SceneData points = loader.apply(points(scenes.get(0)));
+        try {
+            return compare(context, drawn, scenes, points, out, err);
+        } catch (GraphicsException failure) {
+            throw new GraphicsException("what was drawn is there, but cannot be compared: " + failure.getMessage()
+                    + "; or leave --certify out");
+        }
+    }
+
+    private ExitCode compare(
+            RenderContext context,
+            FrameSequence drawn,
+            List<Scene> scenes,
+            SceneData points,
+            PrintWriter out,
+            PrintWriter err) {
         if (scenes.size() == 1) {
             SceneCertificate certificate = drawn.certify(context, points, certify);
             return certificate.missed()

@@ -121,7 +121,7 @@ public final class RenderCommand implements Callable<Integer> {
         int samples = samples(scene);
         err.println("plan: " + data.method().summary() + "; " + samples * samples
                 + (samples == 1 ? " sample a pixel" : " samples a pixel"));
-        if (supersample == null && PixelSamples.areTooFew(samples, size.width(), size.height())) {
+        if (supersample == null && !certificate.isAsked() && PixelSamples.areTooFew(samples, size.width(), size.height())) {
             err.println(Messages.note("of so few pixels each sees much of the mesh: " + samples * samples
                     + " samples may not be enough where colours change fast; --certify 60 measures it"));
         }
@@ -132,7 +132,12 @@ public final class RenderCommand implements Callable<Integer> {
             List<Path> wanted = place.equals(target) ? files : FrameFiles.names(place, scenes.size());
             outputs(place, draw(frames, scenes, wanted, place, err))
                     .forEach(file -> out.println(StandardOutput.name(file)));
-            ExitCode doubt = DoubtfulPicture.judge(List.of(data.patch()), frames.isBlack(), "the picture", err);
+            ExitCode doubt = DoubtfulPicture.judge(
+                    List.of(data.patch()),
+                    frames.isBlack(),
+                    "the picture",
+                    scene.exposure().isEmpty(),
+                    err);
             SceneLoader quiet = new SceneLoader(environment, warning -> {});
             ExitCode certified =
                     certificate.print(context, frames, scenes, points -> quiet.load(points, data), out, err);

@@ -25,13 +25,17 @@ public final class DoubtfulPicture {
      * @param patches that were drawn
      * @param black whether what was drawn is black all over
      * @param what was drawn, for people: "the map"
+     * @param automatic whether its exposure was found from it
      * @return what the process ends with if nothing worse has happened
      */
-    public static ExitCode judge(List<Patch> patches, boolean black, String what, PrintWriter err) {
+    public static ExitCode judge(List<Patch> patches, boolean black, String what, boolean automatic, PrintWriter err) {
         if (!black) {
             return ofPatches(patches);
         }
-        err.println(Messages.warning(what + " is black all over; let the exposure be automatic, or raise it"));
+        String remedy = automatic
+                ? ", though its exposure was found from it: no light goes where it looks; move the light"
+                : "; let the exposure be automatic, or raise it";
+        err.println(Messages.warning(what + " is black all over" + remedy));
         err.flush();
         return ExitCode.TOLERANCE_MISSED;
     }

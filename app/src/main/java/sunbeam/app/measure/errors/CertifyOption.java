@@ -26,8 +26,9 @@ public final class CertifyOption {
             description =
                     "Evaluate N random places of this very result (pixels of a map, rows of a table) with the exact"
                             + " reference and state the error: median, 95th percentile and maximum relative error, and CIEDE2000"
-                            + " of colours. Exit code 3 when the median exceeds --tolerance or the 95th percentile three times"
-                            + " it (the message names what errs and what helps), or where the plan cannot promise it.")
+                            + " of colours. At most a quarter of a map's pixels are dark while it has others. Exit code 3 when the"
+                            + " median exceeds --tolerance or the 95th percentile three times it (the message names what errs"
+                            + " and what helps), where the plan cannot promise it, and where all places are dark.")
     private Integer certify;
 
     /**
@@ -80,6 +81,11 @@ public final class CertifyOption {
             Certificate certificate, MethodPlan plan, Explainer explainer, PrintWriter out, PrintWriter err) {
         out.println("certificate: " + certificate.summary());
         out.flush();
+        if (certificate.relative().count() == 0) {
+            err.println(Messages.error("the tolerance is not certified: none of these places has enough light; give more"));
+            err.flush();
+            return ExitCode.TOLERANCE_MISSED;
+        }
         if (certificate.missed()) {
             err.println(Messages.error(certificate.complaint() + "; " + explainer.explain(certificate)));
             return ExitCode.TOLERANCE_MISSED;
@@ -91,10 +97,8 @@ public final class CertifyOption {
                     certificate.tolerance())));
             return ExitCode.TOLERANCE_MISSED;
         }
-        if (certificate.relative().count() > 0) {
-            out.println("verdict: " + certificate.praise());
-            out.flush();
-        }
+        out.println("verdict: " + certificate.praise());
+        out.flush();
         return ExitCode.OK;
     }
 }

@@ -29,8 +29,12 @@ class DoubtfulPictureTest {
     }
 
     private static ExitCode judge(Patch patch, BufferedImage image, StringWriter said) {
+        return judge(patch, image, false, said);
+    }
+
+    private static ExitCode judge(Patch patch, BufferedImage image, boolean automatic, StringWriter said) {
         return DoubtfulPicture.judge(
-                List.of(STEP, patch), DoubtfulPicture.isBlack(image), "the map", new PrintWriter(said));
+                List.of(STEP, patch), DoubtfulPicture.isBlack(image), "the map", automatic, new PrintWriter(said));
     }
 
     @Test
@@ -55,5 +59,12 @@ class DoubtfulPictureTest {
 
         assertThat(judge(STEP, BLACK, said).code()).isEqualTo(3);
         assertThat(said.toString()).contains("warning: the map is black all over; let the exposure be automatic");
+
+        StringWriter found = new StringWriter();
+        assertThat(judge(STEP, BLACK, true, found).code()).isEqualTo(3);
+        assertThat(found.toString())
+                .as("nobody can let it be what it is")
+                .contains("the map is black all over", "move the light")
+                .doesNotContain("be automatic");
     }
 }

@@ -56,7 +56,7 @@ final class CertifierTest {
     @Test
     void theExactPicturePasses() {
         Certificate certificate = certify(exact.clone(), 40);
-        assertThat(certificate.places()).isEqualTo("40 random pixels");
+        assertThat(certificate.places()).startsWith("40 random pixels, at most a quarter of them dark");
         assertThat(certificate.relative().count()).isPositive();
         // Nothing but the rounding to float32, 6e-8.
         assertThat(certificate.relative().maximum()).isLessThan(1e-7);
@@ -100,7 +100,7 @@ final class CertifierTest {
     @Test
     void noMorePixelsAreEvaluatedThanThereAreAndTheSameSeedTakesTheSame() {
         Certificate certificate = certify(exact.clone(), 1000);
-        assertThat(certificate.places()).isEqualTo((WIDTH - 10) + " random pixels");
+        assertThat(certificate.places()).startsWith((WIDTH - 10) + " random pixels");
         assertThat(queries(certify(exact.clone(), 20))).hasSize(20).isEqualTo(queries(certify(exact.clone(), 20)));
     }
 
