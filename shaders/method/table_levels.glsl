@@ -27,7 +27,7 @@ uniform float perColourCellsAcross;
 // wherever its page lies; layers' sides are powers of two.
 const float GRAINS = 8192.0;
 
-// What a page gives that does not exist, far above anything that light does.
+// What a page gives that does not exist, far above anything that is in one.
 const float MISSING = 1e30;
 
 // Texels of a level from its first one on; what lies beyond all pages is looked up at their edge.

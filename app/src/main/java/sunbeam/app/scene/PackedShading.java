@@ -51,30 +51,39 @@ final class PackedShading implements AutoCloseable {
             Tile used = used(packing);
             skin.looks()
                     .ifPresent(looks -> looks.find(scene, buffer, samplesAcross, SkinLooks.MOST_PLACES, sources, used));
-            unpack(packing, CutLoops.checked(shade(skin, scene, buffer, packing, used)), covered, first, lit);
+            float[] drawn = CutLoops.checked(shade(skin, scene, buffer, packing, used));
+            for (int i = 0; i < packing.count(); i++) {
+                System.arraycopy(drawn, CHANNELS * i, lit, CHANNELS * covered[first + i], CHANNELS);
+            }
         }
         return lit;
     }
 
+    /** Lights what was uploaded: 4 values for each of the packing's. */
     private float[] shade(SkinSurface skin, Scene scene, GeometryBuffer buffer, Packing packing, Tile used) {
+        if (skin.looks().isEmpty()) {
+            return drawn(skin, scene, buffer, packing, used);
+        }
+        SkinLooks looks = skin.looks().get();
         // Most are drawn by what was made for them before, which need not be found out first.
-        boolean hasAny = skin.looks().map(looks -> looks.pages().pages() > 0).orElse(true);
-        if (hasAny) {
-            skin.shade(context, scene, buffer, sources, target, used);
-            float[] drawn = target.read(0, used);
+        if (looks.pages().pages() > 0) {
+            float[] drawn = drawn(skin, scene, buffer, packing, used);
             if (!SkinLooks.isMissing(drawn)) {
                 return drawn;
             }
         }
-        SkinLooks looks = skin.looks().orElseThrow();
         looks.note(packing, used);
         looks.make();
-        skin.shade(context, scene, buffer, sources, target, used);
-        float[] drawn = target.read(0, used);
+        float[] drawn = drawn(skin, scene, buffer, packing, used);
         if (SkinLooks.isMissing(drawn)) {
             throw new IllegalStateException("a pixel looks into colours that were not noted for it");
         }
         return drawn;
+    }
+
+    private float[] drawn(SkinSurface skin, Scene scene, GeometryBuffer buffer, Packing packing, Tile used) {
+        skin.shade(context, scene, buffer, sources, target, used);
+        return unpacked(packing, target.read(0, used));
     }
 
     /** Notes what a part of a block looks into; as {@link #shade}, which makes it at once, for {@link SkinLooks#MOST_PLACES}. */
@@ -122,13 +131,16 @@ final class PackedShading implements AutoCloseable {
         sources.upload(slots);
     }
 
-    private static void unpack(Packing packing, float[] packed, int[] covered, int first, float[] lit) {
+    /** Of each slot that was lit; what lies in others nobody has drawn. */
+    private static float[] unpacked(Packing packing, float[] packed) {
+        float[] lit = new float[CHANNELS * packing.count()];
         for (int i = 0; i < packing.count(); i++) {
             // Rows are read from the top.
             int row = packing.rows() - 1 - packing.row(i);
             int from = CHANNELS * (row * packing.columns() + packing.column(i));
-            System.arraycopy(packed, from, lit, CHANNELS * covered[first + i], CHANNELS);
+            System.arraycopy(packed, from, lit, CHANNELS * i, CHANNELS);
         }
+        return lit;
     }
 
     @Override

@@ -97,7 +97,7 @@ final class SkinLooks implements AutoCloseable {
         return bindings;
     }
 
-    /** Whether a texel was lit by a page that does not exist (shaders/skin.frag). */
+    /** Whether one of these texels was lit by a page that does not exist (shaders/skin.frag). */
     static boolean isMissing(float[] lit) {
         for (int alpha = CHANNELS - 1; alpha < lit.length; alpha += CHANNELS) {
             if (lit[alpha] < 0) {

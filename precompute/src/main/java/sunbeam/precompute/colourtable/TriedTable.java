@@ -114,12 +114,13 @@ public record TriedTable(TablePages pages, TableBaking baking, TableArray texels
                 ? steps + ", tried where light goes: nowhere, all directions are dark"
                 : String.format(
                         Locale.ROOT,
-                        "%s, tried at %d directions: errs by %.2g in the median and %.2g at the 95th percentile beside what"
-                                + " it was made of (%.2g and %.2g are promised of both together)",
+                        "%s, tried at %d directions: errs by %.2g in the median, %.2g at the 95th and %.2g at the 98th percentile"
+                                + " beside what it was made of (%.2g in the median and %.2g at the 95th are promised of both together)",
                         steps,
                         errors.count(),
                         errors.median(),
                         errors.percentile95(),
+                        errors.percentile98(),
                         tolerance,
                         TableErrors.PROMISED_PERCENTILE * tolerance);
     }

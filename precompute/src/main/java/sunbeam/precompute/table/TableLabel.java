@@ -7,7 +7,8 @@ package sunbeam.precompute.table;
  * @param what it is, in a few words
  */
 public record TableLabel(String patch, String what) {
-    private static final int DIGITS = 6;
+    /** Of a hash, at the end of a surface's name. */
+    public static final int DIGITS = 6;
 
     /**
      * Of a surface.

@@ -92,6 +92,12 @@ class TriedTableTest {
     }
 
     @Test
+    void twoOfAHundredThatErrByMoreThanFiveMayAreTooMany() {
+        assertThat(new TableErrors(2000, 1e-4, 1e-3, 2.9e-3).excess(1e-3)).isLessThan(1);
+        assertThat(new TableErrors(2000, 1e-4, 1e-3, 3.1e-3).excess(1e-3)).isGreaterThan(1);
+    }
+
+    @Test
     void aTableThatKeepsItsToleranceIsMadeOnce() {
         TriedTable made = oneLight(TriedTableTest::smooth);
         assertThat(made.pages().design()).isEqualTo(COARSE);

@@ -281,7 +281,11 @@ public final class BrdfMapCommand implements Callable<Integer> {
             }
         }
         return DoubtfulPicture.judge(
-                maps.stream().map(MaterialMap.Drawn::patch).toList(), black.isPresent(), black.orElse("the map"), exposure.isAutomatic(), err);
+                maps.stream().map(MaterialMap.Drawn::patch).toList(),
+                black.isPresent(),
+                black.orElse("the map"),
+                exposure.isAutomatic(),
+                err);
     }
 
     private BufferedImage plain(MaterialMap.Drawn map, DisplayPass display, double factor) {

@@ -37,7 +37,7 @@ final class MaterialMap {
     /**
      * A map, and of what and how it is.
      *
-     * @param trial what was found of a table when it was tried; empty without one
+     * @param trial what was found of tables when they were tried, one for each part of the reflection; empty without them
      */
     record Drawn(Patch patch, String plan, String trial, double coherenceLength, LinearPicture picture) {}
 
@@ -74,10 +74,12 @@ final class MaterialMap {
         DiscDirections directions = new DiscDirections(size, light);
         float[] sum = new float[3 * size * size];
         double sigma = 0;
-        String trial = "";
+        List<String> trials = new ArrayList<>();
         for (int p = 0; p < parts.size(); p++) {
             ShaderTables made = setup.tables(plans.get(p), MethodUse.COLOUR, GpuColours::of);
-            trial = made.trial();
+            if (!made.trial().isEmpty()) {
+                trials.add(made.trial());
+            }
             try (UploadedTables tables = UploadedTables.upload(context, made);
                     BrdfMapRenderer renderer = new BrdfMapRenderer(context, tables, size);
                     Progress progress = Progress.start("BRDF map", (long) size * size)) {
@@ -85,7 +87,12 @@ final class MaterialMap {
                 sigma = tables.windowSigma();
             }
         }
-        return new Drawn(setup.patch(), plan().summary(), trial, 4 * sigma, new LinearPicture(size, size, sum));
+        return new Drawn(
+                setup.patch(),
+                plan().summary(),
+                String.join("; ", trials),
+                4 * sigma,
+                new LinearPicture(size, size, sum));
     }
 
     private void add(LinearPicture map, ReflectionPart part, DiscDirections directions, float[] sum) {

@@ -137,7 +137,7 @@ public final class CacheCommand implements Callable<Integer> {
                     "  %8s  %s  %-24s  %s",
                     ByteSize.format(entry.bytes()),
                     TIME.format(entry.lastUsed().atZone(ZoneId.systemDefault())),
-                    cut(label.patch(), LONGEST_NAME),
+                    cutName(label.patch()),
                     cut(label.what(), LONGEST_TEXT)));
         }
     }
@@ -150,6 +150,14 @@ public final class CacheCommand implements Callable<Integer> {
             String why = unusable.problem().replace(entry.file() + ": ", "");
             return new TableLabel("?", "not usable, will be made again or removed: " + why);
         }
+    }
+
+    /** In the middle: the end tells surfaces of one name apart. */
+    private static String cutName(String name) {
+        return name.length() <= LONGEST_NAME
+                ? name
+                : cut(name, LONGEST_NAME - TableLabel.DIGITS - 1)
+                        + name.substring(name.length() - TableLabel.DIGITS - 1);
     }
 
     private static String cut(String text, int longest) {

@@ -194,8 +194,7 @@ public final class ColorCommand implements Callable<Integer> {
     }
 
     /** Warns of what can only be a mistake. */
-    private ExitCode judge(
-            List<ColorReport> reports, List<ColorStrips> strips, Choices choices, PrintWriter err) {
+    private ExitCode judge(List<ColorReport> reports, List<ColorStrips> strips, Choices choices, PrintWriter err) {
         boolean black = reports.stream()
                 .anyMatch(report -> report.colours().stream()
                         .allMatch(colour -> colour.shown().rgb() == 0));

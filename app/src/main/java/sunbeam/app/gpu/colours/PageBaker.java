@@ -14,8 +14,8 @@ import java.util.concurrent.TimeUnit;
 
 /**
  * Makes pages of levels on a thread of its own, some at a time: those that were asked for last. It keeps one processor busy, all
- * where nothing has moved for a while, and none while {@link #hold} says that pictures are being drawn, not even for what is being
- * made at that moment.
+ * where nothing has moved for a while, and none while {@link #hold} says that pictures are being drawn: what is being made by rays
+ * pauses after the ray at hand, and goes on as it was begun.
  */
 final class PageBaker implements AutoCloseable {
     // Pages that are made at once by one processor, and by all: a second's work or two. What is asked for meanwhile
@@ -39,6 +39,15 @@ final class PageBaker implements AutoCloseable {
      * @param coefficients of each page
      */
     record Baked(int level, int[] pages, List<float[]> coefficients) {}
+
+    /**
+     * Pages that are to be made.
+     *
+     * @param level of the pages
+     * @param pages their numbers
+     * @param spread over all processors
+     */
+    private record Due(int level, int[] pages, boolean spread) {}
 
     private final PageSources sources;
     private final Runnable arrived;
@@ -64,7 +73,6 @@ final class PageBaker implements AutoCloseable {
         this.sources = sources;
         this.arrived = arrived;
         sources.grids().forEach(grid -> done.add(new BitSet()));
-        sources.runBetween(this::waitWhileHeld);
         this.thread = new Thread(this::run, "colours");
         thread.setDaemon(true);
         thread.start();
@@ -124,7 +132,7 @@ final class PageBaker implements AutoCloseable {
 
     private void run() {
         try {
-            for (Baked due = next(); due != null; due = next()) {
+            for (Due due = next(); due != null; due = next()) {
                 make(due);
                 arrived.run();
             }
@@ -137,14 +145,14 @@ final class PageBaker implements AutoCloseable {
         }
     }
 
-    private void make(Baked due) {
+    private void make(Due due) {
         BitSet pages = new BitSet();
         Arrays.stream(due.pages()).forEach(pages::set);
         int level = due.level();
         try {
-            List<float[]> coefficients = maySpread()
-                    ? sources.bake(level, pages)
-                    : CompletableFuture.supplyAsync(() -> sources.bake(level, pages), processor)
+            List<float[]> coefficients = due.spread()
+                    ? sources.bake(level, pages, this::waitWhileHeld)
+                    : CompletableFuture.supplyAsync(() -> sources.bake(level, pages, this::waitWhileHeld), processor)
                             .join();
             baked.add(new Baked(level, due.pages(), coefficients));
         } catch (CompletionException problem) {
@@ -154,8 +162,8 @@ final class PageBaker implements AutoCloseable {
         }
     }
 
-    /** Whether all processors may work: levels are made by the processors alone, and nothing moves. */
-    private synchronized boolean maySpread() {
+    /** Guarded by this. Whether all processors may work: levels are made by the processors alone, and nothing moves. */
+    private boolean maySpread() {
         return sources.grids().size() > 1 && System.nanoTime() - heldUntil > STILL_NANOSECONDS;
     }
 
@@ -167,14 +175,14 @@ final class PageBaker implements AutoCloseable {
     }
 
     /** Waits for something to do; null in the end. */
-    private synchronized Baked next() throws InterruptedException {
+    private synchronized Due next() throws InterruptedException {
         while (!closed) {
             long held = heldFor();
             if (held > 0) {
                 wait(held);
                 continue;
             }
-            Optional<Baked> due = due();
+            Optional<Due> due = due();
             if (due.isPresent()) {
                 Arrays.stream(due.get().pages()).forEach(done.get(due.get().level())::set);
                 return due.get();
@@ -185,21 +193,22 @@ final class PageBaker implements AutoCloseable {
     }
 
     /** Guarded by this. What an earlier run has made comes first, then coarse levels before fine ones. */
-    private Optional<Baked> due() {
+    private Optional<Due> due() {
+        boolean spread = maySpread();
         for (int level = wanted.size() - 1; level >= 0; level--) {
             BitSet kept = sources.kept(level, missing(level));
             if (!kept.isEmpty()) {
                 int[] pages = kept.stream().limit(MOST_AT_ONCE).toArray();
-                return Optional.of(new Baked(level, pages, List.of()));
+                return Optional.of(new Due(level, pages, spread));
             }
         }
-        int chunk = maySpread() ? CHUNK_OF_ALL : CHUNK;
+        int chunk = spread ? CHUNK_OF_ALL : CHUNK;
         for (int level = wanted.size() - 1; level >= 0; level--) {
             BitSet missing = missing(level);
             if (!missing.isEmpty()) {
                 int[] pages =
                         sources.grids().get(level).bySide(missing).limit(chunk).toArray();
-                return Optional.of(new Baked(level, pages, List.of()));
+                return Optional.of(new Due(level, pages, spread));
             }
         }
         return Optional.empty();

@@ -16,13 +16,16 @@ import sunbeam.precompute.colourtable.TableLevels;
 
 /** Makes pages of levels; one thread at a time. */
 final class PageSources implements AutoCloseable {
+    private static final Runnable NO_PAUSE = () -> {};
+
     private final LevelSources sources;
     private final List<LevelGrid> grids = new ArrayList<>();
     private final List<LevelBaking> bakings = new ArrayList<>();
     // By level: what a source needs takes longer to get than a few colours.
     private final Map<Integer, ColourSource> opened = new TreeMap<>();
     private Progress progress = Progress.none();
-    private volatile Runnable between = () -> {};
+    // Of what is being made: the background pauses, whoever waits for colours does not.
+    private volatile Runnable between = NO_PAUSE;
     // Opened when the first page is asked for.
     private KeptPages kept;
 
@@ -40,11 +43,6 @@ final class PageSources implements AutoCloseable {
         return sources.levels();
     }
 
-    /** From now on runs something every few milliseconds while colours are made, by any thread; they wait for it. */
-    void runBetween(Runnable pause) {
-        between = pause;
-    }
-
     private void evaluated(long places) {
         if (places > 0) {
             progress.step(places);
@@ -57,8 +55,21 @@ final class PageSources implements AutoCloseable {
         return grids;
     }
 
-    /** Makes pages of a level, in the order of their numbers; those that are made at the moment are waited for. */
-    synchronized List<float[]> bake(int level, BitSet pages) {
+    /**
+     * Makes pages of a level, in the order of their numbers; those that are made at the moment are waited for.
+     *
+     * @param pause run now and then meanwhile, by any thread, which goes on when it returns
+     */
+    synchronized List<float[]> bake(int level, BitSet pages, Runnable pause) {
+        between = pause;
+        try {
+            return bake(level, pages);
+        } finally {
+            between = NO_PAUSE;
+        }
+    }
+
+    private List<float[]> bake(int level, BitSet pages) {
         Map<Integer, float[]> all = new TreeMap<>(kept().read(level, pages));
         BitSet missing = (BitSet) pages.clone();
         all.keySet().forEach(missing::clear);
@@ -85,7 +96,7 @@ final class PageSources implements AutoCloseable {
             progress = shown;
             for (int level = 0; level < pages.size(); level++) {
                 if (!pages.get(level).isEmpty()) {
-                    made.accept(level, bake(level, pages.get(level)));
+                    made.accept(level, bake(level, pages.get(level), NO_PAUSE));
                 }
             }
         } finally {

@@ -82,7 +82,8 @@ public final class CertifyOption {
         out.println("certificate: " + certificate.summary());
         out.flush();
         if (certificate.relative().count() == 0) {
-            err.println(Messages.error("the tolerance is not certified: none of these places has enough light; give more"));
+            err.println(
+                    Messages.error("the tolerance is not certified: none of these places has enough light; give more"));
             err.flush();
             return ExitCode.TOLERANCE_MISSED;
         }

@@ -130,6 +130,44 @@ class PageBakerTest {
         assertThat(steps).hasValue(atTheEnd);
     }
 
+    /** Whoever waits for colours does not pause for the pictures that it waits for, and nobody waits for the other. */
+    @Test
+    void whatSomebodyWaitsForIsMadeAtOnceBesideTheBackground() throws InterruptedException {
+        AtomicInteger steps = new AtomicInteger();
+        LevelSources stepping = new LevelSources() {
+            @Override
+            public TableLevels levels() {
+                return LEVELS;
+            }
+
+            @Override
+            public ColourSource open(int level, LongConsumer done) {
+                return asked -> {
+                    for (int i = 0; i < 100; i++) {
+                        steps.incrementAndGet();
+                        done.accept(0);
+                    }
+                    return new float[asked.length];
+                };
+            }
+        };
+        PageSources sources = new PageSources(stepping);
+        try (PageBaker baker = new PageBaker(sources, arrived::release)) {
+            int[] pages = sources.grids().get(0).reachable().stream().limit(400).toArray();
+            for (int i = 0; i + 1 < pages.length; i += 2) {
+                BitSet wanted = new BitSet();
+                wanted.set(pages[i]);
+                baker.want(List.of(wanted));
+                BitSet needed = new BitSet();
+                needed.set(pages[i + 1]);
+                sources.bakeAll(
+                        List.of(needed), (level, made) -> assertThat(made).hasSize(1));
+                baker.hold();
+            }
+            assertThat(steps).hasValueGreaterThan(100);
+        }
+    }
+
     @Test
     void soIsWhatFoundNoMemory() throws InterruptedException {
         makesAfter(new OutOfMemoryError("Java heap space"));
