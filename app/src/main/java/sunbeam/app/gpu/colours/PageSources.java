@@ -16,8 +16,6 @@ import sunbeam.precompute.colourtable.TableLevels;
 
 /** Makes pages of levels; one thread at a time. */
 final class PageSources implements AutoCloseable {
-    private static final Runnable NO_PAUSE = () -> {};
-
     private final LevelSources sources;
     private final List<LevelGrid> grids = new ArrayList<>();
     private final List<LevelBaking> bakings = new ArrayList<>();
@@ -25,7 +23,7 @@ final class PageSources implements AutoCloseable {
     private final Map<Integer, ColourSource> opened = new TreeMap<>();
     private Progress progress = Progress.none();
     // Of what is being made: the background pauses, whoever waits for colours does not.
-    private volatile Runnable between = NO_PAUSE;
+    private volatile Runnable between = PageSources::goOn;
     // Opened when the first page is asked for.
     private KeptPages kept;
 
@@ -41,6 +39,10 @@ final class PageSources implements AutoCloseable {
     /** The levels. */
     TableLevels levels() {
         return sources.levels();
+    }
+
+    private static void goOn() {
+        // without a pause
     }
 
     private void evaluated(long places) {
@@ -65,7 +67,7 @@ final class PageSources implements AutoCloseable {
         try {
             return bake(level, pages);
         } finally {
-            between = NO_PAUSE;
+            between = PageSources::goOn;
         }
     }
 
@@ -96,7 +98,7 @@ final class PageSources implements AutoCloseable {
             progress = shown;
             for (int level = 0; level < pages.size(); level++) {
                 if (!pages.get(level).isEmpty()) {
-                    made.accept(level, bake(level, pages.get(level), NO_PAUSE));
+                    made.accept(level, bake(level, pages.get(level), PageSources::goOn));
                 }
             }
         } finally {
