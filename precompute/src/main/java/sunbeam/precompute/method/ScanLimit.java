@@ -67,7 +67,7 @@ public record ScanLimit(Choices choices, Optional<Sentence> line, Optional<Strin
                 Optional.of(Sentence.of(
                         String.format(
                                 Locale.ROOT,
-                                "coherence length %s (the scan's %s; %s %s): orders are drawn %s times as broad as in sunlight; a larger scan or ",
+                                "coherence length %s (the scan's %s; %s %s): orders are drawn %s times as broad as in sunlight; a larger scan helps, or where this one is a period of the surface, ",
                                 Lengths.rounded(side, 4),
                                 limiting,
                                 Lengths.format(asked),

@@ -50,7 +50,7 @@ public record TableMethod(double tolerance, GaussianArea area) implements Method
     /** Its name and settings. */
     public static final MethodType TYPE = new MethodType(
                     "table",
-                    "colours of full, tabulated beforehand: the fastest.",
+                    "colours of full, tabulated beforehand: the fastest where many pixels look into one table; for a single small map or a short list full is.",
                     List.of(TOLERANCE, WINDOW_ORIGIN, COHERENCE_LENGTH, AVERAGE),
                     TableMethod::of)
             .comparedAs(surface -> variants());

@@ -120,7 +120,7 @@ public final class RenderCommand implements Callable<Integer> {
         PrintWriter out = StandardOutput.reports(specification.commandLine().getOut(), err, output, linear);
         int samples = samples(scene);
         err.println("plan: " + data.method().summary() + "; " + samples * samples
-                + (samples == 1 ? " sample a pixel" : " samples a pixel"));
+                + (samples == 1 ? " sample a pixel" : " samples a pixel (--supersample " + samples + ")"));
         if (supersample == null
                 && !certificate.isAsked()
                 && PixelSamples.areTooFew(samples, size.width(), size.height())) {

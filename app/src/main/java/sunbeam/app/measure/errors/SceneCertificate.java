@@ -97,6 +97,13 @@ public record SceneCertificate(
         if (some.count() == 0) {
             return "; in none of them is more than a tenth of the light diffracted";
         }
+        if (some.doubt().isEmpty()) {
+            return ofMany(some);
+        }
+        return ofMany(some) + (some.count() == relative.count() ? "" : ", which are few: give more places");
+    }
+
+    private String ofMany(ErrorStatistics some) {
         return some.count() == relative.count()
                 ? "; in all of them more than a tenth of the light is diffracted"
                 : String.format(
