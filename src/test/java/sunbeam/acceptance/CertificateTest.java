@@ -102,7 +102,28 @@ final class CertificateTest {
     void aTableStatesTheErrorOfItsPowers() throws Exception {
         SunbeamResult result = reflectance();
         assertThat(result.exitCode()).as(result::toString).isZero();
-        assertThat(result.stdout()).contains("certificate: 4 random rows").contains("relative error of power");
+        assertThat(result.stdout()).contains("certificate: all 4 rows").contains("relative error of power");
+    }
+
+    @Test
+    void darkDirectionsCertifyNothing() throws Exception {
+        Files.writeString(
+                workplace.resolve("dark.csv"),
+                "theta_i,phi_i,theta_r,phi_r\n0,0,40,45\n0,0,50,45\n",
+                StandardCharsets.UTF_8);
+        SunbeamResult result = workplace.here(
+                "reflectance", "--patch", "blaze", "--directions", "dark.csv", "--output", "out.csv", "--certify", "4");
+        assertThat(result.exitCode()).as(result::toString).isEqualTo(3);
+        assertThat(result.stderr()).contains("the tolerance is not certified");
+    }
+
+    @Test
+    void aTableHasNoPowerOfWavelengthsAndSaysSoBeforeItLoads() throws Exception {
+        SunbeamResult result = reflectance("--method", "table");
+        assertThat(result.exitCode()).as(result::toString).isEqualTo(2);
+        assertThat(result.stderr())
+                .contains("--method table has colours, but no power")
+                .doesNotContain("plan:");
     }
 
     @Test

@@ -83,6 +83,8 @@ final class CacheCommandTest {
         run("cache");
         assertThat(out.toString()).contains("of at most 9.0 kB");
         assertThat(run("cache", "--limit", "0 B")).isZero();
+        assertThat(run("cache", "--limit", "default")).isZero();
+        assertThat(out.toString()).contains("at most 8.6 GB");
         assertThat(run("cache", "--limit", "3GB")).isZero();
         assertThat(out.toString()).contains("left 0 tables");
     }

@@ -88,6 +88,14 @@ class RenderCommandTest {
                 .as("a scene that names no method")
                 .startsWith("table:");
         assertThat(render(picture, "--turn", "0:6")).isEqualTo(ExitCode.USAGE.code());
+        assertThat(render(picture, "--frames", "5")).isEqualTo(ExitCode.USAGE.code());
+        assertThat(render(picture, "--frames", "5", "--turntable", "3")).isEqualTo(ExitCode.USAGE.code());
+        assertThat(render(picture, "--frame-rate", "5")).isEqualTo(ExitCode.USAGE.code());
+        assertThat(err.toString())
+                .contains(
+                        "--frames 5 needs --light-sweep, whose frames it counts, as in",
+                        "--turntable has its own number",
+                        "--frame-rate needs --light-sweep or --turntable");
         assertThat(render(picture, "--certify", "0")).isEqualTo(ExitCode.USAGE.code());
         assertThat(render(picture, "--certify", "6", "--method", "nmm")).isEqualTo(ExitCode.USAGE.code());
         assertThat(err.toString()).contains("--turn needs --turntable", "--certify 0 is out of range", "method nmm");

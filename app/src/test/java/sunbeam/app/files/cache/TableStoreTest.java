@@ -147,7 +147,8 @@ class TableStoreTest {
         assertThat(folder.entries()).hasSize(1);
         CacheEntry entry = folder.entries().get(0);
         assertThat(entry.lastUsed()).isAfter(Instant.now().minusSeconds(600));
-        assertThat(entry.label()).isEqualTo(new TableLabel("a", "counted"));
+        assertThat(entry.label())
+                .isEqualTo(TableLabel.of("a", surface("a").identity().digest(), "counted"));
     }
 
     @Test

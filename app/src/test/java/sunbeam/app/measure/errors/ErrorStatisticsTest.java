@@ -45,4 +45,13 @@ final class ErrorStatisticsTest {
         double error = RelativeError.ofColor(new double[] {0.5, 0.2, 0.02}, new double[] {0.5, 0.21, 0.01});
         assertThat(error).isCloseTo(0.02, within(1e-12));
     }
+
+    @Test
+    void whatFewErrorsLeaveUnknownIsTold() {
+        assertThat(ErrorStatistics.of(new double[10]).doubt()).as("0.95^10").contains("with a chance of 60 %");
+        assertThat(ErrorStatistics.of(new double[59]).doubt())
+                .as("0.95^59 is 4.8 %")
+                .isEmpty();
+        assertThat(ErrorStatistics.of().doubt()).isEmpty();
+    }
 }

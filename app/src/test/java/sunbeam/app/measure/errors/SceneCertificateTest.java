@@ -2,6 +2,8 @@ package sunbeam.app.measure.errors;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
@@ -21,6 +23,20 @@ class SceneCertificateTest {
         CrawlCertificate crawl = CrawlCertificate.of(List.of(new CrawlCertificate.Change(dark.get(0), dark.get(1))), 1);
         assertThat(crawl.missed()).isFalse();
         assertThat(crawl.summary()).contains("darker than 1e-09").doesNotContain("NaN");
+    }
+
+    @Test
+    void pixelsWithMuchDiffractedLightAreToldApart() {
+        List<Comparison> body = Collections.nCopies(60, pixel(0.5, 0.5));
+        List<Comparison> colours = List.of(pixel(0.1, 0.2), pixel(0.2, 0.2));
+        List<Comparison> all = new ArrayList<>(body);
+        all.addAll(colours);
+        SceneCertificate certificate = SceneCertificate.of(all, 1, colours);
+        assertThat(certificate.missed()).as("by the median of all").isFalse();
+        assertThat(certificate.summary())
+                .contains("in 2 of them, where more than a tenth of the light is diffracted", "which are few");
+        assertThat(SceneCertificate.of(body, 1, List.of()).summary()).contains("in none of them");
+        assertThat(SceneCertificate.of(body, 1).summary()).doesNotContain("diffracted");
     }
 
     @Test

@@ -66,7 +66,7 @@ final class TableCertifierTest {
                         },
                         "power")
                 .certify(ROWS, 10_000, 1e-3);
-        assertThat(certificate.places()).isEqualTo("200 random rows");
+        assertThat(certificate.places()).isEqualTo("all 200 rows");
         assertThat(seen).hasSize(ROWS);
     }
 
