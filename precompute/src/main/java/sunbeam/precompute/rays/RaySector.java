@@ -85,21 +85,30 @@ final class RaySector {
         float[][] planes = planes(wanted);
         double[] alongRay = new double[QuinticSpline.TAPS];
         double[] acrossRays = new double[QuinticSpline.TAPS];
+        int corner = 0;
         for (int i = 0; i < slices.length; i++) {
             int at = COLOURS * asked.number(i);
-            double place = octave.onRay(Math.hypot(places[at], places[at + 1]));
-            double ray = octave.ray(places[at], places[at + 1]) - firstRay;
-            // Both lie behind the margins: whole parts are floors.
-            int column = (int) place;
-            int row = (int) ray;
-            QuinticSpline.weights(place - column, alongRay);
-            QuinticSpline.weights(ray - row, acrossRays);
-            int corner = (row - 2) * count + column - 2;
+            // Slices of one (u, v) follow each other.
+            if (i == 0 || !isBeside(places, at, COLOURS * asked.number(i - 1))) {
+                double place = octave.onRay(Math.hypot(places[at], places[at + 1]));
+                double ray = octave.ray(places[at], places[at + 1]) - firstRay;
+                // Both lie behind the margins: whole parts are floors.
+                int column = (int) place;
+                int row = (int) ray;
+                QuinticSpline.weights(place - column, alongRay);
+                QuinticSpline.weights(ray - row, acrossRays);
+                corner = (row - 2) * count + column - 2;
+            }
             for (int c = 0; c < COLOURS; c++) {
                 double root = interpolated(planes[COLOURS * slices[i] + c], corner, alongRay, acrossRays);
                 xyz[at + c] = (float) (root * root);
             }
         }
+    }
+
+    /** Whether two places differ in w alone. */
+    private static boolean isBeside(float[] places, int one, int other) {
+        return places[one] == places[other] && places[one + 1] == places[other + 1];
     }
 
     private double interpolated(float[] plane, int corner, double[] alongRay, double[] acrossRays) {
