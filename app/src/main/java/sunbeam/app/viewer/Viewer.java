@@ -36,7 +36,7 @@ final class Viewer {
     private FrameObserver observer = FrameObserver.NONE;
     private boolean coneShown = true;
     private boolean mapShown = true;
-    private boolean failed;
+    private volatile boolean failed;
     private ViewState asked;
     private ViewState completed;
 

@@ -18,9 +18,8 @@ import java.util.concurrent.TimeUnit;
  * pauses after the ray at hand, and goes on as it was begun.
  */
 final class PageBaker implements AutoCloseable {
-    // Pages that are made at once by one processor, and by all: a second's work or two. What is asked for meanwhile
-    // waits
-    // for them. The fewer, the more rays are evaluated for several of them.
+    // Pages that are made at once by one processor, and by all: a second's work or two, for which waits what is
+    // asked for meanwhile. The fewer, the more rays are evaluated for several of them.
     private static final int CHUNK = 1200;
     private static final int CHUNK_OF_ALL = 4800;
     // Pages that are read at once: some tenths of a second of work, which nothing that moves waits for.

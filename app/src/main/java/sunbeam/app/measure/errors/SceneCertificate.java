@@ -97,20 +97,15 @@ public record SceneCertificate(
         if (some.count() == 0) {
             return "; in none of them is more than a tenth of the light diffracted";
         }
-        if (some.doubt().isEmpty()) {
-            return ofMany(some);
+        if (some.count() == relative.count()) {
+            return "; in all of them more than a tenth of the light is diffracted";
         }
-        return ofMany(some) + (some.count() == relative.count() ? "" : ", which are few: give more places");
-    }
-
-    private String ofMany(ErrorStatistics some) {
-        return some.count() == relative.count()
-                ? "; in all of them more than a tenth of the light is diffracted"
-                : String.format(
-                        Locale.ROOT,
-                        "; in %d of them, where more than a tenth of the light is diffracted, %s",
-                        some.count(),
-                        some);
+        return String.format(
+                Locale.ROOT,
+                "; in %d of them, where more than a tenth of the light is diffracted, %s%s",
+                some.count(),
+                some,
+                some.doubt().isEmpty() ? "" : ", which are few: give more places");
     }
 
     /** What was kept. */
