@@ -190,10 +190,11 @@ public final class SceneSession implements AutoCloseable {
     /**
      * From now on makes colours in the background, where the method's are made as they are looked at.
      *
+     * @param forAnyLight whether what {@link #canMove} asks for is begun at once, and not after what is requested
      * @param arrived told, by another thread, that there are more; {@link #takeBaked} takes them
      */
-    public void bakeInBackground(Runnable arrived) {
-        uploaded.skin().looks().ifPresent(looks -> looks.pages().bakeInBackground(arrived));
+    public void bakeInBackground(boolean forAnyLight, Runnable arrived) {
+        uploaded.skin().looks().ifPresent(looks -> looks.pages().bakeInBackground(forAnyLight, arrived));
     }
 
     /** Takes over what has been made in the background; whether there was anything. */

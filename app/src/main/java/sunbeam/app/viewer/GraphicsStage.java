@@ -148,7 +148,9 @@ class GraphicsStage implements AutoCloseable {
      * @param arrived told, by another thread, that there are more
      */
     void bakeInBackground(Runnable arrived) {
-        sessions().forEach(session -> session.bakeInBackground(arrived));
+        fine.forEach(session -> session.bakeInBackground(false, arrived));
+        // Until they are there, what moves is drawn by its method.
+        moving.ifPresent(session -> session.bakeInBackground(true, arrived));
     }
 
     /** Takes over what has been made in the background; whether there was anything. */

@@ -297,6 +297,10 @@ final class RenderLoop implements AutoCloseable {
                 if (inbox.isInterrupted()) {
                     return false;
                 }
+                if (state.isBare()) {
+                    // All of its colours are there: what the background makes is for other pictures.
+                    stage.holdBaking();
+                }
                 long begun = System.nanoTime() - stage.meshNanoseconds();
                 ScenePicture part = stage.part(state.width(), state.height(), tile);
                 long taken = System.nanoTime() - stage.meshNanoseconds() - begun;

@@ -59,7 +59,7 @@ class MovingPictureTest {
     }
 
     private static void awaitColours(SceneSession session) throws InterruptedException {
-        session.bakeInBackground(() -> {});
+        session.bakeInBackground(true, () -> {});
         long end = System.nanoTime() + MOST_SECONDS * 1_000_000_000L;
         session.requestMoving(WIDTH, HEIGHT, () -> false);
         while (session.requestedShare() < 1 && System.nanoTime() < end) {

@@ -138,7 +138,7 @@ class MovingFrameRun {
 
     /** Until all is there that pictures look into. */
     private static void await(SceneSession session) throws InterruptedException {
-        session.bakeInBackground(() -> {});
+        session.bakeInBackground(true, () -> {});
         long end = System.nanoTime() + MOST_SECONDS * 1_000_000_000L;
         do {
             Thread.sleep(50);

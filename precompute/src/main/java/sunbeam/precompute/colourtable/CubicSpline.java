@@ -64,17 +64,20 @@ final class CubicSpline {
      */
     static void alongColumns(float[] plane, int rows, int columns) {
         float pole = (float) POLE;
-        for (int i = 0; i < rows * columns; i++) {
-            plane[i] *= 6;
-        }
         float factor = pole;
         for (int row = 1; row < HORIZON; row++) {
             int at = row % (2 * (rows - 1));
             addRow(plane, 0, (at < rows ? at : 2 * (rows - 1) - at) * columns, factor, columns);
             factor *= pole;
         }
-        for (int row = 1; row < rows; row++) {
-            addRow(plane, row * columns, (row - 1) * columns, pole, columns);
+        // (1 - POLE) (1 - 1 / POLE) = 6.
+        for (int i = 0; i < columns; i++) {
+            plane[i] *= 6;
+        }
+        for (int at = columns; at < rows * columns; at += columns) {
+            for (int i = 0; i < columns; i++) {
+                plane[at + i] = 6 * plane[at + i] + pole * plane[at - columns + i];
+            }
         }
         int last = (rows - 1) * columns;
         float end = pole / (pole * pole - 1);

@@ -16,7 +16,8 @@ import java.util.stream.IntStream;
 public final class LevelBaking {
     // Texels around a page that its prefilter sees: of a step at their rim POLE^8 is left, 3e-5.
     private static final int MARGIN = 8;
-    private static final int SEEN_SIDE = LevelGrid.STORED_SIDE + 2 * MARGIN;
+    private static final int STORED_SIDE = LevelGrid.STORED_SIDE;
+    private static final int SEEN_SIDE = STORED_SIDE + 2 * MARGIN;
     private static final int SIDE = LevelGrid.SIDE;
     private static final int COLOURS = 3;
     private static final int CHANNELS = 4;
@@ -24,9 +25,10 @@ public final class LevelBaking {
     private static final int BATCH = 1 << 22;
 
     /** A page as the shader has it: {@link LevelGrid#STORED_SIDE} rows of as many texels, 4 values each. */
-    public static final int PAGE_FLOATS = LevelGrid.STORED_SIDE * LevelGrid.STORED_SIDE * CHANNELS;
+    public static final int PAGE_FLOATS = STORED_SIDE * STORED_SIDE * CHANNELS;
 
     private final LevelGrid grid;
+    private final int columns;
     // Of each page's own texels: square roots of X, Y, Z, and which of them are known.
     private final float[][] samples;
     private final BitSet[] known;
@@ -34,6 +36,7 @@ public final class LevelBaking {
     /** @param grid of the level */
     public LevelBaking(LevelGrid grid) {
         this.grid = grid;
+        this.columns = grid.columns();
         this.samples = new float[grid.pages()][];
         this.known = new BitSet[grid.pages()];
     }
@@ -71,7 +74,7 @@ public final class LevelBaking {
             int[] place = grid.place(page);
             for (int row = -1; row <= 1; row++) {
                 for (int column = -1; column <= 1; column++) {
-                    int neighbour = page + row * grid.columns() + column;
+                    int neighbour = page + row * columns + column;
                     BitSet texels = needed.computeIfAbsent(neighbour, number -> new BitSet());
                     mark(texels, place[0] + column, place[1] + row, place);
                 }
@@ -156,13 +159,10 @@ public final class LevelBaking {
 
     private void evaluate(long[] texels, ColourSource source) {
         float[] uvw = new float[3 * texels.length];
+        double origin = grid.origin();
         IntStream.range(0, texels.length).parallel().forEach(i -> {
             int number = number(texels[i]);
-            int slice = slice(texels[i]);
-            double[] place = grid.uvw(MortonOrder.x(number), MortonOrder.y(number), slice);
-            for (int axis = 0; axis < 3; axis++) {
-                uvw[3 * i + axis] = (float) place[axis];
-            }
+            grid.put(MortonOrder.x(number), MortonOrder.y(number), slice(texels[i]), origin, uvw, 3 * i);
         });
         float[] xyz = source.xyz(uvw);
         IntStream.range(0, texels.length).parallel().forEach(i -> keep(texels[i], xyz, COLOURS * i));
@@ -183,7 +183,7 @@ public final class LevelBaking {
     /** The page of a texel. */
     private int page(int column, int row, int slice) {
         int pageRow = row / SIDE;
-        return (slice * grid.columns() + pageRow) * grid.columns() + column / SIDE;
+        return (slice * columns + pageRow) * columns + column / SIDE;
     }
 
     private float[] coefficients(int page) {
@@ -191,13 +191,18 @@ public final class LevelBaking {
         // Row by row, then column by column: a filter goes along one direction of all lines at once.
         float[] rows = seen(place);
         CubicSpline.alongColumns(rows, SEEN_SIDE, SEEN_SIDE * COLOURS);
-        float[] columns = transposed(rows);
-        CubicSpline.alongColumns(columns, SEEN_SIDE, SEEN_SIDE * COLOURS);
+        float[] columns = storedRowsTransposed(rows);
+        CubicSpline.alongColumns(columns, SEEN_SIDE, STORED_SIDE * COLOURS);
         float[] stored = new float[PAGE_FLOATS];
-        for (int i = 0; i < PAGE_FLOATS / CHANNELS; i++) {
-            int row = i / LevelGrid.STORED_SIDE + MARGIN;
-            int column = i % LevelGrid.STORED_SIDE + MARGIN;
-            System.arraycopy(columns, COLOURS * (column * SEEN_SIDE + row), stored, CHANNELS * i, COLOURS);
+        for (int row = 0; row < STORED_SIDE; row++) {
+            int to = CHANNELS * STORED_SIDE * row;
+            for (int column = 0; column < STORED_SIDE; column++) {
+                int from = COLOURS * ((column + MARGIN) * STORED_SIDE + row);
+                stored[to] = columns[from];
+                stored[to + 1] = columns[from + 1];
+                stored[to + 2] = columns[from + 2];
+                to += CHANNELS;
+            }
         }
         return stored;
     }
@@ -224,13 +229,17 @@ public final class LevelBaking {
         return plane;
     }
 
-    private static float[] transposed(float[] plane) {
-        float[] turned = new float[plane.length];
-        for (int row = 0; row < SEEN_SIDE; row++) {
+    /** Of the rows that are stored: column by column. */
+    private static float[] storedRowsTransposed(float[] plane) {
+        float[] turned = new float[SEEN_SIDE * STORED_SIDE * COLOURS];
+        for (int row = 0; row < STORED_SIDE; row++) {
+            int from = COLOURS * SEEN_SIDE * (row + MARGIN);
             for (int column = 0; column < SEEN_SIDE; column++) {
-                for (int c = 0; c < COLOURS; c++) {
-                    turned[COLOURS * (column * SEEN_SIDE + row) + c] = plane[COLOURS * (row * SEEN_SIDE + column) + c];
-                }
+                int to = COLOURS * (column * STORED_SIDE + row);
+                turned[to] = plane[from];
+                turned[to + 1] = plane[from + 1];
+                turned[to + 2] = plane[from + 2];
+                from += COLOURS;
             }
         }
         return turned;

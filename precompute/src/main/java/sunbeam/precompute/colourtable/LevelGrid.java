@@ -144,11 +144,19 @@ public record LevelGrid(TableDesign design) {
         return Math.max(0, Math.min((int) slice - 1, design.slices() - TableDesign.TAPS));
     }
 
-    /** u, v and w of a texel; beyond what two directions can have colours stay as they are at its edge. */
-    double[] uvw(int column, int row, int slice) {
-        double u = origin() + column * design.step();
-        double v = origin() + row * design.step();
-        double inside = Math.min(1, REACH / Math.max(REACH, Math.hypot(u, v)));
-        return new double[] {inside * u, inside * v, -slice * design.sliceStep()};
+    /**
+     * Puts u, v and w of a texel; beyond what two directions can have colours stay as they are at its edge.
+     *
+     * @param origin {@link #origin()}, which takes as long as the rest
+     * @param at index of u
+     */
+    void put(int column, int row, int slice, double origin, float[] uvw, int at) {
+        double u = origin + column * design.step();
+        double v = origin + row * design.step();
+        double square = u * u + v * v;
+        double inside = square > REACH * REACH ? REACH / Math.sqrt(square) : 1;
+        uvw[at] = (float) (inside * u);
+        uvw[at + 1] = (float) (inside * v);
+        uvw[at + 2] = (float) (-slice * design.sliceStep());
     }
 }

@@ -1,25 +1,60 @@
 package sunbeam.precompute.rays;
 
+import java.util.Arrays;
 import sunbeam.precompute.optics.CoherenceWindow;
 
 /**
  * The terms of a surface's powers, at any frequency, under a window: sums of Gaussians around the DFT bins (design, section
- * 3). By direct summation over the bins that count, in double precision. Immutable.
+ * 3), in double precision. Bins as far apart as the Gaussians are wide are summed one by one; bins that lie closer have been blurred where
+ * they lie, once, and are interpolated by quintic B-splines, of which six times six meet. Immutable.
  */
 final class BlurredPowers {
+    // Distance of bins in sigma_f, up to which B-splines err by no more than 6e-4 of a bin beside it, and far from it
+    // by nothing.
+    private static final double INTERPOLATED_SPACING = 0.5;
+    // Beyond its reach a Gaussian's B-splines go on, and cancel each other; so many bins farther they count nothing.
+    private static final int SPLINE_MARGIN = 6;
+
     private final BinPlane bins;
     private final double sigmaFrequency;
     private final double reach;
+    private final boolean isBlurred;
+
+    private BlurredPowers(BinPlane bins, CoherenceWindow window, double reach, boolean isBlurred) {
+        this.bins = bins;
+        this.sigmaFrequency = window.sigmaFrequency();
+        this.reach = reach;
+        this.isBlurred = isBlurred;
+    }
 
     /**
      * Powers under a window.
      *
      * @param reach in the window's sigma_f, beyond which a bin is left out: exp(-reach^2) of it
+     * @param interpolated whether to interpolate where bins lie close beside the window's width
      */
-    BlurredPowers(BinPlane bins, CoherenceWindow window, double reach) {
-        this.bins = bins;
-        this.sigmaFrequency = window.sigmaFrequency();
-        this.reach = reach;
+    static BlurredPowers of(BinPlane bins, CoherenceWindow window, double reach, boolean interpolated) {
+        double spacingX = 1 / (window.sigmaFrequency() * bins.periodX());
+        double spacingY = 1 / (window.sigmaFrequency() * bins.periodY());
+        if (!interpolated || Math.max(spacingX, spacingY) > INTERPOLATED_SPACING) {
+            return new BlurredPowers(bins, window, reach, false);
+        }
+        BinPlane blurred = bins.convolved(splines(spacingX, reach), splines(spacingY, reach));
+        return new BlurredPowers(blurred, window, reach, true);
+    }
+
+    /** Coefficients of the B-splines, one a bin, that add up to a Gaussian around the middle one of them. */
+    private static double[] splines(double spacing, double reach) {
+        int side = (int) Math.ceil(reach / spacing) + SPLINE_MARGIN;
+        float[] values = new float[2 * side + 1];
+        for (int i = 0; i < values.length; i++) {
+            double distance = (i - side) * spacing;
+            values[i] = (float) Math.exp(-distance * distance);
+        }
+        QuinticSpline.alongRows(values, 1, values.length);
+        double[] coefficients = new double[values.length];
+        Arrays.setAll(coefficients, i -> values[i]);
+        return coefficients;
     }
 
     int terms() {
@@ -93,11 +128,30 @@ final class BlurredPowers {
             this.bins = bins;
             this.ratio = 1 / (sigmaFrequency * period);
             this.change = Math.exp(-2 * ratio * ratio);
-            this.weights = new double[3 + (int) Math.ceil(2 * reach / ratio)];
+            this.weights = new double[Math.max(QuinticSpline.TAPS, 3 + (int) Math.ceil(2 * reach / ratio))];
         }
 
         void moveTo(double frequency) {
             double bin = frequency * period - first;
+            if (isBlurred) {
+                moveAmongSplines(bin);
+            } else {
+                moveAmongGaussians(bin);
+            }
+        }
+
+        private void moveAmongSplines(double bin) {
+            int below = (int) Math.floor(bin);
+            int begin = below - QuinticSpline.TAPS / 2 + 1;
+            QuinticSpline.weights(bin - below, weights);
+            from = Math.max(0, Math.min(begin, bins));
+            count = Math.max(0, Math.min(bins, begin + QuinticSpline.TAPS) - from);
+            if (from > begin) {
+                System.arraycopy(weights, Math.min(from - begin, QuinticSpline.TAPS), weights, 0, count);
+            }
+        }
+
+        private void moveAmongGaussians(double bin) {
             from = (int) Math.max(0, Math.ceil(bin - reach / ratio));
             int last = (int) Math.min(bins - 1.0, Math.floor(bin + reach / ratio));
             count = Math.max(0, last - from + 1);

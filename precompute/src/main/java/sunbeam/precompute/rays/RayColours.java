@@ -6,7 +6,6 @@ import java.util.List;
 import java.util.concurrent.ForkJoinTask;
 import java.util.function.LongConsumer;
 import java.util.stream.IntStream;
-import sunbeam.precompute.color.WavelengthNodes;
 import sunbeam.precompute.colourtable.ColourSource;
 import sunbeam.precompute.plan.GaussianArea;
 
@@ -27,6 +26,8 @@ public final class RayColours implements ColourSource {
     private static final double SPACING = 1.1;
     private static final int MOST_SLICES = 2048;
     private static final int CHANNELS = 3;
+    // Places whose sectors one processor finds at a time.
+    private static final int TOGETHER = 1 << 12;
     // exp(-reach^2) of a bin is left out: 1e-10 of it in the finest table, beside which a wing of 1e-6 stays right,
     // 2e-5 in
     // averages for pixels.
@@ -59,7 +60,7 @@ public final class RayColours implements ColourSource {
     @Override
     public float[] xyz(float[] places) {
         double[] depths = depths(places);
-        List<Octave> octaves = octaves(depths);
+        List<RayOctave> octaves = octaves(depths);
         List<RaySector.Places> sectors = new ArrayList<>();
         octaves.forEach(octave -> sectors.addAll(octave.sectors()));
         RaySector.Places direct = new RaySector.Places(null, 0);
@@ -86,31 +87,41 @@ public final class RayColours implements ColourSource {
     }
 
     /** The number of each place's sector, octave after octave; behind the last one that of the places in the middle. */
-    private static int[] sectors(float[] places, List<Octave> octaves) {
+    private static int[] sectors(float[] places, List<RayOctave> octaves) {
         int[] before = new int[octaves.size() + 1];
         for (int i = 0; i < octaves.size(); i++) {
             before[i + 1] = before[i] + octaves.get(i).sectors().size();
         }
         int[] numbers = new int[places.length / CHANNELS];
-        IntStream.range(0, numbers.length).parallel().forEach(i -> {
-            double u = places[CHANNELS * i];
-            double v = places[CHANNELS * i + 1];
-            double radius = Math.sqrt(u * u + v * v);
-            int octave = 0;
-            while (octave < octaves.size() && radius < octaves.get(octave).low()) {
-                octave++;
+        int parts = (numbers.length + TOGETHER - 1) / TOGETHER;
+        IntStream.range(0, parts).parallel().forEach(part -> {
+            int first = part * TOGETHER;
+            int end = Math.min(numbers.length, first + TOGETHER);
+            for (int i = first; i < end; i++) {
+                // Slices of one (u, v) follow each other.
+                numbers[i] = i > first && RaySector.isBeside(places, CHANNELS * i, CHANNELS * (i - 1))
+                        ? numbers[i - 1]
+                        : sector(places[CHANNELS * i], places[CHANNELS * i + 1], octaves, before);
             }
-            numbers[i] = before[octave]
-                    + (octave < octaves.size() ? octaves.get(octave).sector(u, v) : 0);
         });
         return numbers;
     }
 
-    private List<Octave> octaves(double[] depths) {
-        List<Octave> octaves = new ArrayList<>();
+    /** @param before numbers of the sectors before each octave's */
+    private static int sector(double u, double v, List<RayOctave> octaves, int[] before) {
+        double radius = Math.sqrt(u * u + v * v);
+        int octave = 0;
+        while (octave < octaves.size() && radius < octaves.get(octave).low()) {
+            octave++;
+        }
+        return before[octave] + (octave < octaves.size() ? octaves.get(octave).sector(u, v) : 0);
+    }
+
+    private List<RayOctave> octaves(double[] depths) {
+        List<RayOctave> octaves = new ArrayList<>();
         double high = FARTHEST;
         do {
-            octaves.add(new Octave(spectrum, high, step, depths));
+            octaves.add(new RayOctave(spectrum, high, step, depths));
             high /= 2;
         } while (high > 2 * INNER_STEPS * step);
         return octaves;
@@ -133,112 +144,5 @@ public final class RayColours implements ColourSource {
             }
         }
         return Arrays.copyOf(found, count);
-    }
-
-    /** Rays of an octave of |(u, v)|, and the places on them that belong to each of its sectors. */
-    static final class Octave {
-        // Rays of a sector; those beside it that splines see come on top.
-        private static final int SECTOR_RAYS = 192;
-        // Of ln lambda: colour matching functions have weights of their own, and terms' coefficients turn slower.
-        private static final double WIDEST_STEP = 0.01;
-
-        private static final double LITTLE_LONGER = 1.12;
-
-        private final RaySpectrum spectrum;
-        private final double low;
-        private final int rays;
-        private final double[] depths;
-        private final double widestStep;
-        private final List<RaySector.Places> sectors = new ArrayList<>();
-        private RayConvolution convolution;
-        private WavelengthNodes wavelengths;
-        private double start;
-        private double logStep;
-        private int count;
-
-        Octave(RaySpectrum spectrum, double high, double step, double[] depths) {
-            this.spectrum = spectrum;
-            this.low = high / 2;
-            this.depths = depths;
-            this.widestStep = Math.min(step / high, WIDEST_STEP);
-            this.rays = (int) Math.ceil(2 * Math.PI * high / step);
-            int divided = Math.max(1, rays / SECTOR_RAYS);
-            for (int i = 0; i < divided; i++) {
-                sectors.add(new RaySector.Places(this, (int) ((long) rays * i / divided)));
-            }
-        }
-
-        double low() {
-            return low;
-        }
-
-        int rays() {
-            return rays;
-        }
-
-        List<RaySector.Places> sectors() {
-            return sectors;
-        }
-
-        /** Where a place lies among the rays, 0 to {@link #rays()}. */
-        double ray(double u, double v) {
-            double turns = Math.atan2(v, u) / (2 * Math.PI);
-            return (turns < 0 ? turns + 1 : turns) * rays;
-        }
-
-        /** The number of a place's sector. */
-        int sector(double u, double v) {
-            int ray = Math.min(rays - 1, (int) ray(u, v));
-            int at = (int) ((long) ray * sectors.size() / rays);
-            while (at + 1 < sectors.size() && sectors.get(at + 1).firstRay() <= ray) {
-                at++;
-            }
-            while (sectors.get(at).firstRay() > ray) {
-                at--;
-            }
-            return at;
-        }
-
-        /** The first ray beyond a sector. */
-        int end(RaySector.Places sector) {
-            int next = sectors.indexOf(sector) + 1;
-            return next < sectors.size() ? sectors.get(next).firstRay() : rays;
-        }
-
-        /** Made when the first sector needs it. */
-        synchronized RayConvolution convolution() {
-            if (convolution == null) {
-                prepare(widestStep);
-                int power = Integer.highestOneBit(length() - 1);
-                if (length() < LITTLE_LONGER * power) {
-                    // A little coarser, transforms are half as long.
-                    prepare(widestStep * (length() + 2) / power);
-                }
-                convolution = new RayConvolution(start, count, wavelengths, depths, spectrum::coefficients);
-            }
-            return convolution;
-        }
-
-        private void prepare(double step) {
-            wavelengths = spectrum.wavelengths(step);
-            double[] nodes = wavelengths.wavelengths();
-            logStep = Math.log(nodes[nodes.length - 1] / nodes[0]) / (nodes.length - 1);
-            start = Math.log(low) - QuinticSpline.MARGIN * logStep;
-            count = 2 * QuinticSpline.MARGIN + 2 + (int) Math.ceil(Math.log(2) / logStep);
-        }
-
-        private int length() {
-            return count + wavelengths.count() - 1;
-        }
-
-        /** Places on a ray. */
-        int count() {
-            return count;
-        }
-
-        /** Where |(u, v)| lies among the places of a ray. */
-        double onRay(double radius) {
-            return (Math.log(radius) - start) / logStep;
-        }
     }
 }

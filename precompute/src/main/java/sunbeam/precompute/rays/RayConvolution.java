@@ -18,7 +18,8 @@ final class RayConvolution {
     private static final int COLOURS = 3;
 
     private final int count;
-    private final int nodes;
+    private final StridedSpline splines;
+    private final int smoothed;
     private final int padded;
     private final double[] frequencies;
     private final int terms;
@@ -39,19 +40,28 @@ final class RayConvolution {
      *
      * @param first ln |(u, v)| of the first place
      * @param count of the places
-     * @param wavelengths at equal steps of their logarithm, which is that of the places
+     * @param stride steps of the wavelengths' logarithm from one place to the next
+     * @param wavelengths at equal steps of their logarithm
      * @param depths |w| of the slices
      */
-    RayConvolution(double first, int count, WavelengthNodes wavelengths, double[] depths, Coefficients coefficients) {
+    RayConvolution(
+            double first,
+            int count,
+            int stride,
+            WavelengthNodes wavelengths,
+            double[] depths,
+            Coefficients coefficients) {
+        int nodes = wavelengths.count();
         this.count = count;
-        this.nodes = wavelengths.count();
+        this.splines = new StridedSpline(stride, nodes);
         this.slices = depths.length;
-        int length = count + nodes - 1;
-        this.padded = Math.max(2, Integer.highestOneBit(length - 1) << 1);
+        this.smoothed = length(count, stride, nodes);
+        this.padded = padded(smoothed);
         double longest = Math.log(wavelengths.wavelengths()[nodes - 1]);
         double step = (longest - Math.log(wavelengths.wavelengths()[0])) / (nodes - 1);
-        this.frequencies = new double[length];
-        Arrays.setAll(frequencies, i -> Math.exp(first - longest + i * step));
+        double lowest = first - longest - (splines.last() - nodes + 1) * step;
+        this.frequencies = new double[splines.read(smoothed)];
+        Arrays.setAll(frequencies, i -> Math.exp(lowest + i * step));
         double[][][] atNodes = new double[slices][nodes][];
         for (int slice = 0; slice < slices; slice++) {
             for (int i = 0; i < nodes; i++) {
@@ -63,19 +73,37 @@ final class RayConvolution {
         for (int pair = 0; pair < pairs(); pair++) {
             int[] parts = parts(pair);
             for (int m = 0; m < terms; m++) {
-                double[][] kernel = new double[2][padded];
+                double[][] kernel = new double[2][];
                 for (int part = 0; part < 2; part++) {
-                    int slice = parts[part] / COLOURS;
-                    if (slice < slices) {
-                        for (int i = 0; i < nodes; i++) {
-                            kernel[part][i] = atNodes[slice][i][m] * wavelengths.weights()[i][parts[part] % COLOURS];
-                        }
-                    }
+                    kernel[part] = kernel(parts[part], m, atNodes, wavelengths);
                 }
                 FastFourierTransformer.transformInPlace(kernel, DftNormalization.STANDARD, TransformType.FORWARD);
                 kernels[pair][m] = kernel;
             }
         }
+    }
+
+    /** Places that a transform has at least. */
+    static int length(int count, int stride, int nodes) {
+        return count + StridedSpline.knots(stride, nodes) - 1;
+    }
+
+    /** Places that a transform has. */
+    static int padded(int length) {
+        return Math.max(2, Integer.highestOneBit(length - 1) << 1);
+    }
+
+    /** Coefficients of a result's B-splines for a term, and zeros. */
+    private double[] kernel(int result, int term, double[][][] atNodes, WavelengthNodes wavelengths) {
+        int slice = result / COLOURS;
+        if (slice >= slices) {
+            return new double[padded];
+        }
+        double[] values = new double[wavelengths.count()];
+        for (int i = 0; i < values.length; i++) {
+            values[i] = atNodes[slice][i][term] * wavelengths.weights()[i][result % COLOURS];
+        }
+        return Arrays.copyOf(splines.coefficients(values), padded);
     }
 
     /** Pairs of results, of which a complex transform gives two at once: X and Y of each slice, then Z of slices two by two. */
@@ -104,7 +132,7 @@ final class RayConvolution {
 
     /** One ray at a time; belongs to a thread. */
     final class Line {
-        private final double[][] values = new double[terms][padded];
+        private final double[][] values = new double[terms][frequencies.length];
         private final double[][] transformed = new double[2][padded];
         private final double[][][] spectra = new double[terms][2][padded];
         private final double[][] sum = new double[2][padded];
@@ -136,16 +164,16 @@ final class RayConvolution {
                 return;
             }
             for (int i = 0; i < count; i++) {
-                to[first + i] = (float) from[nodes - 1 + i];
+                to[first + i] = (float) from[splines.knots() - 1 + i];
             }
         }
 
         /** Two real terms in a complex transform; where there is no second, it is zero. */
         private void transformTerms() {
             for (int m = 0; m < terms; m += 2) {
-                System.arraycopy(values[m], 0, transformed[0], 0, padded);
+                splines.smooth(values[m], transformed[0], smoothed);
                 if (m + 1 < terms) {
-                    System.arraycopy(values[m + 1], 0, transformed[1], 0, padded);
+                    splines.smooth(values[m + 1], transformed[1], smoothed);
                 } else {
                     Arrays.fill(transformed[1], 0);
                 }

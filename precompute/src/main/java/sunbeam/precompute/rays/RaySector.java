@@ -7,7 +7,7 @@ final class RaySector {
     private static final int COLOURS = 3;
     private static final int MARGIN = QuinticSpline.MARGIN;
 
-    private final RayColours.Octave octave;
+    private final RayOctave octave;
     private final BlurredPowers powers;
     private final Places asked;
     private final Runnable between;
@@ -16,7 +16,7 @@ final class RaySector {
     private final int count;
 
     /** @param between run after each ray */
-    RaySector(RayColours.Octave octave, BlurredPowers powers, Places asked, Runnable between) {
+    RaySector(RayOctave octave, BlurredPowers powers, Places asked, Runnable between) {
         this.octave = octave;
         this.between = between;
         this.powers = powers;
@@ -29,13 +29,13 @@ final class RaySector {
 
     /** Numbers of places that lie in a sector. */
     static final class Places {
-        private final RayColours.Octave octave;
+        private final RayOctave octave;
         private final int firstRay;
         private int[] numbers = new int[16];
         private int count;
 
         /** @param firstRay of the sector */
-        Places(RayColours.Octave octave, int firstRay) {
+        Places(RayOctave octave, int firstRay) {
             this.octave = octave;
             this.firstRay = firstRay;
         }
@@ -47,7 +47,7 @@ final class RaySector {
             numbers[count++] = number;
         }
 
-        RayColours.Octave octave() {
+        RayOctave octave() {
             return octave;
         }
 
@@ -90,7 +90,7 @@ final class RaySector {
             int at = COLOURS * asked.number(i);
             // Slices of one (u, v) follow each other.
             if (i == 0 || !isBeside(places, at, COLOURS * asked.number(i - 1))) {
-                double place = octave.onRay(Math.hypot(places[at], places[at + 1]));
+                double place = octave.onRay(radius(places[at], places[at + 1]));
                 double ray = octave.ray(places[at], places[at + 1]) - firstRay;
                 // Both lie behind the margins: whole parts are floors.
                 int column = (int) place;
@@ -106,19 +106,34 @@ final class RaySector {
         }
     }
 
+    private static double radius(double u, double v) {
+        return Math.sqrt(u * u + v * v);
+    }
+
     /** Whether two places differ in w alone. */
-    private static boolean isBeside(float[] places, int one, int other) {
+    static boolean isBeside(float[] places, int one, int other) {
         return places[one] == places[other] && places[one + 1] == places[other + 1];
     }
 
+    /** Six values a row, written out: some million times an interpolation, Java's first compiler takes loops as they are. */
     private double interpolated(float[] plane, int corner, double[] alongRay, double[] acrossRays) {
+        double first = alongRay[0];
+        double second = alongRay[1];
+        double third = alongRay[2];
+        double fourth = alongRay[3];
+        double fifth = alongRay[4];
+        double sixth = alongRay[5];
         double sum = 0;
-        for (int row = 0; row < acrossRays.length; row++) {
-            double line = 0;
-            for (int column = 0; column < alongRay.length; column++) {
-                line += alongRay[column] * plane[corner + row * count + column];
-            }
-            sum += acrossRays[row] * line;
+        int at = corner;
+        for (int row = 0; row < QuinticSpline.TAPS; row++) {
+            sum += acrossRays[row]
+                    * (first * plane[at]
+                            + second * plane[at + 1]
+                            + third * plane[at + 2]
+                            + fourth * plane[at + 3]
+                            + fifth * plane[at + 4]
+                            + sixth * plane[at + 5]);
+            at += count;
         }
         return sum;
     }

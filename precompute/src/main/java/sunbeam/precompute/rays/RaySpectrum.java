@@ -24,12 +24,18 @@ public final class RaySpectrum {
     // 1e-3.
     private static final double FOLDED_SPACING = 0.4;
 
+    // In ln |(u, v)|: from place to place on a ray at a tolerance of 1 %, and less with its fourth root, since splines
+    // err with
+    // the distance to the fourth power. Errs by less than a tenth of the tolerance (RayColoursTest).
+    private static final double WIDEST_PLACES = 0.014;
+
     private final PowerFields fields;
     private final HeightScale scale;
     private final double minimumPhase;
     private final double maximumPhase;
     private final BinPlane bins;
     private final CieTable cie;
+    private final double widestPlaces;
 
     /**
      * Takes the terms of a table.
@@ -43,6 +49,7 @@ public final class RaySpectrum {
         this.minimumPhase = plan.expansion().minimumPhase();
         this.maximumPhase = plan.expansion().maximumPhase();
         this.cie = cie;
+        this.widestPlaces = WIDEST_PLACES * Math.pow(tolerance / 0.01, 0.25);
         double[][] terms = new double[fields.count()][];
         for (int m = 0; m < terms.length; m++) {
             terms[m] = fields.field(m);
@@ -86,18 +93,26 @@ public final class RaySpectrum {
      * The powers under a window.
      *
      * @param reach in the window's sigma_f, beyond which a bin is left out
-     * @param folded whether bins that lie close beside the window's width may be taken together, which errs by a thousandth
+     * @param folded whether bins that lie close beside the window's width may be taken together and interpolated, which errs by a thousandth
      */
     BlurredPowers under(GaussianArea area, double reach, boolean folded) {
         double spacing = FOLDED_SPACING * area.window().sigmaFrequency();
         int foldX = folded ? (int) Math.max(1, spacing * bins.periodX()) : 1;
         int foldY = folded ? (int) Math.max(1, spacing * bins.periodY()) : 1;
-        return new BlurredPowers(bins.folded(foldX, foldY), area.window(), reach);
+        return BlurredPowers.of(bins.folded(foldX, foldY), area.window(), reach, folded);
     }
 
     /** Wavelengths at equal steps of their logarithm. */
     WavelengthNodes wavelengths(double widestStep) {
         return IntegratedNodes.logarithmic(cie, widestStep);
+    }
+
+    /**
+     * How far from each other, in ln |(u, v)|, places on a ray may lie: colours change along a ray only as fast as colour matching
+     * functions do with the wavelength, however sharp orders are.
+     */
+    double widestPlaces() {
+        return widestPlaces;
     }
 
     /** Coefficients of the terms; beyond the phases that they were made for, at the last of them. */

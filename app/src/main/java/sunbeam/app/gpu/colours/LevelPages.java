@@ -68,7 +68,7 @@ public final class LevelPages implements AutoCloseable {
         }
     }
 
-    /** Whether every look-up finds a page, if only of a coarse level. */
+    /** Whether every look-up finds a page of a coarse level. */
     public boolean hasResident() {
         // Pages never go again, and this is asked for each frame.
         residentThere = residentThere || isResidentThere();
@@ -156,6 +156,7 @@ public final class LevelPages implements AutoCloseable {
             return; // without waiting for what the background makes at the moment
         }
         requireRoom();
+        cells.expect(count(made) + count(wanted));
         sources.bakeAll(
                 wanted,
                 (level, coefficients) -> add(level, wanted.get(level).stream().toArray(), coefficients));
@@ -172,18 +173,35 @@ public final class LevelPages implements AutoCloseable {
     }
 
     /**
-     * From now on {@link #request} has pages made in the background; coarse levels are begun at once.
+     * From now on {@link #request} has pages made in the background; the coarsest level is begun at once.
      *
+     * @param forAnyLight whether other coarse levels are begun at once, too, and not after what is requested
      * @param arrived told, by another thread, that {@link #takeBaked} has something to take
      */
-    public void bakeInBackground(Runnable arrived) {
+    public void bakeInBackground(boolean forAnyLight, Runnable arrived) {
         if (baker.isEmpty()) {
             int last = grids.size() - 1;
             coarsestKept = !sources.kept(last, resident.get(last)).isEmpty();
             baker = Optional.of(new PageBaker(sources, arrived));
-            baker.get()
-                    .want(resident.stream().map(pages -> (BitSet) pages.clone()).toList());
+            baker.get().want(copyOf(forAnyLight ? resident : coarsest()), none());
         }
+    }
+
+    /** Of {@link #resident} only the coarsest level. */
+    private List<BitSet> coarsest() {
+        List<BitSet> pages = new ArrayList<>();
+        for (int level = 0; level < grids.size(); level++) {
+            pages.add(level == grids.size() - 1 ? resident.get(level) : new BitSet());
+        }
+        return pages;
+    }
+
+    private List<BitSet> none() {
+        return grids.stream().map(grid -> new BitSet()).toList();
+    }
+
+    private static List<BitSet> copyOf(List<BitSet> pages) {
+        return pages.stream().map(level -> (BitSet) level.clone()).toList();
     }
 
     /**
@@ -255,18 +273,21 @@ public final class LevelPages implements AutoCloseable {
      * @throws GraphicsException if there is no room for it
      */
     public void request() {
+        List<BitSet> coarsest = coarsest();
         List<BitSet> missing = new ArrayList<>();
-        List<BitSet> asked = new ArrayList<>();
         for (int level = 0; level < grids.size(); level++) {
-            wanted.get(level).or(resident.get(level));
-            asked.add((BitSet) wanted.get(level).clone());
+            wanted.get(level).or(coarsest.get(level));
+        }
+        List<BitSet> asked = copyOf(wanted);
+        for (int level = 0; level < grids.size(); level++) {
             wanted.get(level).andNot(made.get(level));
             missing.add((BitSet) wanted.get(level).clone());
         }
         requireRoom();
+        cells.expect(count(made) + count(wanted));
         requested = asked;
         wanted.forEach(BitSet::clear);
-        baker.orElseThrow().want(missing);
+        baker.orElseThrow().want(missing, copyOf(resident));
     }
 
     /** Goes back on what was noted. */

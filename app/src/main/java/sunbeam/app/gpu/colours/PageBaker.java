@@ -21,13 +21,15 @@ final class PageBaker implements AutoCloseable {
     // Pages that are made at once by one processor, and by all: a second's work or two, for which waits what is
     // asked for meanwhile. The fewer, the more rays are evaluated for several of them.
     private static final int CHUNK = 1200;
-    private static final int CHUNK_OF_ALL = 4800;
+    private static final int CHUNK_OF_ALL = 9600;
     // Pages that are read at once: some tenths of a second of work, which nothing that moves waits for.
     private static final int MOST_AT_ONCE = 4000;
     private static final int LIFE_DAYS = 1000;
     private static final long HOLD_NANOSECONDS = 300_000_000;
     // Nothing has moved for so long: what stands still may as well have all processors.
     private static final long STILL_NANOSECONDS = 2_000_000_000;
+    // What nobody waits for leaves the processors to whoever draws what has just been made, or asks for more.
+    private static final long LATER_NANOSECONDS = 1_500_000_000;
     private static final long PATIENCE_MILLISECONDS = 5000;
 
     /**
@@ -59,7 +61,11 @@ final class PageBaker implements AutoCloseable {
     private final Thread thread;
     // Guarded by this.
     private List<BitSet> wanted = List.of();
+    private List<BitSet> later = List.of();
     private long heldUntil = System.nanoTime() - STILL_NANOSECONDS;
+    // Whether what was begun last is waited for; when what is not may be begun.
+    private boolean isUrgent = true;
+    private long laterFrom;
     private boolean closed;
     private Throwable failure;
 
@@ -77,9 +83,15 @@ final class PageBaker implements AutoCloseable {
         thread.start();
     }
 
-    /** Asks for pages, by level, in the place of those that were asked for before. */
-    synchronized void want(List<BitSet> pages) {
+    /**
+     * Asks for pages, in the place of those that were asked for before.
+     *
+     * @param pages by level
+     * @param afterwards pages by level that are made when those are there
+     */
+    synchronized void want(List<BitSet> pages, List<BitSet> afterwards) {
         wanted = pages;
+        later = afterwards;
         notifyAll();
     }
 
@@ -104,7 +116,11 @@ final class PageBaker implements AutoCloseable {
 
     /** Guarded by this. Milliseconds, rounded up; none where it is not positive. */
     private long heldFor() {
-        return (heldUntil - System.nanoTime() + 999_999) / 1_000_000;
+        return millisecondsUntil(heldUntil);
+    }
+
+    private static long millisecondsUntil(long nanoTime) {
+        return (nanoTime - System.nanoTime() + 999_999) / 1_000_000;
     }
 
     /**
@@ -170,6 +186,7 @@ final class PageBaker implements AutoCloseable {
     private synchronized void giveUp(int level, BitSet pages, Throwable problem) {
         done.get(level).andNot(pages);
         wanted = List.of();
+        later = List.of();
         failure = problem;
     }
 
@@ -181,7 +198,21 @@ final class PageBaker implements AutoCloseable {
                 wait(held);
                 continue;
             }
-            Optional<Due> due = due();
+            Optional<Due> due = due(wanted);
+            if (due.isPresent()) {
+                isUrgent = true;
+            } else {
+                if (isUrgent) {
+                    isUrgent = false;
+                    laterFrom = System.nanoTime() + LATER_NANOSECONDS;
+                }
+                due = due(later);
+                long early = millisecondsUntil(laterFrom);
+                if (due.isPresent() && early > 0) {
+                    wait(early);
+                    continue;
+                }
+            }
             if (due.isPresent()) {
                 Arrays.stream(due.get().pages()).forEach(done.get(due.get().level())::set);
                 return due.get();
@@ -192,18 +223,18 @@ final class PageBaker implements AutoCloseable {
     }
 
     /** Guarded by this. What an earlier run has made comes first, then coarse levels before fine ones. */
-    private Optional<Due> due() {
+    private Optional<Due> due(List<BitSet> asked) {
         boolean spread = maySpread();
-        for (int level = wanted.size() - 1; level >= 0; level--) {
-            BitSet kept = sources.kept(level, missing(level));
+        for (int level = asked.size() - 1; level >= 0; level--) {
+            BitSet kept = sources.kept(level, missing(asked, level));
             if (!kept.isEmpty()) {
                 int[] pages = kept.stream().limit(MOST_AT_ONCE).toArray();
                 return Optional.of(new Due(level, pages, spread));
             }
         }
         int chunk = spread ? CHUNK_OF_ALL : CHUNK;
-        for (int level = wanted.size() - 1; level >= 0; level--) {
-            BitSet missing = missing(level);
+        for (int level = asked.size() - 1; level >= 0; level--) {
+            BitSet missing = missing(asked, level);
             if (!missing.isEmpty()) {
                 int[] pages =
                         sources.grids().get(level).bySide(missing).limit(chunk).toArray();
@@ -213,8 +244,9 @@ final class PageBaker implements AutoCloseable {
         return Optional.empty();
     }
 
-    private BitSet missing(int level) {
-        BitSet missing = (BitSet) wanted.get(level).clone();
+    /** Guarded by this. */
+    private BitSet missing(List<BitSet> asked, int level) {
+        BitSet missing = (BitSet) asked.get(level).clone();
         missing.andNot(done.get(level));
         return missing;
     }

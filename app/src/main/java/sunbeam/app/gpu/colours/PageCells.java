@@ -43,6 +43,7 @@ final class PageCells implements AutoCloseable {
     private FloatTexture texels;
     private FloatTexture pages;
     private int cells;
+    private long expectedPages;
 
     PageCells(RenderContext context, TableLevels levels, List<LevelGrid> grids) {
         this.context = context;
@@ -57,6 +58,11 @@ final class PageCells implements AutoCloseable {
     /** Bytes of the layers that some pages fill, on the card and once more in Java's heap. */
     static long bytes(long pages) {
         return (pages + PER_LAYER - 1) / PER_LAYER * LAYER_FLOATS * Float.BYTES;
+    }
+
+    /** Tells how many pages there will be, so that the card makes room for them once. */
+    void expect(long pages) {
+        expectedPages = pages;
     }
 
     /** Adds a page; it is on the card from the next {@link #bindings()} on. */
@@ -109,12 +115,19 @@ final class PageCells implements AutoCloseable {
         }
     }
 
+    /** Layers that a new texture has. */
+    private int room() {
+        int needed = Math.max(layers.size(), Math.toIntExact((expectedPages + PER_LAYER - 1) / PER_LAYER));
+        if (texels == null || needed > layers.size()) {
+            return needed;
+        }
+        // Whoever has come back for more will again: all is uploaded anew as seldom as the number doubles.
+        return Math.max(needed, Math.min(2 * texels.spec().layers(), MOST_LAYERS));
+    }
+
     private void upload() {
         if (texels == null || texels.spec().layers() < layers.size()) {
-            // Whoever has come back for more will again: all is uploaded anew as seldom as the number doubles.
-            int room = texels == null
-                    ? layers.size()
-                    : Math.max(layers.size(), Math.min(2 * texels.spec().layers(), MOST_LAYERS));
+            int room = room();
             closeTexels();
             FloatTextureSpec spec = FloatTextureSpec.array(LAYER_SIDE, LAYER_SIDE, room, FloatFormat.RGBA32F);
             texels = context.createFloatTexture("colours", spec.with(Filter.LINEAR));

@@ -55,12 +55,12 @@ class PageBakerTest {
         BitSet pages = new BitSet();
         pages.set(page);
         try (PageBaker baker = new PageBaker(new PageSources(failingOnce(failure)), arrived::release)) {
-            baker.want(List.of(pages));
+            baker.want(List.of(pages), List.of(new BitSet()));
             assertThat(arrived.tryAcquire(30, TimeUnit.SECONDS)).isTrue();
             assertThatThrownBy(baker::poll).isSameAs(failure);
             assertThat(baker.poll()).as("told once").isEmpty();
 
-            baker.want(List.of(pages));
+            baker.want(List.of(pages), List.of(new BitSet()));
             assertThat(arrived.tryAcquire(30, TimeUnit.SECONDS)).isTrue();
             PageBaker.Baked baked = baker.poll().orElseThrow();
             assertThat(baked.pages()).containsExactly(page);
@@ -106,7 +106,7 @@ class PageBakerTest {
         BitSet pages = new BitSet();
         pages.set(LEVELS.slices() + 40);
         try (PageBaker baker = new PageBaker(new PageSources(endless(steps)), arrived::release)) {
-            baker.want(List.of(pages));
+            baker.want(List.of(pages), List.of(new BitSet()));
             awaitAStep(steps);
 
             int checks = 0;
@@ -157,7 +157,7 @@ class PageBakerTest {
             for (int i = 0; i + 1 < pages.length; i += 2) {
                 BitSet wanted = new BitSet();
                 wanted.set(pages[i]);
-                baker.want(List.of(wanted));
+                baker.want(List.of(wanted), List.of(new BitSet()));
                 BitSet needed = new BitSet();
                 needed.set(pages[i + 1]);
                 sources.bakeAll(
