@@ -183,21 +183,11 @@ public final class LevelPages implements AutoCloseable {
             int last = grids.size() - 1;
             coarsestKept = !sources.kept(last, resident.get(last)).isEmpty();
             baker = Optional.of(new PageBaker(sources, arrived));
-            baker.get().want(copyOf(forAnyLight ? resident : coarsest()), none());
+            List<BitSet> none = grids.stream().map(grid -> new BitSet()).toList();
+            List<BitSet> first = copyOf(forAnyLight ? resident : none);
+            first.get(last).or(resident.get(last));
+            baker.get().want(first, none);
         }
-    }
-
-    /** Of {@link #resident} only the coarsest level. */
-    private List<BitSet> coarsest() {
-        List<BitSet> pages = new ArrayList<>();
-        for (int level = 0; level < grids.size(); level++) {
-            pages.add(level == grids.size() - 1 ? resident.get(level) : new BitSet());
-        }
-        return pages;
-    }
-
-    private List<BitSet> none() {
-        return grids.stream().map(grid -> new BitSet()).toList();
     }
 
     private static List<BitSet> copyOf(List<BitSet> pages) {
@@ -273,16 +263,12 @@ public final class LevelPages implements AutoCloseable {
      * @throws GraphicsException if there is no room for it
      */
     public void request() {
-        List<BitSet> coarsest = coarsest();
-        List<BitSet> missing = new ArrayList<>();
-        for (int level = 0; level < grids.size(); level++) {
-            wanted.get(level).or(coarsest.get(level));
-        }
+        wanted.get(grids.size() - 1).or(resident.get(grids.size() - 1));
         List<BitSet> asked = copyOf(wanted);
         for (int level = 0; level < grids.size(); level++) {
             wanted.get(level).andNot(made.get(level));
-            missing.add((BitSet) wanted.get(level).clone());
         }
+        List<BitSet> missing = copyOf(wanted);
         requireRoom();
         cells.expect(count(made) + count(wanted));
         requested = asked;

@@ -168,6 +168,44 @@ class PageBakerTest {
         }
     }
 
+    private static LevelSources dark() {
+        return new LevelSources() {
+            @Override
+            public TableLevels levels() {
+                return LEVELS;
+            }
+
+            @Override
+            public ColourSource open(int level, LongConsumer done) {
+                return asked -> new float[asked.length];
+            }
+        };
+    }
+
+    private static BitSet page(int number) {
+        BitSet page = new BitSet();
+        page.set(number);
+        return page;
+    }
+
+    @Test
+    void whatNobodyWaitsForComesAfterWhatIsAskedFor() throws InterruptedException {
+        PageSources sources = new PageSources(dark());
+        int[] pages = sources.grids().get(0).reachable().stream().limit(3).toArray();
+        try (PageBaker baker = new PageBaker(sources, arrived::release)) {
+            List<BitSet> later = List.of(page(pages[0]));
+            baker.want(List.of(page(pages[1])), later);
+            assertThat(arrived.tryAcquire(30, TimeUnit.SECONDS)).isTrue();
+            assertThat(baker.poll().orElseThrow().pages()).containsExactly(pages[1]);
+            // At once, and not behind it.
+            baker.want(List.of(page(pages[2])), later);
+            assertThat(arrived.tryAcquire(30, TimeUnit.SECONDS)).isTrue();
+            assertThat(baker.poll().orElseThrow().pages()).containsExactly(pages[2]);
+            assertThat(arrived.tryAcquire(30, TimeUnit.SECONDS)).isTrue();
+            assertThat(baker.poll().orElseThrow().pages()).containsExactly(pages[0]);
+        }
+    }
+
     @Test
     void soIsWhatFoundNoMemory() throws InterruptedException {
         makesAfter(new OutOfMemoryError("Java heap space"));
