@@ -10,7 +10,8 @@ import sunbeam.precompute.color.WavelengthNodes;
  * Colours along a ray of (u, v) at equal steps of ln |(u, v)|, in several slices of w. A wavelength sees the frequency (u, v) /
  * lambda, and ln |f| = ln |(u, v)| - ln lambda: for each term of the power the integral over wavelengths is a convolution
  * of its values along the ray with the colour matching functions times the term's coefficient, which Fourier transforms do
- * for all places and wavelengths at once. In double precision; its error is 1e-15 of the brightest place on the ray.
+ * for all places and wavelengths at once. In double precision; with a stride of one its error is 1e-15 of the brightest place on the
+ * ray, with others that of {@link StridedSpline}, which is nothing where no order shines.
  *
  * <p>Immutable; each thread takes a {@link Line} of its own.
  */
