@@ -60,7 +60,10 @@ record LoadedScene(
         boolean later = previous == null && isLookedUp(parts);
         Optional<SceneData> mapped = tabulated(scene, fine.patch())
                 .filter(full -> !later)
-                .map(full -> other(loader, full, fine, previous == null ? Optional.empty() : previous.mapped));
+                .map(full -> previous == null
+                        ? other(loader, full, fine, Optional.empty())
+                        // Something may move already.
+                        : Sparing.call(() -> other(loader, full, fine, previous.mapped)));
         return new LoadedScene(parts, coarse, moving, mapped, previous != null);
     }
 
