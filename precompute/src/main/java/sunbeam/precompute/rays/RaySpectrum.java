@@ -24,10 +24,12 @@ public final class RaySpectrum {
     // 1e-3.
     private static final double FOLDED_SPACING = 0.4;
 
-    // In ln |(u, v)|: from place to place on a ray at a tolerance of 1 %, and less with its fourth root, since splines
-    // err with
-    // the distance to the fourth power. Errs by less than a tenth of the tolerance (RayColoursTest).
-    private static final double WIDEST_PLACES = 0.014;
+    // In ln |(u, v)|: from place to place on a ray at a tolerance of 1 %, and less with this power of it. Beside an
+    // order's ends, where
+    // the visible band is cut off, splines err most: sharp orders show it, as those of a small scan under a long
+    // window.
+    private static final double WIDEST_PLACES = 0.01;
+    private static final double PLACES_POWER = 0.4;
 
     private final PowerFields fields;
     private final HeightScale scale;
@@ -49,7 +51,7 @@ public final class RaySpectrum {
         this.minimumPhase = plan.expansion().minimumPhase();
         this.maximumPhase = plan.expansion().maximumPhase();
         this.cie = cie;
-        this.widestPlaces = WIDEST_PLACES * Math.pow(tolerance / 0.01, 0.25);
+        this.widestPlaces = WIDEST_PLACES * Math.pow(tolerance / 0.01, PLACES_POWER);
         double[][] terms = new double[fields.count()][];
         for (int m = 0; m < terms.length; m++) {
             terms[m] = fields.field(m);

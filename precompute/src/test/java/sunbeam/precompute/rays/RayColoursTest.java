@@ -125,12 +125,38 @@ class RayColoursTest {
             places[i + 1] *= (float) (0.004 / radius);
         }
         double[] errors = errors(map, area, spectrum(map, area, tolerance), places, 0.0029);
-        // Measured 6e-5, 3e-5 and 1e-6; one place a step errs by 1.5e-5, 2e-6 and 6e-7.
+        // Measured 6e-5, 3e-6 and 6e-7; one place a step errs by 1.5e-5, 2e-6 and 6e-7.
         assertThat(errors[errors.length / 2]).isLessThan(tolerance / 10);
         // Dark places between orders, 1e-6 of them and less, where terms of the power that are left out begin to count:
         // as much
         // with one place a step, to four digits.
         assertThat(errors[errors.length * 95 / 100]).isLessThan(7 * tolerance);
+    }
+
+    /** Orders of a small scan under a long window are sharp: beyond where they end in the ultraviolet there is nothing. */
+    @ParameterizedTest
+    @ValueSource(doubles = {5e-4, 5e-3})
+    void noLightLeaksBeyondTheEndOfAnOrder(double tolerance) {
+        GaussianArea area = GaussianArea.STANDARD
+                .with(CoherenceWindow.ofCoherenceLength(130e-6))
+                .with(Average.ENSEMBLE);
+        HeightMap map = Surfaces.of(32, 8, 156.25e-9, (x, y) -> 60e-9 * Math.sin(2 * Math.PI * x / 1.25e-6));
+        float[] places = new float[3 * 40];
+        for (int i = 0; i < 40; i++) {
+            // Of 340 to 372 nm, and in the end of blue.
+            double wavelength = i == 39 ? 450e-9 : (340 + 0.82 * i) * 1e-9;
+            places[3 * i] = (float) (wavelength / 1.25e-6);
+            places[3 * i + 2] = -1.5f;
+        }
+        float[] xyz = new RayColours(spectrum(map, area, tolerance), area, 0.0009, true, done -> {}).xyz(places);
+        double order = xyz[3 * 39 + 2];
+        assertThat(order).isGreaterThan(1e-3);
+        double largest = 0;
+        for (int i = 0; i < 3 * 39; i++) {
+            largest = Math.max(largest, xyz[i]);
+        }
+        // Measured 2e-9 and 6e-11.
+        assertThat(largest).isLessThan(1e-8 * order);
     }
 
     @Test

@@ -30,6 +30,7 @@ import sunbeam.precompute.table.TableLabel;
  * passed over, and its page made and appended again. One process at a time appends; the others read.
  */
 public final class PageFile implements KeptPages {
+    private static final String DAMAGED = "cached colours are made again: some are damaged or cut off";
     private static final String FORMAT = "Sunbeam pages 1";
     private static final int CHANNELS = 4;
     private static final int COLOURS = 3;
@@ -88,16 +89,21 @@ public final class PageFile implements KeptPages {
                     LinkOption.NOFOLLOW_LINKS);
             boolean locked = lock(channel);
             byte[] head = head(key, label);
+            boolean isDamaged = false;
             if (!isHead(channel, head)) {
                 if (!locked) {
                     channel.close();
                     return NONE;
                 }
+                isDamaged = channel.size() > 0;
                 channel.truncate(0);
                 write(channel, ByteBuffer.wrap(head), 0);
             }
             PageFile pages = new PageFile(channel, key, head.length, mostBytes, warning, closed, locked);
             pages.list();
+            if (isDamaged || (locked && pages.isCutOff())) {
+                pages.warn(DAMAGED);
+            }
             return pages;
         } catch (IOException failure) {
             closeQuietly(channel);
@@ -132,6 +138,11 @@ public final class PageFile implements KeptPages {
     /** As {@link CacheEntry#label}. */
     static TableLabel labelOf(Path file) {
         return CacheEntry.labelOf(file, FORMAT);
+    }
+
+    /** Whether it ends within a record. Whoever writes at the moment may be in the middle of one. */
+    private boolean isCutOff() throws IOException {
+        return (channel.size() - start) % RECORD_BYTES != 0;
     }
 
     /** Finds what there is; of a record that was cut off, the rest is overwritten. */
@@ -213,7 +224,7 @@ public final class PageFile implements KeptPages {
         for (int i = 0; i < pages.length; i++) {
             if (colours[i].length == 0) {
                 records.remove(number(level, pages[i]));
-                warn("cached colours are made again: some are damaged");
+                warn(DAMAGED);
             } else {
                 found.put(pages[i], colours[i]);
             }

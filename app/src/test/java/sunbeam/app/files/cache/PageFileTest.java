@@ -22,6 +22,7 @@ final class PageFileTest {
     private static final String KEY = "surface and plan";
     private static final long PLENTY = 1L << 30;
     private static final int PAGES = 6;
+    private static final String DAMAGED = "cached colours are made again: some are damaged or cut off";
 
     @TempDir
     private Path folder;
@@ -143,7 +144,8 @@ final class PageFileTest {
         try (KeptPages pages = open(KEY, PLENTY)) {
             requireRight(pages.read(1, firstPages(600)), 600);
         }
-        assertThat(warnings).containsExactly("cached colours are made again: some are damaged");
+        // The flipped bit, and the cut.
+        assertThat(warnings).containsExactly(DAMAGED, DAMAGED);
     }
 
     @Test
@@ -194,9 +196,7 @@ final class PageFileTest {
             assertThat(left).as("byte %d of %d", at, good.length).isEqualTo(inHead ? 0 : PAGES - 1);
             Files.write(file(), good);
         }
-        assertThat(warnings)
-                .isNotEmpty()
-                .allMatch(line -> line.equals("cached colours are made again: some are damaged"));
+        assertThat(warnings).isNotEmpty().allMatch(line -> line.equals(DAMAGED));
     }
 
     /** Three colours of each texel, level, page and checksum. */
@@ -212,6 +212,18 @@ final class PageFileTest {
         byte[] good = Files.readAllBytes(file());
         Files.write(file(), Arrays.copyOf(good, good.length - 5));
         assertThat(found(KEY)).isEqualTo(PAGES - 1);
+        assertThat(warnings).containsExactly(DAMAGED);
+        keepAll();
+        assertThat(Files.readAllBytes(file())).isEqualTo(good);
+    }
+
+    @Test
+    void oneWhoseBeginningIsDamagedIsBegunAnewWithAWord() throws IOException {
+        keepAll();
+        byte[] good = Files.readAllBytes(file());
+        Files.write(file(), Arrays.copyOf(good, 10));
+        assertThat(found(KEY)).isZero();
+        assertThat(warnings).containsExactly(DAMAGED);
         keepAll();
         assertThat(Files.readAllBytes(file())).isEqualTo(good);
     }
