@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.concurrent.Semaphore;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.Function;
 import java.util.function.LongConsumer;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -26,9 +27,8 @@ class PageBakerTest {
 
     private final Semaphore arrived = new Semaphore(0);
 
-    /** Fails the first time. */
-    private static LevelSources failingOnce(Throwable failure) {
-        AtomicInteger calls = new AtomicInteger();
+    /** @param source by what is to be told of progress */
+    private static LevelSources sources(Function<LongConsumer, ColourSource> source) {
         return new LevelSources() {
             @Override
             public TableLevels levels() {
@@ -37,17 +37,23 @@ class PageBakerTest {
 
             @Override
             public ColourSource open(int level, LongConsumer done) {
-                return asked -> {
-                    if (calls.getAndIncrement() == 0 && failure instanceof Error error) {
-                        throw error;
-                    }
-                    if (calls.get() == 1 && failure instanceof RuntimeException exception) {
-                        throw exception;
-                    }
-                    return new float[asked.length];
-                };
+                return source.apply(done);
             }
         };
+    }
+
+    /** Fails the first time. */
+    private static LevelSources failingOnce(Throwable failure) {
+        AtomicInteger calls = new AtomicInteger();
+        return sources(done -> asked -> {
+            if (calls.getAndIncrement() == 0 && failure instanceof Error error) {
+                throw error;
+            }
+            if (calls.get() == 1 && failure instanceof RuntimeException exception) {
+                throw exception;
+            }
+            return new float[asked.length];
+        });
     }
 
     private void makesAfter(Throwable failure) throws InterruptedException {
@@ -75,22 +81,12 @@ class PageBakerTest {
 
     /** Counts its steps, and never ends but when it is told to. */
     private static LevelSources endless(AtomicInteger steps) {
-        return new LevelSources() {
-            @Override
-            public TableLevels levels() {
-                return LEVELS;
+        return sources(done -> asked -> {
+            while (true) {
+                steps.incrementAndGet();
+                done.accept(0);
             }
-
-            @Override
-            public ColourSource open(int level, LongConsumer done) {
-                return asked -> {
-                    while (true) {
-                        steps.incrementAndGet();
-                        done.accept(0);
-                    }
-                };
-            }
-        };
+        });
     }
 
     private static void awaitAStep(AtomicInteger steps) throws InterruptedException {
@@ -134,23 +130,13 @@ class PageBakerTest {
     @Test
     void whatSomebodyWaitsForIsMadeAtOnceBesideTheBackground() throws InterruptedException {
         AtomicInteger steps = new AtomicInteger();
-        LevelSources stepping = new LevelSources() {
-            @Override
-            public TableLevels levels() {
-                return LEVELS;
+        LevelSources stepping = sources(done -> asked -> {
+            for (int i = 0; i < 100; i++) {
+                steps.incrementAndGet();
+                done.accept(0);
             }
-
-            @Override
-            public ColourSource open(int level, LongConsumer done) {
-                return asked -> {
-                    for (int i = 0; i < 100; i++) {
-                        steps.incrementAndGet();
-                        done.accept(0);
-                    }
-                    return new float[asked.length];
-                };
-            }
-        };
+            return new float[asked.length];
+        });
         PageSources sources = new PageSources(stepping);
         try (PageBaker baker = new PageBaker(sources, arrived::release)) {
             int[] pages = sources.grids().get(0).reachable().stream().limit(400).toArray();
@@ -169,17 +155,7 @@ class PageBakerTest {
     }
 
     private static LevelSources dark() {
-        return new LevelSources() {
-            @Override
-            public TableLevels levels() {
-                return LEVELS;
-            }
-
-            @Override
-            public ColourSource open(int level, LongConsumer done) {
-                return asked -> new float[asked.length];
-            }
-        };
+        return sources(done -> asked -> new float[asked.length]);
     }
 
     private static BitSet page(int number) {
