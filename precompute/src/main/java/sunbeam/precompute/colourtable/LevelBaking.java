@@ -191,16 +191,16 @@ public final class LevelBaking {
         // Row by row, then column by column: a filter goes along one direction of all lines at once.
         float[] rows = seen(place);
         CubicSpline.alongColumns(rows, SEEN_SIDE, SEEN_SIDE * COLOURS);
-        float[] columns = storedRowsTransposed(rows);
-        CubicSpline.alongColumns(columns, SEEN_SIDE, STORED_SIDE * COLOURS);
+        float[] turned = storedRowsTransposed(rows);
+        CubicSpline.alongColumns(turned, SEEN_SIDE, STORED_SIDE * COLOURS);
         float[] stored = new float[PAGE_FLOATS];
         for (int row = 0; row < STORED_SIDE; row++) {
             int to = CHANNELS * STORED_SIDE * row;
             for (int column = 0; column < STORED_SIDE; column++) {
                 int from = COLOURS * ((column + MARGIN) * STORED_SIDE + row);
-                stored[to] = columns[from];
-                stored[to + 1] = columns[from + 1];
-                stored[to + 2] = columns[from + 2];
+                stored[to] = turned[from];
+                stored[to + 1] = turned[from + 1];
+                stored[to + 2] = turned[from + 2];
                 to += CHANNELS;
             }
         }

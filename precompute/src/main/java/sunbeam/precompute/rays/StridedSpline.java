@@ -7,8 +7,8 @@ import org.apache.commons.math3.linear.CholeskyDecomposition;
 import org.apache.commons.math3.linear.DecompositionSolver;
 
 /**
- * Smooth sequences as sums of cubic B-splines at every so manieth place, by least squares: a convolution with such a sequence is one with
- * the B-spline, of which every so manieth value counts, and one with the few coefficients. Each B-spline is four boxes convolved, so
+ * Smooth sequences as sums of cubic B-splines at every stride-th place, by least squares: a convolution with such a sequence is one with
+ * the B-spline, of which every stride-th value counts, and one with the few coefficients. Each B-spline is four boxes convolved, so
  * that nothing of a sequence reaches farther than three strides beyond its ends. With a stride of one the coefficients are the
  * sequence. Immutable.
  */
@@ -108,7 +108,7 @@ final class StridedSpline {
      * Convolves with a B-spline.
      *
      * @param values {@code stride * (count - 1)} and as many as a B-spline has
-     * @param smoothed takes every so manieth place's; zeros behind them
+     * @param smoothed takes every stride-th place's; zeros behind them
      */
     void smooth(double[] values, double[] smoothed, int count) {
         for (int place = 0; place < count; place++) {
