@@ -76,6 +76,27 @@ class LauncherStartTest {
         assertThat(result.stdout().lines()).containsSubsequence("-XX:MaxRAMPercentage=50", "-Xmx3g", "-Dcolour=red");
     }
 
+    /** Java refuses two collectors, and a heap as small as what new objects may take has no room for others. */
+    @Test
+    void theUsersHeapAndCollectorAreNotMixedWithOurs() throws Exception {
+        // No screen is asked for where there may be one.
+        Sunbeam drawing = sandbox.command("brdf-map").with("DISPLAY", "elsewhere:9876");
+
+        assertThat(drawing.run().stdout().lines()).contains("-XX:+UseParallelGC");
+        assertThat(drawing.with("SUNBEAM_JAVA_OPTIONS", "-Xmx300m")
+                        .run()
+                        .stdout()
+                        .lines())
+                .contains("-XX:+UseParallelGC")
+                .noneMatch(line -> line.startsWith("-XX:MaxNewSize"));
+        assertThat(drawing.with("SUNBEAM_JAVA_OPTIONS", "-XX:+UseG1GC")
+                        .run()
+                        .stdout()
+                        .lines())
+                .contains("-XX:+UseG1GC")
+                .doesNotContain("-XX:+UseParallelGC");
+    }
+
     /** Java asks the list of users, where a container's user does not stand, and else makes a folder named "?". */
     @Test
     void homeIsWhatTheEnvironmentSaysWhereThatIsAFolder() throws Exception {
