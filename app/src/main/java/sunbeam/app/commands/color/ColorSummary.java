@@ -33,8 +33,8 @@ final class ColorSummary {
         SeenColor colour = purest.colour();
         String seen = String.format(
                 Locale.ROOT,
-                "purest colour at %.0f degrees: %s, hue of %s%n",
-                colour.view().thetaRDegrees(),
+                "purest colour at %s: %s, hue of %s%n",
+                angle(colour.view().thetaRDegrees()),
                 hue(colour.hue()),
                 shown(DisplayColor.Hued.brightest(colour.xyz())));
         String shown = String.format(
@@ -55,6 +55,16 @@ final class ColorSummary {
                 1e9 * width.to(),
                 nanometres(purest.windowWidth()));
         return seen + shown + spectrum;
+    }
+
+    /** Where a maximum lies, and whether the range of angles ends there. */
+    static String angle(double degrees) {
+        return String.format(
+                Locale.ROOT,
+                Math.abs(degrees) < ColorStrips.LARGEST_VIEW_DEGREES
+                        ? "%.0f degrees"
+                        : "%.0f degrees (the last one that was tried; it may be purer beyond)",
+                degrees);
     }
 
     private static String nanometres(double metres) {

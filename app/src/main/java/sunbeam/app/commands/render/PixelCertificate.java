@@ -12,6 +12,7 @@ import sunbeam.app.measure.errors.CrawlCertificate;
 import sunbeam.app.measure.errors.SceneCertificate;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneData;
+import sunbeam.app.scene.texture.BodyTextures;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.UsageException;
@@ -99,12 +100,12 @@ final class PixelCertificate {
         if (scenes.size() == 1) {
             SceneCertificate certificate = drawn.certify(context, points, certify);
             return certificate.missed()
-                    ? missed(certificate.summary(), certificate.complaint(), out, err)
+                    ? missed(certificate.summary(), certificate.complaint() + remedy(scenes.get(0)), out, err)
                     : kept(certificate.summary(), certificate, out);
         }
         CrawlCertificate certificate = drawn.certify(context, points, scenes, certify);
         return certificate.missed()
-                ? missed(certificate.summary(), certificate.complaint(), out, err)
+                ? missed(certificate.summary(), certificate.complaint() + remedy(scenes.get(0)), out, err)
                 : kept(certificate.summary(), certificate.frames(), out);
     }
 
@@ -112,6 +113,18 @@ final class PixelCertificate {
     private static Scene points(Scene scene) {
         return scene.withMethod(scene.method()
                 .with(Choices.none().with(Methods.METHOD, FullMethod.TYPE).with(TOLERANCE, CERTIFYING)));
+    }
+
+    /** What may help a picture that differs from the means. */
+    static String remedy(Scene scene) {
+        String remedy = "; a larger --supersample helps";
+        if (scene.method().type() != TableMethod.TYPE) {
+            return remedy + ", or --method table, by which pixels have the mean of what they see of colours";
+        }
+        return scene.texture().equals(BodyTextures.NONE)
+                ? remedy
+                : remedy + "; the texture " + scene.texture()
+                        + " is drawn in points, too: where it is much finer than pixels, it alone may be what differs";
     }
 
     private static ExitCode kept(String summary, SceneCertificate pixels, PrintWriter out) {

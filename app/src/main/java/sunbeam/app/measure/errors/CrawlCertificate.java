@@ -84,7 +84,7 @@ public record CrawlCertificate(SceneCertificate frames, double change, double ex
                 ? String.format(
                         Locale.ROOT,
                         "the animation crawls: from a frame to the next CIEDE2000 changes by %.3g in the mean, but by %.3g in the"
-                                + " means of points; a larger --supersample helps, or --method table if it was another",
+                                + " means of points",
                         change,
                         exactChange)
                 : frames.complaint();

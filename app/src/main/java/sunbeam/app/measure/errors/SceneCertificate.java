@@ -121,8 +121,7 @@ public record SceneCertificate(
     public String complaint() {
         return String.format(
                 Locale.ROOT,
-                "the picture is not anti-aliased: median error %.2g (at most %.2g), mean CIEDE2000 %.2g (at most %.2g); a larger"
-                        + " --supersample helps, or --method table if it was another",
+                "the picture is not anti-aliased: median error %.2g (at most %.2g), mean CIEDE2000 %.2g (at most %.2g)",
                 relative.median(),
                 MEDIAN,
                 meanDifference,

@@ -5,6 +5,9 @@ import java.util.List;
 
 /** Finds a texture by what a user calls it. */
 public final class BodyTextures {
+    /** The name of no texture: plain white. */
+    public static final String NONE = "none";
+
     private static final int LENGTH = 4096;
     private static final int GIRTH = 512;
 
@@ -12,7 +15,7 @@ public final class BodyTextures {
 
     /** The built-in textures, in the order in which help shows them. */
     public static List<String> names() {
-        return List.of("elaphe", "xenopeltis", "none");
+        return List.of("elaphe", "xenopeltis", NONE);
     }
 
     /**
@@ -31,7 +34,7 @@ public final class BodyTextures {
         return switch (nameOrFile) {
             case "elaphe" -> new BodyPainter(LENGTH, GIRTH).paint(new ElapheColors());
             case "xenopeltis" -> new BodyPainter(LENGTH, GIRTH).paint(new XenopeltisColors());
-            case "none" -> new BodyTexture(1, 1, new byte[] {-1, -1, -1, -1});
+            case NONE -> new BodyTexture(1, 1, new byte[] {-1, -1, -1, -1});
             default -> ImageTextureReader.read(Path.of(nameOrFile));
         };
     }

@@ -14,4 +14,12 @@ final class ColorSummaryTest {
         assertThat(ColorSummary.direction(new PrincipalDirection(69, OptionalDouble.of(31), 0.3)))
                 .isEqualTo("direction of most colour at azimuth 69 +- 31 degrees (95 %)");
     }
+
+    /** Beyond the range nobody has looked: there it may be purer. */
+    @Test
+    void aMaximumWhereTheRangeEndsIsToldAsOne() {
+        assertThat(ColorSummary.angle(-79)).isEqualTo("-79 degrees");
+        assertThat(ColorSummary.angle(-80)).startsWith("-80 degrees (the last one that was tried");
+        assertThat(ColorSummary.angle(80)).startsWith("80 degrees (the last one that was tried");
+    }
 }
