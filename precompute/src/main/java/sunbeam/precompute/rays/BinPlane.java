@@ -54,42 +54,8 @@ record BinPlane(
         return foldY == 1 ? alongX : alongX.transposed().foldedX(foldY).transposed();
     }
 
-    /**
-     * The same bins with those around them, by weights.
-     *
-     * @param alongX weights along x, an odd number; the middle one is the bin's own
-     * @param alongY as many or others along y
-     */
-    BinPlane convolved(double[] alongX, double[] alongY) {
-        return convolvedX(alongX).transposed().convolvedX(alongY).transposed();
-    }
-
-    private BinPlane convolvedX(double[] weights) {
-        double[] sums = new double[powers.length];
-        int length = columns * stride();
-        int middle = weights.length / 2;
-        IntStream.range(0, rows).parallel().forEach(row -> {
-            for (int k = 0; k < weights.length; k++) {
-                int shift = (k - middle) * stride();
-                add(
-                        powers,
-                        row * length + Math.max(0, shift),
-                        sums,
-                        row * length + Math.max(0, -shift),
-                        Math.max(0, length - Math.abs(shift)),
-                        weights[k]);
-            }
-        });
-        return new BinPlane(periodX, periodY, firstX, firstY, columns, rows, terms, sums);
-    }
-
-    private static void add(double[] from, int first, double[] to, int begin, int count, double weight) {
-        for (int i = 0; i < count; i++) {
-            to[begin + i] += weight * from[first + i];
-        }
-    }
-
-    private BinPlane transposed() {
+    /** Rows as columns. */
+    BinPlane transposed() {
         double[] turned = new double[powers.length];
         IntStream.range(0, columns).parallel().forEach(column -> {
             for (int row = 0; row < rows; row++) {

@@ -13,9 +13,9 @@ final class DirectColours {
     private static final double WIDEST_STEP = 0.01;
 
     private final RaySpectrum spectrum;
-    private final BlurredPowers powers;
+    private final WindowedPowers powers;
 
-    DirectColours(RaySpectrum spectrum, BlurredPowers powers) {
+    DirectColours(RaySpectrum spectrum, WindowedPowers powers) {
         this.spectrum = spectrum;
         this.powers = powers;
     }

@@ -35,9 +35,11 @@ public final class RayColours implements ColourSource {
     private static final double COARSE_REACH = 3.3;
 
     private final RaySpectrum spectrum;
-    private final BlurredPowers powers;
+    private final WindowedPowers powers;
     private final double step;
     private final LongConsumer progress;
+    private double[] preparedDepths = {};
+    private List<RayOctave> prepared = List.of();
 
     /**
      * Colours under a window.
@@ -62,7 +64,9 @@ public final class RayColours implements ColourSource {
         double[] depths = depths(places);
         List<RayOctave> octaves = octaves(depths);
         List<RaySector.Places> sectors = new ArrayList<>();
-        octaves.forEach(octave -> sectors.addAll(octave.sectors()));
+        for (RayOctave octave : octaves) {
+            IntStream.range(0, octave.sectors()).forEach(sector -> sectors.add(new RaySector.Places(octave, sector)));
+        }
         RaySector.Places direct = new RaySector.Places(null, 0);
         sectors.add(direct);
         int[] sector = sectors(places, octaves);
@@ -74,7 +78,7 @@ public final class RayColours implements ColourSource {
         for (RaySector.Places some : sectors) {
             if (some != direct && !some.isEmpty()) {
                 tasks.add(ForkJoinTask.adapt(() -> {
-                    new RaySector(some.octave(), powers, some, () -> progress.accept(0)).evaluate(places, depths, xyz);
+                    new RaySector(powers, some, () -> progress.accept(0)).evaluate(places, depths, xyz);
                     progress.accept(some.count());
                 }));
             }
@@ -90,7 +94,7 @@ public final class RayColours implements ColourSource {
     private static int[] sectors(float[] places, List<RayOctave> octaves) {
         int[] before = new int[octaves.size() + 1];
         for (int i = 0; i < octaves.size(); i++) {
-            before[i + 1] = before[i] + octaves.get(i).sectors().size();
+            before[i + 1] = before[i] + octaves.get(i).sectors();
         }
         int[] numbers = new int[places.length / CHANNELS];
         int parts = (numbers.length + TOGETHER - 1) / TOGETHER;
@@ -117,14 +121,17 @@ public final class RayColours implements ColourSource {
         return before[octave] + (octave < octaves.size() ? octaves.get(octave).sector(u, v) : 0);
     }
 
-    private List<RayOctave> octaves(double[] depths) {
-        List<RayOctave> octaves = new ArrayList<>();
-        double high = FARTHEST;
-        do {
-            octaves.add(new RayOctave(spectrum, high, step, depths));
-            high /= 2;
-        } while (high > 2 * INNER_STEPS * step);
-        return octaves;
+    /** Those of the last call, if slices are the same. */
+    private synchronized List<RayOctave> octaves(double[] depths) {
+        if (!Arrays.equals(depths, preparedDepths)) {
+            prepared = IntStream.rangeClosed(0, (int)
+                            Math.max(0, Math.log(FARTHEST / (2 * INNER_STEPS * step)) / Math.log(2)))
+                    .parallel()
+                    .mapToObj(octave -> new RayOctave(spectrum, FARTHEST / (1 << octave), step, depths))
+                    .toList();
+            preparedDepths = depths.clone();
+        }
+        return prepared;
     }
 
     /** |w| of all places, ascending. */

@@ -10,8 +10,8 @@ import sunbeam.precompute.color.WavelengthNodes;
  * Colours along a ray of (u, v) at equal steps of ln |(u, v)|, in several slices of w. A wavelength sees the frequency (u, v) /
  * lambda, and ln |f| = ln |(u, v)| - ln lambda: for each term of the power the integral over wavelengths is a convolution
  * of its values along the ray with the colour matching functions times the term's coefficient, which Fourier transforms do
- * for all places and wavelengths at once. In double precision; with a stride of one its error is 1e-15 of the brightest place on the
- * ray, with others that of {@link StridedSpline}, which is nothing where no order shines.
+ * for all places and wavelengths at once. In double precision; its error is that of {@link StridedSpline}, which is nothing where no
+ * order shines.
  *
  * <p>Immutable; each thread takes a {@link Line} of its own.
  */
@@ -20,9 +20,8 @@ final class RayConvolution {
 
     private final int count;
     private final StridedSpline splines;
-    private final int smoothed;
+    private final LogKnots knots;
     private final int padded;
-    private final double[] frequencies;
     private final int terms;
     private final int slices;
     // Of each pair of results, X and Y of a slice or Z of two: per term real and imaginary parts of the kernel's
@@ -56,13 +55,13 @@ final class RayConvolution {
         this.count = count;
         this.splines = new StridedSpline(stride, nodes);
         this.slices = depths.length;
-        this.smoothed = length(count, stride, nodes);
-        this.padded = padded(smoothed);
-        double longest = Math.log(wavelengths.wavelengths()[nodes - 1]);
-        double step = (longest - Math.log(wavelengths.wavelengths()[0])) / (nodes - 1);
-        double lowest = first - longest - (splines.last() - nodes + 1) * step;
-        this.frequencies = new double[splines.read(smoothed)];
-        Arrays.setAll(frequencies, i -> Math.exp(lowest + i * step));
+        int asked = length(count, stride, nodes);
+        this.padded = padded(asked);
+        double shortest = Math.log(wavelengths.wavelengths()[0]);
+        double step = (Math.log(wavelengths.wavelengths()[nodes - 1]) - shortest) / (nodes - 1);
+        // The last coefficient counts what the first place sees at the longest wavelength.
+        double lowest = first - shortest - (splines.firstMiddle() + (splines.knots() - 1) * stride) * step;
+        this.knots = new LogKnots(lowest, stride * step, asked);
         double[][][] atNodes = new double[slices][nodes][];
         for (int slice = 0; slice < slices; slice++) {
             for (int i = 0; i < nodes; i++) {
@@ -121,30 +120,46 @@ final class RayConvolution {
         return new int[] {COLOURS * slice + 2, COLOURS * (slice + 1) + 2};
     }
 
-    /** Cycles per metre at which terms are asked for along a ray. */
-    double[] frequencies() {
-        return frequencies;
+    /** Places on a ray. */
+    int count() {
+        return count;
     }
 
-    /** Room for one ray. */
-    Line line() {
-        return new Line();
+    /** Where on a ray averages of the powers are asked for. */
+    LogKnots knots() {
+        return knots;
+    }
+
+    /**
+     * Room for one ray.
+     *
+     * @param stride values of each knot
+     */
+    Line line(int stride) {
+        return new Line(stride);
     }
 
     /** One ray at a time; belongs to a thread. */
     final class Line {
-        private final double[][] values = new double[terms][frequencies.length];
+        private final int stride;
+        private final double[] averages;
         private final double[][] transformed = new double[2][padded];
         private final double[][][] spectra = new double[terms][2][padded];
         private final double[][] sum = new double[2][padded];
 
+        private Line(int stride) {
+            this.stride = stride;
+            this.averages = new double[stride * knots.count()];
+        }
+
         /**
          * Colours along a ray.
          *
+         * @param fan that the ray is one of
          * @param target takes them: {@code [slice * 3 + colour][first + place]}; null where they are not wanted
          */
-        void colours(BlurredPowers powers, double cosine, double sine, float[][] target, int first) {
-            powers.alongRay(cosine, sine, frequencies, values);
+        void colours(RayFan fan, double angle, float[][] target, int first) {
+            fan.averages(angle, averages);
             transformTerms();
             for (int pair = 0; pair < pairs(); pair++) {
                 int[] parts = parts(pair);
@@ -172,12 +187,8 @@ final class RayConvolution {
         /** Two real terms in a complex transform; where there is no second, it is zero. */
         private void transformTerms() {
             for (int m = 0; m < terms; m += 2) {
-                splines.smooth(values[m], transformed[0], smoothed);
-                if (m + 1 < terms) {
-                    splines.smooth(values[m + 1], transformed[1], smoothed);
-                } else {
-                    Arrays.fill(transformed[1], 0);
-                }
+                take(m, transformed[0]);
+                take(m + 1, transformed[1]);
                 FastFourierTransformer.transformInPlace(transformed, DftNormalization.STANDARD, TransformType.FORWARD);
                 double[] re = transformed[0];
                 double[] im = transformed[1];
@@ -189,6 +200,16 @@ final class RayConvolution {
                         spectra[m + 1][0][k] = 0.5 * (im[k] + im[mirrored]);
                         spectra[m + 1][1][k] = 0.5 * (re[mirrored] - re[k]);
                     }
+                }
+            }
+        }
+
+        /** Of a term that there is not, the zeros that stand in its place or none. */
+        private void take(int term, double[] to) {
+            Arrays.fill(to, 0);
+            if (term < terms) {
+                for (int knot = 0; knot < knots.count(); knot++) {
+                    to[knot] = averages[knot * stride + term];
                 }
             }
         }

@@ -6,9 +6,11 @@ import java.util.Arrays;
 final class RaySector {
     private static final int COLOURS = 3;
     private static final int MARGIN = QuinticSpline.MARGIN;
+    // So many share what is blurred along them.
+    private static final int FAN_RAYS = 64;
 
     private final RayOctave octave;
-    private final BlurredPowers powers;
+    private final WindowedPowers powers;
     private final Places asked;
     private final Runnable between;
     private final int firstRay;
@@ -16,28 +18,27 @@ final class RaySector {
     private final int count;
 
     /** @param between run after each ray */
-    RaySector(RayOctave octave, BlurredPowers powers, Places asked, Runnable between) {
-        this.octave = octave;
+    RaySector(WindowedPowers powers, Places asked, Runnable between) {
+        this.octave = asked.octave();
         this.between = between;
         this.powers = powers;
         this.asked = asked;
-        octave.convolution();
-        this.firstRay = asked.firstRay() - MARGIN;
-        this.rays = octave.end(asked) - asked.firstRay() + 2 * MARGIN + 1;
-        this.count = octave.count();
+        this.firstRay = octave.firstRay(asked.sector()) - MARGIN;
+        this.rays = octave.firstRay(asked.sector() + 1) + MARGIN + 1 - firstRay;
+        this.count = octave.convolution().count();
     }
 
     /** Numbers of places that lie in a sector. */
     static final class Places {
         private final RayOctave octave;
-        private final int firstRay;
+        private final int sector;
         private int[] numbers = new int[16];
         private int count;
 
-        /** @param firstRay of the sector */
-        Places(RayOctave octave, int firstRay) {
+        /** @param sector its number in the octave */
+        Places(RayOctave octave, int sector) {
             this.octave = octave;
-            this.firstRay = firstRay;
+            this.sector = sector;
         }
 
         void add(int number) {
@@ -51,8 +52,8 @@ final class RaySector {
             return octave;
         }
 
-        int firstRay() {
-            return firstRay;
+        int sector() {
+            return sector;
         }
 
         int count() {
@@ -144,11 +145,16 @@ final class RaySector {
         for (int i = 0; i < planes.length; i++) {
             planes[i] = wanted[i / COLOURS] ? new float[rays * count] : null;
         }
-        RayConvolution.Line line = octave.convolution().line();
-        for (int i = 0; i < rays; i++) {
-            double angle = 2 * Math.PI * (firstRay + i) / octave.rays();
-            line.colours(powers, Math.cos(angle), Math.sin(angle), planes, i * count);
-            between.run();
+        RayConvolution.Line line = octave.convolution().line(powers.stride());
+        int next;
+        for (int i = 0; i < rays; i = next) {
+            next = endOfFan(i);
+            RayFan fan =
+                    powers.fan(angle(i), angle(next - 1), octave.convolution().knots());
+            for (int ray = i; ray < next; ray++) {
+                line.colours(fan, angle(ray), planes, ray * count);
+                between.run();
+            }
         }
         for (float[] plane : planes) {
             if (plane != null) {
@@ -156,6 +162,23 @@ final class RaySector {
             }
         }
         return planes;
+    }
+
+    /** The first ray that is closer to another axis than some ray, or one so far from it that what rays share does not fit into a processor's cache. */
+    private int endOfFan(int first) {
+        boolean alongX = WindowedPowers.isAlongX(angle(first));
+        int end = first + 1;
+        while (end < Math.min(rays, first + FAN_RAYS)
+                && WindowedPowers.isAlongX(angle(end)) == alongX
+                && angle(end) - angle(first) < Math.PI / 2) {
+            end++;
+        }
+        return end;
+    }
+
+    /** Of a ray from the x axis on; those before it are below nothing. */
+    private double angle(int ray) {
+        return 2 * Math.PI * (firstRay + ray) / octave.rays();
     }
 
     private void toSpline(float[] plane) {

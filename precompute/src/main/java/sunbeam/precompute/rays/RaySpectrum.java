@@ -95,13 +95,13 @@ public final class RaySpectrum {
      * The powers under a window.
      *
      * @param reach in the window's sigma_f, beyond which a bin is left out
-     * @param folded whether bins that lie close beside the window's width may be taken together and interpolated, which errs by a thousandth
+     * @param folded whether bins that lie close beside the window's width may be taken together, which errs by a thousandth
      */
-    BlurredPowers under(GaussianArea area, double reach, boolean folded) {
+    WindowedPowers under(GaussianArea area, double reach, boolean folded) {
         double spacing = FOLDED_SPACING * area.window().sigmaFrequency();
         int foldX = folded ? (int) Math.max(1, spacing * bins.periodX()) : 1;
         int foldY = folded ? (int) Math.max(1, spacing * bins.periodY()) : 1;
-        return BlurredPowers.of(bins.folded(foldX, foldY), area.window(), reach, folded);
+        return new WindowedPowers(bins.folded(foldX, foldY), area.window(), reach);
     }
 
     /** Wavelengths at equal steps of their logarithm. */

@@ -1,75 +1,73 @@
 package sunbeam.precompute.rays;
 
-import java.util.Arrays;
-import org.apache.commons.math3.linear.Array2DRowRealMatrix;
-import org.apache.commons.math3.linear.ArrayRealVector;
-import org.apache.commons.math3.linear.CholeskyDecomposition;
-import org.apache.commons.math3.linear.DecompositionSolver;
-
 /**
  * Smooth sequences as sums of cubic B-splines at every stride-th place, by least squares: a convolution with such a sequence is one with
- * the B-spline, of which every stride-th value counts, and one with the few coefficients. Each B-spline is four boxes convolved, so
- * that nothing of a sequence reaches farther than three strides beyond its ends. With a stride of one the coefficients are the
- * sequence. Immutable.
+ * the B-spline, an average of which every stride-th counts, and one with the few coefficients. Nothing of a sequence reaches farther than four
+ * strides beyond its ends. Immutable.
  */
 final class StridedSpline {
-    private static final int BOXES = 4;
+    // On each side, that a B-spline overlaps.
+    private static final int NEIGHBOURS = 3;
 
     private final int stride;
     private final int length;
     private final double[] taps;
     private final int firstKnot;
     private final int knots;
-    private final DecompositionSolver normalEquations;
+    private final double[][] factor;
 
     /**
      * For sequences of a length.
      *
-     * @param stride places from one B-spline to the next, 1 or more
+     * @param stride places from one B-spline to the next, 2 or more
      * @param length of the sequences, from place 0 on
      */
     StridedSpline(int stride, int length) {
         this.stride = stride;
         this.length = length;
-        this.taps = boxes(stride);
+        this.taps = taps(stride);
         this.firstKnot = firstKnot(stride);
         this.knots = knots(stride, length);
-        this.normalEquations = new CholeskyDecomposition(new Array2DRowRealMatrix(products(), false)).getSolver();
+        this.factor = factor();
     }
 
-    /** Boxes of a width, convolved, with the sum of a single box. */
-    private static double[] boxes(int width) {
-        double[] spline = {width};
-        for (int box = 0; box < BOXES; box++) {
-            double[] wider = new double[spline.length + width - 1];
-            for (int i = 0; i < spline.length; i++) {
-                for (int k = 0; k < width; k++) {
-                    wider[i + k] += spline[i] / width;
-                }
-            }
-            spline = wider;
+    /** A cubic B-spline at the places that it reaches; their sum is 1. */
+    private static double[] taps(int stride) {
+        double[] taps = new double[4 * stride - 1];
+        for (int i = 0; i < taps.length; i++) {
+            double distance = Math.abs((double) (i + 1) / stride - 2);
+            double rest = 2 - distance;
+            taps[i] = (distance < 1 ? 4 - 3 * distance * distance * rest : rest * rest * rest) / (6 * stride);
         }
-        return spline;
+        return taps;
     }
 
-    /** Scalar products of the B-splines. */
-    private double[][] products() {
-        double[][] products = new double[knots][knots];
-        for (int one = 0; one < knots; one++) {
-            for (int other = one; other < knots && (other - one) * stride < taps.length; other++) {
-                double product = 0;
-                for (int i = (other - one) * stride; i < taps.length; i++) {
-                    product += taps[i] * taps[i - (other - one) * stride];
-                }
-                products[one][other] = product;
-                products[other][one] = product;
+    /**
+     * Cholesky's factor of the B-splines' scalar products, of which only neighbours have any: {@code [row][distance from the diagonal]}.
+     */
+    private double[][] factor() {
+        double[] products = new double[NEIGHBOURS + 1];
+        for (int distance = 0; distance <= NEIGHBOURS; distance++) {
+            for (int i = distance * stride; i < taps.length; i++) {
+                products[distance] += taps[i] * taps[i - distance * stride];
             }
         }
-        return products;
+        double[][] factor = new double[knots][NEIGHBOURS + 1];
+        for (int row = 0; row < knots; row++) {
+            for (int distance = Math.min(row, NEIGHBOURS); distance >= 0; distance--) {
+                int column = row - distance;
+                double rest = products[distance];
+                for (int k = Math.max(0, row - NEIGHBOURS); k < column; k++) {
+                    rest -= factor[row][row - k] * factor[column][column - k];
+                }
+                factor[row][distance] = distance == 0 ? Math.sqrt(rest) : rest / factor[column][0];
+            }
+        }
+        return factor;
     }
 
     private static int firstKnot(int stride) {
-        return -(BOXES * (stride - 1) / stride);
+        return -((4 * stride - 2) / stride);
     }
 
     /** B-splines of a sequence. */
@@ -82,14 +80,14 @@ final class StridedSpline {
         return knots;
     }
 
-    /** First place that any of them reaches, 0 or less. */
-    int first() {
+    /** First place that any of them reaches, before the sequence's. */
+    private int first() {
         return firstKnot * stride;
     }
 
-    /** Last place that any of them reaches, the sequence's last one or more. */
-    int last() {
-        return first() + (knots - 1) * stride + taps.length - 1;
+    /** Where the first of them has its middle, a place before the sequence's first. */
+    int firstMiddle() {
+        return first() + 2 * stride - 1;
     }
 
     /** The coefficients that come nearest to a sequence, beyond whose ends are zeros. */
@@ -101,29 +99,23 @@ final class StridedSpline {
                 products[knot] += taps[i] * sequence[begin + i];
             }
         }
-        return normalEquations.solve(new ArrayRealVector(products, false)).toArray();
+        return solved(products);
     }
 
-    /**
-     * Convolves with a B-spline.
-     *
-     * @param values {@code stride * (count - 1)} and as many as a B-spline has
-     * @param smoothed takes every stride-th place's; zeros behind them
-     */
-    void smooth(double[] values, double[] smoothed, int count) {
-        for (int place = 0; place < count; place++) {
-            double sum = 0;
-            int at = place * stride;
-            for (int i = 0; i < taps.length; i++) {
-                sum += taps[i] * values[at + i];
+    /** The normal equations' solution, in place. */
+    private double[] solved(double[] values) {
+        for (int row = 0; row < knots; row++) {
+            for (int distance = 1; distance <= Math.min(row, NEIGHBOURS); distance++) {
+                values[row] -= factor[row][distance] * values[row - distance];
             }
-            smoothed[place] = sum;
+            values[row] /= factor[row][0];
         }
-        Arrays.fill(smoothed, count, smoothed.length, 0);
-    }
-
-    /** Values that {@link #smooth} reads. */
-    int read(int count) {
-        return stride * (count - 1) + taps.length;
+        for (int row = knots - 1; row >= 0; row--) {
+            for (int distance = 1; distance <= Math.min(knots - 1 - row, NEIGHBOURS); distance++) {
+                values[row] -= factor[row + distance][distance] * values[row + distance];
+            }
+            values[row] /= factor[row][0];
+        }
+        return values;
     }
 }

@@ -1,0 +1,247 @@
+package sunbeam.precompute.rays;
+
+import java.util.Arrays;
+
+/**
+ * Terms of powers along rays that lie close beside each other, averaged by cubic B-splines of the frequency's logarithm. Powers are blurred across
+ * the lines that the rays cross, once for all of them; where a ray crosses a line only the bins along that are left to be summed. What
+ * it finds there makes the averages, by the trapezoid rule in a coordinate in which the lines are equally far apart. That is exact to
+ * rounding for Gaussians at steps of half their width. A B-spline that is no wider than some steps has an error of its own, but sums of
+ * them that change slower, as those with the colour matching functions' coefficients do, have none. Belongs to a thread.
+ */
+final class RayFan {
+    // The most that lines may lie apart, beside the distance of knots, and beside sigma_f along a ray; in between both
+    // hold.
+    private static final double LINES_PER_KNOT = 1.1;
+    private static final double LINES_PER_SIGMA = 1;
+    private static final double EXACT = 1e-12;
+    // Knots that a line's bins are shared among.
+    private static final int SHARES = 4;
+
+    private final BinPlane bins;
+    private final boolean alongX;
+    private final LogKnots knots;
+    private final GaussianWeights weights;
+    // Of each line: where rays cross it, cycles per metre along the axis, its logarithm, and what of ln |f| it stands
+    // for.
+    private final double[] frequencies;
+    private final double[] logarithms;
+    private final double[] widths;
+    // Of each line: the first bin that was blurred, how many, and where they lie among the values.
+    private final int[] firstBins;
+    private final int[] counts;
+    private final int[] offsets;
+    private final double[] blurred;
+
+    /**
+     * Blurs.
+     *
+     * @param bins whose rows the rays cross
+     * @param alongX whether rows are of equal x, and not of equal y
+     * @param reach in sigma_f, beyond which a bin is left out
+     * @param firstAngle of the rays
+     * @param lastAngle of the rays, as close to the same axis
+     */
+    RayFan(
+            BinPlane bins,
+            boolean alongX,
+            double sigmaFrequency,
+            double reach,
+            double firstAngle,
+            double lastAngle,
+            LogKnots knots) {
+        this.bins = bins;
+        this.alongX = alongX;
+        this.knots = knots;
+        this.weights = new GaussianWeights(1 / (sigmaFrequency * bins.periodX()), reach);
+        double firstAlong = Math.abs(along(firstAngle));
+        double lastAlong = Math.abs(along(lastAngle));
+        double least = Math.min(firstAlong, lastAlong);
+        boolean isAroundAxis = across(firstAngle) * across(lastAngle) <= 0;
+        double most = isAroundAxis ? 1 : Math.max(firstAlong, lastAlong);
+        this.frequencies = lines(
+                LINES_PER_KNOT * knots.spacing(),
+                LINES_PER_SIGMA * sigmaFrequency * least,
+                least * knots.lowest(),
+                most * knots.highest());
+        this.logarithms = new double[frequencies.length];
+        this.widths = new double[frequencies.length];
+        this.firstBins = new int[frequencies.length];
+        this.counts = new int[frequencies.length];
+        this.offsets = new int[frequencies.length];
+        double[] slopes = {across(firstAngle) / firstAlong, across(lastAngle) / lastAlong};
+        Arrays.sort(slopes);
+        double margin = reach * sigmaFrequency;
+        int size = 0;
+        for (int i = 0; i < frequencies.length; i++) {
+            logarithms[i] = Math.log(frequencies[i]);
+            widths[i] = 1
+                    / (1 / (LINES_PER_KNOT * knots.spacing())
+                            + frequencies[i] / (LINES_PER_SIGMA * sigmaFrequency * least));
+            double low = (frequencies[i] * slopes[0] - margin) * bins.periodX() - bins.firstX();
+            double high = (frequencies[i] * slopes[1] + margin) * bins.periodX() - bins.firstX();
+            firstBins[i] = (int) Math.max(0, Math.ceil(low));
+            counts[i] = Math.max(0, (int) Math.min(bins.columns() - 1.0, Math.floor(high)) - firstBins[i] + 1);
+            offsets[i] = size;
+            size = Math.addExact(size, counts[i] * bins.stride());
+        }
+        this.blurred = new double[size];
+        GaussianWeights rows = new GaussianWeights(1 / (sigmaFrequency * bins.periodY()), reach);
+        double sign = Math.signum(along(firstAngle));
+        for (int i = 0; i < frequencies.length; i++) {
+            rows.moveTo(sign * frequencies[i] * bins.periodY() - bins.firstY(), 0, bins.rows() - 1);
+            blur(i, rows);
+        }
+    }
+
+    /**
+     * Where lines lie: where ln f / byLogarithm + f / byFrequency is a whole number. So their distances are no more than either says.
+     *
+     * @param lowest first frequency
+     * @param highest last frequency
+     */
+    private static double[] lines(double byLogarithm, double byFrequency, double lowest, double highest) {
+        double first = Math.log(lowest) / byLogarithm + lowest / byFrequency;
+        double last = Math.log(highest) / byLogarithm + highest / byFrequency;
+        double[] lines = new double[(int) Math.ceil(last - first) + 1];
+        double f = lowest;
+        for (int i = 0; i < lines.length; i++) {
+            // Newton's method from the line before: a concave function, which it never overshoots twice.
+            double change;
+            do {
+                double excess = first + i - Math.log(f) / byLogarithm - f / byFrequency;
+                change = excess / (1 / (byLogarithm * f) + 1 / byFrequency);
+                f += change;
+            } while (Math.abs(change) > EXACT * f);
+            lines[i] = f;
+        }
+        return lines;
+    }
+
+    private double along(double angle) {
+        return alongX ? Math.cos(angle) : Math.sin(angle);
+    }
+
+    private double across(double angle) {
+        return alongX ? Math.sin(angle) : Math.cos(angle);
+    }
+
+    /** Four rows at a time: sums are read and written once for them. */
+    private void blur(int line, GaussianWeights rows) {
+        int stride = bins.stride();
+        int length = counts[line] * stride;
+        double[] powers = bins.powers();
+        int perRow = bins.columns() * stride;
+        int from = rows.first() * perRow + firstBins[line] * stride;
+        int row = 0;
+        for (; row + 3 < rows.count(); row += 4) {
+            addFour(powers, from, perRow, rows.weights(), row, offsets[line], length);
+            from += 4 * perRow;
+        }
+        for (; row < rows.count(); row++) {
+            addOne(powers, from, rows.weight(row), offsets[line], length);
+            from += perRow;
+        }
+    }
+
+    private void addOne(double[] powers, int from, double weight, int begin, int length) {
+        double[] to = blurred;
+        int shift = from - begin;
+        for (int i = begin; i < begin + length; i++) {
+            to[i] += weight * powers[shift + i];
+        }
+    }
+
+    private void addFour(double[] powers, int from, int perRow, double[] rowWeights, int row, int begin, int length) {
+        double[] to = blurred;
+        double weight0 = rowWeights[row];
+        double weight1 = rowWeights[row + 1];
+        double weight2 = rowWeights[row + 2];
+        double weight3 = rowWeights[row + 3];
+        int at0 = from;
+        int at1 = from + perRow;
+        int at2 = at1 + perRow;
+        int at3 = at2 + perRow;
+        for (int i = 0; i < length; i++) {
+            to[begin + i] += weight0 * powers[at0 + i]
+                    + weight1 * powers[at1 + i]
+                    + weight2 * powers[at2 + i]
+                    + weight3 * powers[at3 + i];
+        }
+    }
+
+    /**
+     * Averages along a ray.
+     *
+     * @param angle between the first and the last
+     * @param averages takes them, {@code [knot][term]}, as many terms as the bins' stride says
+     */
+    void averages(double angle, double[] averages) {
+        Arrays.fill(averages, 0);
+        double along = Math.abs(along(angle));
+        double slope = across(angle) / along;
+        double toKnots = 1 / knots.spacing();
+        double first = knots.first() + Math.log(along);
+        double perFrequency = slope * bins.periodX();
+        int last = knots.count() - 1;
+        double[] shares = new double[SHARES];
+        for (int i = 0; i < frequencies.length; i++) {
+            double place = (logarithms[i] - first) * toKnots + SHARES;
+            int below = (int) place;
+            int knot = below - SHARES - 1;
+            if (place < 0 || knot <= -SHARES || knot > last) {
+                continue;
+            }
+            shares(place - below, widths[i] * toKnots, shares);
+            int begin = Math.max(0, -knot);
+            int end = Math.min(SHARES, last + 1 - knot);
+            weights.moveTo(frequencies[i] * perFrequency - bins.firstX(), firstBins[i], firstBins[i] + counts[i] - 1);
+            if (weights.count() > 0) {
+                add(i, knot, shares, begin, end, averages);
+            }
+        }
+    }
+
+    /** Cubic B-splines at a fraction beyond the second of four knots, times a weight. */
+    private static void shares(double fraction, double weight, double[] shares) {
+        double rest = 1 - fraction;
+        double sixth = weight / 6;
+        shares[0] = sixth * rest * rest * rest;
+        shares[1] = sixth * (4 - 3 * fraction * fraction * (1 + rest));
+        shares[2] = sixth * (4 - 3 * rest * rest * (1 + fraction));
+        shares[3] = sixth * fraction * fraction * fraction;
+    }
+
+    /** Four terms at a time: their sums stay in registers. */
+    private void add(int line, int knot, double[] shares, int begin, int end, double[] averages) {
+        int stride = bins.stride();
+        double[] values = blurred;
+        double[] lent = weights.weights();
+        int count = weights.count();
+        int first = offsets[line] + (weights.first() - firstBins[line]) * stride;
+        for (int m = 0; m < stride; m += BinPlane.TOGETHER) {
+            double sum0 = 0;
+            double sum1 = 0;
+            double sum2 = 0;
+            double sum3 = 0;
+            int at = first + m;
+            for (int i = 0; i < count; i++) {
+                double weight = lent[i];
+                sum0 += weight * values[at];
+                sum1 += weight * values[at + 1];
+                sum2 += weight * values[at + 2];
+                sum3 += weight * values[at + 3];
+                at += stride;
+            }
+            int to = (knot + begin) * stride + m;
+            for (int k = begin; k < end; k++) {
+                double share = shares[k];
+                averages[to] += share * sum0;
+                averages[to + 1] += share * sum1;
+                averages[to + 2] += share * sum2;
+                averages[to + 3] += share * sum3;
+                to += stride;
+            }
+        }
+    }
+}

@@ -1,0 +1,132 @@
+package sunbeam.precompute.rays;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.Arrays;
+import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import sunbeam.precompute.optics.CoherenceWindow;
+
+class RayFanTest {
+    private static final double PERIOD_X = 65e-6;
+    private static final double PERIOD_Y = 50e-6;
+    private static final int REACH_IN_BINS = 60;
+    private static final int BINS = 2 * REACH_IN_BINS + 1;
+    private static final double REACH = 4.8;
+    private static final int TERMS = 5;
+    private static final LogKnots KNOTS = new LogKnots(Math.log(15 / PERIOD_X), 0.02, 50);
+    // Of a B-spline, where it is summed for comparison.
+    private static final int STEPS = 400;
+
+    /** A plane of some terms, in which some bins are a million times as bright as others. */
+    private static BinPlane plane() {
+        SplittableRandom random = new SplittableRandom(8);
+        double[][] fields = new double[TERMS][BINS * BINS];
+        for (double[] field : fields) {
+            for (int i = 0; i < field.length; i++) {
+                field[i] = Math.pow(10, -6 * random.nextDouble());
+            }
+        }
+        return BinPlane.of(PERIOD_X, PERIOD_Y, -REACH_IN_BINS, -REACH_IN_BINS, BINS, BINS, fields);
+    }
+
+    /** One over 2 pi sigma is the deviation in cycles per metre, and the length is four sigma. */
+    private static CoherenceWindow window(double sigmaBins) {
+        return CoherenceWindow.ofCoherenceLength(4 * PERIOD_X / (2 * Math.PI * sigmaBins));
+    }
+
+    private static double spline(double distance) {
+        double x = Math.abs(distance);
+        return x < 1 ? 2.0 / 3 - x * x + x * x * x / 2 : Math.pow(2 - x, 3) / 6;
+    }
+
+    /** The averages as they are defined, of the sums over all bins that matter at many frequencies. */
+    private static double[] exact(WindowedPowers powers, double angle) {
+        double[] averages = new double[KNOTS.count() * powers.stride()];
+        double[] frequencies = new double[STEPS - 1];
+        double[][] terms = new double[TERMS][STEPS - 1];
+        for (int knot = 0; knot < KNOTS.count(); knot++) {
+            for (int i = 0; i < frequencies.length; i++) {
+                double distance = 4.0 * (i + 1) / STEPS - 2;
+                frequencies[i] = Math.exp(KNOTS.first() + (knot + distance) * KNOTS.spacing());
+            }
+            powers.alongRay(Math.cos(angle), Math.sin(angle), frequencies, terms);
+            for (int m = 0; m < TERMS; m++) {
+                for (int i = 0; i < frequencies.length; i++) {
+                    averages[knot * powers.stride() + m] +=
+                            4.0 / STEPS * spline(4.0 * (i + 1) / STEPS - 2) * terms[m][i];
+                }
+            }
+        }
+        return averages;
+    }
+
+    /** As colours do: a bell of B-splines, as narrow as one of the colour matching functions, around a knot. */
+    private static double bell(double[] averages, int stride, int middle, int term) {
+        double sum = 0;
+        for (int knot = 0; knot < KNOTS.count(); knot++) {
+            sum += Math.exp(-Math.pow((knot - middle) / 4.0, 2)) * averages[knot * stride + term];
+        }
+        return sum;
+    }
+
+    // As wide beside bins as the window of a whole scan, narrower ones, and those of coarse levels; B-splines are 0.3
+    // to 0.8
+    // bins apart.
+    @ParameterizedTest
+    @ValueSource(doubles = {0.45, 0.64, 1.8, 5})
+    void averagesAreThoseOfTheSumsOverBins(double sigmaBins) {
+        WindowedPowers powers = new WindowedPowers(plane(), window(sigmaBins), REACH);
+        double[] averages = new double[powers.stride() * KNOTS.count()];
+        // All around, with both axes, both diagonals, and rays that begin and end fans.
+        for (double middle = -0.2; middle < 6.3; middle += 0.4) {
+            double first = middle - 0.18;
+            boolean isFan = WindowedPowers.isAlongX(first) == WindowedPowers.isAlongX(middle + 0.18);
+            double last = isFan ? middle + 0.18 : first;
+            RayFan fan = powers.fan(first, last, KNOTS);
+            for (double angle : new double[] {first, 0.3 * first + 0.7 * last, last}) {
+                fan.averages(angle, averages);
+                double[] exact = exact(powers, angle);
+                for (int knot = 10; knot < KNOTS.count() - 10; knot++) {
+                    for (int m = 0; m < TERMS; m++) {
+                        double expected = bell(exact, powers.stride(), knot, m);
+                        // The trapezoid rule at steps of one deviation errs by 2 exp(-pi^2) = 1e-4 of a bin, where rays
+                        // lie closest to the diagonals; elsewhere and nearer to the middle by far less.
+                        assertThat(bell(averages, powers.stride(), knot, m))
+                                .as("angle %.2f, knot %d", angle, knot)
+                                .isCloseTo(expected, within(2e-4 * expected));
+                    }
+                }
+            }
+        }
+    }
+
+    @Test
+    void beyondThePlaneThereIsNothing() {
+        WindowedPowers powers = new WindowedPowers(plane(), window(0.64), REACH);
+        LogKnots beyond = new LogKnots(Math.log(80 / PERIOD_X), 0.02, 30);
+        double[] averages = new double[powers.stride() * beyond.count()];
+        powers.fan(0, 0.1, beyond).averages(0.05, averages);
+        assertThat(averages).containsOnly(0);
+    }
+
+    @Test
+    void aConstantIsItsAverage() {
+        double[][] fields = new double[1][BINS * BINS];
+        Arrays.fill(fields[0], 1);
+        BinPlane plane = BinPlane.of(PERIOD_X, PERIOD_X, -REACH_IN_BINS, -REACH_IN_BINS, BINS, BINS, fields);
+        WindowedPowers powers = new WindowedPowers(plane, window(2), REACH);
+        LogKnots inside = new LogKnots(Math.log(10 / PERIOD_X), 0.01, 60);
+        double[] averages = new double[powers.stride() * inside.count()];
+        powers.fan(0.7, 0.78, inside).averages(0.75, averages);
+        for (int knot = 0; knot < inside.count(); knot++) {
+            // Gaussians of exp(-(distance / 2)^2), whose volume is 4 pi. B-splines hardly wider than steps; measured
+            // 5e-5.
+            assertThat(averages[knot * powers.stride()]).isCloseTo(4 * Math.PI, within(2e-4));
+            assertThat(averages[knot * powers.stride() + 1]).isZero();
+        }
+    }
+}
