@@ -23,8 +23,9 @@ struct Look {
 // A level may blur by this share of the variance of what is seen along the narrow side; the places lie so much closer that the
 // variance stays.
 const float BLUR = 0.75;
-// Of what a pixel of several samples sees, a level may blur by this share: their places are not moved.
-const float PIXEL_BLUR = 0.2;
+// Of several samples a pixel, each may be blurred by all that it sees and by this share of what the pixel does, which so sees that much
+// more: an eighth more in width. Their places are not moved.
+const float PIXEL_BLUR = 0.25;
 // Distance of the places that are looked at, in standard deviations of what the level shows of a sharp order: at 1.6 of them a row
 // of Gaussians is even within 2 exp(-2 pi^2 / 1.6^2) = 9e-4.
 const float SPACING = 1.6;
@@ -63,7 +64,7 @@ Look lookOver(vec3 uvw, vec3 a, vec3 b) {
     float longer = abs(edges.x) + abs(edges.y);
     float longerSquare = longer * longer * perSideSquare;
 
-    float blur = max(BLUR, samplesAcross > 1.0 ? PIXEL_BLUR * samplesAcross * samplesAcross : 0.0) * seen.x;
+    float blur = (samplesAcross > 1.0 ? 1.0 + PIXEL_BLUR * samplesAcross * samplesAcross : BLUR) * seen.x;
     int narrow = floorOfLog2(1.0 + blur * perFinestVariance);
     float finestSpan = mostPlaces * SPACING;
     int wide = ceilOfLog2(max(longerSquare * perFinestVariance / (finestSpan * finestSpan), 1.0));

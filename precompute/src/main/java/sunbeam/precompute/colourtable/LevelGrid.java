@@ -24,18 +24,7 @@ public record LevelGrid(TableDesign design) {
     // Pixels see a little more than directions that there are. In (u, v, w).
     private static final double RIM = 0.1;
     // Of a texel and of a slice: processor and card may see a place on different sides of an edge.
-    private static final double ROUNDING = 0.02;
-
-    /** What is told of pages. */
-    @FunctionalInterface
-    public interface PageVisitor {
-        /**
-         * One page is looked into.
-         *
-         * @param page its number
-         */
-        void visit(int page);
-    }
+    static final double ROUNDING = 0.02;
 
     /** Pages along u, and along v. */
     public int columns() {
@@ -112,35 +101,8 @@ public record LevelGrid(TableDesign design) {
         return new int[] {page % columns(), page % perSlice / columns(), page / perSlice};
     }
 
-    /** Tells of all pages that a look-up reads; of some beside them too, where it falls close to their edges. */
-    public void visit(double u, double v, double w, PageVisitor visitor) {
-        // Once: pictures ask for some ten million.
-        int columns = columns();
-        double middle = 0.5 * columns * SIDE;
-        double x = u / design.step() + middle;
-        double y = v / design.step() + middle;
-        double slice = -w / design.sliceStep();
-        int low = firstSlice(slice - ROUNDING);
-        int high = firstSlice(slice + ROUNDING) + TableDesign.TAPS;
-        int right = page(x + ROUNDING, columns);
-        int bottom = page(y + ROUNDING, columns);
-        for (int row = page(y - ROUNDING, columns); row <= bottom; row++) {
-            for (int column = page(x - ROUNDING, columns); column <= right; column++) {
-                for (int i = low; i < high; i++) {
-                    visitor.visit((i * columns + row) * columns + column);
-                }
-            }
-        }
-    }
-
-    /** What lies beyond all (u, v), as a wide pixel's rim may, is looked up at the edge; so does the shader. */
-    private static int page(double texel, int columns) {
-        // As floors: what is below zero is cut off.
-        return Math.max(1, Math.min(columns - 2, (int) (texel / SIDE)));
-    }
-
     /** At both ends of the range all slices lie on one side. */
-    private int firstSlice(double slice) {
+    int firstSlice(double slice) {
         return Math.max(0, Math.min((int) slice - 1, design.slices() - TableDesign.TAPS));
     }
 

@@ -32,7 +32,7 @@ class LevelBakingTest {
 
     private static BitSet pagesOf(double u, double v, double w) {
         BitSet pages = new BitSet();
-        GRID.visit(u, v, w, pages::set);
+        new PageMarks(GRID, pages).mark(u, v, w);
         return pages;
     }
 

@@ -13,6 +13,7 @@ import jrtr.GraphicsException;
 import jrtr.RenderContext;
 import sunbeam.precompute.colourtable.LevelBaking;
 import sunbeam.precompute.colourtable.LevelGrid;
+import sunbeam.precompute.colourtable.PageMarks;
 import sunbeam.precompute.colourtable.TableLevels;
 import sunbeam.precompute.plan.MemoryNeed;
 
@@ -106,11 +107,13 @@ public final class LevelPages implements AutoCloseable {
         IntStream.range(0, parts)
                 .parallel()
                 .mapToObj(part -> {
-                    List<BitSet> noted =
-                            grids.stream().map(grid -> new BitSet()).toList();
+                    List<BitSet> noted = none();
+                    List<PageMarks> marks = IntStream.range(0, grids.size())
+                            .mapToObj(level -> new PageMarks(grids.get(level), noted.get(level)))
+                            .toList();
                     int end = Math.min(count, (part + 1) * NOTED_TOGETHER);
                     for (int i = part * NOTED_TOGETHER; i < end; i++) {
-                        note(places, wide, narrow, at.applyAsInt(i), noted);
+                        note(places, wide, narrow, at.applyAsInt(i), marks);
                     }
                     return noted;
                 })
@@ -121,15 +124,13 @@ public final class LevelPages implements AutoCloseable {
                 });
     }
 
-    private void note(float[] places, float[] wide, float[] narrow, int at, List<BitSet> noted) {
+    private void note(float[] places, float[] wide, float[] narrow, int at, List<PageMarks> marks) {
         int level = (int) places[at + 3];
         if (level < 0) {
             return;
         }
         int columns = (int) wide[at + 3];
         int rows = (int) narrow[at + 3];
-        LevelGrid grid = grids.get(level);
-        BitSet pages = noted.get(level);
         double[] uvw = new double[CHANNELS - 1];
         for (int i = 0; i < columns; i++) {
             for (int j = 0; j < rows; j++) {
@@ -138,7 +139,7 @@ public final class LevelPages implements AutoCloseable {
                             + ((i + 0.5) / columns - 0.5) * wide[at + axis]
                             + ((j + 0.5) / rows - 0.5) * narrow[at + axis];
                 }
-                grid.visit(uvw[0], uvw[1], uvw[2], pages::set);
+                marks.get(level).mark(uvw[0], uvw[1], uvw[2]);
             }
         }
     }
@@ -183,11 +184,14 @@ public final class LevelPages implements AutoCloseable {
             int last = grids.size() - 1;
             coarsestKept = !sources.kept(last, resident.get(last)).isEmpty();
             baker = Optional.of(new PageBaker(sources, arrived));
-            List<BitSet> none = grids.stream().map(grid -> new BitSet()).toList();
-            List<BitSet> first = copyOf(forAnyLight ? resident : none);
+            List<BitSet> first = copyOf(forAnyLight ? resident : none());
             first.get(last).or(resident.get(last));
-            baker.get().want(first, none);
+            baker.get().want(first, none());
         }
+    }
+
+    private List<BitSet> none() {
+        return grids.stream().map(grid -> new BitSet()).toList();
     }
 
     private static List<BitSet> copyOf(List<BitSet> pages) {
