@@ -48,7 +48,9 @@ public final class LevelBaking {
 
     /** How many places must be evaluated for some pages. */
     public long missing(BitSet pages) {
-        return needed(pages).values().stream().mapToLong(BitSet::cardinality).sum();
+        return needed(pages).stream()
+                .mapToLong(page -> page.texels.cardinality())
+                .sum();
     }
 
     /**
@@ -58,34 +60,43 @@ public final class LevelBaking {
      * @return {@link #PAGE_FLOATS} values each, in the order of their numbers
      */
     public List<float[]> bake(BitSet pages, ColourSource source) {
-        Map<Integer, BitSet> needed = needed(pages);
+        List<Needed> needed = needed(pages);
         evaluate(needed, source);
-        needed.forEach((page, texels) -> known[page].or(texels));
+        needed.forEach(page -> known[page.number].or(page.texels));
         return Arrays.stream(pages.stream().toArray())
                 .parallel()
                 .mapToObj(this::coefficients)
                 .toList();
     }
 
+    /** Some texels of a page. */
+    private record Needed(int number, BitSet texels) {}
+
     /** Of all pages whose texels some pages' prefilters see, those texels that are not known yet. */
-    private Map<Integer, BitSet> needed(BitSet pages) {
-        Map<Integer, BitSet> needed = new TreeMap<>();
+    private List<Needed> needed(BitSet pages) {
+        BitSet[] needed = new BitSet[known.length];
         pages.stream().forEach(page -> {
             int[] place = grid.place(page);
             for (int row = -1; row <= 1; row++) {
                 for (int column = -1; column <= 1; column++) {
                     int neighbour = page + row * columns + column;
-                    BitSet texels = needed.computeIfAbsent(neighbour, number -> new BitSet());
-                    mark(texels, place[0] + column, place[1] + row, place);
+                    if (needed[neighbour] == null) {
+                        needed[neighbour] = new BitSet(SIDE * SIDE);
+                    }
+                    mark(needed[neighbour], place[0] + column, place[1] + row, place);
                 }
             }
         });
-        needed.forEach((page, texels) -> {
-            if (known[page] != null) {
-                texels.andNot(known[page]);
+        List<Needed> some = new ArrayList<>();
+        for (int page = 0; page < needed.length; page++) {
+            if (needed[page] != null) {
+                if (known[page] != null) {
+                    needed[page].andNot(known[page]);
+                }
+                some.add(new Needed(page, needed[page]));
             }
-        });
-        return needed;
+        }
+        return some;
     }
 
     /** Marks those texels of the page at a column and row that the prefilter of another page sees. */
@@ -104,11 +115,11 @@ public final class LevelBaking {
         return page * SIDE - 1 - MARGIN;
     }
 
-    private void evaluate(Map<Integer, BitSet> needed, ColourSource source) {
-        needed.keySet().forEach(page -> {
-            if (samples[page] == null) {
-                samples[page] = new float[SIDE * SIDE * COLOURS];
-                known[page] = new BitSet(SIDE * SIDE);
+    private void evaluate(List<Needed> needed, ColourSource source) {
+        needed.forEach(page -> {
+            if (samples[page.number] == null) {
+                samples[page.number] = new float[SIDE * SIDE * COLOURS];
+                known[page.number] = new BitSet(SIDE * SIDE);
             }
         });
         long[] texels = inOrder(needed);
@@ -117,36 +128,44 @@ public final class LevelBaking {
         }
     }
 
-    /** Some texels of a page. */
-    private record OfSlice(int slice, BitSet texels) {}
-
     /**
      * In {@link MortonOrder}, all slices of a place together: those that read the same, or nearly so, are asked for together. A
      * page's side is a power of two, so that pages in that order have their texels in it, too.
      */
-    private long[] inOrder(Map<Integer, BitSet> needed) {
-        Map<Long, List<OfSlice>> byPlace = new TreeMap<>();
-        int count = 0;
-        for (Map.Entry<Integer, BitSet> entry : needed.entrySet()) {
-            int[] place = grid.place(entry.getKey());
+    private long[] inOrder(List<Needed> needed) {
+        Map<Long, List<Needed>> byPlace = new TreeMap<>();
+        for (Needed page : needed) {
+            int[] place = grid.place(page.number);
             byPlace.computeIfAbsent(MortonOrder.number(place[0], place[1]), number -> new ArrayList<>())
-                    .add(new OfSlice(place[2], entry.getValue()));
-            count = Math.addExact(count, entry.getValue().cardinality());
+                    .add(page);
         }
-        long[] texels = new long[count];
-        int at = 0;
-        for (Map.Entry<Long, List<OfSlice>> place : byPlace.entrySet()) {
-            for (int inPage = 0; inPage < SIDE * SIDE; inPage++) {
-                int texel = MortonOrder.y(inPage) * SIDE + MortonOrder.x(inPage);
-                long number = place.getKey() * SIDE * SIDE + inPage;
-                for (OfSlice page : place.getValue()) {
-                    if (page.texels.get(texel)) {
-                        texels[at++] = number << Short.SIZE | page.slice;
-                    }
+        List<Map.Entry<Long, List<Needed>>> places = List.copyOf(byPlace.entrySet());
+        int[] first = new int[places.size() + 1];
+        for (int i = 0; i < places.size(); i++) {
+            int count = places.get(i).getValue().stream()
+                    .mapToInt(page -> page.texels.cardinality())
+                    .sum();
+            first[i + 1] = Math.addExact(first[i], count);
+        }
+        long[] texels = new long[first[places.size()]];
+        IntStream.range(0, places.size())
+                .parallel()
+                .forEach(i -> putInOrder(places.get(i).getKey(), places.get(i).getValue(), texels, first[i]));
+        return texels;
+    }
+
+    private void putInOrder(long place, List<Needed> pages, long[] texels, int first) {
+        int at = first;
+        int perSlice = columns * columns;
+        for (int inPage = 0; inPage < SIDE * SIDE; inPage++) {
+            int texel = MortonOrder.y(inPage) * SIDE + MortonOrder.x(inPage);
+            long number = place * SIDE * SIDE + inPage;
+            for (Needed page : pages) {
+                if (page.texels.get(texel)) {
+                    texels[at++] = number << Short.SIZE | page.number / perSlice;
                 }
             }
         }
-        return texels;
     }
 
     private static int number(long texel) {

@@ -20,7 +20,7 @@ import sunbeam.precompute.plan.GaussianArea;
 public final class RayColours implements ColourSource {
     private static final double FARTHEST = 2;
     // Within so many steps of the origin directions are evaluated one by one.
-    private static final double INNER_STEPS = 10;
+    private static final double INNER_STEPS = 5;
     // Of rays and of places on them, in steps of the table: quintic splines err by less there than cubic ones do at
     // one.
     private static final double SPACING = 1.1;
@@ -36,6 +36,7 @@ public final class RayColours implements ColourSource {
 
     private final RaySpectrum spectrum;
     private final WindowedPowers powers;
+    private final double sigmaFrequency;
     private final double step;
     private final LongConsumer progress;
     private double[] preparedDepths = {};
@@ -52,6 +53,7 @@ public final class RayColours implements ColourSource {
     public RayColours(RaySpectrum spectrum, GaussianArea area, double step, boolean fine, LongConsumer progress) {
         this.spectrum = spectrum;
         this.powers = spectrum.under(area, fine ? FINE_REACH : COARSE_REACH, !fine);
+        this.sigmaFrequency = area.window().sigmaFrequency();
         this.step = SPACING * step;
         this.progress = progress;
     }
@@ -127,7 +129,7 @@ public final class RayColours implements ColourSource {
             prepared = IntStream.rangeClosed(0, (int)
                             Math.max(0, Math.log(FARTHEST / (2 * INNER_STEPS * step)) / Math.log(2)))
                     .parallel()
-                    .mapToObj(octave -> new RayOctave(spectrum, FARTHEST / (1 << octave), step, depths))
+                    .mapToObj(octave -> new RayOctave(spectrum, sigmaFrequency, FARTHEST / (1 << octave), step, depths))
                     .toList();
             preparedDepths = depths.clone();
         }

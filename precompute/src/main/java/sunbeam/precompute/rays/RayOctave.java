@@ -5,13 +5,16 @@ import sunbeam.precompute.color.WavelengthNodes;
 
 /** Rays of an octave of |(u, v)|, divided into sectors, and how colours on them are made. Immutable, safe for use by several threads. */
 final class RayOctave {
-    // Rays of a sector; those beside it that splines see come on top.
-    private static final int SECTOR_RAYS = 192;
+    // Rays of two sectors, so that two processors have as much to do; those beside them that splines see come on top.
+    private static final int TWO_SECTORS_RAYS = 400;
     // Of ln lambda: colour matching functions have weights of their own, and terms' coefficients turn slower.
     private static final double WIDEST_STEP = 0.01;
     // So many wavelengths to a place, at least: where they end, polynomials and B-splines between them reach no farther
     // than orders are wide.
     private static final int LEAST_STRIDE = 3;
+    // From place to place, beside the width of an order: what is smoother than colour matching functions needs fewer.
+    private static final double WIDEST_OF_ORDER = 0.5;
+    private static final double WIDEST = 0.02;
     private static final double LITTLE_LONGER = 1.12;
     private static final double LITTLE = 1.005;
 
@@ -24,15 +27,18 @@ final class RayOctave {
     /**
      * Prepares convolutions.
      *
+     * @param sigmaFrequency of the window
      * @param high |(u, v)| of the outermost places
      * @param step of (u, v) between rays there
      * @param depths |w| of the slices, ascending
      */
-    RayOctave(RaySpectrum spectrum, double high, double step, double[] depths) {
+    RayOctave(RaySpectrum spectrum, double sigmaFrequency, double high, double step, double[] depths) {
         this.low = high / 2;
         this.rays = (int) Math.ceil(2 * Math.PI * high / step);
-        this.sectors = Math.max(1, rays / SECTOR_RAYS);
-        Places places = Places.asFarAs(spectrum, spectrum.widestPlaces(), Math.min(step / high, WIDEST_STEP));
+        this.sectors = 2 * Math.max(1, rays / TWO_SECTORS_RAYS);
+        double orderWidth = sigmaFrequency * CieTable.MINIMUM_WAVELENGTH / high;
+        double widest = Math.max(spectrum.widestPlaces(), Math.min(WIDEST, WIDEST_OF_ORDER * orderWidth));
+        Places places = Places.asFarAs(spectrum, widest, Math.min(step / high, WIDEST_STEP));
         this.placeStep = places.step();
         this.convolution = new RayConvolution(
                 start(), places.count(), places.stride(), places.wavelengths(), depths, spectrum::coefficients);
@@ -45,9 +51,12 @@ final class RayOctave {
             Places places = of(spectrum, widest, widestStep);
             int transform = places.transform();
             double margins = places.length() - seen() / places.step();
-            places = of(spectrum, seen() / (transform - margins), widestStep);
+            // Steps divide the wavelengths' range, so that they may come out smaller than asked for.
+            double step = seen() / (transform - margins);
+            places = of(spectrum, step, widestStep);
             while (places.length() > transform) {
-                places = of(spectrum, LITTLE * places.step(), widestStep);
+                step *= LITTLE;
+                places = of(spectrum, step, widestStep);
             }
             return places;
         }

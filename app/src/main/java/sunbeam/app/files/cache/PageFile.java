@@ -31,7 +31,7 @@ import sunbeam.precompute.table.TableLabel;
  */
 public final class PageFile implements KeptPages {
     private static final String DAMAGED = "cached colours are made again: some are damaged or cut off";
-    private static final String FORMAT = "Sunbeam pages 1";
+    private static final String FORMAT = "Sunbeam pages 2";
     private static final int CHANNELS = 4;
     private static final int COLOURS = 3;
     private static final int TEXELS = LevelBaking.PAGE_FLOATS / CHANNELS;
