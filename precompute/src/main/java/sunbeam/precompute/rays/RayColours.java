@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.ForkJoinTask;
 import java.util.function.LongConsumer;
+import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import sunbeam.precompute.colourtable.ColourSource;
 import sunbeam.precompute.plan.GaussianArea;
@@ -25,6 +26,8 @@ public final class RayColours implements ColourSource {
     // one.
     private static final double SPACING = 1.1;
     private static final int MOST_SLICES = 2048;
+    // Of what is prepared for slices; that of deep reliefs, which takes more, is made anew for each call.
+    private static final long MOST_KEPT_BYTES = 1 << 26;
     private static final int CHANNELS = 3;
     // Places whose sectors one processor finds at a time.
     private static final int TOGETHER = 1 << 12;
@@ -39,8 +42,8 @@ public final class RayColours implements ColourSource {
     private final double sigmaFrequency;
     private final double step;
     private final LongConsumer progress;
-    private double[] preparedDepths = {};
-    private List<RayOctave> prepared = List.of();
+    // Guarded by this.
+    private Prepared prepared = new Prepared(new double[0], List.of());
 
     /**
      * Colours under a window.
@@ -63,8 +66,12 @@ public final class RayColours implements ColourSource {
      */
     @Override
     public float[] xyz(float[] places) {
-        double[] depths = depths(places);
-        List<RayOctave> octaves = octaves(depths);
+        if (places.length == 0) {
+            return new float[0];
+        }
+        Prepared ready = prepared(depths(places));
+        double[] depths = ready.depths();
+        List<RayOctave> octaves = ready.octaves();
         List<RaySector.Places> sectors = new ArrayList<>();
         for (RayOctave octave : octaves) {
             IntStream.range(0, octave.sectors()).forEach(sector -> sectors.add(new RaySector.Places(octave, sector)));
@@ -123,15 +130,30 @@ public final class RayColours implements ColourSource {
         return before[octave] + (octave < octaves.size() ? octaves.get(octave).sector(u, v) : 0);
     }
 
-    /** Those of the last call, if slices are the same. */
-    private synchronized List<RayOctave> octaves(double[] depths) {
-        if (!Arrays.equals(depths, preparedDepths)) {
-            prepared = IntStream.rangeClosed(0, (int)
-                            Math.max(0, Math.log(FARTHEST / (2 * INNER_STEPS * step)) / Math.log(2)))
+    /** Octaves, and |w| of the slices that they were prepared for, ascending. */
+    private record Prepared(double[] depths, List<RayOctave> octaves) {}
+
+    /** Those of earlier calls, if they have all slices; else new ones for theirs and these. */
+    private synchronized Prepared prepared(double[] depths) {
+        double[] known = prepared.depths();
+        if (!Arrays.stream(depths).allMatch(depth -> Arrays.binarySearch(known, depth) >= 0)) {
+            double[] all = DoubleStream.concat(Arrays.stream(known), Arrays.stream(depths))
+                    .sorted()
+                    .distinct()
+                    .toArray();
+            int last = (int) Math.max(0, Math.log(FARTHEST / (2 * INNER_STEPS * step)) / Math.log(2));
+            List<RayOctave> octaves = IntStream.rangeClosed(0, last)
                     .parallel()
-                    .mapToObj(octave -> new RayOctave(spectrum, sigmaFrequency, FARTHEST / (1 << octave), step, depths))
+                    .mapToObj(number -> new RayOctave(spectrum, sigmaFrequency, FARTHEST / (1 << number), step, all))
                     .toList();
-            preparedDepths = depths.clone();
+            Prepared made = new Prepared(all, octaves);
+            if (octaves.stream()
+                            .mapToLong(octave -> octave.convolution().bytes())
+                            .sum()
+                    > MOST_KEPT_BYTES) {
+                return made;
+            }
+            prepared = made;
         }
         return prepared;
     }

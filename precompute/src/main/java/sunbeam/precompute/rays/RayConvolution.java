@@ -120,6 +120,11 @@ final class RayConvolution {
         return new int[] {COLOURS * slice + 2, COLOURS * (slice + 1) + 2};
     }
 
+    /** Memory that the kernels take. */
+    long bytes() {
+        return 2L * Double.BYTES * padded * terms * kernels.length;
+    }
+
     /** Places on a ray. */
     int count() {
         return count;

@@ -36,6 +36,8 @@ public final class RaySpectrum {
     private final double minimumPhase;
     private final double maximumPhase;
     private final BinPlane bins;
+    // Rows as columns; once for all levels that take no bins together.
+    private final BinPlane turned;
     private final CieTable cie;
     private final double widestPlaces;
 
@@ -64,6 +66,7 @@ public final class RaySpectrum {
                 table.bandX().count(),
                 table.bandY().count(),
                 terms);
+        this.turned = bins.transposed();
     }
 
     /**
@@ -101,7 +104,11 @@ public final class RaySpectrum {
         double spacing = FOLDED_SPACING * area.window().sigmaFrequency();
         int foldX = folded ? (int) Math.max(1, spacing * bins.periodX()) : 1;
         int foldY = folded ? (int) Math.max(1, spacing * bins.periodY()) : 1;
-        return new WindowedPowers(bins.folded(foldX, foldY), area.window(), reach);
+        if (foldX == 1 && foldY == 1) {
+            return new WindowedPowers(bins, turned, area.window(), reach);
+        }
+        BinPlane fewer = bins.folded(foldX, foldY);
+        return new WindowedPowers(fewer, fewer.transposed(), area.window(), reach);
     }
 
     /** Wavelengths at equal steps of their logarithm. */

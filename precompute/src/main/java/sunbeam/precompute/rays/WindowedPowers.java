@@ -15,11 +15,12 @@ final class WindowedPowers {
     /**
      * Powers under a window.
      *
+     * @param turned the same bins, rows as columns
      * @param reach in the window's sigma_f, beyond which a bin is left out: exp(-reach^2) of it
      */
-    WindowedPowers(BinPlane bins, CoherenceWindow window, double reach) {
+    WindowedPowers(BinPlane bins, BinPlane turned, CoherenceWindow window, double reach) {
         this.bins = bins;
-        this.turned = bins.transposed();
+        this.turned = turned;
         this.sigmaFrequency = window.sigmaFrequency();
         this.reach = reach;
     }
@@ -87,7 +88,7 @@ final class WindowedPowers {
     }
 
     /**
-     * Prepares rays that lie beside each other, none of them farther than 45 degrees from the axis that the first is closest to.
+     * Prepares rays that lie beside each other, all of them closest to the same axis.
      *
      * @param firstAngle of the rays
      * @param lastAngle of the rays, less than 90 degrees beyond the first

@@ -38,6 +38,10 @@ class RayFanTest {
         return CoherenceWindow.ofCoherenceLength(4 * PERIOD_X / (2 * Math.PI * sigmaBins));
     }
 
+    private static WindowedPowers powers(BinPlane plane, CoherenceWindow window) {
+        return new WindowedPowers(plane, plane.transposed(), window, REACH);
+    }
+
     private static double spline(double distance) {
         double x = Math.abs(distance);
         return x < 1 ? 2.0 / 3 - x * x + x * x * x / 2 : Math.pow(2 - x, 3) / 6;
@@ -79,7 +83,7 @@ class RayFanTest {
     @ParameterizedTest
     @ValueSource(doubles = {0.45, 0.64, 1.8, 5})
     void averagesAreThoseOfTheSumsOverBins(double sigmaBins) {
-        WindowedPowers powers = new WindowedPowers(plane(), window(sigmaBins), REACH);
+        WindowedPowers powers = powers(plane(), window(sigmaBins));
         double[] averages = new double[powers.stride() * KNOTS.count()];
         // All around, with both axes, both diagonals, and rays that begin and end fans.
         for (double middle = -0.2; middle < 6.3; middle += 0.4) {
@@ -93,8 +97,7 @@ class RayFanTest {
                 for (int knot = 10; knot < KNOTS.count() - 10; knot++) {
                     for (int m = 0; m < TERMS; m++) {
                         double expected = bell(exact, powers.stride(), knot, m);
-                        // The trapezoid rule at steps of one deviation errs by 2 exp(-pi^2) = 1e-4 of a bin, where rays
-                        // lie closest to the diagonals; elsewhere and nearer to the middle by far less.
+                        // The trapezoid rule's error of 5e-8, and what B-splines no wider than some steps add.
                         assertThat(bell(averages, powers.stride(), knot, m))
                                 .as("angle %.2f, knot %d", angle, knot)
                                 .isCloseTo(expected, within(2e-4 * expected));
@@ -106,7 +109,7 @@ class RayFanTest {
 
     @Test
     void beyondThePlaneThereIsNothing() {
-        WindowedPowers powers = new WindowedPowers(plane(), window(0.64), REACH);
+        WindowedPowers powers = powers(plane(), window(0.64));
         LogKnots beyond = new LogKnots(Math.log(80 / PERIOD_X), 0.02, 30);
         double[] averages = new double[powers.stride() * beyond.count()];
         powers.fan(0, 0.1, beyond).averages(0.05, averages);
@@ -118,7 +121,7 @@ class RayFanTest {
         double[][] fields = new double[1][BINS * BINS];
         Arrays.fill(fields[0], 1);
         BinPlane plane = BinPlane.of(PERIOD_X, PERIOD_X, -REACH_IN_BINS, -REACH_IN_BINS, BINS, BINS, fields);
-        WindowedPowers powers = new WindowedPowers(plane, window(2), REACH);
+        WindowedPowers powers = powers(plane, window(2));
         LogKnots inside = new LogKnots(Math.log(10 / PERIOD_X), 0.01, 60);
         double[] averages = new double[powers.stride() * inside.count()];
         powers.fan(0.7, 0.78, inside).averages(0.75, averages);
