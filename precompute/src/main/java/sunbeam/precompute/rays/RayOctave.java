@@ -12,9 +12,11 @@ final class RayOctave {
     // So many wavelengths to a place, at least: where they end, polynomials and B-splines between them reach no farther
     // than orders are wide.
     private static final int LEAST_STRIDE = 3;
-    // From place to place, beside the width of an order: what is smoother than colour matching functions needs fewer.
+    // From place to place, beside the width of an order: what is smoother than colour matching functions needs fewer;
+    // but no
+    // more than so many times as far as sharp orders need, since terms' coefficients of deep reliefs turn fast.
     private static final double WIDEST_OF_ORDER = 0.5;
-    private static final double WIDEST = 0.02;
+    private static final double MOST_WIDER = 3;
     private static final double LITTLE_LONGER = 1.12;
     private static final double LITTLE = 1.005;
 
@@ -37,7 +39,8 @@ final class RayOctave {
         this.rays = (int) Math.ceil(2 * Math.PI * high / step);
         this.sectors = 2 * Math.max(1, rays / TWO_SECTORS_RAYS);
         double orderWidth = sigmaFrequency * CieTable.MINIMUM_WAVELENGTH / high;
-        double widest = Math.max(spectrum.widestPlaces(), Math.min(WIDEST, WIDEST_OF_ORDER * orderWidth));
+        double fewPlaces = Math.min(MOST_WIDER * spectrum.widestPlaces(), WIDEST_OF_ORDER * orderWidth);
+        double widest = Math.max(spectrum.widestPlaces(), fewPlaces);
         Places places = Places.asFarAs(spectrum, widest, Math.min(step / high, WIDEST_STEP));
         this.placeStep = places.step();
         this.convolution = new RayConvolution(
