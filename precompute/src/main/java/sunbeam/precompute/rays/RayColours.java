@@ -144,7 +144,11 @@ public final class RayColours implements ColourSource {
             int last = (int) Math.max(0, Math.log(FARTHEST / (2 * INNER_STEPS * step)) / Math.log(2));
             List<RayOctave> octaves = IntStream.rangeClosed(0, last)
                     .parallel()
-                    .mapToObj(number -> new RayOctave(spectrum, sigmaFrequency, FARTHEST / (1 << number), step, all))
+                    .mapToObj(number -> {
+                        // Each takes some ten milliseconds.
+                        progress.accept(0);
+                        return new RayOctave(spectrum, sigmaFrequency, FARTHEST / (1 << number), step, all);
+                    })
                     .toList();
             Prepared made = new Prepared(all, octaves);
             if (octaves.stream()
