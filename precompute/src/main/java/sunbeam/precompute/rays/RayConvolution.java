@@ -209,7 +209,7 @@ final class RayConvolution {
             }
         }
 
-        /** Of a term that there is not, the zeros that stand in its place or none. */
+        /** Averages of a term, and zeros; where there is no such term, zeros alone. */
         private void take(int term, double[] to) {
             Arrays.fill(to, 0);
             if (term < terms) {

@@ -12,10 +12,9 @@ final class RayOctave {
     // So many wavelengths to a place, at least: where they end, polynomials and B-splines between them reach no farther
     // than orders are wide.
     private static final int LEAST_STRIDE = 3;
-    // From place to place, beside the width of an order: what is smoother than colour matching functions needs fewer;
-    // but no
-    // more than so many times as far as sharp orders need, since terms' coefficients of deep reliefs turn fast.
+    // From place to place, beside the width of an order: what is smoother than colour matching functions needs fewer.
     private static final double WIDEST_OF_ORDER = 0.5;
+    // But so many times as far as sharp orders need, at most: terms' coefficients of deep reliefs turn fast.
     private static final double MOST_WIDER = 3;
     private static final double LITTLE_LONGER = 1.12;
     private static final double LITTLE = 1.005;
