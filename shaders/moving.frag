@@ -27,7 +27,7 @@ vec3 inside(vec3 change, float coverageChange) {
 
 // Along the wide side of what the pixel sees, in a level and in PLACES places at most.
 vec3 alongXyz(Look look, float level) {
-    vec4 grid = textureLod(colourLevels, vec2((level + 0.5) / float(levels), 0.5), 0.0);
+    vec4 grid = textureLod(colourLevels, vec2((level + 0.5) / (float(levels) + pointLevels), 0.5), 0.0);
 #if PLACES == 1
     return roughXyz(look.place.xyz, level, grid);
 #else
@@ -45,7 +45,7 @@ vec3 alongXyz(Look look, float level) {
 }
 
 vec3 existingXyz(Look look) {
-    for (float level = look.place.w; level < float(levels); level += 1.0) {
+    for (float level = look.place.w; level < float(levels) + pointLevels; level += 1.0) {
         vec3 xyz = alongXyz(look, level);
         if (xyz.y < MISSING) {
             return xyz;

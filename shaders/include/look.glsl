@@ -4,6 +4,8 @@
 uniform float finestVariance;
 uniform float perFinestVariance;
 uniform int levels;
+// Tables before these that are for pixels which see points alone: 1 or 0.
+uniform float pointLevels;
 // Beyond so many places along the wide side a coarser level blurs the narrow side, too.
 uniform float mostPlaces;
 // Samples of the mesh along a side of a pixel, whose mean it will be.
@@ -11,7 +13,7 @@ uniform float samplesAcross;
 
 // How a pixel looks into levels.
 struct Look {
-    // (u, v, w) in the middle, and the level.
+    // (u, v, w) in the middle, and the number of the table.
     vec4 place;
     // By how much (u, v, w) changes along the wide side of what it sees, and in how many places it looks there.
     vec4 wide;
@@ -86,7 +88,7 @@ Look lookOver(vec3 uvw, vec3 a, vec3 b) {
     float narrowDepth = dot(depths, narrowEdges) * dot(side, side) / max(dot(narrowEdges, narrowEdges), 1e-36);
     float shorter = abs(abs(edges.x) - abs(edges.y)) / max(longer, 1e-36);
     return Look(
-            vec4(uvw, float(level)),
+            vec4(uvw, level == 0 && places == vec2(1.0) ? 0.0 : float(level) + pointLevels),
             vec4(scales.x * vec3(side, wideDepth), places.x),
             vec4(scales.y * vec3(narrowSide, narrowDepth), places.y + 0.9 * shorter));
 }

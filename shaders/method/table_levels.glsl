@@ -12,7 +12,7 @@ uniform sampler2D lookNarrow;
 // Number of each page's cell among the texels, plus one; 0 for those that do not exist; and that of the same page of the next slice, as
 // look-ups want both. Slices of one level, then of the next.
 uniform sampler2DArray colourPages;
-// One texel a level: u and v of its first texel, texels per unit, pages across, and what its power counts.
+// One texel a level: u and v of its first coefficient, texels per unit, pages across, and what its power counts.
 uniform sampler2D colourLevels;
 // Texels along a page's side between which look-ups of its own fall, and cells along a layer's side.
 uniform float colourPageSide;
@@ -48,8 +48,8 @@ vec3 cellPlace(float cell) {
     return vec3((colourPageSide + 3.0) * vec2(cell - row * across, row - layer * across), layer);
 }
 
-// X, Y, Z at a place of a level.
-vec3 levelXyz(vec3 uvw, int level, vec4 grid) {
+// X, Y, Z at a place of a level that is interpolated by cubic B-splines.
+vec3 cubicXyz(vec3 uvw, int level, vec4 grid) {
     vec2 texel = levelTexel(uvw.xy, grid);
     vec2 page = floor(texel / colourPageSide);
     vec2 inPage = texel - page * colourPageSide;
@@ -68,6 +68,30 @@ vec3 levelXyz(vec3 uvw, int level, vec4 grid) {
         // A page begins a texel before its own.
         place.corners = (corners + (stored.xy + 1.0).xyxy) / size.xyxy;
         xyz += slices.weights[i] * splineXyz(place, stored.z);
+    }
+    return xyz;
+}
+
+// X, Y, Z at a place of a level that is interpolated along lines: a quarter of the look-ups. Where texels are taken as they are, software
+// renderers are quicker to sample the nearest than to fetch by number, which asks each pixel for its mipmap.
+vec3 linesXyz(vec3 uvw, int level, vec4 grid) {
+    vec2 texel = levelTexel(uvw.xy, grid);
+    vec2 page = floor(texel * perColourPageSide);
+    vec2 inTexels = round((texel - page * colourPageSide) * GRAINS) / GRAINS + 1.5;
+    SlicePlace slices = slicePlace(uvw.z, COLOUR_SLICES);
+    vec3 pagePlace = vec3((page + 0.5) * perColourPages, float(level * COLOUR_SLICES + slices.first));
+    vec4 cells = vec4(
+            textureLod(colourPages, pagePlace, 0.0).rg, textureLod(colourPages, pagePlace + vec3(0.0, 0.0, 2.0), 0.0).rg);
+    cells -= 1.0;
+    if (any(lessThan(cells, vec4(0.0)))) {
+        return vec3(MISSING);
+    }
+    vec3 xyz = vec3(0.0);
+    for (int i = 0; i < 4; ++i) {
+        vec3 stored = cellPlace(cells[i]);
+        vec3 place = vec3((inTexels + stored.xy) * perColourLayerSide, stored.z);
+        vec3 root = textureLod(colourTexels, place, 0.0).rgb;
+        xyz += slices.weights[i] * (root * root);
     }
     return xyz;
 }
@@ -92,6 +116,12 @@ vec3 roughXyz(vec3 uvw, float level, vec4 grid) {
     return grid.w * mix(root * root, next * next, at - below);
 }
 
+#if COLOUR_POINT_LEVELS == 1
+#define meanXyz linesXyz
+#else
+#define meanXyz cubicXyz
+#endif
+
 // The mean over what the pixel of this fragment sees, in a level.
 vec3 seenXyz(int level, vec3 middle, vec4 wide, vec4 narrow) {
     vec4 grid = texelFetch(colourLevels, ivec2(level, 0), 0);
@@ -105,7 +135,7 @@ vec3 seenXyz(int level, vec3 middle, vec4 wide, vec4 narrow) {
         float weight = clamp((0.5 - abs(t)) / (0.5 - shorter), 0.0, 1.0);
         weights += weight;
         for (float j = 0.5; j < rows; j += 1.0) {
-            vec3 xyz = levelXyz(middle + t * wide.xyz + (j / rows - 0.5) * narrow.xyz, level, grid);
+            vec3 xyz = meanXyz(middle + t * wide.xyz + (j / rows - 0.5) * narrow.xyz, level, grid);
             if (xyz.y == MISSING) {
                 colourIsMissing = true;
                 return vec3(0.0);
@@ -117,6 +147,16 @@ vec3 seenXyz(int level, vec3 middle, vec4 wide, vec4 narrow) {
     return max(grid.w / (weights * rows) * sum, vec3(0.0));
 }
 
+// At a point, in the level that is for points.
+vec3 pointXyz(vec3 uvw) {
+    vec3 xyz = cubicXyz(uvw, 0, texelFetch(colourLevels, ivec2(0, 0), 0));
+    if (xyz.y == MISSING) {
+        colourIsMissing = true;
+        return vec3(0.0);
+    }
+    return max(xyz, vec3(0.0));
+}
+
 vec3 diffractedXyz(vec3 uvw) {
     ivec2 slot = ivec2(gl_FragCoord.xy);
     vec4 place = texelFetch(lookPlaces, slot, 0);
@@ -126,5 +166,18 @@ vec3 diffractedXyz(vec3 uvw) {
     vec4 wide = texelFetch(lookWide, slot, 0);
     vec4 narrow = texelFetch(lookNarrow, slot, 0);
     int level = int(place.w);
+#if COLOUR_POINT_LEVELS == 1
+    vec3 xyz = vec3(0.0);
+    // Loops, of no more than one turn: renderers that take pixels together go through what any of them may do, but leave a loop that none
+    // is in.
+    for (; level == 0; level = -1) {
+        xyz = pointXyz(place.xyz);
+    }
+    for (; level > 0; level = -1) {
+        xyz = seenXyz(level, place.xyz, wide, narrow);
+    }
+    return xyz;
+#else
     return seenXyz(level, place.xyz, wide, narrow);
+#endif
 }

@@ -40,7 +40,9 @@ final class SkinLooks implements AutoCloseable {
         double variance = Math.pow(pages.levels().sigma(), 2);
         looking.set("finestVariance", (float) variance);
         looking.set("perFinestVariance", (float) (1 / variance));
-        looking.set("levels", pages.levels().levels().size());
+        int ofPoints = pages.levels().ofPoints();
+        looking.set("pointLevels", (float) ofPoints);
+        looking.set("levels", pages.levels().levels().size() - ofPoints);
     }
 
     /** Tells a program that looks by itself how levels and texels lie. */

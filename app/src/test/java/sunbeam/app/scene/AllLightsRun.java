@@ -52,7 +52,7 @@ class AllLightsRun {
         long all = 0;
         for (int level = levels.size() - 1; level >= 0; level--) {
             long before = System.nanoTime();
-            long places = bake(new LevelGrid(levels.get(level).design()), sources, level);
+            long places = bake(LevelGrid.of(levels.get(level)), sources, level);
             all += places;
             System.out.printf(
                     Locale.ROOT,

@@ -76,6 +76,7 @@ class LookTest {
         try (ShaderProgram program = context.createFullScreenProgram(
                         library.orElse(Shaders.library()).load("look.frag"));
                 FloatTarget target = context.createFloatTarget("look", FloatTargetSpec.color(3, 1))) {
+            program.set("pointLevels", 0f);
             program.set("finestVariance", (float) (SIGMA * SIGMA));
             program.set("perFinestVariance", (float) (1 / (SIGMA * SIGMA)));
             program.set("levels", LEVELS);

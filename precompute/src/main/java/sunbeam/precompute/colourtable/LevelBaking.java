@@ -9,15 +9,15 @@ import java.util.TreeMap;
 import java.util.stream.IntStream;
 
 /**
- * Makes the pages of a level as they are asked for: coefficients of cubic B-splines through square roots of X, Y and Z, as
- * {@link TableBaking} does. Samples are kept, since a page's prefilter sees those of its neighbours; each is evaluated once.
+ * Makes the pages of a level as they are asked for: coefficients of square roots of X, Y and Z, between which the
+ * level interpolates. Samples are kept, since a page's prefilter sees those of its neighbours; each is evaluated once.
  * Belongs to one thread.
  */
 public final class LevelBaking {
-    // Texels around a page that its prefilter sees: of a step at their rim POLE^8 is left, 3e-5.
-    private static final int MARGIN = 8;
+    /** Texels before a page, or around it, that its prefilter sees: of a step at their rim POLE^8 is left, 3e-5. */
+    static final int MARGIN = 8;
+
     private static final int STORED_SIDE = LevelGrid.STORED_SIDE;
-    private static final int SEEN_SIDE = STORED_SIDE + 2 * MARGIN;
     private static final int SIDE = LevelGrid.SIDE;
     private static final int COLOURS = 3;
     private static final int CHANNELS = 4;
@@ -29,6 +29,9 @@ public final class LevelBaking {
 
     private final LevelGrid grid;
     private final int columns;
+    private final Interpolation interpolation;
+    // Of the square that a page's prefilter sees.
+    private final int seenSide;
     // Of each page's own texels: square roots of X, Y, Z, and which of them are known.
     private final float[][] samples;
     private final BitSet[] known;
@@ -37,6 +40,8 @@ public final class LevelBaking {
     public LevelBaking(LevelGrid grid) {
         this.grid = grid;
         this.columns = grid.columns();
+        this.interpolation = grid.interpolation();
+        this.seenSide = STORED_SIDE + MARGIN + interpolation.marginBehind();
         this.samples = new float[grid.pages()][];
         this.known = new BitSet[grid.pages()];
     }
@@ -100,11 +105,11 @@ public final class LevelBaking {
     }
 
     /** Marks those texels of the page at a column and row that the prefilter of another page sees. */
-    private static void mark(BitSet texels, int column, int row, int[] seeing) {
+    private void mark(BitSet texels, int column, int row, int[] seeing) {
         int left = Math.max(0, seenFrom(seeing[0]) - column * SIDE);
-        int right = Math.min(SIDE, seenFrom(seeing[0]) + SEEN_SIDE - column * SIDE);
+        int right = Math.min(SIDE, seenFrom(seeing[0]) + seenSide - column * SIDE);
         int top = Math.max(0, seenFrom(seeing[1]) - row * SIDE);
-        int bottom = Math.min(SIDE, seenFrom(seeing[1]) + SEEN_SIDE - row * SIDE);
+        int bottom = Math.min(SIDE, seenFrom(seeing[1]) + seenSide - row * SIDE);
         for (int y = top; y < bottom; y++) {
             texels.set(y * SIDE + left, y * SIDE + right);
         }
@@ -209,9 +214,9 @@ public final class LevelBaking {
         int[] place = grid.place(page);
         // Row by row, then column by column: a filter goes along one direction of all lines at once.
         float[] rows = seen(place);
-        CubicSpline.alongColumns(rows, SEEN_SIDE, SEEN_SIDE * COLOURS);
+        interpolation.toCoefficients(rows, seenSide, seenSide * COLOURS);
         float[] turned = storedRowsTransposed(rows);
-        CubicSpline.alongColumns(turned, SEEN_SIDE, STORED_SIDE * COLOURS);
+        interpolation.toCoefficients(turned, seenSide, STORED_SIDE * COLOURS);
         float[] stored = new float[PAGE_FLOATS];
         for (int row = 0; row < STORED_SIDE; row++) {
             int to = CHANNELS * STORED_SIDE * row;
@@ -228,20 +233,20 @@ public final class LevelBaking {
 
     /** What the prefilter of a page sees: square roots of X, Y, Z, row by row. */
     private float[] seen(int[] place) {
-        float[] plane = new float[SEEN_SIDE * SEEN_SIDE * COLOURS];
+        float[] plane = new float[seenSide * seenSide * COLOURS];
         int top = seenFrom(place[1]);
         int left = seenFrom(place[0]);
-        for (int row = 0; row < SEEN_SIDE; row++) {
+        for (int row = 0; row < seenSide; row++) {
             int run;
-            for (int column = 0; column < SEEN_SIDE; column += run) {
+            for (int column = 0; column < seenSide; column += run) {
                 int inPage = (left + column) % SIDE;
-                run = Math.min(SIDE - inPage, SEEN_SIDE - column);
+                run = Math.min(SIDE - inPage, seenSide - column);
                 float[] roots = samples[page(left + column, top + row, place[2])];
                 System.arraycopy(
                         roots,
                         COLOURS * ((top + row) % SIDE * SIDE + inPage),
                         plane,
-                        COLOURS * (row * SEEN_SIDE + column),
+                        COLOURS * (row * seenSide + column),
                         COLOURS * run);
             }
         }
@@ -249,11 +254,11 @@ public final class LevelBaking {
     }
 
     /** Of the rows that are stored: column by column. */
-    private static float[] storedRowsTransposed(float[] plane) {
-        float[] turned = new float[SEEN_SIDE * STORED_SIDE * COLOURS];
+    private float[] storedRowsTransposed(float[] plane) {
+        float[] turned = new float[seenSide * STORED_SIDE * COLOURS];
         for (int row = 0; row < STORED_SIDE; row++) {
-            int from = COLOURS * SEEN_SIDE * (row + MARGIN);
-            for (int column = 0; column < SEEN_SIDE; column++) {
+            int from = COLOURS * seenSide * (row + MARGIN);
+            for (int column = 0; column < seenSide; column++) {
                 int to = COLOURS * (column * STORED_SIDE + row);
                 turned[to] = plane[from];
                 turned[to + 1] = plane[from + 1];

@@ -10,8 +10,9 @@ import sunbeam.precompute.shader.ArrayLayout;
  * Pages are numbered row by row, slice after slice.
  *
  * @param design step and slices
+ * @param interpolation between texels
  */
-public record LevelGrid(TableDesign design) {
+public record LevelGrid(TableDesign design, Interpolation interpolation) {
     /** Texels along a page's side between which look-ups of its own fall. */
     public static final int SIDE = 16;
 
@@ -26,6 +27,11 @@ public record LevelGrid(TableDesign design) {
     // Of a texel and of a slice: processor and card may see a place on different sides of an edge.
     static final double ROUNDING = 0.02;
 
+    /** Of a level. */
+    public static LevelGrid of(TableLevels.Level level) {
+        return new LevelGrid(level.design(), level.interpolation());
+    }
+
     /** Pages along u, and along v. */
     public int columns() {
         // Beside the outermost look-ups there is a page, for what their splines reach.
@@ -38,6 +44,11 @@ public record LevelGrid(TableDesign design) {
     /** u and v of texel (0, 0). */
     public double origin() {
         return -0.5 * columns() * SIDE * design.step();
+    }
+
+    /** u and v where the coefficient of texel (0, 0) lies. */
+    public double firstCoefficient() {
+        return origin() + interpolation.shift() * design.step();
     }
 
     /**

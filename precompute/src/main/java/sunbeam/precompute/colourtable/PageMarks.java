@@ -24,7 +24,7 @@ public final class PageMarks {
         this.pages = pages;
         // Once: pictures ask for some ten million.
         this.columns = grid.columns();
-        this.middle = 0.5 * columns * LevelGrid.SIDE;
+        this.middle = -grid.firstCoefficient() / grid.design().step();
         this.perStep = 1 / grid.design().step();
         this.perSliceStep = 1 / grid.design().sliceStep();
     }

@@ -16,7 +16,8 @@ import sunbeam.precompute.plan.GaussianArea;
  * wavelength: {@link #sigma()} is that at {@link #MIDDLE_WAVELENGTH}.
  *
  * @param area the window that is seen at a point, and its average
- * @param levels their tables, the finest first, which is that of the area itself
+ * @param levels their tables, the finest first, which is that of the area itself; where others are interpolated along lines, one for points
+ *     alone before it
  */
 public record TableLevels(GaussianArea area, List<Level> levels) {
     /** Where an eye sees most, metres. */
@@ -27,14 +28,20 @@ public record TableLevels(GaussianArea area, List<Level> levels) {
     // Beyond, a level is a colour for a fifth of the hemisphere. In (u, v).
     private static final double WIDEST = 0.06;
 
+    // From this tolerance on pixels that see more than a point look between texels along straight lines: of these means
+    // come out
+    // the same.
+    private static final double LINES_TOLERANCE = 5e-3;
+
     /**
      * One table.
      *
      * @param area its window
      * @param scale what its power counts: the mean of a Gaussian of height 1 is lower as much as it is wider
      * @param design its step and slices
+     * @param interpolation between its texels
      */
-    public record Level(GaussianArea area, double scale, TableDesign design) {}
+    public record Level(GaussianArea area, double scale, TableDesign design, Interpolation interpolation) {}
 
     /** Copies. */
     public TableLevels {
@@ -49,10 +56,16 @@ public record TableLevels(GaussianArea area, List<Level> levels) {
      */
     public static TableLevels within(double tolerance, GaussianArea area, double relief) {
         List<Level> levels = new ArrayList<>();
+        Interpolation interpolation = Interpolation.CUBIC;
+        if (tolerance >= LINES_TOLERANCE && area.average() == Average.ENSEMBLE) {
+            interpolation = Interpolation.SHIFTED_LINES;
+            levels.add(new Level(area, 1, TableDesign.within(tolerance, area, relief), Interpolation.CUBIC));
+        }
         double finest = sigma(area.window());
         for (double widening = 1; widening == 1 || finest * widening <= WIDEST; widening *= RATIO) {
             GaussianArea wider = area.with(new CoherenceWindow(area.window().sigmaMetres() / widening));
-            levels.add(new Level(wider, 1 / (widening * widening), TableDesign.within(tolerance, wider, relief)));
+            levels.add(new Level(
+                    wider, 1 / (widening * widening), TableDesign.within(tolerance, wider, relief), interpolation));
             if (area.average() == Average.COHERENT) {
                 break;
             }
@@ -68,6 +81,11 @@ public record TableLevels(GaussianArea area, List<Level> levels) {
     private static double sigma(CoherenceWindow window) {
         // Power is the square of an amplitude.
         return MIDDLE_WAVELENGTH * window.sigmaFrequency() / Math.sqrt(2);
+    }
+
+    /** Levels for pixels that see points alone: 1 or 0. */
+    public int ofPoints() {
+        return levels.size() > 1 && levels.get(1).area().equals(area) ? 1 : 0;
     }
 
     /** Slices, of which all levels have as many. */

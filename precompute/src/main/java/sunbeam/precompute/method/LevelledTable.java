@@ -62,7 +62,7 @@ final class LevelledTable implements LevelledPlan {
 
     @Override
     public MethodPlan source(int level) {
-        return level == 0 ? finest : planned(level);
+        return levels.levels().get(level).area().equals(levels.area()) ? finest : planned(level);
     }
 
     @Override
@@ -89,6 +89,11 @@ final class LevelledTable implements LevelledPlan {
         return Optional.of(this);
     }
 
+    /** Levels of different width. */
+    private int widths() {
+        return levels.levels().size() - levels.ofPoints();
+    }
+
     private String step() {
         return String.format(
                 Locale.ROOT, "%.2g", levels.levels().get(0).design().step());
@@ -99,8 +104,8 @@ final class LevelledTable implements LevelledPlan {
         return String.format(
                 Locale.ROOT,
                 "table: %d level%s from step %s in (u, v), %d slices in w; of %s",
-                levels.levels().size(),
-                levels.levels().size() == 1 ? "" : "s",
+                widths(),
+                widths() == 1 ? "" : "s",
                 step(),
                 levels.slices(),
                 finest.summary());
@@ -114,12 +119,15 @@ final class LevelledTable implements LevelledPlan {
                 "step %s in (u, v): cubic B-splines through square roots of X, Y, Z err by the tolerance (docs/colour-tables.md)",
                 step()));
         reasons.add(
-                levels.levels().size() == 1
+                widths() == 1
                         ? "one level: a coherent average of wide surroundings is no narrower window's"
                         : String.format(
                                 Locale.ROOT,
                                 "%d levels, each 1.4 times as wide as the one before, for pixels that see so much",
-                                levels.levels().size()));
+                                widths()));
+        if (levels.ofPoints() == 1) {
+            reasons.add("for pixels that see more than a point straight lines, shifted, whose errors have no mean");
+        }
         reasons.add("evaluated by full for half of the tolerance:");
         reasons.addAll(finest.reasons());
         return reasons;
@@ -151,15 +159,15 @@ final class LevelledTable implements LevelledPlan {
         return String.join("|", "levelled table", levels.toString(), finest.key(use));
     }
 
-    /** One texel a level: u and v of its first texel, texels per unit, pages across, scale of its power. */
+    /** One texel a level: u and v of its first coefficient, texels per unit, pages across, scale of its power. */
     @Override
     public ShaderTables tables(MethodUse use, TableSources unused) {
         int count = levels.levels().size();
         float[] texels = new float[CHANNELS * count];
         IntStream.range(0, count).forEach(i -> {
             TableLevels.Level level = levels.levels().get(i);
-            LevelGrid grid = new LevelGrid(level.design());
-            texels[CHANNELS * i] = (float) grid.origin();
+            LevelGrid grid = LevelGrid.of(level);
+            texels[CHANNELS * i] = (float) grid.firstCoefficient();
             texels[CHANNELS * i + 1] = (float) (1 / level.design().step());
             texels[CHANNELS * i + 2] = grid.columns();
             texels[CHANNELS * i + 3] = (float) level.scale();
@@ -168,6 +176,7 @@ final class LevelledTable implements LevelledPlan {
         return new ShaderTables.Builder("table_levels")
                 .array(TableArray.of(ArrayLayout.flat("colourLevels", count, 1, CHANNELS), texels))
                 .define("COLOUR_SLICES", levels.slices())
+                .define("COLOUR_POINT_LEVELS", levels.ofPoints())
                 .reals("colourSlicesPerUnit", slicesPerUnit)
                 .reals("colourPageSide", LevelGrid.SIDE)
                 .build(

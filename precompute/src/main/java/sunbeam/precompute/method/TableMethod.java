@@ -89,10 +89,10 @@ public record TableMethod(double tolerance, GaussianArea area) implements Method
         double depth = TableDesign.depth(surface.map());
         if (range.reach() instanceof Reach.Everything) {
             TableLevels levels = TableLevels.within(tolerance, area, depth);
-            TableDesign finest = levels.levels().get(0).design();
+            TableLevels.Level finest = levels.levels().get(0);
             // Of a table whose list of pages fits, there may be room for the pages of a picture; who draws it knows.
-            ArrayLayout list = new LevelGrid(finest).pageList(levels.levels().size());
-            requireRoom(surface, finest, MemoryNeed.of(list.bytes(), List.of(list)));
+            ArrayLayout list = LevelGrid.of(finest).pageList(levels.levels().size());
+            requireRoom(surface, finest.design(), MemoryNeed.of(list.bytes(), List.of(list)));
             return new LevelledTable(surface, levels, sourceTolerance());
         }
         TableDesign design = TableDesign.within(tolerance, area, depth);

@@ -11,7 +11,8 @@ import org.junit.jupiter.api.Test;
 
 class LevelBakingTest {
     private static final TableDesign DESIGN = new TableDesign(0.02, 5);
-    private static final LevelGrid GRID = new LevelGrid(DESIGN);
+    private static final LevelGrid GRID = new LevelGrid(DESIGN, Interpolation.CUBIC);
+    private static final LevelGrid LINES = new LevelGrid(DESIGN, Interpolation.SHIFTED_LINES);
     private static final ColourSource WAVES = LevelBakingTest::waves;
 
     /** Colours whose roots are waves of 12 texels. */
@@ -31,8 +32,12 @@ class LevelBakingTest {
     }
 
     private static BitSet pagesOf(double u, double v, double w) {
+        return pagesOf(GRID, u, v, w);
+    }
+
+    private static BitSet pagesOf(LevelGrid grid, double u, double v, double w) {
         BitSet pages = new BitSet();
-        new PageMarks(GRID, pages).mark(u, v, w);
+        new PageMarks(grid, pages).mark(u, v, w);
         return pages;
     }
 
@@ -72,6 +77,53 @@ class LevelBakingTest {
             // A cubic spline errs by (2 pi / 12)^4 / 384 = 2e-4 of a wave of 12 texels, each way.
             assertThat(spline(baked.get(0), x, y, 1)).isCloseTo(root(u, v, 1) + slice, within(6e-4));
         }
+    }
+
+    /** Lines between a page's coefficients, by their definition. */
+    private static double lines(float[] page, double x, double y, int colour) {
+        double sum = 0;
+        for (int row = (int) Math.floor(y); row <= Math.floor(y) + 1; row++) {
+            for (int column = (int) Math.floor(x); column <= Math.floor(x) + 1; column++) {
+                int texel = (row + 1) * LevelGrid.STORED_SIDE + column + 1;
+                sum += page[4 * texel + colour] * (1 - Math.abs(x - column)) * (1 - Math.abs(y - row));
+            }
+        }
+        return sum;
+    }
+
+    @Test
+    void aPageOfLinesIsAsCloseToItsColoursRootsAsLinesCanBe() {
+        SplittableRandom random = new SplittableRandom(6);
+        double squares = 0;
+        int count = 0;
+        while (count < 300) {
+            double u = random.nextDouble(-1.4, 1.4);
+            double v = random.nextDouble(-1.4, 1.4);
+            int[] numbers = pagesOf(LINES, u, v, -0.5).stream().toArray();
+            if (numbers.length != TableDesign.TAPS) {
+                continue; // close to an edge
+            }
+            BitSet one = new BitSet();
+            one.set(numbers[0]);
+            float[] page = new LevelBaking(LINES).bake(one, WAVES).get(0);
+            int[] place = LINES.place(numbers[0]);
+            double x = (u - LINES.firstCoefficient()) / DESIGN.step() - place[0] * LevelGrid.SIDE;
+            double y = (v - LINES.firstCoefficient()) / DESIGN.step() - place[1] * LevelGrid.SIDE;
+            assertThat(x).isBetween(0.0, (double) LevelGrid.SIDE);
+            squares += Math.pow(lines(page, x, y, 1) - root(u, v, 1) - place[2] * DESIGN.sliceStep(), 2);
+            count++;
+        }
+        // Blu et al.: f'' / sqrt(720) each way, of a product of waves of 12 texels whose square is 1/4 in the mean;
+        // both ways bend
+        // together, so that errors add up where bends do: sqrt(2) to 2 times as much.
+        double bend = Math.pow(2 * Math.PI / 12, 2) * 0.5;
+        assertThat(Math.sqrt(squares / count)).isBetween(bend / Math.sqrt(720), 2.2 * bend / Math.sqrt(720));
+    }
+
+    @Test
+    void linesDependOnNoSampleBehindThePage() {
+        BitSet page = pagesOf(LINES, 0.11, 0.3, -1.1);
+        assertThat(new LevelBaking(LINES).missing(page)).isLessThan(new LevelBaking(GRID).missing(page));
     }
 
     @Test

@@ -32,7 +32,7 @@ class TableLevelsTest {
         TableLevels levels = TableLevels.within(1e-2, ENSEMBLE, map.relief());
         double sigma = levels.sigma();
         for (int number : new int[] {1, 2, 3}) {
-            TableLevels.Level level = levels.levels().get(number);
+            TableLevels.Level level = levels.levels().get(levels.ofPoints() + number);
             // Level l adds (2^l - 1) times the finest's variance.
             double added = sigma * Math.sqrt(Math.pow(2, number) - 1);
             double sum = 0;
@@ -62,8 +62,23 @@ class TableLevelsTest {
     }
 
     @Test
-    void aWindowSoShortThatNothingIsWiderHasOneLevel() {
+    void aWindowSoShortThatNothingIsWiderHasOneLevelAndThatOfPoints() {
         GaussianArea area = ENSEMBLE.with(CoherenceWindow.ofCoherenceLength(1e-6));
-        assertThat(TableLevels.within(1e-2, area, 1e-6).levels()).hasSize(1);
+        assertThat(TableLevels.within(1e-3, area, 1e-6).levels()).hasSize(1);
+        assertThat(TableLevels.within(1e-2, area, 1e-6).levels()).hasSize(2);
+    }
+
+    @Test
+    void whereMeansAreInterpolatedAlongLinesPointsAreNot() {
+        TableLevels fine = TableLevels.within(1e-3, ENSEMBLE, 1e-6);
+        assertThat(fine.ofPoints()).isZero();
+        assertThat(fine.levels()).allMatch(level -> level.interpolation() == Interpolation.CUBIC);
+        TableLevels coarse = TableLevels.within(1e-2, ENSEMBLE, 1e-6);
+        assertThat(coarse.ofPoints()).isOne();
+        assertThat(coarse.levels().get(0).interpolation()).isEqualTo(Interpolation.CUBIC);
+        assertThat(coarse.levels().get(0).design())
+                .isEqualTo(coarse.levels().get(1).design());
+        assertThat(coarse.levels().subList(1, coarse.levels().size()))
+                .allMatch(level -> level.interpolation() == Interpolation.SHIFTED_LINES);
     }
 }

@@ -30,7 +30,7 @@ final class PageSources implements AutoCloseable {
     PageSources(LevelSources sources) {
         this.sources = sources;
         for (TableLevels.Level level : sources.levels().levels()) {
-            LevelGrid grid = new LevelGrid(level.design());
+            LevelGrid grid = LevelGrid.of(level);
             grids.add(grid);
             bakings.add(new LevelBaking(grid));
         }
