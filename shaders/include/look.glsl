@@ -31,6 +31,8 @@ const float PIXEL_BLUR = 0.25;
 // Distance of the places that are looked at, in standard deviations of what the level shows of a sharp order: at 1.6 of them a row
 // of Gaussians is even within 2 exp(-2 pi^2 / 1.6^2) = 9e-4.
 const float SPACING = 1.6;
+// What a whole pixel sees along its wide side counts as a point below this share of the variance of what the finest level shows of a sharp order.
+const float POINT = 0.06;
 
 // The bits of floats: floor(log2(x)) and ceil(log2(x)) of a normal positive number, and 2^n.
 int floorOfLog2(float x) {
@@ -88,7 +90,7 @@ Look lookOver(vec3 uvw, vec3 a, vec3 b) {
     float narrowDepth = dot(depths, narrowEdges) * dot(side, side) / max(dot(narrowEdges, narrowEdges), 1e-36);
     float shorter = abs(abs(edges.x) - abs(edges.y)) / max(longer, 1e-36);
     return Look(
-            vec4(uvw, level == 0 && places == vec2(1.0) ? 0.0 : float(level) + pointLevels),
+            vec4(uvw, samplesAcross * samplesAcross * seen.y < POINT * finestVariance ? 0.0 : float(level) + pointLevels),
             vec4(scales.x * vec3(side, wideDepth), places.x),
             vec4(scales.y * vec3(narrowSide, narrowDepth), places.y + 0.9 * shorter));
 }

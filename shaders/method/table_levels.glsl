@@ -149,12 +149,13 @@ vec3 seenXyz(int level, vec3 middle, vec4 wide, vec4 narrow) {
 
 // At a point, in the level that is for points.
 vec3 pointXyz(vec3 uvw) {
-    vec3 xyz = cubicXyz(uvw, 0, texelFetch(colourLevels, ivec2(0, 0), 0));
+    vec4 grid = texelFetch(colourLevels, ivec2(0, 0), 0);
+    vec3 xyz = cubicXyz(uvw, 0, grid);
     if (xyz.y == MISSING) {
         colourIsMissing = true;
         return vec3(0.0);
     }
-    return max(xyz, vec3(0.0));
+    return max(grid.w * xyz, vec3(0.0));
 }
 
 vec3 diffractedXyz(vec3 uvw) {

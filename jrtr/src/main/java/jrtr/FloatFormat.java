@@ -1,22 +1,31 @@
 package jrtr;
 
-/** 32-bit float texels. Channels that a format lacks read as 0, alpha as 1. */
+/** Texels of floats, of 32 bits but for the last. Channels that a format lacks read as 0, alpha as 1. */
 public enum FloatFormat {
     /** One channel. */
-    R32F(1),
+    R32F(1, Float.BYTES),
     /** Two channels, such as a complex number. */
-    RG32F(2),
+    RG32F(2, Float.BYTES),
     /** Four channels. */
-    RGBA32F(4);
+    RGBA32F(4, Float.BYTES),
+    /** Four channels of 16 bits (IEEE 754's binary16). */
+    RGBA16F(4, Short.BYTES);
 
     private final int channels;
+    private final int bytesPerChannel;
 
-    FloatFormat(int channels) {
+    FloatFormat(int channels, int bytesPerChannel) {
         this.channels = channels;
+        this.bytesPerChannel = bytesPerChannel;
     }
 
     /** Floats per texel. */
     public int channels() {
         return channels;
+    }
+
+    /** Bytes of each. */
+    public int bytesPerChannel() {
+        return bytesPerChannel;
     }
 }

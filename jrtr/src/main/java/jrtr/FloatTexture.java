@@ -1,6 +1,7 @@
 package jrtr;
 
 import java.nio.FloatBuffer;
+import java.nio.ShortBuffer;
 
 /**
  * A table of floats for shaders. Values are row-major, channels interleaved: texel (x, y) of a layer starts at {@code (y
@@ -31,4 +32,12 @@ public interface FloatTexture extends Texture, Resource {
      * @throws IllegalArgumentException if there are more or fewer, or no such layer
      */
     void uploadLayer(int layer, FloatBuffer texels);
+
+    /**
+     * As {@link #uploadLayer(int, FloatBuffer)}, of a texture whose floats have 16 bits.
+     *
+     * @param texels bits of floats (IEEE 754's binary16)
+     * @throws IllegalArgumentException if there are more or fewer, no such layer, or floats of 32 bits
+     */
+    void uploadLayer(int layer, ShortBuffer texels);
 }

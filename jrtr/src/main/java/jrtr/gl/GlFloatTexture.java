@@ -1,7 +1,9 @@
 package jrtr.gl;
 
 import com.jogamp.opengl.GL3;
+import java.nio.Buffer;
 import java.nio.FloatBuffer;
+import java.nio.ShortBuffer;
 import java.util.BitSet;
 import jrtr.Filter;
 import jrtr.FloatTexture;
@@ -46,7 +48,7 @@ final class GlFloatTexture extends GlResource implements FloatTexture, GlTexture
         gl.glTexParameteri(target, GL3.GL_TEXTURE_MAX_LEVEL, 0);
         int internalFormat = TextureMemory.internalFormat(spec.format());
         int format = TextureMemory.pixelFormat(spec.format());
-        long bytes = 4 * spec.floats();
+        long bytes = spec.format().bytesPerChannel() * spec.floats();
         if (spec.array()) {
             memory.allocateArray(
                     gl, internalFormat, spec.width(), spec.height(), spec.layers(), format, GL3.GL_FLOAT, bytes);
@@ -60,20 +62,34 @@ final class GlFloatTexture extends GlResource implements FloatTexture, GlTexture
         requireLength(texels.length, spec.floats());
         int length = Math.toIntExact(spec.floatsPerLayer());
         for (int layer = 0; layer < spec.layers(); layer++) {
-            put(layer, FloatBuffer.wrap(texels).slice(layer * length, length));
+            put(layer, FloatBuffer.wrap(texels).slice(layer * length, length), GL3.GL_FLOAT);
         }
         device().check(gl(), "uploading '" + label() + "'");
     }
 
     @Override
     public void uploadLayer(int layer, FloatBuffer texels) {
+        requireLayer(layer, texels.remaining());
+        put(layer, texels.slice(), GL3.GL_FLOAT);
+        device().check(gl(), "uploading layer " + layer + " of '" + label() + "'");
+    }
+
+    @Override
+    public void uploadLayer(int layer, ShortBuffer texels) {
+        if (spec.format().bytesPerChannel() != Short.BYTES) {
+            throw new IllegalArgumentException("texture '" + label() + "' has floats of 32 bits, not of 16");
+        }
+        requireLayer(layer, texels.remaining());
+        put(layer, texels.slice(), GL3.GL_HALF_FLOAT);
+        device().check(gl(), "uploading layer " + layer + " of '" + label() + "'");
+    }
+
+    private void requireLayer(int layer, int floats) {
         if (layer < 0 || layer >= spec.layers()) {
             throw new IllegalArgumentException(
                     "texture '" + label() + "' has layers 0 to " + (spec.layers() - 1) + ", not " + layer);
         }
-        requireLength(texels.remaining(), spec.floatsPerLayer());
-        put(layer, texels.slice());
-        device().check(gl(), "uploading layer " + layer + " of '" + label() + "'");
+        requireLength(floats, spec.floatsPerLayer());
     }
 
     private void requireLength(int given, long needed) {
@@ -84,16 +100,16 @@ final class GlFloatTexture extends GlResource implements FloatTexture, GlTexture
         }
     }
 
-    private void put(int layer, FloatBuffer texels) {
+    private void put(int layer, Buffer texels, int type) {
         GL3 gl = gl();
         int format = TextureMemory.pixelFormat(spec.format());
         gl.glActiveTexture(GL3.GL_TEXTURE0);
         gl.glBindTexture(target, name);
         gl.glPixelStorei(GL3.GL_UNPACK_ALIGNMENT, 4);
         if (spec.array()) {
-            gl.glTexSubImage3D(target, 0, 0, 0, layer, spec.width(), spec.height(), 1, format, GL3.GL_FLOAT, texels);
+            gl.glTexSubImage3D(target, 0, 0, 0, layer, spec.width(), spec.height(), 1, format, type, texels);
         } else {
-            gl.glTexSubImage2D(target, 0, 0, 0, spec.width(), spec.height(), format, GL3.GL_FLOAT, texels);
+            gl.glTexSubImage2D(target, 0, 0, 0, spec.width(), spec.height(), format, type, texels);
         }
         missingLayers.clear(layer);
     }

@@ -89,6 +89,7 @@ final class TextureMemory {
             case R32F -> GL3.GL_R32F;
             case RG32F -> GL3.GL_RG32F;
             case RGBA32F -> GL3.GL_RGBA32F;
+            case RGBA16F -> GL3.GL_RGBA16F;
         };
     }
 
@@ -96,7 +97,7 @@ final class TextureMemory {
         return switch (format) {
             case R32F -> GL3.GL_RED;
             case RG32F -> GL3.GL_RG;
-            case RGBA32F -> GL3.GL_RGBA;
+            case RGBA32F, RGBA16F -> GL3.GL_RGBA;
         };
     }
 }

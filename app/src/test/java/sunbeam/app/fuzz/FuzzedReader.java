@@ -21,6 +21,7 @@ import sunbeam.app.terminal.OptionOrigin;
 import sunbeam.app.terminal.options.PatchOptions;
 import sunbeam.precompute.colourtable.KeptPages;
 import sunbeam.precompute.colourtable.LevelBaking;
+import sunbeam.precompute.colourtable.NumberFormat;
 import sunbeam.precompute.patch.PatchRequest;
 import sunbeam.precompute.patch.PatchSettings;
 import sunbeam.precompute.setting.Choices;
@@ -114,7 +115,7 @@ enum FuzzedReader {
                 for (int level = 0; level < 3; level++) {
                     kept.read(level, pages);
                 }
-                kept.keep(2, Map.of(7, new float[LevelBaking.PAGE_FLOATS]));
+                kept.keep(2, Map.of(7, new byte[NumberFormat.HALF.bytes() * LevelBaking.PAGE_NUMBERS]));
             }
         }
     };

@@ -15,6 +15,7 @@ import sunbeam.app.files.cache.PageFile;
 import sunbeam.app.files.output.PngWriter;
 import sunbeam.precompute.colourtable.KeptPages;
 import sunbeam.precompute.colourtable.LevelBaking;
+import sunbeam.precompute.colourtable.NumberFormat;
 import sunbeam.precompute.expansion.HeightScale;
 import sunbeam.precompute.expansion.TaylorExpansion;
 import sunbeam.precompute.fourier.Band;
@@ -107,14 +108,14 @@ final class Seeds {
     }
 
     static KeptPages pages(Path file) {
-        return PageFile.of(file, KEY, TableLabel.NONE, 1 << 20, warning -> {}, () -> {});
+        return PageFile.of(file, KEY, NumberFormat.HALF, TableLabel.NONE, 1 << 20, warning -> {}, () -> {});
     }
 
     static byte[] pages() throws IOException {
         return written(file -> {
             try (KeptPages kept = pages(file)) {
-                kept.keep(0, Map.of(3, new float[LevelBaking.PAGE_FLOATS]));
-                kept.keep(1, Map.of(2, new float[LevelBaking.PAGE_FLOATS]));
+                kept.keep(0, Map.of(3, new byte[NumberFormat.HALF.bytes() * LevelBaking.PAGE_NUMBERS]));
+                kept.keep(1, Map.of(2, new byte[NumberFormat.HALF.bytes() * LevelBaking.PAGE_NUMBERS]));
             }
         });
     }

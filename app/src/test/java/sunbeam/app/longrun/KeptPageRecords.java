@@ -10,11 +10,12 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import sunbeam.precompute.colourtable.LevelBaking;
+import sunbeam.precompute.colourtable.NumberFormat;
 
 /** The records of a file of pages in the cache (sunbeam.app.files.cache.PageFile). */
 final class KeptPageRecords {
     private static final int TEXTS = 4;
-    private static final int BYTES_OF_A_PAGE = LevelBaking.PAGE_FLOATS / 4 * 3 * Float.BYTES;
+    private static final int BYTES_OF_A_PAGE = LevelBaking.PAGE_NUMBERS * NumberFormat.HALF.bytes();
     /** Level, page, checksum, colours. */
     private static final int BYTES_OF_A_RECORD = 16 + BYTES_OF_A_PAGE;
 

@@ -77,7 +77,7 @@ class AllLightsRun {
     }
 
     private static long bake(LevelGrid grid, LevelsOfSetup sources, int level) {
-        LevelBaking baking = new LevelBaking(grid);
+        LevelBaking baking = new LevelBaking(grid, sources.levels().numbers());
         BitSet reachable = grid.reachable();
         long places = baking.missing(reachable);
         int[] pages = grid.bySide(reachable).toArray();

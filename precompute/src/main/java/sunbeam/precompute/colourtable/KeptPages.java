@@ -13,12 +13,12 @@ public interface KeptPages extends AutoCloseable {
         }
 
         @Override
-        public Map<Integer, float[]> read(int level, BitSet pages) {
+        public Map<Integer, byte[]> read(int level, BitSet pages) {
             return Map.of();
         }
 
         @Override
-        public void keep(int level, Map<Integer, float[]> pages) {}
+        public void keep(int level, Map<Integer, byte[]> pages) {}
 
         @Override
         public void close() {}
@@ -27,11 +27,11 @@ public interface KeptPages extends AutoCloseable {
     /** Those of some pages of a level that are kept, as far as is known before they are read. */
     BitSet kept(int level, BitSet pages);
 
-    /** Reads those of some pages of a level that are kept; {@link LevelBaking#PAGE_FLOATS} values each. */
-    Map<Integer, float[]> read(int level, BitSet pages);
+    /** Reads those of some pages of a level that are kept; {@link LevelBaking#PAGE_NUMBERS} each. */
+    Map<Integer, byte[]> read(int level, BitSet pages);
 
     /** Keeps pages of a level, if they can be. */
-    void keep(int level, Map<Integer, float[]> pages);
+    void keep(int level, Map<Integer, byte[]> pages);
 
     @Override
     void close();

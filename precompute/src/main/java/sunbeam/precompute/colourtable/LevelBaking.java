@@ -24,10 +24,11 @@ public final class LevelBaking {
     // Places that are evaluated at once: 50 MB each way. Few, and sources by rays would go along the same rays again.
     private static final int BATCH = 1 << 22;
 
-    /** A page as the shader has it: {@link LevelGrid#STORED_SIDE} rows of as many texels, 4 values each. */
-    public static final int PAGE_FLOATS = STORED_SIDE * STORED_SIDE * CHANNELS;
+    /** Coefficients of a page as the shader has it: {@link LevelGrid#STORED_SIDE} rows of as many texels, 4 values each. */
+    public static final int PAGE_NUMBERS = STORED_SIDE * STORED_SIDE * CHANNELS;
 
     private final LevelGrid grid;
+    private final NumberFormat numbers;
     private final int columns;
     private final Interpolation interpolation;
     // Of the square that a page's prefilter sees.
@@ -36,9 +37,15 @@ public final class LevelBaking {
     private final float[][] samples;
     private final BitSet[] known;
 
-    /** @param grid of the level */
-    public LevelBaking(LevelGrid grid) {
+    /**
+     * Nothing is made yet.
+     *
+     * @param grid of the level
+     * @param numbers of its coefficients
+     */
+    public LevelBaking(LevelGrid grid, NumberFormat numbers) {
         this.grid = grid;
+        this.numbers = numbers;
         this.columns = grid.columns();
         this.interpolation = grid.interpolation();
         this.seenSide = STORED_SIDE + MARGIN + interpolation.marginBehind();
@@ -62,9 +69,9 @@ public final class LevelBaking {
      * Makes pages.
      *
      * @param pages their numbers
-     * @return {@link #PAGE_FLOATS} values each, in the order of their numbers
+     * @return {@link #PAGE_NUMBERS} of the format each, in the order of their numbers
      */
-    public List<float[]> bake(BitSet pages, ColourSource source) {
+    public List<byte[]> bake(BitSet pages, ColourSource source) {
         List<Needed> needed = needed(pages);
         evaluate(needed, source);
         needed.forEach(page -> known[page.number].or(page.texels));
@@ -210,14 +217,14 @@ public final class LevelBaking {
         return (slice * columns + pageRow) * columns + column / SIDE;
     }
 
-    private float[] coefficients(int page) {
+    private byte[] coefficients(int page) {
         int[] place = grid.place(page);
         // Row by row, then column by column: a filter goes along one direction of all lines at once.
         float[] rows = seen(place);
         interpolation.toCoefficients(rows, seenSide, seenSide * COLOURS);
         float[] turned = storedRowsTransposed(rows);
         interpolation.toCoefficients(turned, seenSide, STORED_SIDE * COLOURS);
-        float[] stored = new float[PAGE_FLOATS];
+        float[] stored = new float[PAGE_NUMBERS];
         for (int row = 0; row < STORED_SIDE; row++) {
             int to = CHANNELS * STORED_SIDE * row;
             for (int column = 0; column < STORED_SIDE; column++) {
@@ -228,7 +235,7 @@ public final class LevelBaking {
                 to += CHANNELS;
             }
         }
-        return stored;
+        return numbers.encoded(stored);
     }
 
     /** What the prefilter of a page sees: square roots of X, Y, Z, row by row. */

@@ -18,8 +18,9 @@ import sunbeam.precompute.plan.GaussianArea;
  * @param area the window that is seen at a point, and its average
  * @param levels their tables, the finest first, which is that of the area itself; where others are interpolated along lines, one for points
  *     alone before it
+ * @param numbers of their coefficients
  */
-public record TableLevels(GaussianArea area, List<Level> levels) {
+public record TableLevels(GaussianArea area, List<Level> levels, NumberFormat numbers) {
     /** Where an eye sees most, metres. */
     public static final double MIDDLE_WAVELENGTH = 550e-9;
 
@@ -32,6 +33,10 @@ public record TableLevels(GaussianArea area, List<Level> levels) {
     // come out
     // the same.
     private static final double LINES_TOLERANCE = 5e-3;
+
+    // A colour errs by twice as much as its root: by no more than 1e-3, and less, since 16 coefficients or more make
+    // it.
+    private static final double HALF_TOLERANCE = 1e-3;
 
     /**
      * One table.
@@ -70,7 +75,7 @@ public record TableLevels(GaussianArea area, List<Level> levels) {
                 break;
             }
         }
-        return new TableLevels(area, levels);
+        return new TableLevels(area, levels, tolerance < HALF_TOLERANCE ? NumberFormat.FLOAT : NumberFormat.HALF);
     }
 
     /** Standard deviation in (u, v) of what the finest level shows of a sharp order. */

@@ -170,7 +170,8 @@ final class LevelledTable implements LevelledPlan {
             texels[CHANNELS * i] = (float) grid.firstCoefficient();
             texels[CHANNELS * i + 1] = (float) (1 / level.design().step());
             texels[CHANNELS * i + 2] = grid.columns();
-            texels[CHANNELS * i + 3] = (float) level.scale();
+            texels[CHANNELS * i + 3] =
+                    (float) (level.scale() / Math.pow(levels.numbers().scale(), 2));
         });
         double slicesPerUnit = 1 / levels.levels().get(0).design().sliceStep();
         return new ShaderTables.Builder("table_levels")

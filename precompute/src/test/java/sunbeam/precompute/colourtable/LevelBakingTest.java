@@ -66,7 +66,7 @@ class LevelBakingTest {
             double v = random.nextDouble(-1.4, 1.4);
             BitSet one = new BitSet();
             one.set(pagesOf(u, v, -0.5).nextSetBit(0));
-            List<float[]> baked = new LevelBaking(GRID).bake(one, WAVES);
+            List<byte[]> baked = new LevelBaking(GRID, NumberFormat.FLOAT).bake(one, WAVES);
             int[] place = GRID.place(one.nextSetBit(0));
             double x = (u - GRID.origin()) / DESIGN.step() - place[0] * LevelGrid.SIDE;
             double y = (v - GRID.origin()) / DESIGN.step() - place[1] * LevelGrid.SIDE;
@@ -75,7 +75,8 @@ class LevelBakingTest {
             }
             double slice = place[2] * DESIGN.sliceStep();
             // A cubic spline errs by (2 pi / 12)^4 / 384 = 2e-4 of a wave of 12 texels, each way.
-            assertThat(spline(baked.get(0), x, y, 1)).isCloseTo(root(u, v, 1) + slice, within(6e-4));
+            assertThat(spline(NumberFormatTest.decoded(baked.get(0), NumberFormat.FLOAT), x, y, 1))
+                    .isCloseTo(root(u, v, 1) + slice, within(6e-4));
         }
     }
 
@@ -105,7 +106,9 @@ class LevelBakingTest {
             }
             BitSet one = new BitSet();
             one.set(numbers[0]);
-            float[] page = new LevelBaking(LINES).bake(one, WAVES).get(0);
+            byte[] baked =
+                    new LevelBaking(LINES, NumberFormat.FLOAT).bake(one, WAVES).get(0);
+            float[] page = NumberFormatTest.decoded(baked, NumberFormat.FLOAT);
             int[] place = LINES.place(numbers[0]);
             double x = (u - LINES.firstCoefficient()) / DESIGN.step() - place[0] * LevelGrid.SIDE;
             double y = (v - LINES.firstCoefficient()) / DESIGN.step() - place[1] * LevelGrid.SIDE;
@@ -123,7 +126,8 @@ class LevelBakingTest {
     @Test
     void linesDependOnNoSampleBehindThePage() {
         BitSet page = pagesOf(LINES, 0.11, 0.3, -1.1);
-        assertThat(new LevelBaking(LINES).missing(page)).isLessThan(new LevelBaking(GRID).missing(page));
+        assertThat(new LevelBaking(LINES, NumberFormat.FLOAT).missing(page))
+                .isLessThan(new LevelBaking(GRID, NumberFormat.FLOAT).missing(page));
     }
 
     @Test
@@ -133,15 +137,15 @@ class LevelBakingTest {
         BitSet both = new BitSet();
         both.or(left);
         both.or(right);
-        LevelBaking together = new LevelBaking(GRID);
+        LevelBaking together = new LevelBaking(GRID, NumberFormat.FLOAT);
         long all = together.missing(both);
-        List<float[]> made = together.bake(both, WAVES);
+        List<byte[]> made = together.bake(both, WAVES);
         assertThat(together.missing(both)).isZero();
-        LevelBaking apart = new LevelBaking(GRID);
+        LevelBaking apart = new LevelBaking(GRID, NumberFormat.FLOAT);
         long first = apart.missing(left);
         apart.bake(left, WAVES);
         assertThat(first + apart.missing(right)).as("samples in all").isEqualTo(all);
-        List<float[]> later = apart.bake(right, WAVES);
+        List<byte[]> later = apart.bake(right, WAVES);
         int[] numbers = both.stream().toArray();
         int[] ofRight = right.stream().toArray();
         for (int i = 0; i < ofRight.length; i++) {

@@ -4,6 +4,7 @@ import java.io.ByteArrayOutputStream;
 import java.io.DataOutputStream;
 import java.io.IOException;
 import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
 import java.nio.channels.FileChannel;
 import java.nio.channels.OverlappingFileLockException;
 import java.nio.charset.StandardCharsets;
@@ -20,28 +21,25 @@ import java.util.stream.IntStream;
 import java.util.zip.CRC32;
 import sunbeam.precompute.colourtable.KeptPages;
 import sunbeam.precompute.colourtable.LevelBaking;
+import sunbeam.precompute.colourtable.NumberFormat;
 import sunbeam.precompute.files.Sha256;
 import sunbeam.precompute.table.TableLabel;
 
 /**
  * Pages of one surface's levels of colours in the cache folder. After its head (format, hash of the key, label) the file has
- * records of one length in the order in which pages were made: level, page, checksum, coefficients of X, Y, Z as float32, big
- * endian. The checksum is of the key, level, page and coefficients: a record that is damaged, cut off or of something else is
+ * records of one length in the order in which pages were made: level, page, checksum (big endian), coefficients as the shader has them. The checksum is of the key, level, page and coefficients: a record that is damaged, cut off or of something else is
  * passed over, and its page made and appended again. One process at a time appends; the others read.
  */
 public final class PageFile implements KeptPages {
     private static final String DAMAGED = "cached colours are made again: some are damaged or cut off";
-    private static final String FORMAT = "Sunbeam pages 2";
-    private static final int CHANNELS = 4;
-    private static final int COLOURS = 3;
-    private static final int TEXELS = LevelBaking.PAGE_FLOATS / CHANNELS;
+    private static final String FORMAT = "Sunbeam pages 3";
     private static final int HEAD_BYTES = 2 * Integer.BYTES + Long.BYTES;
-    private static final int RECORD_BYTES = HEAD_BYTES + COLOURS * TEXELS * Float.BYTES;
     // Records that are read or written at once: a megabyte.
     private static final int TOGETHER = 256;
 
     private final FileChannel channel;
-    private final String key;
+    private final byte[] key;
+    private final int recordBytes;
     private final long start;
     private final long mostBytes;
     private final Consumer<String> warning;
@@ -54,13 +52,15 @@ public final class PageFile implements KeptPages {
     private PageFile(
             FileChannel channel,
             String key,
+            NumberFormat numbers,
             long start,
             long mostBytes,
             Consumer<String> warning,
             Runnable closed,
             boolean writable) {
         this.channel = channel;
-        this.key = key;
+        this.key = key.getBytes(StandardCharsets.UTF_8);
+        this.recordBytes = HEAD_BYTES + numbers.bytes() * LevelBaking.PAGE_NUMBERS;
         this.start = start;
         this.mostBytes = mostBytes;
         this.warning = warning;
@@ -72,12 +72,19 @@ public final class PageFile implements KeptPages {
      * Goes on with a file, or begins one. Where that cannot be done, nothing is kept.
      *
      * @param key all that determines the pages
+     * @param numbers of their coefficients
      * @param mostBytes that the file may take
      * @param warning told in one line, once, what is wrong with it
      * @param closed told when it has been closed
      */
     public static KeptPages of(
-            Path file, String key, TableLabel label, long mostBytes, Consumer<String> warning, Runnable closed) {
+            Path file,
+            String key,
+            NumberFormat numbers,
+            TableLabel label,
+            long mostBytes,
+            Consumer<String> warning,
+            Runnable closed) {
         FileChannel channel = null;
         try {
             channel = FileChannel.open(
@@ -88,7 +95,7 @@ public final class PageFile implements KeptPages {
                     // A link's target is somebody's file.
                     LinkOption.NOFOLLOW_LINKS);
             boolean locked = lock(channel);
-            byte[] head = head(key, label);
+            byte[] head = head(key, numbers, label);
             boolean isDamaged = false;
             if (!isHead(channel, head)) {
                 if (!locked) {
@@ -99,7 +106,7 @@ public final class PageFile implements KeptPages {
                 channel.truncate(0);
                 write(channel, ByteBuffer.wrap(head), 0);
             }
-            PageFile pages = new PageFile(channel, key, head.length, mostBytes, warning, closed, locked);
+            PageFile pages = new PageFile(channel, key, numbers, head.length, mostBytes, warning, closed, locked);
             pages.list();
             if (isDamaged || (locked && pages.isCutOff())) {
                 pages.warn(DAMAGED);
@@ -120,13 +127,13 @@ public final class PageFile implements KeptPages {
         }
     }
 
-    private static byte[] head(String key, TableLabel label) throws IOException {
+    private static byte[] head(String key, NumberFormat numbers, TableLabel label) throws IOException {
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
         DataOutputStream out = new DataOutputStream(bytes);
         out.writeUTF(FORMAT);
         out.writeUTF(label.patch());
         out.writeUTF(label.what());
-        out.writeUTF(Sha256.of(key));
+        out.writeUTF(Sha256.of(key + numbers + ByteOrder.nativeOrder()));
         return bytes.toByteArray();
     }
 
@@ -142,14 +149,14 @@ public final class PageFile implements KeptPages {
 
     /** Whether it ends within a record. Whoever writes at the moment may be in the middle of one. */
     private boolean isCutOff() throws IOException {
-        return (channel.size() - start) % RECORD_BYTES != 0;
+        return (channel.size() - start) % recordBytes != 0;
     }
 
     /** Finds what there is; of a record that was cut off, the rest is overwritten. */
     private void list() throws IOException {
         ByteBuffer head = ByteBuffer.allocate(2 * Integer.BYTES);
-        long last = channel.size() - RECORD_BYTES;
-        for (long at = start; at <= last; at += RECORD_BYTES) {
+        long last = channel.size() - recordBytes;
+        for (long at = start; at <= last; at += recordBytes) {
             if (read(channel, head.clear(), at)) {
                 head.flip();
                 records.put(number(head.getInt(), head.getInt()), at);
@@ -188,19 +195,19 @@ public final class PageFile implements KeptPages {
     }
 
     @Override
-    public Map<Integer, float[]> read(int level, BitSet pages) {
+    public Map<Integer, byte[]> read(int level, BitSet pages) {
         int[] inFile = kept(level, pages).stream()
                 .boxed()
                 .sorted(Comparator.comparing((Integer page) -> records.get(number(level, page))))
                 .mapToInt(Integer::intValue)
                 .toArray();
-        Map<Integer, float[]> found = new HashMap<>();
+        Map<Integer, byte[]> found = new HashMap<>();
         for (int from = 0; from < inFile.length; ) {
             long at = records.get(number(level, inFile[from]));
             int to = from + 1;
             while (to < inFile.length
                     && to - from < TOGETHER
-                    && records.get(number(level, inFile[to])) == at + (long) (to - from) * RECORD_BYTES) {
+                    && records.get(number(level, inFile[to])) == at + (long) (to - from) * recordBytes) {
                 to++;
             }
             read(level, Arrays.copyOfRange(inFile, from, to), at, found);
@@ -210,17 +217,17 @@ public final class PageFile implements KeptPages {
     }
 
     /** Reads pages that follow each other in the file. */
-    private void read(int level, int[] pages, long at, Map<Integer, float[]> found) {
-        ByteBuffer bytes = ByteBuffer.allocate(pages.length * RECORD_BYTES);
+    private void read(int level, int[] pages, long at, Map<Integer, byte[]> found) {
+        ByteBuffer bytes = ByteBuffer.allocate(pages.length * recordBytes);
         try {
             read(channel, bytes, at);
         } catch (IOException failure) {
             // What was not read is found to be damaged.
         }
-        float[][] colours = new float[pages.length][];
+        byte[][] colours = new byte[pages.length][];
         IntStream.range(0, pages.length)
                 .parallel()
-                .forEach(i -> colours[i] = coefficients(level, pages[i], bytes.slice(i * RECORD_BYTES, RECORD_BYTES)));
+                .forEach(i -> colours[i] = coefficients(level, pages[i], bytes.slice(i * recordBytes, recordBytes)));
         for (int i = 0; i < pages.length; i++) {
             if (colours[i].length == 0) {
                 records.remove(number(level, pages[i]));
@@ -232,34 +239,26 @@ public final class PageFile implements KeptPages {
     }
 
     /** None unless the record is whole and of this page. */
-    private float[] coefficients(int level, int page, ByteBuffer record) {
-        float[] colours = new float[COLOURS * TEXELS];
-        record.position(HEAD_BYTES).asFloatBuffer().get(colours);
+    private byte[] coefficients(int level, int page, ByteBuffer record) {
         boolean right = record.getInt(0) == level
                 && record.getInt(Integer.BYTES) == page
                 && record.getLong(2 * Integer.BYTES) == checksum(record);
-        return right ? spread(colours) : new float[0];
-    }
-
-    private static float[] spread(float[] colours) {
-        float[] coefficients = new float[LevelBaking.PAGE_FLOATS];
-        for (int texel = 0; texel < TEXELS; texel++) {
-            System.arraycopy(colours, COLOURS * texel, coefficients, CHANNELS * texel, COLOURS);
-        }
-        return coefficients;
+        byte[] colours = new byte[right ? recordBytes - HEAD_BYTES : 0];
+        record.get(HEAD_BYTES, colours);
+        return colours;
     }
 
     /** Of key, level, page and coefficients. */
     private long checksum(ByteBuffer record) {
         CRC32 checksum = new CRC32();
-        checksum.update(key.getBytes(StandardCharsets.UTF_8));
+        checksum.update(key);
         checksum.update(record.slice(0, 2 * Integer.BYTES));
-        checksum.update(record.slice(HEAD_BYTES, RECORD_BYTES - HEAD_BYTES));
+        checksum.update(record.slice(HEAD_BYTES, recordBytes - HEAD_BYTES));
         return checksum.getValue();
     }
 
     @Override
-    public void keep(int level, Map<Integer, float[]> pages) {
+    public void keep(int level, Map<Integer, byte[]> pages) {
         int[] missing = pages.keySet().stream()
                 .filter(page -> !records.containsKey(number(level, page)))
                 .mapToInt(Integer::intValue)
@@ -275,32 +274,27 @@ public final class PageFile implements KeptPages {
         }
     }
 
-    private void append(int level, int[] pages, Map<Integer, float[]> coefficients) throws IOException {
-        long whole = (channel.size() - start) / RECORD_BYTES;
-        long at = start + whole * RECORD_BYTES;
-        int count = (int) Math.min(pages.length, Math.max(0, (mostBytes - at) / RECORD_BYTES));
+    private void append(int level, int[] pages, Map<Integer, byte[]> coefficients) throws IOException {
+        long whole = (channel.size() - start) / recordBytes;
+        long at = start + whole * recordBytes;
+        int count = (int) Math.min(pages.length, Math.max(0, (mostBytes - at) / recordBytes));
         if (count < pages.length) {
             writable = false;
             warn("no more colours are kept: they take as much as the cache may ('sunbeam cache --limit')");
         }
-        ByteBuffer bytes = ByteBuffer.allocate(count * RECORD_BYTES);
+        ByteBuffer bytes = ByteBuffer.allocate(count * recordBytes);
         IntStream.range(0, count)
                 .parallel()
-                .forEach(i -> record(
-                        level, pages[i], coefficients.get(pages[i]), bytes.slice(i * RECORD_BYTES, RECORD_BYTES)));
+                .forEach(i ->
+                        record(level, pages[i], coefficients.get(pages[i]), bytes.slice(i * recordBytes, recordBytes)));
         write(channel, bytes, at);
         for (int i = 0; i < count; i++) {
-            records.put(number(level, pages[i]), at + (long) i * RECORD_BYTES);
+            records.put(number(level, pages[i]), at + (long) i * recordBytes);
         }
     }
 
-    private void record(int level, int page, float[] coefficients, ByteBuffer record) {
-        record.putInt(level).putInt(page).position(HEAD_BYTES);
-        for (int texel = 0; texel < TEXELS; texel++) {
-            for (int c = 0; c < COLOURS; c++) {
-                record.putFloat(coefficients[CHANNELS * texel + c]);
-            }
-        }
+    private void record(int level, int page, byte[] coefficients, ByteBuffer record) {
+        record.putInt(level).putInt(page).put(HEAD_BYTES, coefficients);
         record.putLong(2 * Integer.BYTES, checksum(record));
     }
 

@@ -130,7 +130,8 @@ public final class TableStore {
         }
         Path path = file.get();
         long most = folder.limit(warning);
-        KeptPages pages = PageFile.of(path, key, label, most, warning, () -> folder.shrink(most, Optional.of(path)));
+        KeptPages pages = PageFile.of(
+                path, key, plan.levels().numbers(), label, most, warning, () -> folder.shrink(most, Optional.of(path)));
         folder.used(path);
         folder.shrink(most, file);
         return pages;

@@ -13,6 +13,7 @@ import jrtr.GraphicsException;
 import jrtr.RenderContext;
 import sunbeam.precompute.colourtable.LevelBaking;
 import sunbeam.precompute.colourtable.LevelGrid;
+import sunbeam.precompute.colourtable.NumberFormat;
 import sunbeam.precompute.colourtable.PageMarks;
 import sunbeam.precompute.colourtable.TableLevels;
 import sunbeam.precompute.plan.MemoryNeed;
@@ -164,7 +165,7 @@ public final class LevelPages implements AutoCloseable {
         wanted.forEach(BitSet::clear);
     }
 
-    private void add(int level, int[] pages, List<float[]> coefficients) {
+    private void add(int level, int[] pages, List<byte[]> coefficients) {
         for (int i = 0; i < pages.length; i++) {
             if (!made.get(level).get(pages[i])) {
                 cells.add(level, pages[i], coefficients.get(i));
@@ -291,9 +292,11 @@ public final class LevelPages implements AutoCloseable {
 
     private void requireRoom() {
         long pages = count(made) + count(wanted);
-        long textures = PageCells.bytes(pages);
-        // A copy of the textures, the samples, and both while they are made.
-        long heap = textures + LevelBaking.sampleBytes(2 * pages) + PageCells.bytes(count(wanted));
+        NumberFormat numbers = sources.levels().numbers();
+        long textures = PageCells.bytes(pages, numbers);
+        // A copy of the textures, which lies beside the heap but may take as much, the samples, and both while they are
+        // made.
+        long heap = textures + LevelBaking.sampleBytes(2 * pages) + PageCells.bytes(count(wanted), numbers);
         long most = Runtime.getRuntime().maxMemory();
         if (textures > MOST_TEXTURE_BYTES || heap > USABLE_HEAP * most) {
             throw new GraphicsException(String.format(

@@ -39,7 +39,7 @@ final class PageBaker implements AutoCloseable {
      * @param pages their numbers
      * @param coefficients of each page
      */
-    record Baked(int level, int[] pages, List<float[]> coefficients) {}
+    record Baked(int level, int[] pages, List<byte[]> coefficients) {}
 
     /**
      * Pages that are to be made.
@@ -165,7 +165,7 @@ final class PageBaker implements AutoCloseable {
         Arrays.stream(due.pages()).forEach(pages::set);
         int level = due.level();
         try {
-            List<float[]> coefficients = due.spread()
+            List<byte[]> coefficients = due.spread()
                     ? sources.bake(level, pages, this::waitWhileHeld)
                     : CompletableFuture.supplyAsync(() -> sources.bake(level, pages, this::waitWhileHeld), processor)
                             .join();

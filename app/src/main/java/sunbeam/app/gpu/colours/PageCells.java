@@ -1,5 +1,7 @@
 package sunbeam.app.gpu.colours;
 
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
 import java.nio.FloatBuffer;
 import java.util.ArrayList;
 import java.util.BitSet;
@@ -11,6 +13,7 @@ import jrtr.FloatTexture;
 import jrtr.FloatTextureSpec;
 import jrtr.RenderContext;
 import sunbeam.precompute.colourtable.LevelGrid;
+import sunbeam.precompute.colourtable.NumberFormat;
 import sunbeam.precompute.colourtable.TableLevels;
 import sunbeam.precompute.plan.MemoryNeed;
 
@@ -28,15 +31,15 @@ final class PageCells implements AutoCloseable {
 
     private static final int CHANNELS = 4;
     private static final int PER_LAYER = ACROSS * ACROSS;
-    private static final int LAYER_FLOATS = CHANNELS * LAYER_SIDE * LAYER_SIDE;
-    // Beyond, drivers may have no texture; who needs more layers is told so before.
-    private static final int MOST_LAYERS = (int) (MemoryNeed.LARGEST_TEXTURE_BYTES / LAYER_FLOATS / Float.BYTES);
+    private static final int LAYER_NUMBERS = CHANNELS * LAYER_SIDE * LAYER_SIDE;
 
     private final RenderContext context;
     private final List<LevelGrid> grids;
     private final int slices;
     private final int columns;
-    private final List<float[]> layers = new ArrayList<>();
+    private final NumberFormat format;
+    // Beside Java's heap, which would move them about.
+    private final List<ByteBuffer> layers = new ArrayList<>();
     private final BitSet changed = new BitSet();
     // Of each slice of each level: cell of each page plus one, then that of the same page of the next slice.
     private final float[][] numbers;
@@ -50,14 +53,15 @@ final class PageCells implements AutoCloseable {
         this.grids = grids;
         this.slices = levels.slices();
         this.columns = grids.get(0).columns();
+        this.format = levels.numbers();
         this.numbers = new float[grids.size() * slices][2 * columns * columns];
         // A mesh that turns its back to the light looks into nothing, but its shader reads textures.
         addLayer();
     }
 
-    /** Bytes of the layers that some pages fill, on the card and once more in Java's heap. */
-    static long bytes(long pages) {
-        return (pages + PER_LAYER - 1) / PER_LAYER * LAYER_FLOATS * Float.BYTES;
+    /** Bytes of the layers that some pages fill, on the card and once more beside it. */
+    static long bytes(long pages, NumberFormat format) {
+        return (pages + PER_LAYER - 1) / PER_LAYER * LAYER_NUMBERS * format.bytes();
     }
 
     /** Tells how many pages there will be, so that the card makes room for them once. */
@@ -66,7 +70,7 @@ final class PageCells implements AutoCloseable {
     }
 
     /** Adds a page; it is on the card from the next {@link #bindings()} on. */
-    void add(int level, int page, float[] coefficients) {
+    void add(int level, int page, byte[] coefficients) {
         int layer = cells / PER_LAYER;
         if (layer == layers.size()) {
             addLayer();
@@ -74,13 +78,14 @@ final class PageCells implements AutoCloseable {
         int inLayer = cells % PER_LAYER;
         int left = inLayer % ACROSS * CELL;
         int top = inLayer / ACROSS * CELL;
+        int texelBytes = CHANNELS * format.bytes();
         for (int row = 0; row < CELL; row++) {
-            System.arraycopy(
-                    coefficients,
-                    CHANNELS * row * CELL,
-                    layers.get(layer),
-                    CHANNELS * ((top + row) * LAYER_SIDE + left),
-                    CHANNELS * CELL);
+            layers.get(layer)
+                    .put(
+                            texelBytes * ((top + row) * LAYER_SIDE + left),
+                            coefficients,
+                            texelBytes * row * CELL,
+                            texelBytes * CELL);
         }
         changed.set(layer);
         cells++;
@@ -97,7 +102,11 @@ final class PageCells implements AutoCloseable {
 
     private void addLayer() {
         changed.set(layers.size());
-        layers.add(new float[LAYER_FLOATS]);
+        layers.add(newLayer());
+    }
+
+    private ByteBuffer newLayer() {
+        return ByteBuffer.allocateDirect(LAYER_NUMBERS * format.bytes()).order(ByteOrder.nativeOrder());
     }
 
     /** The textures, by the names of their samplers; valid until a page is added. */
@@ -122,22 +131,27 @@ final class PageCells implements AutoCloseable {
             return needed;
         }
         // Whoever has come back for more will again: all is uploaded anew as seldom as the number doubles.
-        return Math.max(needed, Math.min(2 * texels.spec().layers(), MOST_LAYERS));
+        return Math.max(needed, Math.min(2 * texels.spec().layers(), mostLayers()));
+    }
+
+    /** Beyond, drivers may have no texture; who needs more layers is told so before. */
+    private int mostLayers() {
+        return (int) (MemoryNeed.LARGEST_TEXTURE_BYTES / LAYER_NUMBERS / format.bytes());
     }
 
     private void upload() {
         if (texels == null || texels.spec().layers() < layers.size()) {
             int room = room();
             closeTexels();
-            FloatTextureSpec spec = FloatTextureSpec.array(LAYER_SIDE, LAYER_SIDE, room, FloatFormat.RGBA32F);
+            FloatTextureSpec spec = FloatTextureSpec.array(LAYER_SIDE, LAYER_SIDE, room, texelFormat());
             texels = context.createFloatTexture("colours", spec.with(Filter.LINEAR));
             changed.set(0, layers.size());
-            FloatBuffer empty = FloatBuffer.wrap(new float[LAYER_FLOATS]);
+            ByteBuffer empty = newLayer();
             for (int layer = layers.size(); layer < room; layer++) {
-                texels.uploadLayer(layer, empty.rewind());
+                upload(layer, empty);
             }
         }
-        changed.stream().forEach(layer -> texels.uploadLayer(layer, FloatBuffer.wrap(layers.get(layer))));
+        changed.stream().forEach(layer -> upload(layer, layers.get(layer)));
         changed.clear();
         if (pages == null) {
             pages = context.createFloatTexture(
@@ -145,6 +159,18 @@ final class PageCells implements AutoCloseable {
         }
         for (int layer = 0; layer < numbers.length; layer++) {
             pages.uploadLayer(layer, FloatBuffer.wrap(numbers[layer]));
+        }
+    }
+
+    private FloatFormat texelFormat() {
+        return format == NumberFormat.HALF ? FloatFormat.RGBA16F : FloatFormat.RGBA32F;
+    }
+
+    private void upload(int layer, ByteBuffer numbersOfTexels) {
+        if (format == NumberFormat.HALF) {
+            texels.uploadLayer(layer, numbersOfTexels.asShortBuffer());
+        } else {
+            texels.uploadLayer(layer, numbersOfTexels.asFloatBuffer());
         }
     }
 

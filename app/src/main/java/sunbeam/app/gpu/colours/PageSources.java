@@ -32,7 +32,7 @@ final class PageSources implements AutoCloseable {
         for (TableLevels.Level level : sources.levels().levels()) {
             LevelGrid grid = LevelGrid.of(level);
             grids.add(grid);
-            bakings.add(new LevelBaking(grid));
+            bakings.add(new LevelBaking(grid, sources.levels().numbers()));
         }
     }
 
@@ -62,7 +62,7 @@ final class PageSources implements AutoCloseable {
      *
      * @param pause run now and then meanwhile, by any thread, which goes on when it returns
      */
-    synchronized List<float[]> bake(int level, BitSet pages, Runnable pause) {
+    synchronized List<byte[]> bake(int level, BitSet pages, Runnable pause) {
         between = pause;
         try {
             return bake(level, pages);
@@ -71,15 +71,15 @@ final class PageSources implements AutoCloseable {
         }
     }
 
-    private List<float[]> bake(int level, BitSet pages) {
-        Map<Integer, float[]> all = new TreeMap<>(kept().read(level, pages));
+    private List<byte[]> bake(int level, BitSet pages) {
+        Map<Integer, byte[]> all = new TreeMap<>(kept().read(level, pages));
         BitSet missing = (BitSet) pages.clone();
         all.keySet().forEach(missing::clear);
         if (!missing.isEmpty()) {
             LevelBaking baking = bakings.get(level);
             ColourSource source = opened.computeIfAbsent(level, number -> sources.open(number, this::evaluated));
-            Iterator<float[]> coefficients = baking.bake(missing, source).iterator();
-            Map<Integer, float[]> made = new TreeMap<>();
+            Iterator<byte[]> coefficients = baking.bake(missing, source).iterator();
+            Map<Integer, byte[]> made = new TreeMap<>();
             missing.stream().forEach(page -> made.put(page, coefficients.next()));
             kept().keep(level, made);
             all.putAll(made);
@@ -93,7 +93,7 @@ final class PageSources implements AutoCloseable {
      * @param pages by level
      * @param made told of each level what was made
      */
-    void bakeAll(List<BitSet> pages, BiConsumer<Integer, List<float[]>> made) {
+    void bakeAll(List<BitSet> pages, BiConsumer<Integer, List<byte[]>> made) {
         try (Progress shown = Progress.start("making colours", missing(pages))) {
             progress = shown;
             for (int level = 0; level < pages.size(); level++) {

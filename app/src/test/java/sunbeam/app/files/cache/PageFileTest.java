@@ -15,6 +15,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import sunbeam.precompute.colourtable.KeptPages;
 import sunbeam.precompute.colourtable.LevelBaking;
+import sunbeam.precompute.colourtable.NumberFormat;
 import sunbeam.precompute.table.TableLabel;
 
 final class PageFileTest {
@@ -34,14 +35,13 @@ final class PageFileTest {
     }
 
     private KeptPages open(String key, long mostBytes) {
-        return PageFile.of(file(), key, LABEL, mostBytes, warnings::add, () -> {});
+        return PageFile.of(file(), key, NumberFormat.HALF, LABEL, mostBytes, warnings::add, () -> {});
     }
 
-    /** As the shader has it: every fourth value is of no use, and 0. */
-    private static float[] coefficients(int level, int page) {
-        float[] values = new float[LevelBaking.PAGE_FLOATS];
+    private static byte[] coefficients(int level, int page) {
+        byte[] values = new byte[LevelBaking.PAGE_NUMBERS * NumberFormat.HALF.bytes()];
         for (int i = 0; i < values.length; i++) {
-            values[i] = i % 4 == 3 ? 0 : (float) Math.sin(i + 10 * page + 100 * level);
+            values[i] = (byte) (i * i / 7 + 10 * page + 100 * level);
         }
         return values;
     }
@@ -65,9 +65,9 @@ final class PageFileTest {
         int count = 0;
         try (KeptPages pages = open(key, PLENTY)) {
             for (int level = 0; level < 3; level++) {
-                Map<Integer, float[]> found = pages.read(level, all());
+                Map<Integer, byte[]> found = pages.read(level, all());
                 count += found.size();
-                for (Map.Entry<Integer, float[]> page : found.entrySet()) {
+                for (Map.Entry<Integer, byte[]> page : found.entrySet()) {
                     assertThat(page.getKey() % 2).isEqualTo(level);
                     assertThat(page.getValue()).isEqualTo(coefficients(level, page.getKey()));
                 }
@@ -84,15 +84,15 @@ final class PageFileTest {
         assertThat(warnings).isEmpty();
     }
 
-    private static Map<Integer, float[]> many(int count) {
-        Map<Integer, float[]> pages = new TreeMap<>();
+    private static Map<Integer, byte[]> many(int count) {
+        Map<Integer, byte[]> pages = new TreeMap<>();
         for (int page = 0; page < count; page++) {
             pages.put(page, coefficients(1, page));
         }
         return pages;
     }
 
-    private void requireRight(Map<Integer, float[]> found, int count) {
+    private void requireRight(Map<Integer, byte[]> found, int count) {
         assertThat(found).hasSize(count);
         found.forEach((page, values) -> assertThat(values).isEqualTo(coefficients(1, page)));
     }
@@ -132,7 +132,7 @@ final class PageFileTest {
         bad[good.length - 100 * record + 50] ^= 1;
         Files.write(file(), bad);
         try (KeptPages pages = open(KEY, PLENTY)) {
-            Map<Integer, float[]> found = pages.read(1, firstPages(600));
+            Map<Integer, byte[]> found = pages.read(1, firstPages(600));
             assertThat(found).doesNotContainKey(500);
             requireRight(found, 599);
         }
@@ -199,9 +199,9 @@ final class PageFileTest {
         assertThat(warnings).isNotEmpty().allMatch(line -> line.equals(DAMAGED));
     }
 
-    /** Three colours of each texel, level, page and checksum. */
+    /** Coefficients, level, page and checksum. */
     private static int recordBytes(int fileBytes) {
-        int record = LevelBaking.PAGE_FLOATS / 4 * 3 * Float.BYTES + 16;
+        int record = LevelBaking.PAGE_NUMBERS * NumberFormat.HALF.bytes() + 16;
         assertThat(fileBytes).isGreaterThan(PAGES * record);
         return record;
     }
@@ -267,8 +267,14 @@ final class PageFileTest {
 
     @Test
     void aFolderThatIsGoneKeepsNothing() {
-        KeptPages pages =
-                PageFile.of(folder.resolve("gone").resolve("one.pages"), KEY, LABEL, PLENTY, warnings::add, () -> {});
+        KeptPages pages = PageFile.of(
+                folder.resolve("gone").resolve("one.pages"),
+                KEY,
+                NumberFormat.HALF,
+                LABEL,
+                PLENTY,
+                warnings::add,
+                () -> {});
         pages.keep(0, Map.of(1, coefficients(0, 1)));
         assertThat(pages.read(0, all())).isEmpty();
     }
