@@ -4,9 +4,6 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.BitSet;
 import java.util.List;
-import java.util.Map;
-import java.util.TreeMap;
-import java.util.stream.IntStream;
 
 /**
  * Makes the pages of a level as they are asked for: coefficients of square roots of X, Y and Z, between which the
@@ -21,8 +18,6 @@ public final class LevelBaking {
     private static final int SIDE = LevelGrid.SIDE;
     private static final int COLOURS = 3;
     private static final int CHANNELS = 4;
-    // Places that are evaluated at once: 50 MB each way. Few, and sources by rays would go along the same rays again.
-    private static final int BATCH = 1 << 22;
 
     /** Coefficients of a page as the shader has it: {@link LevelGrid#STORED_SIDE} rows of as many texels, 4 values each. */
     public static final int PAGE_NUMBERS = STORED_SIDE * STORED_SIDE * CHANNELS;
@@ -72,9 +67,11 @@ public final class LevelBaking {
      * @return {@link #PAGE_NUMBERS} of the format each, in the order of their numbers
      */
     public List<byte[]> bake(BitSet pages, ColourSource source) {
-        List<Needed> needed = needed(pages);
-        evaluate(needed, source);
-        needed.forEach(page -> known[page.number].or(page.texels));
+        List<TexelColumns.Needed> needed = needed(pages).stream()
+                .map(some -> new TexelColumns.Needed(some.number, some.texels, samples(some.number)))
+                .toList();
+        source.evaluate(new TexelColumns(grid, needed));
+        needed.forEach(page -> known[page.number()].or(page.texels()));
         return Arrays.stream(pages.stream().toArray())
                 .parallel()
                 .mapToObj(this::coefficients)
@@ -83,6 +80,14 @@ public final class LevelBaking {
 
     /** Some texels of a page. */
     private record Needed(int number, BitSet texels) {}
+
+    private float[] samples(int page) {
+        if (samples[page] == null) {
+            samples[page] = new float[SIDE * SIDE * COLOURS];
+            known[page] = new BitSet(SIDE * SIDE);
+        }
+        return samples[page];
+    }
 
     /** Of all pages whose texels some pages' prefilters see, those texels that are not known yet. */
     private List<Needed> needed(BitSet pages) {
@@ -125,90 +130,6 @@ public final class LevelBaking {
     /** First texel that the prefilter of a page in a column or row sees. */
     private static int seenFrom(int page) {
         return page * SIDE - 1 - MARGIN;
-    }
-
-    private void evaluate(List<Needed> needed, ColourSource source) {
-        needed.forEach(page -> {
-            if (samples[page.number] == null) {
-                samples[page.number] = new float[SIDE * SIDE * COLOURS];
-                known[page.number] = new BitSet(SIDE * SIDE);
-            }
-        });
-        long[] texels = inOrder(needed);
-        for (int start = 0; start < texels.length; start += BATCH) {
-            evaluate(Arrays.copyOfRange(texels, start, Math.min(texels.length, start + BATCH)), source);
-        }
-    }
-
-    /**
-     * In {@link MortonOrder}, all slices of a place together: those that read the same, or nearly so, are asked for together. A
-     * page's side is a power of two, so that pages in that order have their texels in it, too.
-     */
-    private long[] inOrder(List<Needed> needed) {
-        Map<Long, List<Needed>> byPlace = new TreeMap<>();
-        for (Needed page : needed) {
-            int[] place = grid.place(page.number);
-            byPlace.computeIfAbsent(MortonOrder.number(place[0], place[1]), number -> new ArrayList<>())
-                    .add(page);
-        }
-        List<Map.Entry<Long, List<Needed>>> places = List.copyOf(byPlace.entrySet());
-        int[] first = new int[places.size() + 1];
-        for (int i = 0; i < places.size(); i++) {
-            int count = places.get(i).getValue().stream()
-                    .mapToInt(page -> page.texels.cardinality())
-                    .sum();
-            first[i + 1] = Math.addExact(first[i], count);
-        }
-        long[] texels = new long[first[places.size()]];
-        IntStream.range(0, places.size())
-                .parallel()
-                .forEach(i -> putInOrder(places.get(i).getKey(), places.get(i).getValue(), texels, first[i]));
-        return texels;
-    }
-
-    private void putInOrder(long place, List<Needed> pages, long[] texels, int first) {
-        int at = first;
-        int perSlice = columns * columns;
-        for (int inPage = 0; inPage < SIDE * SIDE; inPage++) {
-            int texel = MortonOrder.y(inPage) * SIDE + MortonOrder.x(inPage);
-            long number = place * SIDE * SIDE + inPage;
-            for (Needed page : pages) {
-                if (page.texels.get(texel)) {
-                    texels[at++] = number << Short.SIZE | page.number / perSlice;
-                }
-            }
-        }
-    }
-
-    private static int number(long texel) {
-        return (int) (texel >> Short.SIZE);
-    }
-
-    private static int slice(long texel) {
-        return (int) (texel & 0xffff);
-    }
-
-    private void evaluate(long[] texels, ColourSource source) {
-        float[] uvw = new float[3 * texels.length];
-        double origin = grid.origin();
-        IntStream.range(0, texels.length).parallel().forEach(i -> {
-            int number = number(texels[i]);
-            grid.put(MortonOrder.x(number), MortonOrder.y(number), slice(texels[i]), origin, uvw, 3 * i);
-        });
-        float[] xyz = source.xyz(uvw);
-        IntStream.range(0, texels.length).parallel().forEach(i -> keep(texels[i], xyz, COLOURS * i));
-    }
-
-    private void keep(long texel, float[] xyz, int from) {
-        int column = MortonOrder.x(number(texel));
-        int row = MortonOrder.y(number(texel));
-        int page = page(column, row, slice(texel));
-        int inPage = row % SIDE * SIDE + column % SIDE;
-        float[] roots = samples[page];
-        for (int c = 0; c < COLOURS; c++) {
-            // A sum of the expansion's terms may leave a dark direction a little below nothing.
-            roots[COLOURS * inPage + c] = (float) Math.sqrt(Math.max(0, xyz[from + c]));
-        }
     }
 
     /** The page of a texel. */

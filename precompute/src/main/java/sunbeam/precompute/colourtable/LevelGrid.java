@@ -118,18 +118,17 @@ public record LevelGrid(TableDesign design, Interpolation interpolation) {
     }
 
     /**
-     * Puts u, v and w of a texel; beyond what two directions can have colours stay as they are at its edge.
+     * Puts u and v of a texel; beyond what two directions can have colours stay as they are at its edge.
      *
      * @param origin {@link #origin()}, which takes as long as the rest
-     * @param at index of u
+     * @param uv takes them
      */
-    void put(int column, int row, int slice, double origin, float[] uvw, int at) {
+    void put(int column, int row, double origin, float[] uv) {
         double u = origin + column * design.step();
         double v = origin + row * design.step();
         double square = u * u + v * v;
         double inside = square > REACH * REACH ? REACH / Math.sqrt(square) : 1;
-        uvw[at] = (float) (inside * u);
-        uvw[at + 1] = (float) (inside * v);
-        uvw[at + 2] = (float) (-slice * design.sliceStep());
+        uv[0] = (float) (inside * u);
+        uv[1] = (float) (inside * v);
     }
 }

@@ -1,10 +1,9 @@
 package sunbeam.precompute.rays;
 
-import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.List;
 import java.util.stream.IntStream;
 import sunbeam.precompute.color.WavelengthNodes;
+import sunbeam.precompute.colourtable.ColourColumns;
 
 /** Colours of single places by a sum over wavelengths: for those near the origin, where rays meet. */
 final class DirectColours {
@@ -21,56 +20,48 @@ final class DirectColours {
     }
 
     /**
-     * Evaluates some places.
+     * Evaluates some columns.
      *
      * @param asked their numbers
-     * @param places u, v, w of each place
-     * @param depths |w| of the slices, ascending
-     * @param xyz takes X, Y, Z of each place
+     * @return how many places that were
      */
-    void evaluate(RaySector.Places asked, float[] places, double[] depths, float[] xyz) {
+    long evaluate(RaySector.Places asked, ColourColumns columns) {
         if (asked.isEmpty()) {
-            return;
+            return 0;
         }
         WavelengthNodes wavelengths = spectrum.wavelengths(WIDEST_STEP);
+        double[] depths = columns.depths();
         double[][][] coefficients = Arrays.stream(depths)
                 .mapToObj(depth -> Arrays.stream(wavelengths.wavelengths())
                         .mapToObj(wavelength -> spectrum.coefficients(wavelength, depth))
                         .toArray(double[][]::new))
                 .toArray(double[][][]::new);
-        List<int[]> columns = columns(asked, places);
-        IntStream.range(0, columns.size()).parallel().forEach(i -> {
-            int[] column = columns.get(i);
-            int first = CHANNELS * column[0];
-            double[][] terms = terms(wavelengths, places[first], places[first + 1]);
-            for (int place : column) {
-                int at = CHANNELS * place;
-                int slice = Arrays.binarySearch(depths, Math.abs(places[at + 2]));
-                double[] sum = sum(wavelengths, terms, coefficients[slice]);
-                for (int c = 0; c < CHANNELS; c++) {
-                    xyz[at + c] = (float) Math.max(0, sum[c]);
-                }
-            }
-        });
+        return IntStream.range(0, asked.count())
+                .parallel()
+                .mapToLong(i -> evaluate(wavelengths, coefficients, asked.number(i), columns))
+                .sum();
     }
 
-    /** Places of one (u, v), whose slices share all but the terms' coefficients; they are asked for one after the other. */
-    private static List<int[]> columns(RaySector.Places asked, float[] places) {
-        int[] numbers = IntStream.range(0, asked.count()).map(asked::number).toArray();
-        List<int[]> columns = new ArrayList<>();
-        int first = 0;
-        for (int i = 1; i <= numbers.length; i++) {
-            if (i == numbers.length || !sameDirection(places, numbers[first], numbers[i])) {
-                columns.add(Arrays.copyOfRange(numbers, first, i));
-                first = i;
+    /** @param coefficients by slice, wavelength and term */
+    private long evaluate(WavelengthNodes wavelengths, double[][][] coefficients, int column, ColourColumns columns) {
+        float[] uv = new float[2];
+        columns.locate(column, uv);
+        double[][] terms = terms(wavelengths, uv[0], uv[1]);
+        long places = 0;
+        for (int slice = 0; slice < coefficients.length; slice++) {
+            if (columns.isAsked(column, slice)) {
+                double[] sum = sum(wavelengths, terms, coefficients[slice]);
+                // A sum of terms may leave a dark direction a little below nothing.
+                columns.putRoots(
+                        column,
+                        slice,
+                        Math.sqrt(Math.max(0, sum[0])),
+                        Math.sqrt(Math.max(0, sum[1])),
+                        Math.sqrt(Math.max(0, sum[2])));
+                places++;
             }
         }
-        return columns;
-    }
-
-    private static boolean sameDirection(float[] places, int one, int other) {
-        return places[CHANNELS * one] == places[CHANNELS * other]
-                && places[CHANNELS * one + 1] == places[CHANNELS * other + 1];
+        return places;
     }
 
     /** {@code [term][wavelength]} */

@@ -7,6 +7,7 @@ import java.util.concurrent.ForkJoinTask;
 import java.util.function.LongConsumer;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
+import sunbeam.precompute.colourtable.ColourColumns;
 import sunbeam.precompute.colourtable.ColourSource;
 import sunbeam.precompute.plan.GaussianArea;
 
@@ -25,11 +26,9 @@ public final class RayColours implements ColourSource {
     // Of rays and of places on them, in steps of the table: quintic splines err by less there than cubic ones do at
     // one.
     private static final double SPACING = 1.1;
-    private static final int MOST_SLICES = 2048;
     // Of what is prepared for slices; that of deep reliefs, which takes more, is made anew for each call.
     private static final long MOST_KEPT_BYTES = 1 << 26;
-    private static final int CHANNELS = 3;
-    // Places whose sectors one processor finds at a time.
+    // Columns whose sectors one processor finds at a time.
     private static final int TOGETHER = 1 << 12;
     // exp(-reach^2) of a bin is left out: 1e-10 of it in the finest table, beside which a wing of 1e-6 stays right,
     // 2e-5 in
@@ -66,58 +65,77 @@ public final class RayColours implements ColourSource {
      */
     @Override
     public float[] xyz(float[] places) {
-        if (places.length == 0) {
-            return new float[0];
+        PlaceColumns columns = new PlaceColumns(places);
+        evaluate(columns);
+        return columns.xyz();
+    }
+
+    @Override
+    public void evaluate(ColourColumns columns) {
+        double[] depths = columns.depths();
+        if (depths.length == 0) {
+            return;
         }
-        Prepared ready = prepared(depths(places));
-        double[] depths = ready.depths();
-        List<RayOctave> octaves = ready.octaves();
+        Prepared ready = prepared(depths);
+        int[] slices = Arrays.stream(depths)
+                .mapToInt(depth -> Arrays.binarySearch(ready.depths(), depth))
+                .toArray();
         List<RaySector.Places> sectors = new ArrayList<>();
-        for (RayOctave octave : octaves) {
+        for (RayOctave octave : ready.octaves()) {
             IntStream.range(0, octave.sectors()).forEach(sector -> sectors.add(new RaySector.Places(octave, sector)));
         }
         RaySector.Places direct = new RaySector.Places(null, 0);
         sectors.add(direct);
-        int[] sector = sectors(places, octaves);
+        int[] sector = sectors(columns, depths.length, ready.octaves());
         for (int i = 0; i < sector.length; i++) {
-            sectors.get(sector[i]).add(i);
+            if (sector[i] >= 0) {
+                sectors.get(sector[i]).add(i);
+            }
         }
-        float[] xyz = new float[places.length];
         List<ForkJoinTask<?>> tasks = new ArrayList<>();
         for (RaySector.Places some : sectors) {
             if (some != direct && !some.isEmpty()) {
-                tasks.add(ForkJoinTask.adapt(() -> {
-                    new RaySector(powers, some, () -> progress.accept(0)).evaluate(places, depths, xyz);
-                    progress.accept(some.count());
-                }));
+                tasks.add(ForkJoinTask.adapt(() -> progress.accept(
+                        new RaySector(powers, some, () -> progress.accept(0)).evaluate(columns, slices))));
             }
         }
         // One by one, and not in halves as streams are: those of outer octaves take longest.
         ForkJoinTask.invokeAll(tasks);
-        new DirectColours(spectrum, powers).evaluate(direct, places, depths, xyz);
-        progress.accept(direct.count());
-        return xyz;
+        progress.accept(new DirectColours(spectrum, powers).evaluate(direct, columns));
     }
 
-    /** The number of each place's sector, octave after octave; behind the last one that of the places in the middle. */
-    private static int[] sectors(float[] places, List<RayOctave> octaves) {
+    /**
+     * The number of each column's sector, octave after octave; behind the last one that of the columns in the middle; -1 where nothing is asked
+     * for.
+     */
+    private static int[] sectors(ColourColumns columns, int slices, List<RayOctave> octaves) {
         int[] before = new int[octaves.size() + 1];
         for (int i = 0; i < octaves.size(); i++) {
             before[i + 1] = before[i] + octaves.get(i).sectors();
         }
-        int[] numbers = new int[places.length / CHANNELS];
+        int[] numbers = new int[columns.count()];
         int parts = (numbers.length + TOGETHER - 1) / TOGETHER;
         IntStream.range(0, parts).parallel().forEach(part -> {
-            int first = part * TOGETHER;
-            int end = Math.min(numbers.length, first + TOGETHER);
-            for (int i = first; i < end; i++) {
-                // Slices of one (u, v) follow each other.
-                numbers[i] = i > first && RaySector.isBeside(places, CHANNELS * i, CHANNELS * (i - 1))
-                        ? numbers[i - 1]
-                        : sector(places[CHANNELS * i], places[CHANNELS * i + 1], octaves, before);
+            float[] uv = new float[2];
+            int end = Math.min(numbers.length, (part + 1) * TOGETHER);
+            for (int column = part * TOGETHER; column < end; column++) {
+                numbers[column] = -1;
+                if (isAsked(columns, column, slices)) {
+                    columns.locate(column, uv);
+                    numbers[column] = sector(uv[0], uv[1], octaves, before);
+                }
             }
         });
         return numbers;
+    }
+
+    private static boolean isAsked(ColourColumns columns, int column, int slices) {
+        for (int slice = 0; slice < slices; slice++) {
+            if (columns.isAsked(column, slice)) {
+                return true;
+            }
+        }
+        return false;
     }
 
     /** @param before numbers of the sectors before each octave's */
@@ -160,24 +178,5 @@ public final class RayColours implements ColourSource {
             prepared = made;
         }
         return prepared;
-    }
-
-    /** |w| of all places, ascending. */
-    private static double[] depths(float[] places) {
-        double[] found = new double[MOST_SLICES];
-        int count = 0;
-        for (int i = 2; i < places.length; i += CHANNELS) {
-            double depth = Math.abs(places[i]);
-            int at = Arrays.binarySearch(found, 0, count, depth);
-            if (at < 0) {
-                if (count == MOST_SLICES) {
-                    throw new IllegalArgumentException("places lie in more than " + MOST_SLICES + " slices of w");
-                }
-                System.arraycopy(found, -at - 1, found, -at, count + at + 1);
-                found[-at - 1] = depth;
-                count++;
-            }
-        }
-        return Arrays.copyOf(found, count);
     }
 }

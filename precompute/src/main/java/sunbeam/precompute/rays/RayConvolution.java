@@ -125,6 +125,11 @@ final class RayConvolution {
         return 2L * Double.BYTES * padded * terms * kernels.length;
     }
 
+    /** Slices of w. */
+    int slices() {
+        return slices;
+    }
+
     /** Places on a ray. */
     int count() {
         return count;

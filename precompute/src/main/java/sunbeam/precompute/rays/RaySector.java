@@ -1,6 +1,7 @@
 package sunbeam.precompute.rays;
 
 import java.util.Arrays;
+import sunbeam.precompute.colourtable.ColourColumns;
 
 /** A sector of an octave: colours on its rays, and interpolated between them. */
 final class RaySector {
@@ -28,7 +29,7 @@ final class RaySector {
         this.count = octave.convolution().count();
     }
 
-    /** Numbers of places that lie in a sector. */
+    /** Numbers of columns that lie in a sector. */
     static final class Places {
         private final RayOctave octave;
         private final int sector;
@@ -70,50 +71,50 @@ final class RaySector {
     }
 
     /**
-     * Evaluates the places that are asked for.
+     * Evaluates the columns that are asked for.
      *
-     * @param places u, v, w of each place
-     * @param depths |w| of the slices, ascending
-     * @param xyz takes X, Y, Z of each place
+     * @param prepared index of each slice among those that the octave is prepared for
+     * @return how many places that were
      */
-    void evaluate(float[] places, double[] depths, float[] xyz) {
-        boolean[] wanted = new boolean[depths.length];
-        int[] slices = new int[asked.count()];
-        for (int i = 0; i < slices.length; i++) {
-            slices[i] = Arrays.binarySearch(depths, Math.abs(places[COLOURS * asked.number(i) + 2]));
-            wanted[slices[i]] = true;
+    int evaluate(ColourColumns columns, int[] prepared) {
+        boolean[] wanted = new boolean[octave.convolution().slices()];
+        int places = 0;
+        for (int i = 0; i < asked.count(); i++) {
+            for (int slice = 0; slice < prepared.length; slice++) {
+                if (columns.isAsked(asked.number(i), slice)) {
+                    wanted[prepared[slice]] = true;
+                    places++;
+                }
+            }
         }
         float[][] planes = planes(wanted);
         double[] alongRay = new double[QuinticSpline.TAPS];
         double[] acrossRays = new double[QuinticSpline.TAPS];
-        int corner = 0;
-        for (int i = 0; i < slices.length; i++) {
-            int at = COLOURS * asked.number(i);
-            // Slices of one (u, v) follow each other.
-            if (i == 0 || !isBeside(places, at, COLOURS * asked.number(i - 1))) {
-                double place = octave.onRay(radius(places[at], places[at + 1]));
-                double ray = octave.ray(places[at], places[at + 1]) - firstRay;
-                // Both lie behind the margins: whole parts are floors.
-                int column = (int) place;
-                int row = (int) ray;
-                QuinticSpline.weights(place - column, alongRay);
-                QuinticSpline.weights(ray - row, acrossRays);
-                corner = (row - 2) * count + column - 2;
-            }
-            for (int c = 0; c < COLOURS; c++) {
-                double root = interpolated(planes[COLOURS * slices[i] + c], corner, alongRay, acrossRays);
-                xyz[at + c] = (float) (root * root);
+        float[] uv = new float[2];
+        for (int i = 0; i < asked.count(); i++) {
+            int column = asked.number(i);
+            columns.locate(column, uv);
+            double place = octave.onRay(Math.sqrt((double) uv[0] * uv[0] + (double) uv[1] * uv[1]));
+            double ray = octave.ray(uv[0], uv[1]) - firstRay;
+            // Both lie behind the margins: whole parts are floors.
+            int along = (int) place;
+            int across = (int) ray;
+            QuinticSpline.weights(place - along, alongRay);
+            QuinticSpline.weights(ray - across, acrossRays);
+            int corner = (across - 2) * count + along - 2;
+            for (int slice = 0; slice < prepared.length; slice++) {
+                if (columns.isAsked(column, slice)) {
+                    int plane = COLOURS * prepared[slice];
+                    columns.putRoots(
+                            column,
+                            slice,
+                            interpolated(planes[plane], corner, alongRay, acrossRays),
+                            interpolated(planes[plane + 1], corner, alongRay, acrossRays),
+                            interpolated(planes[plane + 2], corner, alongRay, acrossRays));
+                }
             }
         }
-    }
-
-    private static double radius(double u, double v) {
-        return Math.sqrt(u * u + v * v);
-    }
-
-    /** Whether two places differ in w alone. */
-    static boolean isBeside(float[] places, int one, int other) {
-        return places[one] == places[other] && places[one + 1] == places[other + 1];
+        return places;
     }
 
     /** Six values a row, written out: some million times an interpolation, Java's first compiler takes loops as they are. */
