@@ -20,11 +20,12 @@ public interface ColourColumns {
     double[] depths();
 
     /**
-     * Whether a column is asked for in a slice.
+     * In which slices a column is asked for.
      *
-     * @param slice index of its depth
+     * @param slices takes indices of their depths, ascending; as many as there are depths at most
+     * @return how many
      */
-    boolean isAsked(int column, int slice);
+    int asked(int column, int[] slices);
 
     /** Takes square roots of X, Y and Z; their signs do not count. */
     void putRoots(int column, int slice, double x, double y, double z);

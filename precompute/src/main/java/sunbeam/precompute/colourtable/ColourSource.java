@@ -22,21 +22,20 @@ public interface ColourSource extends AutoCloseable {
         int[] numbers = new int[0];
         int count = 0;
         float[] uv = new float[2];
+        int[] slices = new int[depths.length];
         for (int column = 0; column < columns.count(); column++) {
             columns.locate(column, uv);
-            for (int slice = 0; slice < depths.length; slice++) {
-                if (!columns.isAsked(column, slice)) {
-                    continue;
-                }
+            int asked = columns.asked(column, slices);
+            for (int i = 0; i < asked; i++) {
                 if (2 * count == numbers.length) {
                     numbers = Arrays.copyOf(numbers, Math.max(1 << 10, 2 * numbers.length));
                     places = Arrays.copyOf(places, 3 * numbers.length / 2);
                 }
                 places[3 * count] = uv[0];
                 places[3 * count + 1] = uv[1];
-                places[3 * count + 2] = (float) -depths[slice];
+                places[3 * count + 2] = (float) -depths[slices[i]];
                 numbers[2 * count] = column;
-                numbers[2 * count + 1] = slice;
+                numbers[2 * count + 1] = slices[i];
                 if (++count == BATCH) {
                     put(xyz(Arrays.copyOf(places, 3 * count)), numbers, columns);
                     count = 0;

@@ -1,6 +1,5 @@
 package sunbeam.precompute.colourtable;
 
-import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.List;
 import java.util.Map;
@@ -15,7 +14,7 @@ final class TexelColumns implements ColourColumns {
 
     private final LevelGrid grid;
     private final double origin;
-    private final List<PageColumn> pages;
+    private final PageColumn[] pages;
     private final int[] slices;
 
     /**
@@ -33,8 +32,22 @@ final class TexelColumns implements ColourColumns {
      * @param column of the pages
      * @param row of the pages
      * @param needed by the index of the slice; null where there is none
+     * @param first of these indices that there is one of
+     * @param end behind the last
      */
-    private record PageColumn(int column, int row, Needed[] needed) {}
+    private record PageColumn(int column, int row, Needed[] needed, int first, int end) {
+        static PageColumn of(int column, int row, Needed[] needed) {
+            int first = 0;
+            while (needed[first] == null) {
+                first++;
+            }
+            int end = needed.length;
+            while (needed[end - 1] == null) {
+                end--;
+            }
+            return new PageColumn(column, row, needed, first, end);
+        }
+    }
 
     TexelColumns(LevelGrid grid, List<Needed> needed) {
         this.grid = grid;
@@ -49,27 +62,30 @@ final class TexelColumns implements ColourColumns {
         for (int i = 0; i < slices.length; i++) {
             indices[slices[i]] = i;
         }
-        Map<Long, PageColumn> byPlace = new TreeMap<>();
+        Map<Long, Needed[]> byPlace = new TreeMap<>();
         for (Needed page : needed) {
             if (!page.texels.isEmpty()) {
                 int[] place = grid.place(page.number);
-                byPlace.computeIfAbsent(
-                                MortonOrder.number(place[0], place[1]),
-                                number -> new PageColumn(place[0], place[1], new Needed[slices.length]))
-                        .needed[indices[place[2]]] = page;
+                byPlace.computeIfAbsent(MortonOrder.number(place[0], place[1]), number -> new Needed[slices.length])[
+                        indices[place[2]]] = page;
             }
         }
-        this.pages = new ArrayList<>(byPlace.values());
+        this.pages = byPlace.entrySet().stream()
+                .map(entry -> PageColumn.of(
+                        MortonOrder.x(Math.toIntExact(entry.getKey())),
+                        MortonOrder.y(Math.toIntExact(entry.getKey())),
+                        entry.getValue()))
+                .toArray(PageColumn[]::new);
     }
 
     @Override
     public int count() {
-        return Math.multiplyExact(pages.size(), SIDE * SIDE);
+        return Math.multiplyExact(pages.length, SIDE * SIDE);
     }
 
     @Override
     public void locate(int column, float[] uv) {
-        PageColumn page = pages.get(column / (SIDE * SIDE));
+        PageColumn page = pages[column / (SIDE * SIDE)];
         int inPage = column % (SIDE * SIDE);
         grid.put(page.column * SIDE + MortonOrder.x(inPage), page.row * SIDE + MortonOrder.y(inPage), origin, uv);
     }
@@ -84,9 +100,17 @@ final class TexelColumns implements ColourColumns {
     }
 
     @Override
-    public boolean isAsked(int column, int slice) {
-        Needed page = pages.get(column / (SIDE * SIDE)).needed[slice];
-        return page != null && page.texels.get(inPage(column));
+    public int asked(int column, int[] asked) {
+        PageColumn page = pages[column / (SIDE * SIDE)];
+        int texel = inPage(column);
+        int count = 0;
+        for (int slice = page.first; slice < page.end; slice++) {
+            Needed needed = page.needed[slice];
+            if (needed != null && needed.texels.get(texel)) {
+                asked[count++] = slice;
+            }
+        }
+        return count;
     }
 
     /** Of a column's texel, row by row. */
@@ -97,7 +121,7 @@ final class TexelColumns implements ColourColumns {
 
     @Override
     public void putRoots(int column, int slice, double x, double y, double z) {
-        float[] roots = pages.get(column / (SIDE * SIDE)).needed[slice].roots;
+        float[] roots = pages[column / (SIDE * SIDE)].needed[slice].roots;
         int at = COLOURS * inPage(column);
         roots[at] = (float) Math.abs(x);
         roots[at + 1] = (float) Math.abs(y);

@@ -47,21 +47,19 @@ final class DirectColours {
         float[] uv = new float[2];
         columns.locate(column, uv);
         double[][] terms = terms(wavelengths, uv[0], uv[1]);
-        long places = 0;
-        for (int slice = 0; slice < coefficients.length; slice++) {
-            if (columns.isAsked(column, slice)) {
-                double[] sum = sum(wavelengths, terms, coefficients[slice]);
-                // A sum of terms may leave a dark direction a little below nothing.
-                columns.putRoots(
-                        column,
-                        slice,
-                        Math.sqrt(Math.max(0, sum[0])),
-                        Math.sqrt(Math.max(0, sum[1])),
-                        Math.sqrt(Math.max(0, sum[2])));
-                places++;
-            }
+        int[] slices = new int[coefficients.length];
+        int count = columns.asked(column, slices);
+        for (int i = 0; i < count; i++) {
+            double[] sum = sum(wavelengths, terms, coefficients[slices[i]]);
+            // A sum of terms may leave a dark direction a little below nothing.
+            columns.putRoots(
+                    column,
+                    slices[i],
+                    Math.sqrt(Math.max(0, sum[0])),
+                    Math.sqrt(Math.max(0, sum[1])),
+                    Math.sqrt(Math.max(0, sum[2])));
         }
-        return places;
+        return count;
     }
 
     /** {@code [term][wavelength]} */

@@ -63,8 +63,14 @@ final class PlaceColumns implements ColourColumns {
     }
 
     @Override
-    public boolean isAsked(int column, int slice) {
-        return IntStream.range(first[column], first[column + 1]).anyMatch(place -> depth(place) == depths[slice]);
+    public int asked(int column, int[] slices) {
+        int[] asked = IntStream.range(first[column], first[column + 1])
+                .map(place -> Arrays.binarySearch(depths, depth(place)))
+                .sorted()
+                .distinct()
+                .toArray();
+        System.arraycopy(asked, 0, slices, 0, asked.length);
+        return asked.length;
     }
 
     @Override

@@ -79,13 +79,13 @@ final class RaySector {
     int evaluate(ColourColumns columns, int[] prepared) {
         boolean[] wanted = new boolean[octave.convolution().slices()];
         int places = 0;
+        int[] slices = new int[prepared.length];
         for (int i = 0; i < asked.count(); i++) {
-            for (int slice = 0; slice < prepared.length; slice++) {
-                if (columns.isAsked(asked.number(i), slice)) {
-                    wanted[prepared[slice]] = true;
-                    places++;
-                }
+            int some = columns.asked(asked.number(i), slices);
+            for (int j = 0; j < some; j++) {
+                wanted[prepared[slices[j]]] = true;
             }
+            places += some;
         }
         float[][] planes = planes(wanted);
         double[] alongRay = new double[QuinticSpline.TAPS];
@@ -102,16 +102,15 @@ final class RaySector {
             QuinticSpline.weights(place - along, alongRay);
             QuinticSpline.weights(ray - across, acrossRays);
             int corner = (across - 2) * count + along - 2;
-            for (int slice = 0; slice < prepared.length; slice++) {
-                if (columns.isAsked(column, slice)) {
-                    int plane = COLOURS * prepared[slice];
-                    columns.putRoots(
-                            column,
-                            slice,
-                            interpolated(planes[plane], corner, alongRay, acrossRays),
-                            interpolated(planes[plane + 1], corner, alongRay, acrossRays),
-                            interpolated(planes[plane + 2], corner, alongRay, acrossRays));
-                }
+            int some = columns.asked(column, slices);
+            for (int j = 0; j < some; j++) {
+                int plane = COLOURS * prepared[slices[j]];
+                columns.putRoots(
+                        column,
+                        slices[j],
+                        interpolated(planes[plane], corner, alongRay, acrossRays),
+                        interpolated(planes[plane + 1], corner, alongRay, acrossRays),
+                        interpolated(planes[plane + 2], corner, alongRay, acrossRays));
             }
         }
         return places;
