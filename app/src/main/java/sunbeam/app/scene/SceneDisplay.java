@@ -1,6 +1,7 @@
 package sunbeam.app.scene;
 
 import java.awt.image.BufferedImage;
+import java.awt.image.Raster;
 import jrtr.RenderContext;
 import sunbeam.app.files.output.SrgbImage;
 import sunbeam.app.gpu.picture.AutoExposure;
@@ -34,8 +35,8 @@ public final class SceneDisplay implements AutoCloseable {
         for (int first = 0; first < picture.height(); first += rows) {
             int count = Math.min(rows, picture.height() - first);
             float[] srgb = pass.srgb(strip(picture, first, count, exposure, background), exposure);
-            BufferedImage strip = SrgbImage.fromEncoded(width, count, srgb);
-            image.setRGB(0, first, width, count, strip.getRGB(0, 0, width, count, null, 0, width), 0, width);
+            Raster strip = SrgbImage.fromEncoded(width, count, srgb).getRaster();
+            image.getRaster().setDataElements(0, first, strip);
         }
         return image;
     }

@@ -108,7 +108,7 @@ public final class SceneLoader {
             Scene scene, Mesh mesh, Supplier<BodyTexture> body, Patch patch, List<Optional<SkinPart>> parts) {
         tellLimit(scene, patch);
         return parts.stream()
-                .map(part -> withTables(scene, mesh, body, patch, part))
+                .map(part -> withTables(scene, mesh, body, patch, part, () -> {}))
                 .toList();
     }
 
@@ -128,12 +128,14 @@ public final class SceneLoader {
     /**
      * A scene that is loaded already, by another method, as one part: roughly, where it is several. What is to be said of the
      * patch has been said.
+     *
+     * @param between run before each layer of tables that is made, which goes on when it returns
      */
-    public SceneData preview(Scene scene, SceneData loaded) {
+    public SceneData preview(Scene scene, SceneData loaded, Runnable between) {
         Optional<SkinPart> part = scene.index().isByWavelength()
                 ? Optional.of(SkinPart.approximately(index(scene), CieTable.load()))
                 : Optional.empty();
-        return withTables(scene, loaded.mesh(), loaded::body, loaded.patch(), part);
+        return withTables(scene, loaded.mesh(), loaded::body, loaded.patch(), part, between);
     }
 
     private Mesh mesh(Scene scene) {
@@ -158,7 +160,12 @@ public final class SceneLoader {
 
     /** Light and camera may move at any time, so that the plan holds for every pair of directions. */
     private SceneData withTables(
-            Scene scene, Mesh mesh, Supplier<BodyTexture> body, Patch patch, Optional<SkinPart> part) {
+            Scene scene,
+            Mesh mesh,
+            Supplier<BodyTexture> body,
+            Patch patch,
+            Optional<SkinPart> part,
+            Runnable between) {
         DiffractionSetup setup = new DiffractionSetup(patch, environment, warning);
         Surface surface = part.map(
                         found -> setup.surface().under(found.reflection().cie()))
@@ -169,7 +176,7 @@ public final class SceneLoader {
         Optional<LevelSources> levels = method.levelled().map(plan -> new LevelsOfSetup(setup, plan, surface.cie()));
         ShaderTables tables = levels.isPresent()
                 ? setup.freshTables(method, MethodUse.COLOUR, GpuColours::of)
-                : setup.tables(method, MethodUse.COLOUR, GpuColours::of);
+                : setup.tables(method, MethodUse.COLOUR, GpuColours::of, between);
         return new SceneData(scene, mesh, patch, method, tables, levels, body.get(), part);
     }
 }

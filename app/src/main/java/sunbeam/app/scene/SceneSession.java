@@ -230,6 +230,16 @@ public final class SceneSession implements AutoCloseable {
         return requestMoving(width, height, interrupted) ? OptionalDouble.of(share) : OptionalDouble.empty();
     }
 
+    /** Has the driver make ready what the picture that was requested will be drawn with, while its colours are being made. */
+    public void prepareDrawing(int width, int height) {
+        int columns = samplesAcross * width;
+        int rows = samplesAcross * height;
+        SkinGeometry geometry = uploaded.geometry(columns, rows);
+        SceneBlocks.Piece piece =
+                SceneBlocks.split(columns, rows, new Tile(0, 0, 1, 1)).get(0);
+        shading.prepare(uploaded.skin(), scene(), drawn(geometry, piece));
+    }
+
     /** Share of what the background was asked for last that is there, 1 where nothing is missing. */
     public double requestedShare() {
         return uploaded.skin()

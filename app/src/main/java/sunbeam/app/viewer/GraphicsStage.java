@@ -178,6 +178,11 @@ class GraphicsStage implements AutoCloseable {
         return OptionalDouble.of(sum / fine.size());
     }
 
+    /** Has the driver make ready what such a picture will be drawn with. */
+    void prepareDrawing(int width, int height) {
+        fine.forEach(part -> part.prepareDrawing(width, height));
+    }
+
     /** Asks the background for what pictures of what moves look into; nobody waits for it. */
     void requestMoving(int width, int height, BooleanSupplier interrupted) {
         if (!state.moving().equals(requested)

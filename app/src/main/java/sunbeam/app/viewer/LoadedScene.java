@@ -43,6 +43,15 @@ record LoadedScene(
      * is left for the next load, so that the first one comes soon.
      */
     static LoadedScene load(SceneLoader loader, Scene scene, LoadedScene previous) {
+        return load(loader, scene, previous, new Sparing());
+    }
+
+    /**
+     * As {@link #load(SceneLoader, Scene, LoadedScene)}.
+     *
+     * @param sparing for what was left for this load, which waits while something moves
+     */
+    static LoadedScene load(SceneLoader loader, Scene scene, LoadedScene previous, Sparing sparing) {
         List<SceneData> parts = previous == null ? loader.parts(scene) : loader.parts(scene, previous.parts);
         SceneData fine = parts.get(0);
         Scene preview = coarse(scene, parts);
@@ -55,7 +64,7 @@ record LoadedScene(
                     }));
         }
         boolean kept = previous != null && previous.coarse.suits(preview);
-        SceneData coarse = kept ? previous.coarse.with(preview) : loader.preview(preview, fine);
+        SceneData coarse = kept ? previous.coarse.with(preview) : loader.preview(preview, fine, () -> {});
         Optional<SceneData> moving = previous == null ? Optional.empty() : moving(loader, scene, fine, previous);
         boolean later = previous == null && isLookedUp(parts);
         Optional<SceneData> mapped = tabulated(scene, fine.patch())
@@ -63,8 +72,18 @@ record LoadedScene(
                 .map(full -> previous == null
                         ? other(loader, full, fine, Optional.empty())
                         // Something may move already.
-                        : Sparing.call(() -> other(loader, full, fine, previous.mapped)));
+                        : Sparing.call(() -> mapped(loader, full, fine, previous, sparing)));
         return new LoadedScene(parts, coarse, moving, mapped, previous != null);
+    }
+
+    /** For what was left for this load nobody waits. */
+    private static SceneData mapped(
+            SceneLoader loader, Scene full, SceneData fine, LoadedScene previous, Sparing sparing) {
+        if (previous.isWhole) {
+            return other(loader, full, fine, previous.mapped);
+        }
+        sparing.pause();
+        return loader.preview(full, fine, sparing::pause);
     }
 
     /** Tables that cannot be had are done without: what moves is drawn in fewer pixels then, as the status line says. */
@@ -79,7 +98,7 @@ record LoadedScene(
     private static SceneData other(SceneLoader loader, Scene scene, SceneData fine, Optional<SceneData> before) {
         return before.filter(data -> data.suits(scene))
                 .map(data -> data.with(scene))
-                .orElseGet(() -> loader.preview(scene, fine));
+                .orElseGet(() -> loader.preview(scene, fine, () -> {}));
     }
 
     /** The scene with the method whose colours its own method tabulates, if it does. */

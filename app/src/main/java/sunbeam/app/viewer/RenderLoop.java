@@ -182,6 +182,7 @@ final class RenderLoop implements AutoCloseable {
             isRequested = true;
             await(stage, state, share);
             map(stage, state, false);
+            stage.prepareDrawing(state.width(), state.height());
             return;
         }
         refineWhole(stage, state, exposure);

@@ -32,6 +32,7 @@ final class Viewer {
     private final CountDownLatch closed = new CountDownLatch(1);
     private final FirstPicture firstPicture = new FirstPicture();
     private final StartJournal journal;
+    private final Sparing sparing;
     private Scene asLoaded;
     private FrameObserver observer = FrameObserver.NONE;
     private boolean coneShown = true;
@@ -45,15 +46,18 @@ final class Viewer {
      *
      * @param scene to begin with
      * @param loader loads a scene, given the last one (null at first)
+     * @param sparing that the loader's last work waits for
      * @param opening opens OpenGL, on the render thread
      * @param journal of what is reached
      */
     Viewer(
             Scene scene,
             BiFunction<Scene, LoadedScene, LoadedScene> loader,
+            Sparing sparing,
             Supplier<GraphicsStage> opening,
             StartJournal journal) {
         this.journal = journal;
+        this.sparing = sparing;
         asLoaded = scene;
         model = new ViewerModel(scene, loader, loading);
         // OpenGL opens while the window is being made; what it has to say waits for the event thread.
@@ -360,6 +364,7 @@ final class Viewer {
         @Override
         public void preview(
                 ViewState state, BufferedImage image, int divisor, boolean tables, double exposure, long nanoseconds) {
+            sparing.hold();
             show(state, image, false, exposure);
             journal.reached(state.isBare() && !tables ? StartJournal.Stage.BODY : StartJournal.Stage.COLOURS);
             if (!state.isBare()) {
@@ -380,7 +385,8 @@ final class Viewer {
             show(state, image, true, exposure);
             journal.reached(StartJournal.Stage.FINAL);
             completed = state;
-            // Only now: it would take the processors from the picture, or from what moves.
+            // Only now: it would take the processors from the picture, or from what moves in a moment.
+            sparing.hold();
             model.loadRest();
             window.status().complete(nanoseconds);
             files.pictureIsFinal(state.fine(), exposure);

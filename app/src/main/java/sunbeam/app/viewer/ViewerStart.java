@@ -88,6 +88,7 @@ final class ViewerStart {
             // What is said before there is a window stands in the terminal.
             Optional.ofNullable(viewer.get()).ifPresent(shown -> shown.message(line));
         });
+        Sparing sparing = new Sparing();
         // While Swing starts, which is one processor's work.
         Meanwhile<LoadedScene> first = Meanwhile.start(() -> LoadedScene.load(loader, scene, null));
         try {
@@ -97,7 +98,8 @@ final class ViewerStart {
                         scene,
                         (next, previous) -> previous == null && next.equals(scene)
                                 ? first.get()
-                                : LoadedScene.load(loader, next, previous),
+                                : LoadedScene.load(loader, next, previous, sparing),
+                        sparing,
                         GraphicsStage::new,
                         journal));
                 viewer.get().start();

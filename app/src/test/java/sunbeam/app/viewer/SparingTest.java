@@ -24,6 +24,19 @@ class SparingTest {
     }
 
     @Test
+    void itPausesUntilNothingHasMovedForAWhile() {
+        Sparing sparing = new Sparing();
+        long start = System.nanoTime();
+        sparing.pause();
+        assertThat(System.nanoTime() - start).as("nothing moves").isLessThan(1_000_000_000L);
+        sparing.hold();
+        long held = System.nanoTime();
+        sparing.pause();
+        // No sooner than it says; later, machines may be busy.
+        assertThat(System.nanoTime() - held).isGreaterThan(1_400_000_000L);
+    }
+
+    @Test
     void whatGoesWrongIsThrownAsItIs() {
         RuntimeException problem = new IllegalStateException("no table");
         assertThatThrownBy(() -> Sparing.call(() -> {

@@ -26,6 +26,7 @@ final class ViewerLifeWindowTest extends ViewerInAWindow {
             Viewer made = new Viewer(
                     scene(),
                     (next, previous) -> null,
+                    new Sparing(),
                     () -> {
                         throw new GraphicsException("no OpenGL 3.3 here");
                     },

@@ -38,6 +38,17 @@ public record ShaderTables(
         return arrays.stream().mapToLong(array -> array.layout().bytes()).sum();
     }
 
+    /** The same, whose layers are each given when something has been done. */
+    public ShaderTables preceded(Runnable before) {
+        List<TableArray> preceded = arrays.stream()
+                .map(array -> new TableArray(array.layout(), layer -> {
+                    before.run();
+                    return array.layer(layer);
+                }))
+                .toList();
+        return new ShaderTables(shader, defines, uniforms, preceded, windowSigma, specularReach, trial);
+    }
+
     /** The tables of one method while they are put together. */
     public static final class Builder {
         private final String shader;

@@ -146,8 +146,17 @@ public final class DiffractionSetup {
      * @throws SettingException when the method has no answer for the use
      */
     public ShaderTables tables(MethodPlan plan, MethodUse use, ColourSources colours) {
+        return tables(plan, use, colours, () -> {});
+    }
+
+    /**
+     * As {@link #tables(MethodPlan, MethodUse, ColourSources)}.
+     *
+     * @param between run before each layer that is made
+     */
+    public ShaderTables tables(MethodPlan plan, MethodUse use, ColourSources colours, Runnable between) {
         requireAnswer(plan, use);
-        return store.tables(plan, use, colours);
+        return store.tables(plan, use, colours, between);
     }
 
     /** Whether there may be such pages. */

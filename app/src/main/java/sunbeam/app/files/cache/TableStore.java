@@ -73,10 +73,19 @@ public final class TableStore {
      * @param colours who evaluates shaders, for tables that are made of colours
      */
     public ShaderTables tables(MethodPlan plan, MethodUse use, ColourSources colours) {
+        return tables(plan, use, colours, () -> {});
+    }
+
+    /**
+     * As {@link #tables(MethodPlan, MethodUse, ColourSources)}.
+     *
+     * @param between run before each layer that is made
+     */
+    public ShaderTables tables(MethodPlan plan, MethodUse use, ColourSources colours, Runnable between) {
         String key = "shader tables " + ShaderTablesFile.VERSION + "|" + plan.key(use);
         Optional<Path> file = file(key, CacheEntry.SHADER);
         if (file.isEmpty()) {
-            return freshTables(plan, use, colours);
+            return freshTables(plan, use, colours).preceded(between);
         }
         Function<Path, ShaderTables> reader = path -> ShaderTablesFile.read(path, key);
         return keptOr(file.get(), reader, () -> {
@@ -85,13 +94,14 @@ public final class TableStore {
             List<Path> unfinished = new ArrayList<>();
             TableLabel half = new TableLabel(label.patch(), "half made: " + label.what());
             ShaderTables made = freshTables(plan, use, (tables, places) -> {
-                String again = key + "|" + unfinished.size();
-                Optional<Path> keeping = file(again, CacheEntry.COLOURS);
-                keeping.ifPresent(unfinished::add);
-                return keeping.isEmpty()
-                        ? colours.of(tables, places)
-                        : KeptColours.of(keeping.get(), again, half, () -> colours.of(tables, places));
-            });
+                        String again = key + "|" + unfinished.size();
+                        Optional<Path> keeping = file(again, CacheEntry.COLOURS);
+                        keeping.ifPresent(unfinished::add);
+                        return keeping.isEmpty()
+                                ? colours.of(tables, places)
+                                : KeptColours.of(keeping.get(), again, half, () -> colours.of(tables, places));
+                    })
+                    .preceded(between);
             TableLabel tried = made.trial().isEmpty()
                     ? label
                     : new TableLabel(label.patch(), "table in " + made.trial() + "; planned as " + label.what());

@@ -1,6 +1,7 @@
 package sunbeam.app.files.output;
 
 import java.awt.image.BufferedImage;
+import java.awt.image.DataBufferInt;
 
 /** 8-bit sRGB images (IEC 61966-2-1) from the forms that rendering yields. Row 0 is the top everywhere. */
 public final class SrgbImage {
@@ -39,8 +40,20 @@ public final class SrgbImage {
         }
         int type = opaque ? BufferedImage.TYPE_INT_RGB : BufferedImage.TYPE_INT_ARGB;
         BufferedImage image = new BufferedImage(width, height, type);
-        image.setRGB(0, 0, width, height, argb, 0, width);
+        // Both types have such integers; setRGB would take each pixel's colours apart.
+        int[] pixels = pixels(image);
+        if (opaque) {
+            for (int pixel = 0; pixel < argb.length; pixel++) {
+                pixels[pixel] = argb[pixel] & ~OPAQUE;
+            }
+        } else {
+            System.arraycopy(argb, 0, pixels, 0, argb.length);
+        }
         return image;
+    }
+
+    private static int[] pixels(BufferedImage image) {
+        return ((DataBufferInt) image.getRaster().getDataBuffer()).getData();
     }
 
     private static int pack(double red, double green, double blue) {
