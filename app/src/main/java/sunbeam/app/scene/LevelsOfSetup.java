@@ -54,7 +54,7 @@ final class LevelsOfSetup implements LevelSources {
         if (level < plan.levels().levels().size() - 1) {
             save();
         }
-        return new RayColours(terms, wanted.area(), wanted.design().step(), wanted.interpolation(), level == 0, done);
+        return new RayColours(terms, wanted.area(), wanted.design().step(), level == 0, done);
     }
 
     @Override

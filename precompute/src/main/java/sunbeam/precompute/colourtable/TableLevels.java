@@ -34,6 +34,10 @@ public record TableLevels(GaussianArea area, List<Level> levels, NumberFormat nu
     // the same.
     private static final double LINES_TOLERANCE = 5e-3;
 
+    // Their texels' distance, beside that of splines: with 1.5, errors of pixels' means began to grow
+    // (docs/colour-tables.md).
+    private static final double LINES_STEP = 1.4;
+
     // A colour errs by twice as much as its root: by no more than 1e-3, and less, since 16 coefficients or more make
     // it.
     private static final double HALF_TOLERANCE = 1e-3;
@@ -69,8 +73,11 @@ public record TableLevels(GaussianArea area, List<Level> levels, NumberFormat nu
         double finest = sigma(area.window());
         for (double widening = 1; widening == 1 || finest * widening <= WIDEST; widening *= RATIO) {
             GaussianArea wider = area.with(new CoherenceWindow(area.window().sigmaMetres() / widening));
-            levels.add(new Level(
-                    wider, 1 / (widening * widening), TableDesign.within(tolerance, wider, relief), interpolation));
+            TableDesign design = TableDesign.within(tolerance, wider, relief);
+            if (interpolation == Interpolation.SHIFTED_LINES) {
+                design = new TableDesign(LINES_STEP * design.step(), design.slices());
+            }
+            levels.add(new Level(wider, 1 / (widening * widening), design, interpolation));
             if (area.average() == Average.COHERENT) {
                 break;
             }

@@ -94,9 +94,9 @@ final class LevelledTable implements LevelledPlan {
         return levels.levels().size() - levels.ofPoints();
     }
 
-    private String step() {
+    private String step(int level) {
         return String.format(
-                Locale.ROOT, "%.2g", levels.levels().get(0).design().step());
+                Locale.ROOT, "%.2g", levels.levels().get(level).design().step());
     }
 
     @Override
@@ -106,7 +106,7 @@ final class LevelledTable implements LevelledPlan {
                 "table: %d level%s from step %s in (u, v), %d slices in w; of %s",
                 widths(),
                 widths() == 1 ? "" : "s",
-                step(),
+                step(levels.ofPoints()),
                 levels.slices(),
                 finest.summary());
     }
@@ -117,7 +117,13 @@ final class LevelledTable implements LevelledPlan {
         reasons.add(String.format(
                 Locale.ROOT,
                 "step %s in (u, v): cubic B-splines through square roots of X, Y, Z err by the tolerance (docs/colour-tables.md)",
-                step()));
+                step(0)));
+        if (levels.ofPoints() == 1) {
+            reasons.add(String.format(
+                    Locale.ROOT,
+                    "step %s where pixels see more than a point: the mean of lines between texels is as good as that of splines",
+                    step(1)));
+        }
         reasons.add(
                 widths() == 1
                         ? "one level: a coherent average of wide surroundings is no narrower window's"
@@ -125,9 +131,6 @@ final class LevelledTable implements LevelledPlan {
                                 Locale.ROOT,
                                 "%d levels, each 1.4 times as wide as the one before, for pixels that see so much",
                                 widths()));
-        if (levels.ofPoints() == 1) {
-            reasons.add("for pixels that see more than a point straight lines, shifted, whose errors have no mean");
-        }
         reasons.add("evaluated by full for half of the tolerance:");
         reasons.addAll(finest.reasons());
         return reasons;

@@ -9,7 +9,6 @@ import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import sunbeam.precompute.colourtable.ColourColumns;
 import sunbeam.precompute.colourtable.ColourSource;
-import sunbeam.precompute.colourtable.Interpolation;
 import sunbeam.precompute.plan.GaussianArea;
 
 /**
@@ -27,8 +26,6 @@ public final class RayColours implements ColourSource {
     // Of rays and of places on them, in steps of the table: quintic splines err by less there than cubic ones do at
     // one.
     private static final double SPACING = 1.1;
-    // Lines between texels err by more than quintic splines at this.
-    private static final double SPACING_FOR_LINES = 1.3;
     // Of what is prepared for slices; that of deep reliefs, which takes more, is made anew for each call.
     private static final long MOST_KEPT_BYTES = 1 << 26;
     // Columns whose sectors one processor finds at a time.
@@ -51,22 +48,15 @@ public final class RayColours implements ColourSource {
      * Colours under a window.
      *
      * @param step of (u, v) between the places that will be asked for
-     * @param interpolation between these
      * @param fine whether wings of bright orders matter
      * @param progress told how many places have been evaluated since it was told last, which may be none, every few milliseconds;
      *     by any thread, which goes on when it returns: whoever waits there holds up the others' work as well
      */
-    public RayColours(
-            RaySpectrum spectrum,
-            GaussianArea area,
-            double step,
-            Interpolation interpolation,
-            boolean fine,
-            LongConsumer progress) {
+    public RayColours(RaySpectrum spectrum, GaussianArea area, double step, boolean fine, LongConsumer progress) {
         this.spectrum = spectrum;
         this.powers = spectrum.under(area, fine ? FINE_REACH : COARSE_REACH, !fine);
         this.sigmaFrequency = area.window().sigmaFrequency();
-        this.step = step * (interpolation == Interpolation.CUBIC ? SPACING : SPACING_FOR_LINES);
+        this.step = SPACING * step;
         this.progress = progress;
     }
 

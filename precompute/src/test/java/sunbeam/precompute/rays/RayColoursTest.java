@@ -12,7 +12,6 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.precompute.Surfaces;
 import sunbeam.precompute.color.CieTable;
-import sunbeam.precompute.colourtable.Interpolation;
 import sunbeam.precompute.method.Surface;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.Direction;
@@ -75,7 +74,7 @@ class RayColoursTest {
     private static double[] errors(
             HeightMap map, GaussianArea area, RaySpectrum spectrum, float[] places, double step) {
         AtomicLong told = new AtomicLong();
-        float[] xyz = new RayColours(spectrum, area, step, Interpolation.CUBIC, true, told::addAndGet).xyz(places);
+        float[] xyz = new RayColours(spectrum, area, step, true, told::addAndGet).xyz(places);
         assertThat(told.get()).isEqualTo(places.length / 3);
         ReferenceColor reference = new ReferenceColor(
                 new ReferenceEvaluator(map, area.window(), WindowOrigin.CENTRE),
@@ -149,9 +148,7 @@ class RayColoursTest {
             places[3 * i] = (float) (wavelength / 1.25e-6);
             places[3 * i + 2] = -1.5f;
         }
-        float[] xyz = new RayColours(
-                        spectrum(map, area, tolerance), area, 0.0009, Interpolation.CUBIC, true, done -> {})
-                .xyz(places);
+        float[] xyz = new RayColours(spectrum(map, area, tolerance), area, 0.0009, true, done -> {}).xyz(places);
         double order = xyz[3 * 39 + 2];
         assertThat(order).isGreaterThan(1e-3);
         double largest = 0;
@@ -198,8 +195,7 @@ class RayColoursTest {
             places[3 * i] = 0.5f;
             places[3 * i + 2] = -5e-4f * i;
         }
-        RayColours colours =
-                new RayColours(spectrum(map, ENSEMBLE), ENSEMBLE, STEP, Interpolation.CUBIC, true, done -> {});
+        RayColours colours = new RayColours(spectrum(map, ENSEMBLE), ENSEMBLE, STEP, true, done -> {});
         assertThatThrownBy(() -> colours.xyz(places)).hasMessageContaining("slices");
     }
 }
