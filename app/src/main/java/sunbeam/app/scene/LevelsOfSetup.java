@@ -1,6 +1,5 @@
 package sunbeam.app.scene;
 
-import java.util.function.Consumer;
 import java.util.function.LongConsumer;
 import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.gpu.colours.GpuColours;
@@ -50,29 +49,27 @@ final class LevelsOfSetup implements LevelSources {
             return GpuColours.of(setup.tables(plan.source(level), MethodUse.COLOUR, GpuColours::of), done);
         }
         TableLevels.Level wanted = plan.levels().levels().get(level);
-        RaySpectrum terms = spectrum(plan.spectrum().get(), Runnable::run);
-        if (level < plan.levels().levels().size() - 1) {
-            save();
-        }
+        RaySpectrum terms = spectrum(plan.spectrum().get());
         return new RayColours(terms, wanted.area(), wanted.design().step(), level == 0, done);
     }
 
     @Override
     public void prepare() {
         if (plan.spectrum().isPresent() && !setup.hasPages(plan)) {
-            // Once there are coarse colours, for which somebody waits.
-            spectrum(plan.spectrum().get(), saving -> unsaved = saving);
+            spectrum(plan.spectrum().get());
         }
     }
 
-    private synchronized void save() {
+    @Override
+    public synchronized void settle() {
         unsaved.run();
         unsaved = () -> {};
     }
 
-    private synchronized RaySpectrum spectrum(Plan widened, Consumer<Runnable> saving) {
+    private synchronized RaySpectrum spectrum(Plan widened) {
         if (spectrum == null) {
-            spectrum = new RaySpectrum(widened, setup.table(widened, saving), plan.tolerance(), cie);
+            spectrum =
+                    new RaySpectrum(widened, setup.table(widened, saving -> unsaved = saving), plan.tolerance(), cie);
         }
         return spectrum;
     }

@@ -12,6 +12,7 @@ import jrtr.scene.PictureArea;
 import jrtr.scene.SceneRenderer;
 import jrtr.scene.ViewRays;
 import sunbeam.app.gpu.UploadedTables;
+import sunbeam.app.gpu.colours.LevelPages;
 
 /**
  * A scene in graphics memory, drawn in parts of any size. A pixel depends on the scene, the picture's size and its place
@@ -222,12 +223,19 @@ public final class SceneSession implements AutoCloseable {
         if (uploaded.skin().looks().isEmpty()) {
             return OptionalDouble.of(1);
         }
+        // Colours for what moves are begun while it is found where the picture's pixels look; nearly all of them are
+        // the picture's, too.
+        if (!requestMoving(width, height, interrupted)) {
+            return OptionalDouble.empty();
+        }
         List<Tile> fine = tiles(samples * width, samples * height, 1);
         if (!note(samples * width, samples * height, fine, samples, SkinLooks.MOST_PLACES, interrupted)) {
             return OptionalDouble.empty();
         }
-        double share = uploaded.skin().looks().get().pages().share();
-        return requestMoving(width, height, interrupted) ? OptionalDouble.of(share) : OptionalDouble.empty();
+        LevelPages pages = uploaded.skin().looks().get().pages();
+        double share = pages.share();
+        pages.requestToo();
+        return OptionalDouble.of(share);
     }
 
     /** Has the driver make ready what the picture that was requested will be drawn with, while its colours are being made. */

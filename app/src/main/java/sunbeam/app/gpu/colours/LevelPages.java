@@ -263,11 +263,20 @@ public final class LevelPages implements AutoCloseable {
     }
 
     /**
-     * Asks the background for what was noted.
+     * Asks the background for what was noted, in the place of what it was asked for before.
      *
      * @throws GraphicsException if there is no room for it
      */
     public void request() {
+        requested = List.of();
+        requestToo();
+    }
+
+    /** As {@link #request}, beside what it was asked for before. */
+    public void requestToo() {
+        for (int level = 0; level < requested.size(); level++) {
+            wanted.get(level).or(requested.get(level));
+        }
         wanted.get(grids.size() - 1).or(resident.get(grids.size() - 1));
         List<BitSet> asked = copyOf(wanted);
         for (int level = 0; level < grids.size(); level++) {

@@ -47,8 +47,9 @@ final class PageBaker implements AutoCloseable {
      * @param level of the pages
      * @param pages their numbers
      * @param spread over all processors
+     * @param isUrgent whether somebody waits for them
      */
-    private record Due(int level, int[] pages, boolean spread) {}
+    private record Due(int level, int[] pages, boolean spread, boolean isUrgent) {}
 
     private final PageSources sources;
     private final Runnable arrived;
@@ -148,6 +149,9 @@ final class PageBaker implements AutoCloseable {
     private void run() {
         try {
             for (Due due = next(); due != null; due = next()) {
+                if (!due.isUrgent()) {
+                    sources.settle();
+                }
                 make(due);
                 arrived.run();
             }
@@ -198,7 +202,7 @@ final class PageBaker implements AutoCloseable {
                 wait(held);
                 continue;
             }
-            Optional<Due> due = due(wanted);
+            Optional<Due> due = due(wanted, true);
             if (due.isPresent()) {
                 isUrgent = true;
             } else {
@@ -206,7 +210,7 @@ final class PageBaker implements AutoCloseable {
                     isUrgent = false;
                     laterFrom = System.nanoTime() + LATER_NANOSECONDS;
                 }
-                due = due(later);
+                due = due(later, false);
                 long early = millisecondsUntil(laterFrom);
                 if (due.isPresent() && early > 0) {
                     wait(early);
@@ -223,13 +227,13 @@ final class PageBaker implements AutoCloseable {
     }
 
     /** Guarded by this. What an earlier run has made comes first, then coarse levels before fine ones. */
-    private Optional<Due> due(List<BitSet> asked) {
+    private Optional<Due> due(List<BitSet> asked, boolean urgent) {
         boolean spread = maySpread();
         for (int level = asked.size() - 1; level >= 0; level--) {
             BitSet kept = sources.kept(level, missing(asked, level));
             if (!kept.isEmpty()) {
                 int[] pages = kept.stream().limit(MOST_AT_ONCE).toArray();
-                return Optional.of(new Due(level, pages, spread));
+                return Optional.of(new Due(level, pages, spread, urgent));
             }
         }
         int chunk = spread ? CHUNK_OF_ALL : CHUNK;
@@ -238,7 +242,7 @@ final class PageBaker implements AutoCloseable {
             if (!missing.isEmpty()) {
                 int[] pages =
                         sources.grids().get(level).bySide(missing).limit(chunk).toArray();
-                return Optional.of(new Due(level, pages, spread));
+                return Optional.of(new Due(level, pages, spread, urgent));
             }
         }
         return Optional.empty();

@@ -131,8 +131,14 @@ final class PageSources implements AutoCloseable {
         return kept;
     }
 
+    /** Keeps for later runs what else was made on the way. */
+    void settle() {
+        sources.settle();
+    }
+
     @Override
     public synchronized void close() {
+        settle();
         opened.values().forEach(ColourSource::close);
         opened.clear();
         if (kept != null) {
