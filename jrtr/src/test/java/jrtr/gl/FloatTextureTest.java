@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import java.nio.FloatBuffer;
+import java.nio.ShortBuffer;
 import java.util.SplittableRandom;
 import jrtr.Binding;
 import jrtr.ContextLimits;
@@ -73,6 +74,39 @@ class FloatTextureTest {
                     .as("%s", values[index])
                     .isEqualTo(Float.floatToRawIntBits(values[index]));
         }
+    }
+
+    @Test
+    void halvesArriveAsTheyAreAndAreInterpolatedBetween() {
+        // 1, 1.5, -2, 65504; 3, 0.5, 2^-14, 2^-24.
+        short[] halves = {0x3c00, 0x3e00, (short) 0xc000, 0x7bff, 0x4200, 0x3800, 0x0400, 0x0001};
+        FloatTextureSpec spec = FloatTextureSpec.array(2, 1, 1, FloatFormat.RGBA16F);
+        FloatTexture texture = rendering.context.createFloatTexture("table", spec.with(Filter.LINEAR));
+        texture.uploadLayer(0, ShortBuffer.wrap(halves));
+        ShaderProgram exact =
+                rendering.program("uniform sampler2DArray t;", "texelFetch(t, ivec3(gl_FragCoord.xy, 0), 0)");
+        float[] back = rendering.drawn(exact, 2, 1, new Binding("t", texture));
+        assertThat(back).startsWith(1, 1.5f, -2, 65504, 3, 0.5f, 0x1p-14f);
+        // Denormals may be flushed to zero.
+        assertThat(back[7]).isIn(0x1p-24f, 0f);
+        ShaderProgram between =
+                rendering.program("uniform sampler2DArray t;", "textureLod(t, vec3(0.5, 0.5, 0.0), 0.0)");
+        // Cards weigh with 8 bits at least.
+        assertThat(rendering.drawn(between, 1, 1, new Binding("t", texture))[0]).isCloseTo(2, within(1 / 128f));
+    }
+
+    @Test
+    void halvesAreForTexturesOfHalves() {
+        FloatTextureSpec spec = FloatTextureSpec.flat(1, 1, FloatFormat.RGBA32F);
+        FloatTexture texture = rendering.context.createFloatTexture("table", spec);
+        assertThatThrownBy(() -> texture.uploadLayer(0, ShortBuffer.allocate(4)))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining("32 bits");
+        FloatTexture of16 =
+                rendering.context.createFloatTexture("table", FloatTextureSpec.flat(1, 1, FloatFormat.RGBA16F));
+        assertThatThrownBy(() -> of16.uploadLayer(0, ShortBuffer.allocate(3)))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining("needs 4 floats");
     }
 
     @Test

@@ -72,16 +72,20 @@ class LookTest {
     }
 
     private Look look(float[] a, float[] b) {
+        return look(0, 1, a, b);
+    }
+
+    private Look look(float pointLevels, float samplesAcross, float[] a, float[] b) {
         ShaderLibrary library = name -> name.equals("look.frag") ? Optional.of(TEXT) : Optional.empty();
         try (ShaderProgram program = context.createFullScreenProgram(
                         library.orElse(Shaders.library()).load("look.frag"));
                 FloatTarget target = context.createFloatTarget("look", FloatTargetSpec.color(3, 1))) {
-            program.set("pointLevels", 0f);
+            program.set("pointLevels", pointLevels);
             program.set("finestVariance", (float) (SIGMA * SIGMA));
             program.set("perFinestVariance", (float) (1 / (SIGMA * SIGMA)));
             program.set("levels", LEVELS);
             program.set("mostPlaces", 32f);
-            program.set("samplesAcross", 1f);
+            program.set("samplesAcross", samplesAcross);
             program.set("alongX", new Vector3f(a));
             program.set("alongY", new Vector3f(b));
             context.drawFullScreen(program, List.of(), target, Tile.whole(3, 1));
@@ -121,6 +125,24 @@ class LookTest {
         // left. What is narrower than a Gaussian of the finest level is a point.
         double share = trace < SIGMA * SIGMA ? 1 : 0.3;
         assertThat(found[0] + found[1]).isCloseTo(trace, within(share * trace));
+    }
+
+    @Test
+    void onlyPixelsThatSeeLittleMoreThanAPointLookIntoTheTableForPoints() {
+        float sigma = (float) SIGMA;
+        float[] none = {0, 0, 0};
+        // A line of that length has a twelfth of its square as variance; the limit is 0.06 of SIGMA's.
+        float[] shorter = {0.8f * sigma, 0, 0};
+        float[] longer = {0.9f * sigma, 0, 0};
+        assertThat(look(1, 1, none, none).level()).isZero();
+        assertThat(look(1, 1, shorter, none).level()).isZero();
+        assertThat(look(1, 1, longer, none).level()).isOne();
+        // A quarter of a pixel, all of which is seen.
+        assertThat(look(1, 2, shorter, none).level()).isOne();
+        assertThat(look(1, 2, new float[] {0.4f * sigma, 0, 0}, none).level()).isZero();
+        // Where there is no such table, points are looked up where all else is.
+        assertThat(look(0, 1, none, none).level()).isZero();
+        assertThat(look(0, 1, longer, none).level()).isZero();
     }
 
     /** Differences of (u, v) are multiples of 2^-24: exact squares occur, and have no wide side. */

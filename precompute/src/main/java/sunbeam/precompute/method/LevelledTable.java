@@ -125,11 +125,11 @@ final class LevelledTable implements LevelledPlan {
                     step(1)));
         }
         reasons.add(
-                widths() == 1
+                levels.area().average() == Average.COHERENT
                         ? "one level: a coherent average of wide surroundings is no narrower window's"
                         : String.format(
                                 Locale.ROOT,
-                                "%d levels, each 1.4 times as wide as the one before, for pixels that see so much",
+                                "levels: %d, each 1.4 times as wide as the one before, for pixels that see so much",
                                 widths()));
         reasons.add("evaluated by full for half of the tolerance:");
         reasons.addAll(finest.reasons());
