@@ -71,13 +71,29 @@ final class RayFan {
         this.offsets = new int[frequencies.length];
         double[] slopes = {across(firstAngle) / firstAlong, across(lastAngle) / lastAlong};
         Arrays.sort(slopes);
-        double margin = reach * sigmaFrequency;
+        double byFrequency = LINES_PER_SIGMA * sigmaFrequency * least;
+        this.blurred = new double[placed(byFrequency, slopes, reach * sigmaFrequency)];
+        GaussianWeights rows = new GaussianWeights(1 / (sigmaFrequency * bins.periodY()), reach);
+        double sign = Math.signum(along(firstAngle));
+        for (int i = 0; i < frequencies.length; i++) {
+            rows.moveTo(sign * frequencies[i] * bins.periodY() - bins.firstY(), 0, bins.rows() - 1);
+            blur(i, rows);
+        }
+    }
+
+    /**
+     * Finds what each line stands for, and which of its bins rays see.
+     *
+     * @param byFrequency as {@link #lines} has it
+     * @param slopes of the outermost rays, ascending
+     * @param margin beside them, cycles per metre
+     * @return how many values the bins are
+     */
+    private int placed(double byFrequency, double[] slopes, double margin) {
         int size = 0;
         for (int i = 0; i < frequencies.length; i++) {
             logarithms[i] = Math.log(frequencies[i]);
-            widths[i] = 1
-                    / (1 / (LINES_PER_KNOT * knots.spacing())
-                            + frequencies[i] / (LINES_PER_SIGMA * sigmaFrequency * least));
+            widths[i] = 1 / (1 / (LINES_PER_KNOT * knots.spacing()) + frequencies[i] / byFrequency);
             double low = (frequencies[i] * slopes[0] - margin) * bins.periodX() - bins.firstX();
             double high = (frequencies[i] * slopes[1] + margin) * bins.periodX() - bins.firstX();
             firstBins[i] = (int) Math.max(0, Math.ceil(low));
@@ -85,13 +101,7 @@ final class RayFan {
             offsets[i] = size;
             size = Math.addExact(size, counts[i] * bins.stride());
         }
-        this.blurred = new double[size];
-        GaussianWeights rows = new GaussianWeights(1 / (sigmaFrequency * bins.periodY()), reach);
-        double sign = Math.signum(along(firstAngle));
-        for (int i = 0; i < frequencies.length; i++) {
-            rows.moveTo(sign * frequencies[i] * bins.periodY() - bins.firstY(), 0, bins.rows() - 1);
-            blur(i, rows);
-        }
+        return size;
     }
 
     /**
