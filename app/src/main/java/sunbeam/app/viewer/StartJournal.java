@@ -16,7 +16,9 @@ final class StartJournal {
         LOADED("patch, texture and plan"),
         CONTEXT("OpenGL"),
         BODY("body"),
+        FIRST("first picture"),
         COLOURS("first anti-aliased picture"),
+        TABLES("tables of colours for what moves"),
         FINAL("final picture");
 
         private final String words;

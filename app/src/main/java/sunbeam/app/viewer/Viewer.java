@@ -366,7 +366,7 @@ final class Viewer {
                 ViewState state, BufferedImage image, int divisor, boolean tables, double exposure, long nanoseconds) {
             sparing.hold();
             show(state, image, false, exposure);
-            journal.reached(state.isBare() && !tables ? StartJournal.Stage.BODY : StartJournal.Stage.COLOURS);
+            journal.reached(reached(state, tables));
             if (!state.isBare()) {
                 model.loadRest();
             }
@@ -391,6 +391,13 @@ final class Viewer {
             window.status().complete(nanoseconds);
             files.pictureIsFinal(state.fine(), exposure);
             measure();
+        }
+
+        private static StartJournal.Stage reached(ViewState state, boolean tables) {
+            if (!state.isBare()) {
+                return StartJournal.Stage.FIRST;
+            }
+            return tables ? StartJournal.Stage.COLOURS : StartJournal.Stage.BODY;
         }
 
         private void show(ViewState state, BufferedImage image, boolean isFinal, double exposure) {

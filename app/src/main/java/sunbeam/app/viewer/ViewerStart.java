@@ -4,7 +4,6 @@ import com.formdev.flatlaf.FlatDarkLaf;
 import java.awt.AWTError;
 import java.awt.GraphicsEnvironment;
 import java.lang.reflect.InvocationTargetException;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Consumer;
@@ -47,29 +46,18 @@ final class ViewerStart {
     static String measure(Scene scene, Environment environment, Consumer<String> warning, double seconds)
             throws InterruptedException {
         requireScreen();
-        long start = System.nanoTime();
         Viewer viewer = open(scene, environment, warning);
         try {
             viewer.firstPicture().await();
-            double first = secondsSince(start);
-            String tables = viewer.awaitTables(LONGEST_WAIT_MILLISECONDS)
-                    ? String.format(Locale.ROOT, "; tables of colours for what moves after %.1f s", secondsSince(start))
-                    : "";
+            if (viewer.awaitTables(LONGEST_WAIT_MILLISECONDS)) {
+                viewer.journal().reached(StartJournal.Stage.TABLES);
+            }
             viewer.awaitFinalByTable(LONGEST_WAIT_MILLISECONDS);
-            String starting = String.format(Locale.ROOT, "first picture after %.1f s%s", first, tables);
-            return viewer.journal().report()
-                    + System.lineSeparator()
-                    + starting
-                    + System.lineSeparator()
-                    + ViewMeasurement.of(viewer, seconds);
+            return viewer.journal().report() + System.lineSeparator() + ViewMeasurement.of(viewer, seconds);
         } finally {
             SwingUtilities.invokeLater(viewer::quit);
             viewer.awaitEnd(PATIENCE_MILLISECONDS);
         }
-    }
-
-    private static double secondsSince(long start) {
-        return (System.nanoTime() - start) * 1e-9;
     }
 
     private static void requireScreen() {
