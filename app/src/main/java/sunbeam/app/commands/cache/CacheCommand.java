@@ -41,8 +41,8 @@ public final class CacheCommand implements Callable<Integer> {
             names = "--limit",
             paramLabel = "SIZE",
             description =
-                    "From now on, let the tables take this much, for example 2GB; those used longest ago are removed"
-                            + " at once and whenever a new one would exceed it. 'default' for 8.6GB, as it is at first.")
+                    "From now on, let the tables take this much, for example 2GB; those used last stay, as far as they"
+                            + " fit, the others are removed at once and whenever a new one would exceed it. 'default' for 8.6GB, as it is at first.")
     private String limit;
 
     @Option(names = "--clear", description = "Remove all tables; the limit stays.")

@@ -138,24 +138,27 @@ public final class CacheFolder {
     }
 
     /**
-     * Deletes tables, those first that were used longest ago, until the rest is no larger than a limit. Whoever has one open
+     * Deletes tables, so that the rest is no larger than a limit: those that were used last stay, as far as they fit. Whoever has one open
      * goes on reading it. A table that cannot be deleted stays.
      *
      * @param kept stays in any case; nothing else does
-     * @return those that were deleted
+     * @return those that were deleted, the one used longest ago first
      */
     public List<CacheEntry> shrink(long limitBytes, Optional<Path> kept) {
-        List<CacheEntry> oldestFirst = new ArrayList<>(entries());
-        Collections.reverse(oldestFirst);
-        long bytes = oldestFirst.stream().mapToLong(CacheEntry::bytes).sum();
+        List<CacheEntry> newestFirst = new ArrayList<>(entries());
+        // As if it had been used last.
+        newestFirst.sort(Comparator.comparing(entry -> !kept.equals(Optional.of(entry.file()))));
+        long left = limitBytes;
         List<CacheEntry> deleted = new ArrayList<>();
-        for (CacheEntry entry : oldestFirst) {
-            boolean goes = bytes > limitBytes && !kept.equals(Optional.of(entry.file()));
-            if (goes && entry.file().toFile().delete()) {
-                bytes -= entry.bytes();
+        for (CacheEntry entry : newestFirst) {
+            boolean stays = entry.bytes() <= left || kept.equals(Optional.of(entry.file()));
+            if (!stays && entry.file().toFile().delete()) {
                 deleted.add(entry);
+            } else {
+                left -= entry.bytes();
             }
         }
+        Collections.reverse(deleted);
         return deleted;
     }
 

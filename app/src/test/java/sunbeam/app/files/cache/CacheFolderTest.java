@@ -69,6 +69,20 @@ final class CacheFolderTest {
     }
 
     @Test
+    void oneThatIsLargerThanTheLimitTakesNoSmallerOnesWithIt() throws IOException {
+        CacheFolder cache = cache(Map.of());
+        Path path = cache.open(warnings::add).orElseThrow();
+        for (int i = 0; i < 4; i++) {
+            Path file = Files.write(path.resolve(i + ".tables"), new byte[i == 3 ? 1000 : 100]);
+            Files.setLastModifiedTime(file, FileTime.fromMillis(1_000_000L + 1000L * i));
+        }
+        assertThat(cache.shrink(250, Optional.empty()))
+                .extracting(entry -> entry.file().getFileName().toString())
+                .containsExactly("0.tables", "3.tables");
+        assertThat(cache.sizeInBytes()).isEqualTo(200);
+    }
+
+    @Test
     void theLimitStaysForTheNextProcess() {
         assertThat(cache(Map.of()).limit(warnings::add)).isEqualTo(8L << 30);
         cache(Map.of()).setLimit(12_345);
