@@ -255,13 +255,13 @@ final class PageFileTest {
 
     @Test
     void noMoreIsKeptThanTheCacheMayTake() throws IOException {
-        try (KeptPages pages = open(KEY, 10_000)) {
+        try (KeptPages pages = open(KEY, 8_000)) {
             for (int page = 0; page < PAGES; page++) {
                 pages.keep(0, Map.of(page, coefficients(0, page)));
             }
             assertThat(pages.kept(0, all()).cardinality()).isEqualTo(2);
         }
-        assertThat(Files.size(file())).isLessThanOrEqualTo(10_000);
+        assertThat(Files.size(file())).isLessThanOrEqualTo(8_000);
         assertThat(warnings).hasSize(1).first().asString().contains("cache --limit");
     }
 
