@@ -50,7 +50,8 @@ final class LevelsOfSetup implements LevelSources {
         }
         TableLevels.Level wanted = plan.levels().levels().get(level);
         RaySpectrum terms = spectrum(plan.spectrum().get());
-        return new RayColours(terms, wanted.area(), wanted.design().step(), level == 0, done);
+        boolean fine = wanted.area().equals(plan.levels().area());
+        return new RayColours(terms, wanted.area(), wanted.design().step(), fine, done);
     }
 
     @Override

@@ -38,6 +38,11 @@ public record TableLevels(GaussianArea area, List<Level> levels, NumberFormat nu
     // (docs/colour-tables.md).
     private static final double LINES_STEP = 1.4;
 
+    // And as many slices, beside those that a tolerance needs where most directions are bright: where orders vanish,
+    // what is left is made of
+    // what is lost of others. Cheap where texels are few.
+    private static final double LINES_SLICES = 1.5;
+
     // A colour errs by twice as much as its root: by no more than 1e-3, and less, since 16 coefficients or more make
     // it.
     private static final double HALF_TOLERANCE = 1e-3;
@@ -68,14 +73,15 @@ public record TableLevels(GaussianArea area, List<Level> levels, NumberFormat nu
         Interpolation interpolation = Interpolation.CUBIC;
         if (tolerance >= LINES_TOLERANCE && area.average() == Average.ENSEMBLE) {
             interpolation = Interpolation.SHIFTED_LINES;
-            levels.add(new Level(area, 1, TableDesign.within(tolerance, area, relief), Interpolation.CUBIC));
+            levels.add(new Level(
+                    area, 1, withMoreSlices(TableDesign.within(tolerance, area, relief)), Interpolation.CUBIC));
         }
         double finest = sigma(area.window());
         for (double widening = 1; widening == 1 || finest * widening <= WIDEST; widening *= RATIO) {
             GaussianArea wider = area.with(new CoherenceWindow(area.window().sigmaMetres() / widening));
             TableDesign design = TableDesign.within(tolerance, wider, relief);
             if (interpolation == Interpolation.SHIFTED_LINES) {
-                design = new TableDesign(LINES_STEP * design.step(), design.slices());
+                design = withMoreSlices(new TableDesign(LINES_STEP * design.step(), design.slices()));
             }
             levels.add(new Level(wider, 1 / (widening * widening), design, interpolation));
             if (area.average() == Average.COHERENT) {
@@ -83,6 +89,10 @@ public record TableLevels(GaussianArea area, List<Level> levels, NumberFormat nu
             }
         }
         return new TableLevels(area, levels, tolerance < HALF_TOLERANCE ? NumberFormat.FLOAT : NumberFormat.HALF);
+    }
+
+    private static TableDesign withMoreSlices(TableDesign design) {
+        return new TableDesign(design.step(), 1 + (int) Math.ceil(LINES_SLICES * (design.slices() - 1)));
     }
 
     /** Standard deviation in (u, v) of what the finest level shows of a sharp order. */
