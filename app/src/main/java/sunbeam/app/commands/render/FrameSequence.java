@@ -101,6 +101,11 @@ final class FrameSequence implements AutoCloseable {
         return places;
     }
 
+    /** Samples along a pixel's side. */
+    int supersample() {
+        return supersample;
+    }
+
     /**
      * Compares pixels of the scene that was drawn last.
      *

@@ -10,6 +10,7 @@ import jrtr.RenderContext;
 import picocli.CommandLine.Option;
 import sunbeam.app.measure.errors.CrawlCertificate;
 import sunbeam.app.measure.errors.SceneCertificate;
+import sunbeam.app.scene.PixelSamples;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneData;
 import sunbeam.app.scene.texture.BodyTextures;
@@ -100,12 +101,20 @@ final class PixelCertificate {
         if (scenes.size() == 1) {
             SceneCertificate certificate = drawn.certify(context, points, certify);
             return certificate.missed()
-                    ? missed(certificate.summary(), certificate.complaint() + remedy(scenes.get(0)), out, err)
+                    ? missed(
+                            certificate.summary(),
+                            certificate.complaint() + remedy(scenes.get(0), drawn.supersample()),
+                            out,
+                            err)
                     : kept(certificate.summary(), certificate, out);
         }
         CrawlCertificate certificate = drawn.certify(context, points, scenes, certify);
         return certificate.missed()
-                ? missed(certificate.summary(), certificate.complaint() + remedy(scenes.get(0)), out, err)
+                ? missed(
+                        certificate.summary(),
+                        certificate.complaint() + remedy(scenes.get(0), drawn.supersample()),
+                        out,
+                        err)
                 : kept(certificate.summary(), certificate.frames(), out);
     }
 
@@ -115,10 +124,19 @@ final class PixelCertificate {
                 .with(Choices.none().with(Methods.METHOD, FullMethod.TYPE).with(TOLERANCE, CERTIFYING)));
     }
 
-    /** What may help a picture that differs from the means. */
-    static String remedy(Scene scene) {
+    /**
+     * What may help a picture that differs from the means.
+     *
+     * @param samples along a pixel's side
+     */
+    static String remedy(Scene scene, int samples) {
+        boolean byTable = scene.method().type() == TableMethod.TYPE;
+        if (samples == PixelSamples.MOST && byTable) {
+            return "; no more samples can be had: a larger --size has pixels that see less, a finer --tolerance knows colours where orders"
+                    + " vanish";
+        }
         String remedy = "; a larger --supersample helps";
-        if (scene.method().type() != TableMethod.TYPE) {
+        if (!byTable) {
             return remedy + ", or --method table, by which pixels have the mean of what they see of colours";
         }
         return scene.texture().equals(BodyTextures.NONE)

@@ -154,7 +154,8 @@ public final class CacheFolder {
             boolean stays = entry.bytes() <= left || kept.equals(Optional.of(entry.file()));
             if (!stays && entry.file().toFile().delete()) {
                 deleted.add(entry);
-            } else {
+            } else if (entry.bytes() <= limitBytes) {
+                // One that is larger stays until the next one comes; the others have the limit for themselves.
                 left -= entry.bytes();
             }
         }

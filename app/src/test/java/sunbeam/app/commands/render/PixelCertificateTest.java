@@ -18,14 +18,18 @@ class PixelCertificateTest {
     void theMethodIsNoRemedyForItself() {
         Scene full = table.withMethod(table.method().with(Choices.none().with(Methods.METHOD, FullMethod.TYPE)));
 
-        assertThat(PixelCertificate.remedy(full)).contains("--supersample").contains("--method table");
-        assertThat(PixelCertificate.remedy(table)).contains("--supersample").doesNotContain("--method");
+        assertThat(PixelCertificate.remedy(full, 1)).contains("--supersample").contains("--method table");
+        assertThat(PixelCertificate.remedy(table, 2)).contains("--supersample").doesNotContain("--method");
+        assertThat(PixelCertificate.remedy(table, 8))
+                .contains("--size")
+                .contains("--tolerance")
+                .doesNotContain("--supersample");
     }
 
     @Test
     void aTextureMayBeTheCause() {
-        assertThat(PixelCertificate.remedy(table)).contains("the texture elaphe");
-        assertThat(PixelCertificate.remedy(table.withTexture(BodyTextures.NONE)))
+        assertThat(PixelCertificate.remedy(table, 2)).contains("the texture elaphe");
+        assertThat(PixelCertificate.remedy(table.withTexture(BodyTextures.NONE), 2))
                 .doesNotContain("texture");
     }
 }

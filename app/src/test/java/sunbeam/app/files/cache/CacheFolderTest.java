@@ -83,6 +83,19 @@ final class CacheFolderTest {
     }
 
     @Test
+    void aNewOneThatIsLargerThanTheLimitTakesNoSmallerOnesWithItEither() throws IOException {
+        CacheFolder cache = cache(Map.of());
+        Path path = cache.open(warnings::add).orElseThrow();
+        Path pages = Files.write(path.resolve("1.pages"), new byte[200]);
+        Path large = Files.write(path.resolve("2.tables"), new byte[1000]);
+        assertThat(cache.shrink(250, Optional.of(large))).isEmpty();
+        assertThat(cache.shrink(250, Optional.of(pages)))
+                .extracting(CacheEntry::file)
+                .containsExactly(large);
+        assertThat(cache.sizeInBytes()).isEqualTo(200);
+    }
+
+    @Test
     void theLimitStaysForTheNextProcess() {
         assertThat(cache(Map.of()).limit(warnings::add)).isEqualTo(8L << 30);
         cache(Map.of()).setLimit(12_345);
