@@ -42,8 +42,8 @@ public final class Scenes {
         }
         Path file = path(nameOrFile);
         if (!Files.exists(file)) {
-            throw new InputException("there is no scene " + Quoted.of(nameOrFile)
-                    + "; name a scene file (.json), or one of " + String.join(", ", NAMES));
+            throw new InputException((nameOrFile.endsWith(".json") ? "there is no file " : "there is no scene ")
+                    + Quoted.of(nameOrFile) + "; name a scene file (.json), or one of " + String.join(", ", NAMES));
         }
         return SceneReader.read(file);
     }

@@ -36,7 +36,7 @@ public record TableLevels(GaussianArea area, List<Level> levels, NumberFormat nu
 
     // Their texels' distance, beside that of splines: with 1.5, errors of pixels' means began to grow
     // (docs/colour-tables.md).
-    private static final double LINES_STEP = 1.4;
+    private static final double LINES_STEP = 1.5;
 
     // And as many slices, beside those that a tolerance needs where most directions are bright: where orders vanish,
     // what is left is made of
