@@ -29,22 +29,18 @@ public record TableLevels(GaussianArea area, List<Level> levels, NumberFormat nu
     // Beyond, a level is a colour for a fifth of the hemisphere. In (u, v).
     private static final double WIDEST = 0.06;
 
-    // From this tolerance on pixels that see more than a point look between texels along straight lines: of these means
-    // come out
-    // the same.
+    // From this tolerance on pixels that see more than a point look between texels along straight lines.
     private static final double LINES_TOLERANCE = 5e-3;
 
-    // Their texels' distance, beside that of splines: with 1.5, errors of pixels' means began to grow
-    // (docs/colour-tables.md).
+    // Their texels' distance, beside that of splines: errors of means just begin to grow (docs/colour-tables.md).
     private static final double LINES_STEP = 1.5;
 
-    // And as many slices, beside those that a tolerance needs where most directions are bright: where orders vanish,
-    // what is left is made of
-    // what is lost of others. Cheap where texels are few.
+    // And as many slices, beside those that bright directions need: where an order vanishes, what is left is small
+    // beside
+    // what slices lose of it. Cheap where texels are few.
     private static final double LINES_SLICES = 1.5;
 
-    // A colour errs by twice as much as its root: by no more than 1e-3, and less, since 16 coefficients or more make
-    // it.
+    // A colour errs by twice as much as its root: by no more than 1e-3, and less, since several coefficients make it.
     private static final double HALF_TOLERANCE = 1e-3;
 
     /**
