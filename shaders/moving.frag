@@ -15,8 +15,6 @@ uniform sampler2D surfaces;
 // One over its width and height.
 uniform vec2 perPicture;
 
-uniform float exposure;
-
 // sRGB in [0, 1].
 layout(location = 0) out vec4 color;
 
@@ -74,6 +72,6 @@ void main() {
         diffracted = relativeRadiance(wi, wr) * existingXyz(lookOver(uvw, a, b));
     }
     vec3 albedo = LINEAR_SRGB_TO_XYZ * skin.albedo;
-    vec3 light = displayLight(lightRadiances[0].y * blended(diffracted, albedo, wi.z), exposure);
+    vec3 light = displayLight(lightRadiances[0].y * blended(diffracted, albedo, wi.z));
     color = vec4(srgbCurveByRoots(light), 1.0);
 }

@@ -1,25 +1,33 @@
 #include "include/srgb.glsl"
 
-// From linear XYZ to what a screen shows: exposure, gamut, curve.
+// From linear XYZ to the light that a screen shows, as sunbeam.precompute.color.DisplayTransform has it in double precision.
 
-// Moves a colour towards the grey of its luminance until every channel lies in [0, 1]: hue and luminance stay, only
-// saturation goes. What is brighter than white becomes white.
+// Factor of XYZ.
+uniform float exposure;
+// Largest channel up to which light is shown as it is (sunbeam.precompute.color.Tone).
+uniform float toneStart;
+
+const float DESATURATION = 0.005;
+const float BRIGHTEST = 1e9;
+
+// Moves a color outside of sRGB towards the grey of its luminance until no channel is negative.
 vec3 intoGamut(vec3 rgb, float luminance) {
-    float grey = clamp(luminance, 0.0, 1.0);
-    vec3 chroma = rgb - luminance;
-    float above = max(max(chroma.r, chroma.g), max(chroma.b, 1e-30));
-    float below = max(max(-chroma.r, -chroma.g), max(-chroma.b, 1e-30));
-    float keep = min(1.0, min((1.0 - grey) / above, grey / below));
-    // Chroma of light beyond white is of no use, and not a number where the light is infinite.
-    return luminance >= 1.0 ? vec3(1.0) : clamp(grey + keep * chroma, 0.0, 1.0);
+    float least = min(rgb.r, min(rgb.g, rgb.b));
+    float kept = least < 0.0 ? luminance / (luminance - least) : 1.0;
+    return max(luminance + kept * (rgb - luminance), 0.0);
 }
 
-// What a screen shows as light, before its curve: linear sRGB in [0, 1].
-vec3 displayLight(vec3 xyz, float exposure) {
+// Scales the channels together, so that highlights keep their hue, and beyond a hundred times white lets them go towards white.
+vec3 compressed(vec3 rgb) {
+    float largest = clamp(max(rgb.r, max(rgb.g, rgb.b)), 1e-30, BRIGHTEST);
+    float room = 1.0 - toneStart;
+    float peak = largest > toneStart ? 1.0 - room * room / (largest + room - toneStart) : largest;
+    float white = 1.0 - 1.0 / (DESATURATION * (largest - peak) + 1.0);
+    return peak * mix(rgb / largest, vec3(1.0), white);
+}
+
+// Linear sRGB in [0, 1]; black without luminance.
+vec3 displayLight(vec3 xyz) {
     vec3 exposed = exposure * xyz;
-    return intoGamut(XYZ_TO_LINEAR_SRGB * exposed, exposed.y);
-}
-
-vec3 displayColor(vec3 xyz, float exposure) {
-    return srgbCurve(displayLight(xyz, exposure));
+    return exposed.y > 0.0 ? min(compressed(intoGamut(XYZ_TO_LINEAR_SRGB * exposed, exposed.y)), 1.0) : vec3(0.0);
 }

@@ -68,6 +68,7 @@ final class MovingSkin implements AutoCloseable {
     int[] draw(Scene scene, GeometryBuffer buffer, ViewRays rays, List<Binding> method, double exposure) {
         rays.applyTo(program);
         program.set("exposure", (float) exposure);
+        program.set("toneStart", (float) scene.display(exposure).tone().start());
         List<Binding> textures = new ArrayList<>(method);
         textures.addAll(buffer.bindings());
         textures.addAll(looks.pages().bindings());

@@ -32,16 +32,18 @@ public final class PartSum {
     }
 
     /**
-     * Draws a part of a picture whose pixels are the means of their samples; where parts are prepared, for as many.
+     * Draws the samples of a part of a picture.
      *
      * @param width pixels per row of the whole picture
      * @param height rows of the whole picture
      * @param tile in pixels
      * @param samples along a pixel's side
+     * @return {@code samples x samples} for each pixel of the tile
      */
-    public ScenePicture draw(Scene scene, int width, int height, Tile tile, int samples) {
+    public ScenePicture samples(Scene scene, int width, int height, Tile tile, int samples) {
+        sessions.forEach(session -> session.drawSamples(samples));
         Tile fine = new Tile(samples * tile.x(), samples * tile.y(), samples * tile.width(), samples * tile.height());
-        return draw(scene, samples * width, samples * height, fine).reduced(samples);
+        return draw(scene, samples * width, samples * height, fine);
     }
 
     /**

@@ -5,11 +5,15 @@ import static sunbeam.app.scene.SceneSettings.INDEX;
 import static sunbeam.app.scene.SceneSettings.MESH;
 import static sunbeam.app.scene.SceneSettings.ROTATE_PATCH;
 import static sunbeam.app.scene.SceneSettings.TEXTURE;
+import static sunbeam.app.scene.SceneSettings.TONE;
 
+import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.Consumer;
 import org.joml.Quaternionf;
 import org.joml.Quaternionfc;
+import sunbeam.precompute.color.DisplayTransform;
+import sunbeam.precompute.color.Tone;
 import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.patch.PatchRequest;
 import sunbeam.precompute.setting.Choices;
@@ -28,6 +32,7 @@ import sunbeam.precompute.setting.Choices;
  * @param method how diffraction is computed
  * @param rotatePatch turns the nanostructure in the tangent plane, radians, counter-clockwise seen from outside
  * @param exposure factor of the linear picture, above 0; empty to choose it from the picture
+ * @param tone what becomes of highlights; empty for the method's own
  * @param blend weights of diffracted light and body
  * @param index of the skin
  * @param background behind the mesh, not exposed
@@ -43,6 +48,7 @@ public record Scene(
         SceneMethod method,
         double rotatePatch,
         OptionalDouble exposure,
+        Optional<Tone> tone,
         Blend blend,
         SkinIndex index,
         SceneColor background) {
@@ -65,6 +71,7 @@ public record Scene(
             draft.method = method.with(chosen.only(Methods.SETTINGS));
             draft.rotatePatch = chosen.get(ROTATE_PATCH, rotatePatch);
             draft.exposure = chosen.get(EXPOSURE, exposure);
+            draft.tone = chosen.has(TONE) ? Optional.of(chosen.get(TONE)) : tone;
             draft.index = chosen.get(INDEX, index);
             draft.blend = Blend.of(chosen.over(blend.choices()));
         });
@@ -125,6 +132,11 @@ public record Scene(
         return changed(draft -> draft.index = value);
     }
 
+    /** How a screen shows the picture: the thesis's preset clips highlights unless the scene says otherwise. */
+    public DisplayTransform display(double factor) {
+        return new DisplayTransform(factor, tone.orElse(method.isThesis() ? Tone.CLIP : Tone.COMPRESS));
+    }
+
     private Scene changed(Consumer<Draft> change) {
         Draft draft = new Draft(this);
         change.accept(draft);
@@ -143,6 +155,7 @@ public record Scene(
         private SceneMethod method;
         private double rotatePatch;
         private OptionalDouble exposure;
+        private Optional<Tone> tone;
         private Blend blend;
         private SkinIndex index;
         private SceneColor background;
@@ -158,6 +171,7 @@ public record Scene(
             method = scene.method;
             rotatePatch = scene.rotatePatch;
             exposure = scene.exposure;
+            tone = scene.tone;
             blend = scene.blend;
             index = scene.index;
             background = scene.background;
@@ -175,6 +189,7 @@ public record Scene(
                     method,
                     rotatePatch,
                     exposure,
+                    tone,
                     blend,
                     index,
                     background);

@@ -32,9 +32,9 @@ public record SceneColor(int rgb) {
         return new SceneColor(Integer.parseInt(text.strip().substring(1), 16));
     }
 
-    /** CIE XYZ of the colour, Y = 1 for white. */
-    public double[] xyz() {
-        return Srgb.xyz(Srgb.linear(rgb >> 16), Srgb.linear(rgb >> 8 & 0xff), Srgb.linear(rgb & 0xff));
+    /** Linear sRGB of the colour, three values from 0 to 1. */
+    public double[] light() {
+        return new double[] {Srgb.linear(rgb >> 16), Srgb.linear(rgb >> 8 & 0xff), Srgb.linear(rgb & 0xff)};
     }
 
     /** As {@link #parse} reads it. */

@@ -1,64 +1,81 @@
 package sunbeam.app.scene;
 
 import java.awt.image.BufferedImage;
-import java.awt.image.Raster;
-import jrtr.RenderContext;
-import sunbeam.app.files.output.SrgbImage;
+import java.awt.image.DataBufferInt;
+import java.util.stream.IntStream;
+import jrtr.Tile;
 import sunbeam.app.gpu.picture.AutoExposure;
-import sunbeam.app.gpu.picture.DisplayPass;
-import sunbeam.app.gpu.picture.LinearPicture;
+import sunbeam.precompute.color.DisplayTransform;
+import sunbeam.precompute.method.TableMethod;
 
-/** From a scene's linear picture to what one sees. Render and viewer both use it, so that they agree. */
-public final class SceneDisplay implements AutoCloseable {
-    // Pixels that the display shader gets at a time: 16 MB of texture.
-    private static final int STRIP_PIXELS = 1 << 20;
+/** From a scene's linear samples to what one sees. Render and viewer both use it, so that they agree. */
+public final class SceneDisplay {
+    private static final int CHANNELS = 4;
+    // Longer side of the picture that the exposure is found from.
+    private static final int METER_SIDE = 160;
 
-    private final DisplayPass pass;
+    private SceneDisplay() {}
 
-    /** Compiles the display shader. */
-    public SceneDisplay(RenderContext context) {
-        this.pass = new DisplayPass(context);
-    }
-
-    /** The scene's exposure, or where it has none, the one at which the whole picture is well lit. */
-    public static double exposure(Scene scene, ScenePicture whole) {
-        return scene.exposure().orElseGet(() -> AutoExposure.of(whole.linear()));
-    }
-
-    /** The picture before its background, which is not exposed; opaque sRGB. */
-    public BufferedImage image(ScenePicture picture, double exposure, SceneColor background) {
-        int width = picture.width();
-        BufferedImage image = new BufferedImage(width, picture.height(), BufferedImage.TYPE_INT_RGB);
-        int strips = 1 + (picture.height() - 1) / Math.max(1, STRIP_PIXELS / width);
-        // All as large as the others, if only by a row less: the display pass keeps its textures for them.
-        int rows = (picture.height() + strips - 1) / strips;
-        for (int first = 0; first < picture.height(); first += rows) {
-            int count = Math.min(rows, picture.height() - first);
-            float[] srgb = pass.srgb(strip(picture, first, count, exposure, background), exposure);
-            Raster strip = SrgbImage.fromEncoded(width, count, srgb).getRaster();
-            image.getRaster().setDataElements(0, first, strip);
+    /**
+     * The scene's exposure, or where it has none, the one at which a small picture of it is well lit: pictures of all sizes with the
+     * same ratio of sides, and of all numbers of samples, have the same.
+     *
+     * @param width pixels per row of the whole picture
+     * @param height rows of the whole picture
+     */
+    public static double exposure(Scene scene, PartSum parts, int width, int height) {
+        if (scene.exposure().isPresent()) {
+            return scene.exposure().getAsDouble();
         }
+        double scale = Math.min(1, METER_SIDE / (double) Math.max(width, height));
+        int columns = (int) Math.max(1, Math.round(scale * width));
+        int rows = (int) Math.max(1, Math.round(scale * height));
+        int samples = scene.method().type() == TableMethod.TYPE ? 2 : 1;
+        parts.prepare(scene, columns, rows, samples);
+        ScenePicture small = parts.samples(scene, columns, rows, Tile.whole(columns, rows), samples)
+                .reduced(samples);
+        return AutoExposure.of(small.linear());
+    }
+
+    /**
+     * The picture before its background, which is not exposed. Samples become display light before they are averaged, so that a thin
+     * bright line keeps its color and its edge is as smooth as that of a dim one.
+     *
+     * @param samples {@code factor x factor} for each pixel
+     * @return opaque sRGB
+     */
+    public static BufferedImage image(
+            ScenePicture samples, int factor, DisplayTransform display, SceneColor background) {
+        int width = samples.width() / factor;
+        BufferedImage image = new BufferedImage(width, samples.height() / factor, BufferedImage.TYPE_INT_RGB);
+        int[] rgb = ((DataBufferInt) image.getRaster().getDataBuffer()).getData();
+        double[] behind = background.light();
+        IntStream.range(0, image.getHeight()).parallel().forEach(row -> {
+            double[] light = new double[3];
+            double[] sum = new double[3];
+            for (int column = 0; column < width; column++) {
+                sum[0] = sum[1] = sum[2] = 0;
+                for (int sample = 0; sample < factor * factor; sample++) {
+                    int y = row * factor + sample / factor;
+                    int x = column * factor + sample % factor;
+                    add(samples.rgba(), CHANNELS * (y * samples.width() + x), display, behind, light, sum);
+                }
+                for (int c = 0; c < 3; c++) {
+                    sum[c] /= factor * factor;
+                }
+                rgb[row * width + column] = DisplayTransform.packed(sum);
+            }
+        });
         return image;
     }
 
-    /** Rows of the picture laid over the background, which is divided by the exposure that will be applied. */
-    private static LinearPicture strip(
-            ScenePicture picture, int first, int count, double exposure, SceneColor background) {
-        int width = picture.width();
-        double[] behind = background.xyz();
-        float[] xyz = new float[3 * width * count];
-        for (int i = 0; i < width * count; i++) {
-            int from = 4 * (first * width + i);
-            double uncovered = Math.max(0, 1 - picture.rgba()[from + 3]);
-            for (int c = 0; c < 3; c++) {
-                xyz[3 * i + c] = (float) (picture.rgba()[from + c] + uncovered * behind[c] / exposure);
-            }
+    /** Light is multiplied by coverage already. */
+    private static void add(
+            float[] rgba, int from, DisplayTransform display, double[] behind, double[] light, double[] sum) {
+        float uncovered = Math.max(0, 1 - rgba[from + 3]);
+        display.light(rgba, from, light);
+        for (int c = 0; c < 3; c++) {
+            sum[c] += Math.min(1, light[c] + uncovered * behind[c]);
         }
-        return new LinearPicture(width, count, xyz);
-    }
-
-    @Override
-    public void close() {
-        pass.close();
     }
 }

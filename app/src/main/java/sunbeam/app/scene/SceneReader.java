@@ -9,6 +9,7 @@ import static sunbeam.app.scene.SceneSettings.MESH;
 import static sunbeam.app.scene.SceneSettings.ROTATE_PATCH;
 import static sunbeam.app.scene.SceneSettings.TEXTURE;
 import static sunbeam.app.scene.SceneSettings.TITLE;
+import static sunbeam.app.scene.SceneSettings.TONE;
 
 import java.io.IOException;
 import java.io.InputStream;
@@ -95,6 +96,7 @@ public final class SceneReader {
                 new SceneMethod(plan.map(keys -> keys.choices(Methods.SETTINGS)).orElse(Choices.none())),
                 choices.get(ROTATE_PATCH),
                 choices.get(EXPOSURE),
+                choices.has(TONE) ? Optional.of(choices.get(TONE)) : Optional.empty(),
                 Blend.of(weights.choices(SceneSettings.WEIGHTS)),
                 folder.resolve(choices, INDEX),
                 choices.get(BACKGROUND));

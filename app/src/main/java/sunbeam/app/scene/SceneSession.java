@@ -124,6 +124,11 @@ public final class SceneSession implements AutoCloseable {
         return draw(scene(), width, height, tile);
     }
 
+    /** So many samples along a side will be one pixel in the end; holds for all that is drawn from now on. */
+    void drawSamples(int samples) {
+        samplesAcross = samples;
+    }
+
     private ScenePicture draw(Scene lit, int width, int height, Tile tile) {
         if (!tile.fitsIn(width, height)) {
             throw new IllegalArgumentException(tile + " is not inside a picture of " + width + " x " + height);

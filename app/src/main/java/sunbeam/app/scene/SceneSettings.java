@@ -3,6 +3,7 @@ package sunbeam.app.scene;
 import java.util.List;
 import java.util.OptionalDouble;
 import java.util.function.UnaryOperator;
+import sunbeam.precompute.color.Tone;
 import sunbeam.precompute.setting.Kinds;
 import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.setting.ValueKind;
@@ -39,6 +40,13 @@ public final class SceneSettings {
     public static final Setting<OptionalDouble> EXPOSURE = new Setting<>(
                     "exposure", exposure(), "Factor for the linear colours, or auto.")
             .withStandard(OptionalDouble.empty());
+
+    /** What becomes of highlights; where nobody says, they are compressed, and by the thesis's preset clipped. */
+    public static final Setting<Tone> TONE = new Setting<>(
+            "tone",
+            Kinds.word("CURVE", Tone.class),
+            "What becomes of light brighter than the screen: compress (default) keeps its hue, clip cuts each channel, as the"
+                    + " thesis does.");
 
     /** Factor of the diffracted light. */
     public static final Setting<Double> DIFFRACTION = weight("diffraction", "Factor of the diffracted light.", 1);
@@ -95,11 +103,12 @@ public final class SceneSettings {
     static final List<Setting<?>> WEIGHTS = List.of(DIFFRACTION, TEXTURE_WEIGHT, DIFFUSE, AMBIENT);
 
     /** Those that stand in a scene's file directly, not within another key. */
-    static final List<Setting<?>> OF_ROOT = List.of(TITLE, MESH, TEXTURE, ROTATE_PATCH, EXPOSURE, INDEX, BACKGROUND);
+    static final List<Setting<?>> OF_ROOT =
+            List.of(TITLE, MESH, TEXTURE, ROTATE_PATCH, EXPOSURE, TONE, INDEX, BACKGROUND);
 
     /** Those that options may change. */
     public static final List<Setting<?>> OVERRIDABLE =
-            List.of(MESH, TEXTURE, ROTATE_PATCH, EXPOSURE, INDEX, DIFFRACTION, TEXTURE_WEIGHT, DIFFUSE, AMBIENT);
+            List.of(MESH, TEXTURE, ROTATE_PATCH, EXPOSURE, TONE, INDEX, DIFFRACTION, TEXTURE_WEIGHT, DIFFUSE, AMBIENT);
 
     private SceneSettings() {}
 

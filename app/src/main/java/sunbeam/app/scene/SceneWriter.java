@@ -9,6 +9,7 @@ import static sunbeam.app.scene.SceneSettings.MESH;
 import static sunbeam.app.scene.SceneSettings.ROTATE_PATCH;
 import static sunbeam.app.scene.SceneSettings.TEXTURE;
 import static sunbeam.app.scene.SceneSettings.TITLE;
+import static sunbeam.app.scene.SceneSettings.TONE;
 
 import com.fasterxml.jackson.core.JsonFactory;
 import com.fasterxml.jackson.core.JsonGenerator;
@@ -97,6 +98,9 @@ public final class SceneWriter {
         object("plan", scene.method().choices());
         JsonChoices.write(
                 json, Choices.none().with(ROTATE_PATCH, scene.rotatePatch()).with(EXPOSURE, scene.exposure()));
+        if (scene.tone().isPresent()) {
+            JsonChoices.write(json, Choices.none().with(TONE, scene.tone().get()));
+        }
         object("weights", scene.blend().choices());
         SkinIndex index = scene.index();
         if (!index.equals(SkinIndex.KERATIN)) {

@@ -26,7 +26,6 @@ import sunbeam.precompute.shader.ShaderTables;
 /** Everything of the viewer that lives on the graphics card. Belongs to the thread that made it. */
 class GraphicsStage implements AutoCloseable {
     private final RenderContext context;
-    private final SceneDisplay display;
     private final MapStage map;
     private List<SceneSession> fine = List.of();
     private SceneSession coarse;
@@ -39,7 +38,6 @@ class GraphicsStage implements AutoCloseable {
     /** Opens a context without a window. */
     GraphicsStage() {
         context = RenderContexts.offscreen();
-        display = new SceneDisplay(context);
         map = new MapStage(context);
     }
 
@@ -198,10 +196,14 @@ class GraphicsStage implements AutoCloseable {
     }
 
     ScenePreview preview(int width, int height, int divisor) {
+        return coarse().preview(width, height, divisor);
+    }
+
+    private SceneSession coarse() {
         if (coarse == null) {
             coarse = new SceneSession(context, state.coarse());
         }
-        return coarse.preview(width, height, divisor);
+        return coarse;
     }
 
     /** Whether {@link #moving(int, int, int, double)} can draw the state. */
@@ -231,8 +233,12 @@ class GraphicsStage implements AutoCloseable {
         return mover().orElseThrow().moving(width, height, divisor, exposure);
     }
 
-    ScenePicture part(int width, int height, Tile tile) {
-        return new PartSum(fine).draw(state.fine().scene(), width, height, tile, samples(width, height));
+    /** A part of the picture that stands still, as a screen shows it. */
+    BufferedImage part(int width, int height, Tile tile, double exposure) {
+        Scene scene = state.fine().scene();
+        int samples = samples(width, height);
+        ScenePicture drawn = new PartSum(fine).samples(scene, width, height, tile, samples);
+        return SceneDisplay.image(drawn, samples, scene.display(exposure), scene.background());
     }
 
     /** The tiles of a picture that stands still, in the order that is best drawn. */
@@ -250,12 +256,22 @@ class GraphicsStage implements AutoCloseable {
         return fine.stream().mapToLong(SceneSession::meshNanoseconds).sum();
     }
 
-    double exposure(Scene scene, ScenePicture picture) {
-        return SceneDisplay.exposure(scene, picture);
+    /** The exposure of the picture that stands still, as {@code render} finds it. */
+    double exposure() {
+        return SceneDisplay.exposure(state.fine().scene(), new PartSum(fine), state.width(), state.height());
     }
 
-    BufferedImage image(Scene scene, ScenePicture picture, double exposure) {
-        return display.image(picture, exposure, scene.background());
+    /** The same found by the plan for previews, where that shows diffracted light. */
+    double previewExposure() {
+        return state.isBare()
+                ? exposure()
+                : SceneDisplay.exposure(
+                        state.coarse().scene(), new PartSum(List.of(coarse())), state.width(), state.height());
+    }
+
+    BufferedImage image(ScenePicture picture, double exposure) {
+        Scene scene = state.coarse().scene();
+        return SceneDisplay.image(picture, 1, scene.display(exposure), scene.background());
     }
 
     Optional<Pick> pick(int x, int y, int width, int height) {
@@ -284,9 +300,7 @@ class GraphicsStage implements AutoCloseable {
     public void close() {
         try {
             uploaded.ifPresent(UploadedTables::close);
-            map.close();
             sessions().forEach(SceneSession::close);
-            display.close();
         } finally {
             context.close();
         }

@@ -5,38 +5,34 @@ import java.util.function.DoubleSupplier;
 import sunbeam.app.scene.SceneData;
 
 /**
- * The automatic exposure of previews. One found from a preview's few pixels depends on whether a glint of a thousand times
- * white hits one of them; so while only light, camera and model move, that of the last final picture stays.
+ * The automatic exposure of the last picture. While only light, camera and model move, it stays: a picture that is being turned does not
+ * flicker.
  */
 final class KeptExposure {
     private SceneData last;
     private double exposure;
-    private SceneData lastPreview;
-    private double ofLastPreview;
 
-    /** @param fromPicture gives the scene's exposure, or that which the preview's picture asks for */
-    double ofPreview(SceneData data, DoubleSupplier fromPicture) {
-        OptionalDouble kept = ofFinal(data);
-        if (kept.isPresent()) {
-            return kept.getAsDouble();
-        }
-        lastPreview = data;
-        ofLastPreview = fromPicture.getAsDouble();
-        return ofLastPreview;
-    }
-
-    /** The scene's exposure, or that of its last final picture, or else of its last preview; none before. */
+    /** The scene's own exposure, or the one that was found for it; none before. */
     OptionalDouble known(SceneData data) {
         if (data.scene().exposure().isPresent()) {
             return data.scene().exposure();
         }
-        OptionalDouble kept = ofFinal(data);
-        return kept.isEmpty() && showTheSame(data, lastPreview) ? OptionalDouble.of(ofLastPreview) : kept;
+        return showTheSame(data, last) ? OptionalDouble.of(exposure) : OptionalDouble.empty();
     }
 
-    private OptionalDouble ofFinal(SceneData data) {
-        boolean automatic = data.scene().exposure().isEmpty();
-        return automatic && showTheSame(data, last) ? OptionalDouble.of(exposure) : OptionalDouble.empty();
+    /** As {@link #known}, found now where it is not known. */
+    double of(SceneData data, DoubleSupplier found) {
+        OptionalDouble known = known(data);
+        return known.isPresent() ? known.getAsDouble() : found(data, found.getAsDouble());
+    }
+
+    /** Keeps what was found for a scene that leaves it open; returns it. */
+    double found(SceneData data, double value) {
+        if (data.scene().exposure().isEmpty()) {
+            last = data;
+            exposure = value;
+        }
+        return value;
     }
 
     @SuppressWarnings("ReferenceEquality") // the same objects as long as nothing is loaded anew
@@ -46,13 +42,5 @@ final class KeptExposure {
                 && data.mesh() == last.mesh()
                 && data.body() == last.body()
                 && data.scene().blend().equals(last.scene().blend());
-    }
-
-    /** Of a final picture, by whatever the scene says. */
-    void finalPicture(SceneData data, double value) {
-        if (data.scene().exposure().isEmpty()) {
-            last = data;
-            exposure = value;
-        }
     }
 }

@@ -4,26 +4,24 @@ import java.awt.image.BufferedImage;
 import java.util.function.BooleanSupplier;
 import jrtr.RenderContext;
 import jrtr.Tile;
-import sunbeam.app.files.output.SrgbImage;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.gpu.map.BrdfMapRenderer;
 import sunbeam.app.gpu.picture.AutoExposure;
-import sunbeam.app.gpu.picture.DisplayPass;
 import sunbeam.app.gpu.picture.LinearPicture;
+import sunbeam.precompute.color.DisplayTransform;
+import sunbeam.precompute.color.Tone;
 import sunbeam.precompute.optics.Direction;
 
 /** Draws the BRDF map beside the mesh, small first, interruptible at any tile. */
-final class MapStage implements AutoCloseable {
+final class MapStage {
     static final int PREVIEW_SIZE = 48;
     static final int SIZE = 192;
 
     private final RenderContext context;
-    private final DisplayPass display;
     private TileSide tileSide = TileSide.first();
 
     MapStage(RenderContext context) {
         this.context = context;
-        this.display = new DisplayPass(context);
     }
 
     /**
@@ -46,13 +44,7 @@ final class MapStage implements AutoCloseable {
                 }
             }
             LinearPicture picture = renderer.picture();
-            double exposure = AutoExposure.of(picture);
-            return SrgbImage.fromEncoded(size, size, display.srgb(picture, exposure));
+            return picture.shown(new DisplayTransform(AutoExposure.of(picture), Tone.COMPRESS));
         }
-    }
-
-    @Override
-    public void close() {
-        display.close();
     }
 }

@@ -7,8 +7,7 @@ import java.util.function.Consumer;
 import java.util.function.Supplier;
 import jrtr.Tile;
 import sunbeam.app.commands.failure.Failure;
-import sunbeam.app.scene.Scene;
-import sunbeam.app.scene.ScenePicture;
+import sunbeam.app.gpu.picture.AutoExposure;
 import sunbeam.app.scene.ScenePreview;
 import sunbeam.precompute.method.MethodPlan;
 
@@ -35,7 +34,6 @@ final class RenderLoop implements AutoCloseable {
     private Optional<Finished> finished = Optional.empty();
     // Waits for colours that are being made.
     private Optional<ViewState> unfinished = Optional.empty();
-    private double unfinishedExposure;
     // Whether it is known where its pixels look.
     private boolean isRequested;
 
@@ -100,9 +98,9 @@ final class RenderLoop implements AutoCloseable {
                 if (share < 1) {
                     await(stage, state, share);
                 } else if (isRequested) {
-                    refineWhole(stage, state, unfinishedExposure);
+                    refineWhole(stage, state);
                 } else {
-                    finish(stage, state, unfinishedExposure);
+                    finish(stage, state);
                 }
             });
         }
@@ -140,9 +138,9 @@ final class RenderLoop implements AutoCloseable {
         if (state.isBare() && stage.canMoveSoon()) {
             awaitKept(stage);
         }
-        double exposure = preview(stage, state);
+        preview(stage, state);
         if (isStill(stage)) {
-            finish(stage, state, exposure);
+            finish(stage, state);
         }
     }
 
@@ -160,11 +158,10 @@ final class RenderLoop implements AutoCloseable {
     }
 
     /** Refines what stands still, as far as its colours have been made; the rest is taken up when they come. */
-    private void finish(GraphicsStage stage, ViewState state, double exposure) {
+    private void finish(GraphicsStage stage, ViewState state) {
         if (state.isBare()) {
             // Before it is found where all pixels look, which takes seconds.
             unfinished = Optional.of(state);
-            unfinishedExposure = exposure;
             isRequested = false;
             await(stage, state, 0);
             if (!stage.canMove()) {
@@ -178,27 +175,26 @@ final class RenderLoop implements AutoCloseable {
         double share = found.getAsDouble();
         if (share < 1) {
             unfinished = Optional.of(state);
-            unfinishedExposure = exposure;
             isRequested = true;
             await(stage, state, share);
             map(stage, state, false);
             stage.prepareDrawing(state.width(), state.height());
             return;
         }
-        refineWhole(stage, state, exposure);
+        refineWhole(stage, state);
     }
 
     /** Refines what all colours are there for. */
-    private void refineWhole(GraphicsStage stage, ViewState state, double exposure) {
+    private void refineWhole(GraphicsStage stage, ViewState state) {
         unfinished = Optional.empty();
-        check(map(stage, state, false) && refine(stage, state, exposure));
+        check(map(stage, state, false) && refine(stage, state));
         guarded(() -> stage.requestMoving(state.width(), state.height(), inbox::isInterrupted));
     }
 
     /** Shows what there is while colours are being made. */
     private void await(GraphicsStage stage, ViewState state, double share) {
         if (stage.canMove()) {
-            moving(stage, state, 1, unfinishedExposure);
+            moving(stage, state, 1, exposures.of(state.fine(), stage::previewExposure));
         }
         listener.waiting(share);
     }
@@ -226,23 +222,21 @@ final class RenderLoop implements AutoCloseable {
     }
 
     /** Shows what moves, as large as there is time for: by tables where colours for that are there, else by the preview's plan. */
-    private double preview(GraphicsStage stage, ViewState state) {
+    private void preview(GraphicsStage stage, ViewState state) {
         OptionalDouble known = exposures.known(state.fine());
         if (known.isPresent() && state.isBare() && !stage.canMove()) {
             // The body alone, by what will draw its colours.
             moving(stage, state, 1, known.getAsDouble());
-            return known.getAsDouble();
-        }
-        if (known.isEmpty() || !stage.canMove()) {
+        } else if (stage.canMove()) {
+            double exposure = exposures.of(state.fine(), stage::previewExposure);
+            stage.holdBaking();
+            long start = System.nanoTime();
+            moving(stage, state, movingScale.divisor(), exposure);
+            movingScale.frame(System.nanoTime() - start);
+        } else {
             // Baking goes on meanwhile: whoever keeps moving would never come to see more.
-            return reduced(stage, state);
+            reduced(stage, state);
         }
-        stage.holdBaking();
-        long start = System.nanoTime();
-        int divisor = movingScale.divisor();
-        moving(stage, state, divisor, known.getAsDouble());
-        movingScale.frame(System.nanoTime() - start);
-        return known.getAsDouble();
     }
 
     private void moving(GraphicsStage stage, ViewState state, int divisor, double exposure) {
@@ -252,18 +246,21 @@ final class RenderLoop implements AutoCloseable {
         listener.preview(state, image, divisor, colours, exposure, System.nanoTime() - start);
     }
 
-    private double reduced(GraphicsStage stage, ViewState state) {
+    private void reduced(GraphicsStage stage, ViewState state) {
         long start = System.nanoTime();
-        Scene scene = state.coarse().scene();
         // The body alone takes no time.
         int divisor = state.isBare() ? 1 : scale.divisor();
         ScenePreview preview = stage.preview(state.width(), state.height(), divisor);
-        double exposure = exposures.ofPreview(state.fine(), () -> stage.exposure(scene, preview.picture()));
-        BufferedImage image = stage.image(scene, preview.picture(), exposure);
+        // The body's own, until there is diffracted light to be metered.
+        double exposure = state.isBare()
+                ? exposures
+                        .known(state.fine())
+                        .orElseGet(() -> AutoExposure.of(preview.picture().linear()))
+                : exposures.of(state.fine(), stage::previewExposure);
+        BufferedImage image = stage.image(preview.picture(), exposure);
         long taken = System.nanoTime() - start;
         followTime(state.coarse().method(), taken, preview.fixed(taken));
         listener.preview(state, image, divisor, false, exposure, taken);
-        return exposure;
     }
 
     /** A method's first frame is left out: the driver compiles its shaders then. */
@@ -281,11 +278,11 @@ final class RenderLoop implements AutoCloseable {
      * Draws the final picture and its map; false if it was interrupted. A newer state that shows the same picture goes on
      * with what is drawn already.
      */
-    private boolean refine(GraphicsStage stage, ViewState first, double exposure) {
+    private boolean refine(GraphicsStage stage, ViewState first) {
         ViewState state = first;
         long start = System.nanoTime();
-        Scene scene = state.fine().scene();
-        ScenePicture whole = ScenePicture.empty(state.width(), state.height());
+        double exposure = exposures.found(state.fine(), stage.exposure());
+        BufferedImage whole = new BufferedImage(state.width(), state.height(), BufferedImage.TYPE_INT_RGB);
         long done = 0;
         for (Tile block : stage.tiles(state.width(), state.height())) {
             for (Tile tile : block.divided(tileSide.side())) {
@@ -303,21 +300,18 @@ final class RenderLoop implements AutoCloseable {
                     stage.holdBaking();
                 }
                 long begun = System.nanoTime() - stage.meshNanoseconds();
-                ScenePicture part = stage.part(state.width(), state.height(), tile);
+                BufferedImage part = stage.part(state.width(), state.height(), tile, exposure);
                 long taken = System.nanoTime() - stage.meshNanoseconds() - begun;
                 tileSide = tileSide.after(tile.pixels(), taken);
-                whole.put(part, tile.x(), tile.y());
+                whole.getRaster().setDataElements(tile.x(), tile.y(), part.getRaster());
                 done += tile.pixels();
                 double share = (double) done / ((double) state.width() * state.height());
-                listener.tile(state, stage.image(scene, part, exposure), tile.x(), tile.y(), share);
+                listener.tile(state, part, tile.x(), tile.y(), share);
             }
         }
-        double finalExposure = stage.exposure(scene, whole);
-        exposures.finalPicture(state.fine(), finalExposure);
-        BufferedImage image = stage.image(scene, whole, finalExposure);
         long taken = System.nanoTime() - start;
-        finished = Optional.of(new Finished(state, image, finalExposure, taken));
-        listener.complete(state, image, finalExposure, taken);
+        finished = Optional.of(new Finished(state, whole, exposure, taken));
+        listener.complete(state, whole, exposure, taken);
         return map(stage, state, true);
     }
 

@@ -82,10 +82,13 @@ class MovingPictureTest {
 
     private BufferedImage still(Scene scene) {
         try (RenderContext context = RenderContexts.offscreen();
-                SceneSession session =
-                        new SceneSession(context, PlaneScenes.load(scene.withMethod(method(FullMethod.TYPE)), folder));
-                SceneDisplay display = new SceneDisplay(context)) {
-            return display.image(session.draw(WIDTH, HEIGHT), scene.exposure().orElseThrow(), scene.background());
+                SceneSession session = new SceneSession(
+                        context, PlaneScenes.load(scene.withMethod(method(FullMethod.TYPE)), folder))) {
+            return SceneDisplay.image(
+                    session.draw(WIDTH, HEIGHT),
+                    1,
+                    scene.display(scene.exposure().orElseThrow()),
+                    scene.background());
         }
     }
 

@@ -2,6 +2,7 @@ package sunbeam.app.scene;
 
 import java.nio.file.Path;
 import java.util.Map;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import jrtr.scene.Camera;
 import org.joml.Quaternionf;
@@ -33,6 +34,7 @@ final class PlaneScenes {
                 new SceneMethod(Choices.none().with(Methods.METHOD, FullMethod.TYPE)),
                 0,
                 OptionalDouble.of(1),
+                Optional.empty(),
                 DIFFRACTION_ONLY,
                 SkinIndex.KERATIN,
                 new SceneColor(0x204060));

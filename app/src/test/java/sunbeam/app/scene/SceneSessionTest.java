@@ -25,6 +25,8 @@ import org.junit.jupiter.api.io.TempDir;
 import sunbeam.app.gpu.NeedsDisplay;
 import sunbeam.app.terminal.Environment;
 import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.color.DisplayTransform;
+import sunbeam.precompute.color.Tone;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.Gain;
 import sunbeam.precompute.optics.RefractiveIndex;
@@ -288,9 +290,8 @@ class SceneSessionTest {
 
     @Test
     void backgroundIsNotExposed() {
-        try (SceneDisplay display = new SceneDisplay(context)) {
-            BufferedImage image = display.image(session.draw(WIDTH, HEIGHT), 37.5, new SceneColor(0x204060));
-            assertThat(image.getRGB(0, 0)).isEqualTo(0xff204060);
-        }
+        DisplayTransform display = new DisplayTransform(37.5, Tone.COMPRESS);
+        BufferedImage image = SceneDisplay.image(session.draw(WIDTH, HEIGHT), 1, display, new SceneColor(0x204060));
+        assertThat(image.getRGB(0, 0)).isEqualTo(0xff204060);
     }
 }

@@ -12,7 +12,7 @@ import sunbeam.app.scene.SceneLight;
 import sunbeam.app.scene.texture.BodyTexture;
 
 class KeptExposureTest {
-    private static final double OF_PREVIEW = 7;
+    private static final double FOUND = 7;
 
     private final KeptExposure exposures = new KeptExposure();
     private final BodyTexture body = new BodyTexture(1, 1, new byte[4]);
@@ -22,32 +22,32 @@ class KeptExposureTest {
         return new SceneData(scene, null, null, null, null, Optional.empty(), body);
     }
 
-    private double ofPreview(Scene scene, BodyTexture texture) {
-        return exposures.ofPreview(data(scene, texture), () -> OF_PREVIEW);
+    private double exposure(Scene scene, BodyTexture texture) {
+        return exposures.of(data(scene, texture), () -> FOUND);
     }
 
     @Test
-    void theFinalPicturesStaysWhileTheLightMoves() {
-        assertThat(ofPreview(automatic, body)).isEqualTo(OF_PREVIEW);
-        exposures.finalPicture(data(automatic, body), 3);
+    void itStaysWhileTheLightMoves() {
+        assertThat(exposure(automatic, body)).isEqualTo(FOUND);
+        exposures.found(data(automatic, body), 3);
         Scene moved = automatic.withLight(new SceneLight(new Vector3f(1, 0, 1), 2));
-        assertThat(ofPreview(moved, body)).isEqualTo(3);
+        assertThat(exposure(moved, body)).isEqualTo(3);
     }
 
     @Test
     void anotherSkinHasAnotherExposure() {
-        exposures.finalPicture(data(automatic, body), 3);
-        assertThat(ofPreview(automatic.withBlend(automatic.blend().withDiffraction(1)), body))
-                .isEqualTo(OF_PREVIEW);
-        assertThat(ofPreview(automatic, new BodyTexture(1, 1, new byte[4]))).isEqualTo(OF_PREVIEW);
+        exposures.found(data(automatic, body), 3);
+        assertThat(exposure(automatic.withBlend(automatic.blend().withDiffraction(1)), body))
+                .isEqualTo(FOUND);
+        assertThat(exposure(automatic, new BodyTexture(1, 1, new byte[4]))).isEqualTo(FOUND);
     }
 
     @Test
     void anExposureThatTheUserSetIsNotTakenForAnAutomaticOne() {
         Scene set = automatic.withExposure(OptionalDouble.of(20));
-        exposures.finalPicture(data(set, body), 20);
-        assertThat(ofPreview(automatic, body)).isEqualTo(OF_PREVIEW);
-        exposures.finalPicture(data(automatic, body), 3);
-        assertThat(ofPreview(set, body)).isEqualTo(OF_PREVIEW);
+        assertThat(exposures.found(data(set, body), 20)).isEqualTo(20);
+        assertThat(exposure(automatic, body)).isEqualTo(FOUND);
+        exposures.found(data(automatic, body), 3);
+        assertThat(exposure(set, body)).isEqualTo(20);
     }
 }

@@ -15,6 +15,7 @@ import org.joml.Quaternionf;
 import org.joml.Vector3f;
 import org.junit.jupiter.api.Test;
 import sunbeam.app.gpu.NeedsDisplay;
+import sunbeam.app.scene.PartSum;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneDisplay;
 import sunbeam.app.scene.SceneLight;
@@ -108,17 +109,15 @@ class MovingFrameRun {
     private static String difference(RenderContext context, SceneSession session) {
         ScenePicture picture = session.draw(WIDTH, HEIGHT);
         Scene scene = session.data().scene();
-        double exposure = SceneDisplay.exposure(scene, picture);
+        double exposure = SceneDisplay.exposure(scene, new PartSum(List.of(session)), WIDTH, HEIGHT);
         List<Double> differences = new ArrayList<>();
-        try (SceneDisplay display = new SceneDisplay(context)) {
-            BufferedImage still = display.image(picture, exposure, scene.background());
-            BufferedImage moving = session.moving(WIDTH, HEIGHT, 1, exposure);
-            for (int pixel = 0; pixel < WIDTH * HEIGHT; pixel++) {
-                if (picture.rgba()[4 * pixel + 3] > 0) {
-                    int x = pixel % WIDTH;
-                    int y = pixel / WIDTH;
-                    differences.add(ColorDifference.ciede2000(lab(still.getRGB(x, y)), lab(moving.getRGB(x, y))));
-                }
+        BufferedImage still = SceneDisplay.image(picture, 1, scene.display(exposure), scene.background());
+        BufferedImage moving = session.moving(WIDTH, HEIGHT, 1, exposure);
+        for (int pixel = 0; pixel < WIDTH * HEIGHT; pixel++) {
+            if (picture.rgba()[4 * pixel + 3] > 0) {
+                int x = pixel % WIDTH;
+                int y = pixel / WIDTH;
+                differences.add(ColorDifference.ciede2000(lab(still.getRGB(x, y)), lab(moving.getRGB(x, y))));
             }
         }
         Collections.sort(differences);

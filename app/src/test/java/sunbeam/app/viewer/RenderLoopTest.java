@@ -301,14 +301,14 @@ class RenderLoopTest {
     private void assertShownAsRendered(LoadedScene loaded) {
         Scene scene = loaded.fine().scene();
         List<SceneSession> sessions = new ArrayList<>();
-        try (RenderContext context = RenderContexts.offscreen();
-                SceneDisplay display = new SceneDisplay(context)) {
+        try (RenderContext context = RenderContexts.offscreen()) {
             loaded.parts().forEach(part -> sessions.add(new SceneSession(context, part)));
             PartSum sum = new PartSum(sessions);
             int samples = PixelSamples.alongSide(scene.method(), WIDTH, HEIGHT);
+            double exposure = SceneDisplay.exposure(scene, sum, WIDTH, HEIGHT);
             sum.prepare(scene, WIDTH, HEIGHT, samples);
-            ScenePicture picture = sum.draw(scene, WIDTH, HEIGHT, Tile.whole(WIDTH, HEIGHT), samples);
-            BufferedImage rendered = display.image(picture, SceneDisplay.exposure(scene, picture), scene.background());
+            ScenePicture picture = sum.samples(scene, WIDTH, HEIGHT, Tile.whole(WIDTH, HEIGHT), samples);
+            BufferedImage rendered = SceneDisplay.image(picture, samples, scene.display(exposure), scene.background());
             sessions.forEach(SceneSession::close);
             assertThat(pixels(completed)).isEqualTo(pixels(rendered));
         }

@@ -6,6 +6,13 @@ public final class Srgb {
         {0.4124564, 0.3575761, 0.1804375}, {0.2126729, 0.7151522, 0.0721750}, {0.0193339, 0.1191920, 0.9503041}
     };
 
+    private static final int CHANNELS = 256;
+    // Of light, evenly; the darkest channels lie 3e-4 apart, so that few ranges hold more than one beginning.
+    private static final int RANGES = 4096;
+    // Linear light at which each channel begins, and the channel in which each range of light does.
+    private static final double[] BEGINS = begins();
+    private static final short[] FIRST = first();
+
     private Srgb() {}
 
     /** Linear light of a channel of 8 bits, or of a place between two: 0 to 1 for 0 to 255. */
@@ -14,11 +21,35 @@ public final class Srgb {
         return encoded <= 0.04045 ? encoded / 12.92 : Math.pow((encoded + 0.055) / 1.055, 2.4);
     }
 
-    /** The channel of 8 bits, 0 to 255, nearest to this linear light, which is clipped to [0, 1]. */
+    /** The channel of 8 bits, 0 to 255, nearest to this linear light, which is clipped to [0, 1]; 0 for NaN. */
     public static int channel(double linear) {
         double clipped = Math.min(1, Math.max(0, linear));
-        double encoded = clipped <= 0.0031308 ? 12.92 * clipped : 1.055 * Math.pow(clipped, 1 / 2.4) - 0.055;
-        return (int) Math.round(255 * encoded);
+        int channel = FIRST[(int) (RANGES * clipped)];
+        while (clipped >= BEGINS[channel + 1]) {
+            channel++;
+        }
+        return channel;
+    }
+
+    private static double[] begins() {
+        double[] begins = new double[CHANNELS + 1];
+        for (int channel = 1; channel < CHANNELS; channel++) {
+            begins[channel] = linear(channel - 0.5);
+        }
+        begins[CHANNELS] = Double.POSITIVE_INFINITY;
+        return begins;
+    }
+
+    private static short[] first() {
+        short[] first = new short[RANGES + 1];
+        int channel = 0;
+        for (int range = 0; range <= RANGES; range++) {
+            while ((double) range / RANGES >= BEGINS[channel + 1]) {
+                channel++;
+            }
+            first[range] = (short) channel;
+        }
+        return first;
     }
 
     /** CIE XYZ of linear red, green and blue; Y = 1 for white. */

@@ -49,20 +49,4 @@ class ChromaticityTest {
         assertThat(Chromaticity.of(Srgb.xyz(0, 1, 0)).hue(CIE).nanometres()).isCloseTo(549.1, within(0.5));
         assertThat(Chromaticity.of(Srgb.xyz(0, 0, 1)).hue(CIE).nanometres()).isCloseTo(464.2, within(0.5));
     }
-
-    @Test
-    void screenColoursComeBackAndWhatIsBrighterIsWhite() {
-        for (int rgb : new int[] {0x000000, 0xffffff, 0x7f3010, 0x10a0f0}) {
-            double[] xyz = Srgb.xyz(Srgb.linear(rgb >> 16), Srgb.linear(rgb >> 8 & 0xff), Srgb.linear(rgb & 0xff));
-            assertThat(DisplayColor.hex(DisplayColor.rgb(xyz))).isEqualTo(DisplayColor.hex(rgb));
-        }
-        assertThat(DisplayColor.rgb(new double[] {5, 3, 1})).isEqualTo(0xffffff);
-        // Spectral green at Y = 0.3 keeps its luminance.
-        Chromaticity green = Chromaticity.ofWavelength(CIE, 520e-9);
-        int shown = DisplayColor.rgb(new double[] {0.3 * green.x() / green.y(), 0.3, 0});
-        double luminance =
-                Srgb.xyz(Srgb.linear(shown >> 16), Srgb.linear(shown >> 8 & 0xff), Srgb.linear(shown & 0xff))[1];
-        // 8 bits.
-        assertThat(luminance).isCloseTo(0.3, within(5e-3));
-    }
 }

@@ -1,6 +1,8 @@
 package sunbeam.app.commands.brdfmap;
 
 import static sunbeam.precompute.method.Methods.METHOD;
+import static sunbeam.precompute.plan.MethodSettings.AVERAGE;
+import static sunbeam.precompute.plan.MethodSettings.PRESET;
 import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
 
 import java.awt.image.BufferedImage;
@@ -28,14 +30,12 @@ import sunbeam.app.files.output.Ending;
 import sunbeam.app.files.output.ForceOption;
 import sunbeam.app.files.output.NpyWriter;
 import sunbeam.app.files.output.PngWriter;
-import sunbeam.app.files.output.SrgbImage;
 import sunbeam.app.files.output.StandardOutput;
 import sunbeam.app.files.plot.MapAnnotation;
 import sunbeam.app.files.plot.PictureSheet;
 import sunbeam.app.gpu.map.DiscDirections;
-import sunbeam.app.gpu.picture.DisplayPass;
+import sunbeam.app.gpu.picture.DisplayOptions;
 import sunbeam.app.gpu.picture.DoubtfulPicture;
-import sunbeam.app.gpu.picture.ExposureOption;
 import sunbeam.app.gpu.picture.LinearPicture;
 import sunbeam.app.measure.errors.Certificate;
 import sunbeam.app.measure.errors.Certifier;
@@ -49,11 +49,15 @@ import sunbeam.app.terminal.options.ComparedPatches;
 import sunbeam.app.terminal.options.LightOptions;
 import sunbeam.app.terminal.options.MethodOptions;
 import sunbeam.app.terminal.options.PatchOptions;
+import sunbeam.precompute.color.DisplayTransform;
+import sunbeam.precompute.color.Tone;
 import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.patch.Patch;
+import sunbeam.precompute.plan.Average;
+import sunbeam.precompute.plan.Preset;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.shader.MethodUse;
@@ -78,7 +82,8 @@ public final class BrdfMapCommand implements Callable<Integer> {
     private LightOptions light;
 
     @Mixin
-    private MethodOptions methodOptions;
+    private MethodOptions methodOptions =
+            MethodOptions.choosingAverage("ensemble; coherent with a preset and for methods that have no other");
 
     @Mixin
     private CertifyOption certify;
@@ -97,17 +102,20 @@ public final class BrdfMapCommand implements Callable<Integer> {
     private IndexOption index;
 
     @Mixin
-    private ExposureOption exposure;
+    private DisplayOptions exposure;
 
     @Mixin
     private ComparedPatches compared;
 
     @Option(
             names = "--annotate",
+            negatable = true,
+            defaultValue = "true",
+            fallbackValue = "true",
             description =
-                    "Draw around and over the map what a reader needs: the horizon, rings every 15 degrees from the"
+                    "Draw around and over the map what a reader needs (default): the horizon, rings every 15 degrees from the"
                             + " normal, the directions of light and mirror, and a caption with patch, light, coherence length and"
-                            + " exposure. The picture grows by margins and caption.")
+                            + " exposure. --no-annotate leaves the disc alone, --size pixels wide.")
     private boolean annotate;
 
     @Option(
@@ -132,13 +140,20 @@ public final class BrdfMapCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
-        Choices choices = methodOptions.choices();
+        Choices choices = averaged(methodOptions.choices());
         return choices.located(() -> draw(choices));
+    }
+
+    /** The ensemble average where the method has it and nobody chose: a coherent map shows the speckle of one coherence area. */
+    private static Choices averaged(Choices chosen) {
+        boolean open = !chosen.has(AVERAGE) && chosen.get(PRESET, Preset.NONE) == Preset.NONE;
+        return open && chosen.get(METHOD).has(AVERAGE) ? chosen.with(AVERAGE, Average.ENSEMBLE) : chosen;
     }
 
     private int draw(Choices asked) {
         check();
-        ExposureOption.Exposure exposed = exposure.parse();
+        DisplayOptions.Exposure exposed = exposure.parse();
+        Tone tone = exposure.tone(asked);
         certify.check(Methods.of(asked));
         RefractiveIndex material = material();
         // Before scans are read, as all that is wrong with the command line.
@@ -162,8 +177,7 @@ public final class BrdfMapCommand implements Callable<Integer> {
         Optional<Certificate> certificate;
         ExitCode doubt;
         Path written;
-        try (RenderContext context = RenderContexts.offscreen();
-                DisplayPass display = new DisplayPass(context)) {
+        try (RenderContext context = RenderContexts.offscreen()) {
             List<MaterialMap.Drawn> maps = materials.stream()
                     .map(one -> one.draw(context, lightDirection, size))
                     .toList();
@@ -178,8 +192,9 @@ public final class BrdfMapCommand implements Callable<Integer> {
                     .certify(first, count, CertifyOption.SEED, factor, asked.get(TOLERANCE)));
             Map<String, String> text = describe(materials.get(0), material, maps, factor, context);
             certificate.ifPresent(stated -> text.put("Certificate", stated.summary()));
+            DisplayTransform display = new DisplayTransform(factor, tone);
             List<BufferedImage> plain =
-                    maps.stream().map(map -> plain(map, display, factor)).toList();
+                    maps.stream().map(map -> map.picture().shown(display)).toList();
             doubt = judge(maps, plain, lightDirection, factor);
             AnnotatedMaps annotated = new AnnotatedMaps(
                     light.direction(),
@@ -202,6 +217,10 @@ public final class BrdfMapCommand implements Callable<Integer> {
         out.println(StandardOutput.name(written));
         if (linear != null) {
             out.println(StandardOutput.name(linear));
+        }
+        if (specification.commandLine().getParseResult().originalArgs().isEmpty()) {
+            err.println("next: ./sunbeam view");
+            err.flush();
         }
         return certificate
                 .map(stated -> CertifyOption.judge(
@@ -286,10 +305,6 @@ public final class BrdfMapCommand implements Callable<Integer> {
                 black.orElse("the map"),
                 exposure.isAutomatic(),
                 err);
-    }
-
-    private BufferedImage plain(MaterialMap.Drawn map, DisplayPass display, double factor) {
-        return SrgbImage.fromEncoded(size, size, display.srgb(map.picture(), factor));
     }
 
     private String exposed(double factor) {

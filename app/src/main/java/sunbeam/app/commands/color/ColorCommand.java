@@ -25,8 +25,8 @@ import sunbeam.app.files.input.IndexOption;
 import sunbeam.app.files.output.Ending;
 import sunbeam.app.files.output.ForceOption;
 import sunbeam.app.files.output.StandardOutput;
+import sunbeam.app.gpu.picture.DisplayOptions;
 import sunbeam.app.gpu.picture.DoubtfulPicture;
-import sunbeam.app.gpu.picture.ExposureOption;
 import sunbeam.app.gpu.picture.LinearPicture;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;
@@ -109,7 +109,7 @@ public final class ColorCommand implements Callable<Integer> {
     private IndexOption index;
 
     @Mixin
-    private ExposureOption exposure;
+    private DisplayOptions exposure;
 
     @Mixin
     private final MethodOptions methodOptions = MethodOptions.choosingAverage("ensemble");
@@ -142,7 +142,7 @@ public final class ColorCommand implements Callable<Integer> {
     private int tell(Choices choices) {
         check();
         RefractiveIndex material = index.parse();
-        ExposureOption.Exposure exposed = exposure.parse();
+        DisplayOptions.Exposure exposed = exposure.parse();
         Methods.of(choices);
         if (output != null) {
             new ColorFiles(output, force.overwrite()).checkWritable();
@@ -293,7 +293,7 @@ public final class ColorCommand implements Callable<Integer> {
     }
 
     /** Of several surfaces each counts alike, lest a bright one leaves the others black: the mean of their logarithms. */
-    private double factor(ExposureOption.Exposure exposed, List<LinearPicture> pictures) {
+    private double factor(DisplayOptions.Exposure exposed, List<LinearPicture> pictures) {
         if (!exposure.isOfAll()) {
             return exposed.of(pictures);
         }

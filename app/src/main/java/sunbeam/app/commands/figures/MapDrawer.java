@@ -10,16 +10,16 @@ import jrtr.RenderContext;
 import jrtr.gl.RenderContexts;
 import sunbeam.app.commands.figures.Panel.MapPanel;
 import sunbeam.app.files.cache.DiffractionSetup;
-import sunbeam.app.files.output.SrgbImage;
 import sunbeam.app.files.plot.MapAnnotation;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.gpu.colours.GpuColours;
 import sunbeam.app.gpu.map.BrdfMapRenderer;
 import sunbeam.app.gpu.map.MapCaption;
 import sunbeam.app.gpu.picture.AutoExposure;
-import sunbeam.app.gpu.picture.DisplayPass;
 import sunbeam.app.gpu.picture.LinearPicture;
 import sunbeam.app.terminal.progress.Progress;
+import sunbeam.precompute.color.DisplayTransform;
+import sunbeam.precompute.color.Tone;
 import sunbeam.precompute.method.Method;
 import sunbeam.precompute.method.MethodPlan;
 import sunbeam.precompute.optics.Direction;
@@ -33,7 +33,6 @@ final class MapDrawer implements AutoCloseable {
     private final PanelStore store;
     private final int size;
     private final RenderContext context;
-    private final DisplayPass display;
     private final Map<MapKey, DrawnMap> drawn = new HashMap<>();
 
     /** What two panels with the same map have in common. */
@@ -47,7 +46,6 @@ final class MapDrawer implements AutoCloseable {
         this.store = store;
         this.size = size;
         this.context = RenderContexts.offscreen();
-        this.display = new DisplayPass(context);
     }
 
     /** Draws and writes a map; returns the texts of its picture. */
@@ -69,7 +67,7 @@ final class MapDrawer implements AutoCloseable {
         text.put("Plan", map.summary());
         text.put("Exposure", Double.toString(exposure));
         text.put("Renderer", context.info().renderer());
-        BufferedImage image = SrgbImage.fromEncoded(size, size, display.srgb(map.map(), exposure));
+        BufferedImage image = map.map().shown(new DisplayTransform(exposure, Tone.COMPRESS));
         Direction light = Direction.ofDegrees(panel.thetaDegrees(), 0);
         List<String> below =
                 MapCaption.of(patches.setup(panel.role()).patch(), light, map.coherenceLength(), panel.method());
@@ -107,7 +105,6 @@ final class MapDrawer implements AutoCloseable {
 
     @Override
     public void close() {
-        display.close();
         context.close();
     }
 }

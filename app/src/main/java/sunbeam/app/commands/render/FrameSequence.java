@@ -20,8 +20,6 @@ import sunbeam.app.measure.errors.SceneCertifier;
 import sunbeam.app.scene.PartSum;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneData;
-import sunbeam.app.scene.SceneDisplay;
-import sunbeam.app.scene.ScenePicture;
 import sunbeam.app.scene.SceneSession;
 import sunbeam.app.terminal.progress.Progress;
 import sunbeam.precompute.units.Decimals;
@@ -33,7 +31,6 @@ final class FrameSequence implements AutoCloseable {
     private final int supersample;
     private final String renderer;
     private final FrameIdentity identity;
-    private final SceneDisplay display;
     private final List<SceneSession> sessions = new ArrayList<>();
     private double lastExposure = 1;
     private boolean drawn;
@@ -46,7 +43,6 @@ final class FrameSequence implements AutoCloseable {
         this.supersample = supersample;
         this.renderer = context.info().renderer();
         this.identity = new FrameIdentity(data, size, supersample);
-        this.display = new SceneDisplay(context);
         try {
             parts.forEach(part -> sessions.add(new SceneSession(context, part)));
         } catch (RuntimeException | OutOfMemoryError failure) {
@@ -69,14 +65,17 @@ final class FrameSequence implements AutoCloseable {
      */
     List<Path> draw(List<Scene> scenes, List<Path> files, List<Boolean> missing, Overwrite overwrite, Path linear) {
         long frames = Collections.frequency(missing, true);
-        OptionalDouble exposure = missing.get(0) ? OptionalDouble.empty() : recordedExposure(files.get(0));
+        OptionalDouble recorded = missing.get(0) ? OptionalDouble.empty() : recordedExposure(files.get(0));
         List<Path> places = new ArrayList<>(files);
         FrameRenderer frameRenderer = new FrameRenderer(new PartSum(sessions), size, supersample);
         int first = linear == null ? missing.indexOf(true) : 0;
+        double factor = lastExposure;
         if (first >= 0) {
             // Before the rest: the time that its colours take says nothing of how long pixels do.
+            factor = recorded.isPresent() ? recorded.getAsDouble() : frameRenderer.exposure(scenes.get(first));
             frameRenderer.prepare(scenes.get(first));
         }
+        lastExposure = factor;
         try (Progress progress = Progress.start("rendering", frames * size.width() * size.height())) {
             for (int i = 0; i < scenes.size(); i++) {
                 if (!missing.get(i) && linear == null) {
@@ -86,15 +85,12 @@ final class FrameSequence implements AutoCloseable {
                 if (i != first) {
                     frameRenderer.prepare(scene);
                 }
-                ScenePicture picture = frameRenderer.render(scene, progress::step);
-                double factor = exposure.isPresent() ? exposure.getAsDouble() : SceneDisplay.exposure(scene, picture);
-                exposure = OptionalDouble.of(factor);
-                lastExposure = factor;
+                FrameRenderer.Frame frame = frameRenderer.render(scene, factor, progress::step);
                 if (missing.get(i)) {
-                    places.set(i, write(files.get(i), overwrite, scene, picture, factor));
+                    places.set(i, write(files.get(i), overwrite, scene, frame));
                 }
                 if (linear != null) {
-                    NpyWriter.write(linear, overwrite, picture.linear().xyz(), size.height(), size.width(), 3);
+                    NpyWriter.write(linear, overwrite, frame.linear().linear().xyz(), size.height(), size.width(), 3);
                 }
             }
         }
@@ -144,9 +140,10 @@ final class FrameSequence implements AutoCloseable {
         return Decimals.parse(PngText.read(frame).getOrDefault("Exposure", ""));
     }
 
-    private Path write(Path file, Overwrite overwrite, Scene scene, ScenePicture picture, double exposure) {
-        Map<String, String> text = FrameText.of(data, scene, size, supersample, exposure, renderer, identity.of(scene));
-        BufferedImage image = display.image(picture, exposure, scene.background());
+    private Path write(Path file, Overwrite overwrite, Scene scene, FrameRenderer.Frame frame) {
+        Map<String, String> text =
+                FrameText.of(data, scene, size, supersample, frame.exposure(), renderer, identity.of(scene));
+        BufferedImage image = frame.image();
         drawn = true;
         light |= !DoubtfulPicture.isBlack(image);
         return PngWriter.write(file, overwrite, image, text);
@@ -160,6 +157,5 @@ final class FrameSequence implements AutoCloseable {
     @Override
     public void close() {
         sessions.forEach(SceneSession::close);
-        display.close();
     }
 }

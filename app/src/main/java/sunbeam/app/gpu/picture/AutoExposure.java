@@ -3,22 +3,19 @@ package sunbeam.app.gpu.picture;
 import java.util.Arrays;
 
 /**
- * The exposure at which what a picture shows is well lit: the one definition for maps, pictures of scenes and the viewer
+ * The exposure at which what a picture shows is well lit: the one definition for maps, pictures of scenes, the viewer and {@code color}
  * (docs/exposure.md).
  *
- * <p>Pixels are sorted by luminance Y, and each counts by its lightness, the cube root of Y (CIE 1976), so that black
- * counts nothing. Of those between 75 % and 95 % of the lightness in all, the geometric mean of Y is drawn at 0.85 of
- * white. A mean over a band, not the value at one rank: where few pixels lie between a dark ground and bright orders, one
- * rank would jump from the one to the other. The brightest 5 % of the lightness, glints and specular peaks, have no say in
- * it, however bright.
+ * <p>Pixels are sorted by luminance Y, and each counts by its lightness, the cube root of Y (CIE 1976), so that black counts nothing.
+ * The geometric mean of Y over the brighter half, by lightness, is drawn at {@link #TARGET}. It is a mean over many pixels, not the value
+ * at one rank: it follows small changes by as little.
  */
 public final class AutoExposure {
-    /** What the chosen luminance is drawn at; white is 1. */
-    public static final double TARGET = 0.85;
+    /** What the mean luminance of the brighter half is drawn at; white is 1. Orders several times brighter are compressed. */
+    public static final double TARGET = 0.3;
 
-    // Shares of the picture's lightness below the band and up to its end.
-    private static final double BAND_START = 0.75;
-    private static final double BAND_END = 0.95;
+    // Share of the picture's lightness that is darker than what counts.
+    private static final double DARKER = 0.5;
 
     private AutoExposure() {}
 
@@ -37,7 +34,7 @@ public final class AutoExposure {
         double weights = 0;
         for (double luminance : luminances) {
             double upTo = below + Math.cbrt(luminance) / all;
-            double weight = Math.min(upTo, BAND_END) - Math.max(below, BAND_START);
+            double weight = upTo - Math.max(below, DARKER);
             if (weight > 0) {
                 logarithms += weight * Math.log(luminance);
                 weights += weight;

@@ -1,5 +1,10 @@
 package sunbeam.app.gpu.picture;
 
+import java.awt.image.BufferedImage;
+import java.util.stream.IntStream;
+import sunbeam.app.files.output.SrgbImage;
+import sunbeam.precompute.color.DisplayTransform;
+
 /**
  * Linear CIE XYZ per pixel; NaN where there is no surface.
  *
@@ -27,5 +32,20 @@ public record LinearPicture(int width, int height, float[] xyz) {
     /** Luminance Y of a pixel. */
     public float luminance(int pixel) {
         return xyz[3 * pixel + 1];
+    }
+
+    /** What a screen shows of it; transparent where there is no surface. */
+    public BufferedImage shown(DisplayTransform display) {
+        int[] argb = new int[width * height];
+        IntStream.range(0, height).parallel().forEach(row -> {
+            double[] light = new double[3];
+            for (int pixel = row * width; pixel < (row + 1) * width; pixel++) {
+                if (covered(pixel)) {
+                    display.light(xyz, 3 * pixel, light);
+                    argb[pixel] = 0xff000000 | DisplayTransform.packed(light);
+                }
+            }
+        });
+        return SrgbImage.fromArgb(width, height, argb);
     }
 }

@@ -24,6 +24,6 @@ record LinearRgb(double red, double green, double blue) {
 
     /** As {@link Srgb#channel}, without a power: a texture has millions of these. */
     static byte encoded(double linear) {
-        return SrgbSteps.channel(linear);
+        return (byte) Srgb.channel(linear);
     }
 }

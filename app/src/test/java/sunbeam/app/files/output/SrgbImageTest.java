@@ -8,34 +8,22 @@ import org.junit.jupiter.api.Test;
 
 final class SrgbImageTest {
     @Test
-    void encodedValuesAreOnlyRounded() {
-        BufferedImage image = SrgbImage.fromEncoded(1, 1, new float[] {0.2f, 128 / 255f, 0.999f});
-        assertThat(image.getRGB(0, 0)).isEqualTo(0xff3380ff);
-    }
-
-    @Test
-    void valuesBeyondTheDisplayAreClipped() {
-        BufferedImage image = SrgbImage.fromEncoded(1, 1, new float[] {-1, 7, Float.POSITIVE_INFINITY});
-        assertThat(image.getRGB(0, 0)).isEqualTo(0xff00ffff);
-    }
-
-    @Test
-    void noColourIsTransparent() {
-        BufferedImage image = SrgbImage.fromEncoded(2, 1, new float[] {1, 1, 1, Float.NaN, 1, 1});
-        assertThat(image.getRGB(0, 0)).isEqualTo(0xffffffff);
-        assertThat(image.getRGB(1, 0)).isZero();
-    }
-
-    @Test
     void theFirstRowIsTheTop() {
-        BufferedImage image = SrgbImage.fromEncoded(1, 2, new float[] {1, 0, 0, 0, 0, 1});
+        BufferedImage image = SrgbImage.fromArgb(1, 2, new int[] {0xffff0000, 0xff0000ff});
         assertThat(image.getRGB(0, 0)).isEqualTo(0xffff0000);
         assertThat(image.getRGB(0, 1)).isEqualTo(0xff0000ff);
     }
 
     @Test
+    void onlyPicturesWithHolesHaveAlpha() {
+        assertThat(SrgbImage.fromArgb(1, 1, new int[] {0xff102030}).getType()).isEqualTo(BufferedImage.TYPE_INT_RGB);
+        assertThat(SrgbImage.fromArgb(2, 1, new int[] {0xff102030, 0}).getRGB(1, 0))
+                .isZero();
+    }
+
+    @Test
     void aLengthThatDoesNotFitIsRefused() {
-        assertThatThrownBy(() -> SrgbImage.fromEncoded(2, 2, new float[11]))
+        assertThatThrownBy(() -> SrgbImage.fromArgb(2, 2, new int[11]))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessageContaining("2 x 2");
     }

@@ -6,6 +6,7 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.Function;
 import java.util.stream.IntStream;
@@ -67,6 +68,7 @@ class SceneTableTest {
                 new SceneMethod(method),
                 0,
                 OptionalDouble.of(1),
+                Optional.empty(),
                 blend,
                 SkinIndex.of(RefractiveIndex.KERATIN),
                 new SceneColor(0));

@@ -1,5 +1,7 @@
 package sunbeam.app.gpu.picture;
 
+import static sunbeam.precompute.plan.MethodSettings.PRESET;
+
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
@@ -7,12 +9,18 @@ import picocli.CommandLine.Option;
 import sunbeam.app.files.input.InputException;
 import sunbeam.app.files.input.PngText;
 import sunbeam.app.terminal.UsageException;
+import sunbeam.precompute.color.Tone;
+import sunbeam.precompute.plan.Preset;
+import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.setting.Kinds;
+import sunbeam.precompute.setting.ValueKind;
 import sunbeam.precompute.units.Decimals;
 
-/** {@code --exposure} of commands that may draw several pictures alike; to be used as a picocli mixin. */
-public final class ExposureOption {
+/** How a screen shows linear colors: {@code --exposure} and {@code --tone}, for pictures drawn alike; a picocli mixin. */
+public final class DisplayOptions {
     private static final String AUTOMATIC = "auto";
     private static final String FIRST = "first";
+    private static final ValueKind<Tone> TONES = Kinds.word("CURVE", Tone.class);
 
     @Option(
             names = "--exposure",
@@ -21,6 +29,14 @@ public final class ExposureOption {
             description = "Factor for the linear colours; auto (default): chosen from the pictures, one for all; first:"
                     + " chosen from the first; or a picture FILE.png whose exposure is to be taken.")
     private String exposure;
+
+    @Option(
+            names = "--tone",
+            paramLabel = "CURVE",
+            description =
+                    "What becomes of light brighter than the screen: compress (default) keeps its hue; clip cuts each"
+                            + " channel, as the thesis does and --preset thesis by default.")
+    private String tone;
 
     /** What was asked for, checked before anything is computed; reads the picture that is named. */
     public Exposure parse() {
@@ -41,6 +57,18 @@ public final class ExposureOption {
                     + Decimals.commaRemedy(exposure));
         }
         return pictures -> value;
+    }
+
+    /** The curve for highlights, checked before anything is computed. */
+    public Tone tone(Choices method) {
+        if (tone == null) {
+            return method.get(PRESET, Preset.NONE) == Preset.THESIS ? Tone.CLIP : Tone.COMPRESS;
+        }
+        try {
+            return TONES.parse(tone);
+        } catch (IllegalArgumentException wrong) {
+            throw new UsageException("--tone " + wrong.getMessage());
+        }
     }
 
     /** Whether the factor is chosen from pictures. */

@@ -1,0 +1,123 @@
+package sunbeam.app.gpu.picture;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import jrtr.Binding;
+import jrtr.FloatFormat;
+import jrtr.FloatTarget;
+import jrtr.FloatTargetSpec;
+import jrtr.FloatTexture;
+import jrtr.FloatTextureSpec;
+import jrtr.ShaderProgram;
+import jrtr.Tile;
+import jrtr.glsl.ShaderLibrary;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import sunbeam.app.gpu.InAContext;
+import sunbeam.app.gpu.NeedsDisplay;
+import sunbeam.app.gpu.Shaders;
+import sunbeam.precompute.color.DisplayTransform;
+import sunbeam.precompute.color.Srgb;
+import sunbeam.precompute.color.Tone;
+
+/** display.glsl and srgb.glsl against what they stand for in double precision. */
+@NeedsDisplay
+class DisplayShaderTest extends InAContext {
+    // The shader's matrices have seven digits behind the point, its numbers 24 bits.
+    private static final double DIGITS = 1e-7;
+
+    private static float[] drawn(String shader, int width, List<Binding> bindings, double exposure, Tone tone) {
+        ShaderLibrary library = name -> name.equals("test.frag") ? Optional.of(shader) : Optional.empty();
+        try (ShaderProgram program = context.createFullScreenProgram(
+                        library.orElse(Shaders.library()).load("test.frag"));
+                FloatTarget target = context.createFloatTarget("test", FloatTargetSpec.color(width, 1))) {
+            if (!bindings.isEmpty()) {
+                program.set("exposure", (float) exposure);
+                program.set("toneStart", (float) tone.start());
+            }
+            context.drawFullScreen(program, bindings, target, Tile.whole(width, 1));
+            return target.read(0);
+        }
+    }
+
+    /** All chromaticities, those that no light has too, at luminances from black to infinitely bright; and some without any. */
+    private static List<float[]> colors() {
+        List<float[]> colors = new ArrayList<>();
+        for (double luminance : new double[] {1e-7, 0.003, 0.2, 0.5, 0.999, 1.001, 3, 100, 1e4, 1e12, -1e-3}) {
+            for (double x = -0.05; x < 0.9; x += 0.05) {
+                for (double y = 0.025; y < 1; y += 0.05) {
+                    double scale = luminance / y;
+                    colors.add(new float[] {(float) (scale * x), (float) luminance, (float) (scale * (1 - x - y)), 1});
+                }
+            }
+        }
+        return colors;
+    }
+
+    @ParameterizedTest
+    @CsvSource({"1, COMPRESS", "0.004, COMPRESS", "217, COMPRESS", "1, CLIP", "217, CLIP"})
+    void picturesThatMoveAreShownAsThoseThatStandStill(double exposure, Tone tone) {
+        String shader = """
+                #version 330 core
+                #include "include/display.glsl"
+                uniform sampler2D xyz;
+                layout(location = 0) out vec4 color;
+                void main() { color = vec4(displayLight(texelFetch(xyz, ivec2(gl_FragCoord.xy), 0).rgb), 1.0); }
+                """;
+        List<float[]> colors = colors();
+        float[] texels = new float[4 * colors.size()];
+        for (int i = 0; i < colors.size(); i++) {
+            System.arraycopy(colors.get(i), 0, texels, 4 * i, 4);
+        }
+        float[] shown;
+        try (FloatTexture texture =
+                context.createFloatTexture("xyz", FloatTextureSpec.flat(colors.size(), 1, FloatFormat.RGBA32F))) {
+            texture.upload(texels);
+            shown = drawn(shader, colors.size(), List.of(new Binding("xyz", texture)), exposure, tone);
+        }
+
+        double[] expected = new double[3];
+        for (int i = 0; i < colors.size(); i++) {
+            new DisplayTransform(exposure, tone).light(colors.get(i), 0, expected);
+            float[] xyz = colors.get(i);
+            // Channels are differences of numbers this many times the luminance, towards whose grey a color moves.
+            double cancellation =
+                    3.3 * (Math.abs(xyz[0]) + Math.abs(xyz[1]) + Math.abs(xyz[2])) / Math.max(xyz[1], 1e-30f);
+            for (int c = 0; c < 3; c++) {
+                assertThat((double) shown[4 * i + c])
+                        .as("channel %d of %s", c, java.util.Arrays.toString(xyz))
+                        .isCloseTo(expected[c], within(20 * DIGITS * cancellation * Math.max(1, expected[c])));
+            }
+        }
+    }
+
+    @Test
+    void theShadersMatricesAreTheStandardsAndEachOthersInverse() {
+        String shader = """
+                #version 330 core
+                #include "include/srgb.glsl"
+                layout(location = 0) out vec4 color;
+                void main() {
+                    int column = int(gl_FragCoord.x);
+                    vec3 unit = vec3(column % 3 == 0, column % 3 == 1, column % 3 == 2);
+                    color.rgb = column < 3 ? LINEAR_SRGB_TO_XYZ * unit : XYZ_TO_LINEAR_SRGB * (LINEAR_SRGB_TO_XYZ * unit);
+                }
+                """;
+        float[] pixels = drawn(shader, 6, List.of(), 1, Tone.COMPRESS);
+
+        for (int column = 0; column < 3; column++) {
+            double[] expected = Srgb.xyz(column == 0 ? 1 : 0, column == 1 ? 1 : 0, column == 2 ? 1 : 0);
+            for (int row = 0; row < 3; row++) {
+                assertThat((double) pixels[4 * column + row]).isCloseTo(expected[row], within(DIGITS));
+                // Three products of seven digits and coefficients of up to 3.2.
+                assertThat((double) pixels[4 * (column + 3) + row])
+                        .isCloseTo(row == column ? 1 : 0, within(3 * 3.3 * 2 * DIGITS));
+            }
+        }
+    }
+}

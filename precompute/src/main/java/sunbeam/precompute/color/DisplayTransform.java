@@ -1,0 +1,60 @@
+package sunbeam.precompute.color;
+
+/**
+ * From linear CIE XYZ to the light that a screen shows: exposure, linear sRGB, gamut, tone. The one definition for maps, pictures of
+ * scenes, the viewer and {@code color}; shaders/include/display.glsl has the same for pictures that move.
+ *
+ * @param exposure factor of XYZ, above 0
+ * @param tone what becomes of highlights
+ */
+public record DisplayTransform(double exposure, Tone tone) {
+    private static final double[][] FROM_XYZ = {
+        {3.2404542, -1.5371385, -0.4985314}, {-0.9692660, 1.8760108, 0.0415560}, {0.0556434, -0.2040259, 1.0572252}
+    };
+
+    /**
+     * Linear sRGB of a color as a screen shows it. Colors outside sRGB's gamut move towards the grey of their luminance until no
+     * channel is negative.
+     *
+     * @param xyz from {@code offset} on: X, Y, Z before exposure; black where Y is not above 0
+     * @param rgb the result, three values from 0 to 1
+     */
+    public void light(float[] xyz, int offset, double[] rgb) {
+        light(xyz[offset], xyz[offset + 1], xyz[offset + 2], rgb);
+    }
+
+    private void light(double x, double y, double z, double[] rgb) {
+        double luminance = exposure * y;
+        if (!(luminance > 0)) {
+            rgb[0] = rgb[1] = rgb[2] = 0;
+            return;
+        }
+        if (luminance == Double.POSITIVE_INFINITY) {
+            rgb[0] = rgb[1] = rgb[2] = 1;
+            return;
+        }
+        for (int c = 0; c < 3; c++) {
+            rgb[c] = exposure * (FROM_XYZ[c][0] * x + FROM_XYZ[c][1] * y + FROM_XYZ[c][2] * z);
+        }
+        double least = Math.min(rgb[0], Math.min(rgb[1], rgb[2]));
+        if (least < 0) {
+            double kept = luminance / (luminance - least);
+            for (int c = 0; c < 3; c++) {
+                rgb[c] = Math.max(0, luminance + kept * (rgb[c] - luminance));
+            }
+        }
+        tone.apply(rgb);
+    }
+
+    /** 0xRRGGBB of linear X, Y, Z before exposure, through the sRGB curve. */
+    public int rgb(double[] xyz) {
+        double[] light = new double[3];
+        light(xyz[0], xyz[1], xyz[2], light);
+        return packed(light);
+    }
+
+    /** 0xRRGGBB of a screen's linear light, from 0 to 1 in each channel. */
+    public static int packed(double[] light) {
+        return Srgb.channel(light[0]) << 16 | Srgb.channel(light[1]) << 8 | Srgb.channel(light[2]);
+    }
+}

@@ -1,0 +1,121 @@
+package sunbeam.precompute.color;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.Random;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class DisplayTransformTest {
+    // XYZ are floats, and matrices have seven digits behind the point.
+    private static final double ROUNDING = 2e-6;
+
+    private static double[] light(double[] xyz, double exposure, Tone tone) {
+        double[] rgb = new double[3];
+        new DisplayTransform(exposure, tone)
+                .light(new float[] {(float) xyz[0], (float) xyz[1], (float) xyz[2]}, 0, rgb);
+        return rgb;
+    }
+
+    private static double[] times(double factor, double[] values) {
+        return new double[] {factor * values[0], factor * values[1], factor * values[2]};
+    }
+
+    @ParameterizedTest
+    @EnumSource(Tone.class)
+    void whatAScreenShowsIsShownAsItIs(Tone tone) {
+        double[] dim = {0.4, 0.1, 0.3};
+
+        assertThat(light(Srgb.xyz(dim[0], dim[1], dim[2]), 1, tone)).containsExactly(dim, within(ROUNDING));
+        assertThat(light(Srgb.xyz(4, 1, 3), 0.1, tone)).containsExactly(dim, within(ROUNDING));
+    }
+
+    @Test
+    void highlightsKeepTheRatioOfTheirChannels() {
+        for (double brightness = 1; brightness <= 10; brightness *= 1.5) {
+            double[] rgb = light(times(brightness, Srgb.xyz(1, 0.4, 0.1)), 1, Tone.COMPRESS);
+
+            // A hundred times white loses a third of its saturation, ten times 5 %.
+            assertThat(rgb[1] / rgb[0]).isCloseTo(0.4, within(0.03));
+            assertThat(rgb[2] / rgb[0]).isCloseTo(0.1, within(0.045));
+        }
+    }
+
+    @Test
+    void brighterIsNeverDarkerAndNothingReachesWhiteBelowFiftyTimesWhite() {
+        double before = 0;
+        for (double brightness = 1e-3; brightness < 1e6; brightness *= 1.01) {
+            double[] rgb = light(times(brightness, Srgb.xyz(0.9, 1, 0.2)), 1, Tone.COMPRESS);
+            double largest = Math.max(rgb[0], Math.max(rgb[1], rgb[2]));
+            assertThat(largest).isGreaterThanOrEqualTo(before - ROUNDING).isLessThanOrEqualTo(1);
+            // 254.5 of 255 is 0.9956 of white.
+            assertThat(brightness > 50 || largest < 0.9956).isTrue();
+            before = largest;
+        }
+    }
+
+    @Test
+    void theCurveJoinsWithoutAKink() {
+        double step = 1e-3;
+        double start = Tone.COMPRESS.start();
+        double[] below = light(Srgb.xyz(start, 0, 0), 1, Tone.COMPRESS);
+        double[] above = light(Srgb.xyz(start + step, 0, 0), 1, Tone.COMPRESS);
+
+        // Its second derivative there is -2 / (1 - start).
+        assertThat((above[0] - below[0]) / step).isCloseTo(1, within(2 * step / (1 - start) + 1e-2));
+    }
+
+    @Test
+    void whatIsAThousandTimesWhiteIsNearlyWhite() {
+        double[] rgb = light(times(1000, Srgb.xyz(1, 0, 0)), 1, Tone.COMPRESS);
+
+        assertThat(rgb[0]).isGreaterThan(0.99);
+        assertThat(rgb[1]).isGreaterThan(0.75);
+    }
+
+    @Test
+    void clippedChannelsAreCutOneByOne() {
+        assertThat(light(Srgb.xyz(3, 0.5, 1.5), 1, Tone.CLIP))
+                .containsExactly(new double[] {1, 0.5, 1}, within(ROUNDING));
+    }
+
+    @ParameterizedTest
+    @EnumSource(Tone.class)
+    void colorsOutsideOfTheGamutKeepLuminanceAndLoseSaturationAlone(Tone tone) {
+        Random random = new Random(7);
+        for (int i = 0; i < 500; i++) {
+            double[] xyz = {0.1 * random.nextDouble(), 0.1 * random.nextDouble(), 0.1 * random.nextDouble()};
+            double[] rgb = light(xyz, 1, tone);
+            double largest = Math.max(rgb[0], Math.max(rgb[1], rgb[2]));
+            if (largest < Tone.COMPRESS.start()) {
+                assertThat(Srgb.xyz(rgb[0], rgb[1], rgb[2])[1]).isCloseTo(xyz[1], within(ROUNDING));
+            }
+            assertThat(Math.min(rgb[0], Math.min(rgb[1], rgb[2]))).isGreaterThanOrEqualTo(0);
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {0, -1, Double.NaN})
+    void withoutLuminanceNothingIsShown(double luminance) {
+        assertThat(light(new double[] {1, luminance, 1}, 1, Tone.COMPRESS)).containsExactly(0, 0, 0);
+    }
+
+    @Test
+    void infiniteLightIsWhite() {
+        double infinity = Double.POSITIVE_INFINITY;
+        assertThat(light(new double[] {infinity, infinity, infinity}, 1, Tone.COMPRESS))
+                .containsExactly(1, 1, 1);
+    }
+
+    @Test
+    void everyColorOfADisplayComesBackToTheByteWhereNothingIsCompressed() {
+        Random random = new Random(23);
+        random.ints(2000, 0, 0x1000000).forEach(rgb -> {
+            double[] xyz = Srgb.xyz(Srgb.linear(rgb >> 16), Srgb.linear(rgb >> 8 & 0xff), Srgb.linear(rgb & 0xff));
+            assertThat(new DisplayTransform(1, Tone.CLIP).rgb(xyz)).isEqualTo(rgb);
+        });
+    }
+}
