@@ -12,9 +12,8 @@ const float BRIGHTEST = 1e9;
 
 // Moves a color outside of sRGB towards the grey of its luminance until no channel is negative.
 vec3 intoGamut(vec3 rgb, float luminance) {
-    float least = min(rgb.r, min(rgb.g, rgb.b));
-    float kept = least < 0.0 ? luminance / (luminance - least) : 1.0;
-    return max(luminance + kept * (rgb - luminance), 0.0);
+    float least = min(0.0, min(rgb.r, min(rgb.g, rgb.b)));
+    return luminance / (luminance - least) * (rgb - least);
 }
 
 // Scales the channels together, so that highlights keep their hue, and beyond a hundred times white lets them go towards white.

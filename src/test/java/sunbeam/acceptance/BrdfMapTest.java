@@ -24,7 +24,7 @@ class BrdfMapTest {
 
     @Test
     void withoutAnyChoiceItDrawsTheDefaultPatchAndSaysWhere() throws Exception {
-        SunbeamResult result = workplace.succeed("brdf-map", "--size", "48");
+        SunbeamResult result = workplace.succeed("brdf-map", "--size", "48", "--no-annotate");
 
         assertThat(result.stdout()).isEqualTo("brdf-elaphe-like.png\n");
         // On a machine that others use it may take long enough for a line of progress.
@@ -87,7 +87,7 @@ class BrdfMapTest {
                 "cannot write map.png: it exists; add --force to overwrite it, or choose another name");
         assertThat(file).hasContent("precious");
 
-        blaze("--size", "8", "--output", "map.png", "--force");
+        blaze("--size", "8", "--no-annotate", "--output", "map.png", "--force");
         assertThat(ImageIO.read(file.toFile()).getWidth()).isEqualTo(8);
     }
 

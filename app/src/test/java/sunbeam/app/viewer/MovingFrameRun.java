@@ -74,7 +74,7 @@ class MovingFrameRun {
                                         new Quaternionf(scene.orientation()).rotateLocalY(0.01f * frame))));
             }
             session.update(scene);
-            System.out.println(difference(context, session));
+            System.out.println(difference(session));
         }
     }
 
@@ -106,7 +106,7 @@ class MovingFrameRun {
     }
 
     /** Between the picture that moves, in full resolution, and the one that stands still. */
-    private static String difference(RenderContext context, SceneSession session) {
+    private static String difference(SceneSession session) {
         ScenePicture picture = session.draw(WIDTH, HEIGHT);
         Scene scene = session.data().scene();
         double exposure = SceneDisplay.exposure(scene, new PartSum(List.of(session)), WIDTH, HEIGHT);

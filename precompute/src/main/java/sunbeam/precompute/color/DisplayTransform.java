@@ -36,12 +36,10 @@ public record DisplayTransform(double exposure, Tone tone) {
         for (int c = 0; c < 3; c++) {
             rgb[c] = exposure * (FROM_XYZ[c][0] * x + FROM_XYZ[c][1] * y + FROM_XYZ[c][2] * z);
         }
-        double least = Math.min(rgb[0], Math.min(rgb[1], rgb[2]));
-        if (least < 0) {
-            double kept = luminance / (luminance - least);
-            for (int c = 0; c < 3; c++) {
-                rgb[c] = Math.max(0, luminance + kept * (rgb[c] - luminance));
-            }
+        double least = Math.min(0, Math.min(rgb[0], Math.min(rgb[1], rgb[2])));
+        double kept = luminance / (luminance - least);
+        for (int c = 0; c < 3; c++) {
+            rgb[c] = kept * (rgb[c] - least);
         }
         tone.apply(rgb);
     }
