@@ -1,6 +1,5 @@
 package sunbeam.app.terminal;
 
-import java.util.Optional;
 import java.util.stream.Collectors;
 
 /** The form of what is said on standard error: one line, led by the program's name. */
@@ -17,13 +16,6 @@ public final class Messages {
     /** Whether a line is one of {@link #error}. */
     static boolean isError(String line) {
         return line.startsWith(ERROR) && !line.startsWith(WARNING) && !line.startsWith(NOTE);
-    }
-
-    /** What a line of {@link #warning} says; empty for other lines. */
-    static Optional<String> warned(String line) {
-        return line.startsWith(WARNING)
-                ? Optional.of(line.substring(WARNING.length()).strip())
-                : Optional.empty();
     }
 
     /** {@code sunbeam: message}, with line breaks in the message turned into blanks. */

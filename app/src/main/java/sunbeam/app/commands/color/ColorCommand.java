@@ -13,6 +13,7 @@ import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.concurrent.Callable;
 import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import jrtr.RenderContext;
 import jrtr.gl.RenderContexts;
 import picocli.CommandLine.Command;
@@ -30,8 +31,8 @@ import sunbeam.app.gpu.picture.DoubtfulPicture;
 import sunbeam.app.gpu.picture.LinearPicture;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;
-import sunbeam.app.terminal.HeardWarnings;
 import sunbeam.app.terminal.Messages;
+import sunbeam.app.terminal.OptionOrigin;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.app.terminal.options.ComparedPatches;
 import sunbeam.app.terminal.options.LightOptions;
@@ -40,7 +41,6 @@ import sunbeam.app.terminal.options.PatchOptions;
 import sunbeam.app.terminal.progress.Progress;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.method.FittingPart;
-import sunbeam.precompute.method.Method;
 import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.method.ScanLimit;
 import sunbeam.precompute.optics.RefractiveIndex;
@@ -49,22 +49,20 @@ import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.MethodSettings;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.SettingException;
+import sunbeam.precompute.text.Quoted;
 import sunbeam.precompute.units.Decimals;
 
-/** {@code sunbeam color}: the colour that a surface has from each side, as a picture and as numbers. */
+/** {@code sunbeam color}: the color that a surface has from each side, as a picture and as numbers. */
 @Command(
         name = "color",
-        header = "Tell the colour of a surface from each viewing angle.",
+        header = "Tell the color of a surface from each viewing angle.",
         description =
-                "Tell which colour is seen from each viewing angle, -80 to 80 degrees to the normal, in the plane of"
-                        + " the direction in which the surface spreads most colour (along) and in the plane at right angles to it"
-                        + " (across); negative angles lie on the side away from that direction, which is across the lines of a"
-                        + " grating and need not be that of the period which inspect tells. Writes a picture with the strips"
-                        + " of colours, the CIE 1931 diagram and spectra, and the numbers with their uncertainty as CSV and JSON"
-                        + " beside it. The purest colour is that along, at every degree under the first light, with the largest"
-                        + " product of excitation purity and lightness (at most that of white), whatever --exposure and --step"
-                        + " are. Neither it nor the automatic exposure regards the mirror's surroundings: |(u, v)| up to 0.156,"
-                        + " or as far as a shorter coherence length spreads them. See docs/color.md.")
+                "Tell which color is seen from each viewing angle, -80 to 80 degrees to the normal, in the plane in which"
+                        + " the surface spreads most color (along) and in the plane at right angles to it (across). Angles are"
+                        + " negative on the side away from the plane's azimuth, which need not be that of the grating that the"
+                        + " first sentence names. Writes a picture and beside it the numbers as CSV and JSON; --explain also prints"
+                        + " the plan and all warnings. A surface without order has no color of its own: exit code 3. See"
+                        + " docs/color.md.")
 public final class ColorCommand implements Callable<Integer> {
     private static final int MOST_LIGHTS = 31;
     private static final int MOST_SPECTRA = 6;
@@ -79,7 +77,7 @@ public final class ColorCommand implements Callable<Integer> {
 
     @Mixin
     private final LightOptions light = LightOptions.choosingAzimuth(
-            "that of each surface's direction of most colour, so that the mirror direction lies in the strip along");
+            "that of each surface's plane of most color, so that the mirror direction lies in the strip along");
 
     @Option(
             names = "--theta-i-to",
@@ -102,7 +100,7 @@ public final class ColorCommand implements Callable<Integer> {
             split = ",",
             description =
                     "Viewing angles along, in degrees, at which to show the spectrum (first light). Default: where the"
-                            + " colour is purest.")
+                            + " color is purest.")
     private List<Double> spectra = new ArrayList<>();
 
     @Mixin
@@ -147,65 +145,95 @@ public final class ColorCommand implements Callable<Integer> {
         if (output != null) {
             new ColorFiles(output, force.overwrite()).checkWritable();
         }
-        HeardWarnings heard = new HeardWarnings(specification.commandLine().getErr());
-        PrintWriter err = heard.printer();
-        List<ColorStrips> strips = compared.load(patchOptions, choices).stream()
-                .map(patch -> new DiffractionSetup(patch, environment, err))
-                .map(setup -> told(setup, choices, material, err))
-                .toList();
-        Path picture = output != null ? output : Path.of("color-" + names(strips) + ".png");
+        PrintWriter err = specification.commandLine().getErr();
+        Remarks remarks = new Remarks();
+        List<StripColors> strips = new ArrayList<>();
+        for (Patch patch : compared.load(patchOptions, choices)) {
+            strips.add(planned(patch, choices, material, remarks));
+        }
+        List<String> names =
+                strips.stream().map(strip -> strip.setup().patch().name()).toList();
+        Path picture = output != null
+                ? output
+                : Path.of("color-" + names.stream().limit(3).collect(Collectors.joining("-")) + ".png");
         ColorFiles files = new ColorFiles(picture, force.overwrite(output));
         files.checkWritable();
-        if (strips.size() > 1) {
+        remarks.print(methodOptions.explains(), err);
+        if (methodOptions.explains()) {
             strips.forEach(strip -> methodOptions.print(strip.setup().patch().name(), strip.plan(), err));
-        } else {
-            methodOptions.print(strips.get(0).plan(), err);
         }
-        double tolerance = choices.get(TOLERANCE);
-        CieTable cie = CieTable.load();
-        List<ColorReport> reports = new ArrayList<>();
-        double factor;
-        String renderer;
-        try (RenderContext context = RenderContexts.offscreen()) {
-            renderer = context.info().renderer();
-            List<ColorStrips.Colours> colours =
-                    strips.stream().map(strip -> strip.colours(context)).toList();
-            factor = factor(exposed, pictures(strips, colours));
-            ColorReports told = new ColorReports(thetas(), spectra, factor, tolerance, material, cie);
-            for (int i = 0; i < strips.size(); i++) {
-                reports.add(told.of(context, strips.get(i), colours.get(i)));
-            }
-        }
-        Choices seen = ScanLimit.of(choices, strips.get(0).setup().patch()).choices();
         Map<String, Object> settings = new LinkedHashMap<>();
+        List<ColorReport> reports;
+        CieTable cie = CieTable.load();
+        try (RenderContext context = RenderContexts.offscreen()) {
+            reports = reports(context, strips, exposed, choices, material, cie, settings);
+        }
+        ExitCode judged = judge(reports, err);
+        List<Path> written = files.write(reports, settings, remarks.all(), new ColorSheet(reports, settings, cie));
+        PrintWriter out = specification.commandLine().getOut();
+        for (ColorReport report : reports) {
+            String name = reports.size() > 1 ? Quoted.oneLine(report.patch().name()) + ": " : "";
+            out.println(name + String.join(System.lineSeparator() + "  ", report.lines()));
+        }
+        written.forEach(file -> out.println(StandardOutput.name(file)));
+        return judged.code();
+    }
+
+    /** Draws, and notes what was drawn with. */
+    private List<ColorReport> reports(
+            RenderContext context,
+            List<StripColors> strips,
+            ExposureOption.Exposure exposed,
+            Choices choices,
+            RefractiveIndex material,
+            CieTable cie,
+            Map<String, Object> settings) {
+        List<Double> thetas = thetas();
+        List<List<double[]>> colors =
+                strips.stream().map(strip -> strip.colors(context)).toList();
+        List<Verdict> verdicts = IntStream.range(0, strips.size())
+                .mapToObj(i -> verdict(strips.get(i), colors.get(i)))
+                .toList();
+        List<LinearPicture> pictures = IntStream.range(0, strips.size())
+                .mapToObj(i -> verdicts.get(i).colored()
+                        ? strips.get(i).gloss().outside(strips.get(i).views(), colors.get(i))
+                        : Gloss.picture(colors.get(i)))
+                .toList();
+        double factor = factor(exposed, pictures);
+        double tolerance = choices.get(TOLERANCE);
+        Choices seen = ScanLimit.of(choices, strips.get(0).setup().patch()).choices();
         settings.put("light", light(strips));
         settings.put("method", seen.get(METHOD).label());
         settings.put("options", Methods.describe(seen));
         settings.put("index", index.describe(material));
         settings.put("exposure", factor);
         settings.put("tolerance", tolerance);
-        settings.put("renderer", renderer);
-        ExitCode judged = judge(reports, strips, choices, err);
-        List<Path> written = files.write(reports, settings, heard.all(), new ColorSheet(reports, settings, cie));
-        PrintWriter out = specification.commandLine().getOut();
-        reports.forEach(report -> out.println(ColorSummary.of(report)));
-        written.forEach(file -> out.println(StandardOutput.name(file)));
-        return judged.code();
+        settings.put("renderer", context.info().renderer());
+        ColorReport.Scale scale = new ColorReport.Scale(factor, tolerance, cie);
+        return IntStream.range(0, strips.size())
+                .mapToObj(i -> ColorReport.of(
+                        context, strips.get(i), colors.get(i), verdicts.get(i), thetas, spectra, material, scale))
+                .toList();
     }
 
-    /** Warns of what can only be a mistake. */
-    private ExitCode judge(List<ColorReport> reports, List<ColorStrips> strips, Choices choices, PrintWriter err) {
-        boolean black = reports.stream()
-                .anyMatch(report -> report.colours().stream()
-                        .allMatch(colour -> colour.shown().rgb() == 0));
-        List<Patch> patches =
-                strips.stream().map(strip -> strip.setup().patch()).toList();
-        boolean tooSmall = false;
-        for (int i = 0; i < patches.size(); i++) {
-            tooSmall |= SmallScan.judge(reports.get(i), patches.get(i), choices, err);
-        }
+    private Verdict verdict(StripColors strips, List<double[]> colors) {
+        Gloss gloss = strips.gloss();
+        boolean allGloss = IntStream.range(0, colors.size())
+                .noneMatch(i -> gloss.leaves(strips.views().get(i), colors.get(i)));
+        return Verdict.of(
+                strips.setup().patch(),
+                strips.order(),
+                strips.light(thetas().get(0)),
+                gloss.window().coherenceLength(),
+                allGloss);
+    }
+
+    private ExitCode judge(List<ColorReport> reports, PrintWriter err) {
+        boolean black =
+                reports.stream().anyMatch(report -> report.colors().stream().allMatch(color -> color.rgb() == 0));
+        List<Patch> patches = reports.stream().map(ColorReport::patch).toList();
         ExitCode judged = DoubtfulPicture.judge(patches, black, "the picture", exposure.isAutomatic(), err);
-        return tooSmall ? ExitCode.TOLERANCE_MISSED : judged;
+        return reports.stream().allMatch(report -> report.verdict().colored()) ? judged : ExitCode.TOLERANCE_MISSED;
     }
 
     private void check() {
@@ -222,17 +250,9 @@ public final class ColorCommand implements Callable<Integer> {
             throw new UsageException("--spectrum has " + spectra.size() + " angles; give " + MOST_SPECTRA + " at most");
         }
         for (double angle : spectra) {
-            if (!(Math.abs(angle) <= ColorStrips.LARGEST_VIEW_DEGREES)) {
+            if (!(Math.abs(angle) <= StripColors.LARGEST_VIEW_DEGREES)) {
                 throw new UsageException("--spectrum " + angle + " is out of range; give -80 to 80");
             }
-        }
-    }
-
-    private ColorStrips told(DiffractionSetup setup, Choices choices, RefractiveIndex material, PrintWriter err) {
-        try (Progress progress = Progress.start("Planning " + setup.patch().name(), 1)) {
-            ColorStrips strips = strips(setup, choices, material, err);
-            progress.step(1);
-            return strips;
         }
     }
 
@@ -241,34 +261,35 @@ public final class ColorCommand implements Callable<Integer> {
      *
      * @throws SettingException where that takes too much; it says which part of the surface can be drawn
      */
-    private ColorStrips strips(DiffractionSetup setup, Choices choices, RefractiveIndex material, PrintWriter err) {
-        Choices seen = setup.seen(choices, err);
-        try {
-            ColorStrips strips = strips(setup, Methods.of(seen), material);
-            for (String line : LevellingAdvice.of(setup.patch(), strips.direction())) {
-                err.println(Messages.warning(setup.patch().name() + ": " + line));
-            }
-            err.flush();
+    private StripColors planned(Patch patch, Choices choices, RefractiveIndex material, Remarks remarks) {
+        try (Progress progress = Progress.start("Planning " + patch.name(), 1)) {
+            patch.warnings().forEach(warning -> remarks.add(patch.name(), warning));
+            ScanLimit limit = ScanLimit.of(choices, patch);
+            limit.line().ifPresent(line -> remarks.add(patch.name(), line.in(OptionOrigin.INSTANCE)));
+            StripColors strips = strips(patch, limit.choices(), material);
+            strips.plan().warnings().forEach(line -> remarks.add(patch.name(), line.in(OptionOrigin.INSTANCE)));
+            progress.step(1);
             return strips;
         } catch (SettingException tooMuch) {
-            Patch patch = setup.patch();
-            throw FittingPart.of(patch, part -> tryStrips(part, choices, material))
+            throw FittingPart.of(
+                            patch,
+                            part -> strips(part, ScanLimit.of(choices, part).choices(), material))
                     .map(part -> tooMuch.and(part.sentence(patch)))
                     .orElse(tooMuch);
         }
     }
 
-    private void tryStrips(Patch part, Choices choices, RefractiveIndex material) {
-        DiffractionSetup setup = new DiffractionSetup(part, environment, warning -> {});
-        strips(setup, Methods.of(ScanLimit.of(choices, part).choices()), material);
-    }
-
-    private ColorStrips strips(DiffractionSetup setup, Method method, RefractiveIndex material) {
+    private StripColors strips(Patch patch, Choices seen, RefractiveIndex material) {
+        PrintWriter err = specification.commandLine().getErr();
+        DiffractionSetup setup = new DiffractionSetup(patch, environment, warning -> {
+            err.println(Messages.warning(warning));
+            err.flush();
+        });
         Choices chosen = light.choices();
         OptionalDouble azimuth = chosen.has(LightOptions.PHI_I)
                 ? OptionalDouble.of(Math.toDegrees(chosen.get(LightOptions.PHI_I)))
                 : OptionalDouble.empty();
-        return new ColorStrips(setup, method, material, azimuth, thetas(), step);
+        return new StripColors(setup, Methods.of(seen), material, azimuth, thetas(), step);
     }
 
     private List<Double> thetas() {
@@ -285,13 +306,6 @@ public final class ColorCommand implements Callable<Integer> {
         return thetas;
     }
 
-    private static String names(List<ColorStrips> strips) {
-        return strips.stream()
-                .map(strip -> strip.setup().patch().name())
-                .limit(3)
-                .collect(Collectors.joining("-"));
-    }
-
     /** Of several surfaces each counts alike, lest a bright one leaves the others black: the mean of their logarithms. */
     private double factor(DisplayOptions.Exposure exposed, List<LinearPicture> pictures) {
         if (!exposure.isOfAll()) {
@@ -303,21 +317,8 @@ public final class ColorCommand implements Callable<Integer> {
                 .orElseThrow());
     }
 
-    /** What the exposure is chosen from: what the mirror leaves, unless it leaves nothing of any surface. */
-    private static List<LinearPicture> pictures(List<ColorStrips> strips, List<ColorStrips.Colours> colours) {
-        List<LinearPicture> outside = new ArrayList<>();
-        List<LinearPicture> all = new ArrayList<>();
-        for (int i = 0; i < strips.size(); i++) {
-            ColorStrips strip = strips.get(i);
-            outside.add(strip.reach().outside(strip.views(), colours.get(i).shown()));
-            all.add(MirrorReach.picture(colours.get(i).shown()));
-        }
-        outside.removeIf(picture -> picture.width() == 0);
-        return outside.isEmpty() ? all : outside;
-    }
-
     /** For metadata: where the light stood. */
-    private String light(List<ColorStrips> strips) {
+    private String light(List<StripColors> strips) {
         String theta = light.written(LightOptions.THETA_I);
         if (lastTheta != null) {
             theta += " to " + Decimals.format(lastTheta) + " in " + (thetas().size() - 1) + " steps";
@@ -329,7 +330,6 @@ public final class ColorCommand implements Callable<Integer> {
                 .map(strip -> String.format(
                         Locale.ROOT, "%s %.1f", strip.setup().patch().name(), strip.lightAzimuthDegrees() + 0.0))
                 .collect(Collectors.joining(", "));
-        return "theta " + theta + " degrees, phi that of each surface's direction of most colour: " + azimuths
-                + " degrees";
+        return "theta " + theta + " degrees, phi that of each surface's plane of most color: " + azimuths + " degrees";
     }
 }

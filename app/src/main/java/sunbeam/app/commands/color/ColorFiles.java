@@ -4,15 +4,19 @@ import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.SerializationFeature;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.OptionalDouble;
+import java.util.function.Function;
 import java.util.stream.Collectors;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.FileGroup;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.files.output.PngWriter;
+import sunbeam.precompute.patch.ModelError;
 
 /** The picture and, beside it, the numbers as CSV and JSON. */
 final class ColorFiles {
@@ -36,23 +40,145 @@ final class ColorFiles {
     /**
      * All files or none.
      *
-     * @param warnings what was said of the surfaces and their colours, for JSON
+     * @param warnings about the surfaces, for JSON
      * @return where they are
      */
     List<Path> write(List<ColorReport> reports, Map<String, Object> settings, List<String> warnings, ColorSheet sheet) {
         Map<String, String> text = new LinkedHashMap<>();
         text.put(
-                "Title", "Colours of " + reports.stream().map(ColorReport::name).collect(Collectors.joining(", ")));
-        text.put("Patch", reports.stream().map(ColorReport::source).collect(Collectors.joining("; ")));
+                "Title", "Colors of " + joined(reports, report -> report.patch().name()));
+        text.put("Patch", joined(reports, report -> report.patch().source()));
         settings.forEach((key, value) ->
                 text.put(key.substring(0, 1).toUpperCase(Locale.ROOT) + key.substring(1), value.toString()));
         ObjectMapper json = new ObjectMapper().enable(SerializationFeature.INDENT_OUTPUT);
+        Map<String, Object> tree = new LinkedHashMap<>(settings);
+        tree.put("surfaces", reports.stream().map(ColorFiles::surface).toList());
+        tree.put("warnings", warnings);
         Map<String, AtomicFile.StreamContent> contents = new LinkedHashMap<>();
         contents.put(pictureEnding, stream -> PngWriter.write(stream, sheet.draw(), text));
-        contents.put(".csv", stream -> stream.write(ColorTables.csv(reports).getBytes(StandardCharsets.UTF_8)));
-        Map<String, Object> tree = ColorTables.tree(reports, settings);
-        tree.put("warnings", warnings);
+        contents.put(".csv", stream -> stream.write(csv(reports).getBytes(StandardCharsets.UTF_8)));
         contents.put(".json", stream -> stream.write(json.writeValueAsBytes(tree)));
         return files.write(contents);
+    }
+
+    private static String joined(List<ColorReport> reports, Function<ColorReport, String> what) {
+        return reports.stream().map(what).collect(Collectors.joining("; "));
+    }
+
+    /** A header and a row for each color; what is no number is empty. */
+    private static String csv(List<ColorReport> reports) {
+        StringBuilder text = new StringBuilder();
+        for (ColorReport report : reports) {
+            for (SeenColor color : report.colors()) {
+                Map<String, Object> cells = new LinkedHashMap<>();
+                cells.put("patch", '"' + report.patch().name().replace("\"", "\"\"") + '"');
+                cells.putAll(color(color));
+                if (text.isEmpty()) {
+                    text.append(String.join(",", cells.keySet())).append('\n');
+                }
+                text.append(cells.values().stream().map(ColorFiles::cell).collect(Collectors.joining(",")))
+                        .append('\n');
+            }
+        }
+        return text.toString();
+    }
+
+    private static String cell(Object value) {
+        return value == null
+                ? ""
+                : value instanceof Double number ? String.format(Locale.ROOT, "%.7g", number) : value.toString();
+    }
+
+    /** By column; null for what is no number, since JSON knows no NaN. */
+    private static Map<String, Object> color(SeenColor color) {
+        Map<String, Object> values = new LinkedHashMap<>();
+        values.put("strip", color.view().along() ? "along" : "across");
+        values.put("theta_i", color.view().thetaIDegrees());
+        values.put("theta_r", color.view().thetaRDegrees());
+        values.put("srgb", color.hex());
+        values.put("X", color.xyz()[0]);
+        values.put("Y", color.xyz()[1]);
+        values.put("Z", color.xyz()[2]);
+        values.put("x", color.chromaticity().x());
+        values.put("y", color.chromaticity().y());
+        values.put("dominant_nm", color.hue().nanometres());
+        values.put("purity", color.hue().purity());
+        values.put("lightness", color.lab().lightness());
+        values.put("chroma", color.lab().chroma());
+        values.put("hue_deg", color.hueAngleDegrees());
+        values.put("delta_e", color.uncertainty());
+        values.replaceAll((key, value) -> value instanceof Double number && !Double.isFinite(number) ? null : value);
+        return values;
+    }
+
+    private static Map<String, Object> surface(ColorReport report) {
+        Map<String, Object> surface = new LinkedHashMap<>();
+        surface.put("patch", report.patch().name());
+        surface.put("source", report.patch().source());
+        surface.put("verdict", report.verdict().sentence());
+        surface.put("has_color", report.verdict().colored());
+        OptionalDouble halfWidth = report.order().plane().halfWidthDegrees();
+        surface.put("plane_azimuth_deg", report.order().plane().azimuthDegrees());
+        surface.put("plane_azimuth_half_width_deg", halfWidth.isPresent() ? halfWidth.getAsDouble() : null);
+        surface.put("grating", report.order().grating().map(ColorFiles::grating).orElse(null));
+        surface.put("light_azimuth_deg", report.lightAzimuthDegrees());
+        surface.put("coherence_length_um", rounded(report.coherenceLength() * 1e6, 4));
+        surface.put("plan", report.plan());
+        surface.put("model", ModelError.of(report.patch().scan()).describe());
+        surface.put(
+                "purest", report.purest().map(color -> purest(report, color)).orElse(null));
+        surface.put("colors", report.colors().stream().map(ColorFiles::color).toList());
+        surface.put(
+                "spectra", report.spectra().stream().map(ColorFiles::spectrum).toList());
+        return surface;
+    }
+
+    private static Map<String, Object> grating(SurfaceOrder.Grating grating) {
+        Map<String, Object> values = new LinkedHashMap<>();
+        values.put("period_nm", nanometres(grating.period()));
+        values.put("period_low_nm", nanometres(grating.low()));
+        values.put("period_high_nm", nanometres(grating.high()));
+        values.put("azimuth_across_lines_deg", grating.azimuthDegrees());
+        return values;
+    }
+
+    private static Map<String, Object> purest(ColorReport report, SeenColor purest) {
+        Map<String, Object> values = color(purest);
+        values.putAll(band(report.spectra().get(0).band()));
+        return values;
+    }
+
+    private static Map<String, Object> band(SpectralBand band) {
+        return Map.of(
+                "width_nm",
+                nanometres(band.width()),
+                "quarter_nm",
+                nanometres(band.from()),
+                "three_quarters_nm",
+                nanometres(band.to()));
+    }
+
+    private static Map<String, Object> spectrum(ColorReport.SeenSpectrum spectrum) {
+        Map<String, Object> values = new LinkedHashMap<>();
+        values.put("theta_i", spectrum.view().thetaIDegrees());
+        values.put("theta_r", spectrum.view().thetaRDegrees());
+        values.putAll(band(spectrum.band()));
+        values.put(
+                "wavelength_nm",
+                Arrays.stream(spectrum.wavelengths())
+                        .map(ColorFiles::nanometres)
+                        .toArray());
+        values.put("relative_radiance", spectrum.radiances());
+        return values;
+    }
+
+    private static double nanometres(double metres) {
+        return rounded(metres * 1e9, 3);
+    }
+
+    /** Conversion between units spoils the last digits. */
+    private static double rounded(double value, int decimals) {
+        double scale = Math.pow(10, decimals);
+        return Math.rint(value * scale) / scale;
     }
 }

@@ -17,7 +17,7 @@ import sunbeam.app.files.plot.Plot;
 import sunbeam.precompute.color.Chromaticity;
 import sunbeam.precompute.color.CieTable;
 
-/** The picture: a pair of strips for each surface, the chromaticities and the spectra; a surface has one colour in all. */
+/** The picture: a pair of strips for each surface, the chromaticities and the spectra; a surface has one color in all. */
 final class ColorSheet {
     private static final int WIDTH = 1280;
     private static final int LEFT = 40;
@@ -35,7 +35,9 @@ final class ColorSheet {
     ColorSheet(List<ColorReport> reports, Map<String, Object> settings, CieTable cie) {
         this.reports = reports;
         this.names = FittedNames.of(
-                reports.stream().map(ColorReport::name).toList(), StripPanel.TITLE_FONT, StripPanel.WIDEST_NAME);
+                reports.stream().map(report -> report.patch().name()).toList(),
+                StripPanel.TITLE_FONT,
+                StripPanel.WIDEST_NAME);
         this.settings = settings;
         this.cie = cie;
     }
@@ -76,15 +78,14 @@ final class ColorSheet {
         double room = WIDTH - 2 * LEFT - FittedNames.width(exposed + method, font);
         String index = FittedNames.of("refractive index " + settings.get("index"), font, room);
         graphics.drawString(exposed + index + method, LEFT, top + 14);
-        boolean oneLight = reports.get(0).thetas().size() == 1;
         graphics.drawString(
                 "angles of the view to the normal, negative on the side away from the azimuth; what is brighter than a screen"
-                        + " shows keeps its hue" + (oneLight ? "; grey bar: the mirror's reach" : ""),
+                        + " shows keeps its hue",
                 LEFT,
                 top + 34);
     }
 
-    /** The locus of spectral light, white, and each surface's colours along its direction of most colour. */
+    /** The locus of spectral light, white, and each surface's colors along its plane of most color. */
     private BufferedImage chromaticities() {
         List<Chromaticity> locus = new ArrayList<>(IntStream.rangeClosed(380, 700)
                 .mapToObj(nanometre -> Chromaticity.ofWavelength(cie, nanometre * 1e-9))
@@ -96,10 +97,10 @@ final class ColorSheet {
                 Plot.Axis.linear("y"),
                 WIDTH / 2,
                 PLOT_HEIGHT));
-        plot.legendBelow().equalScales(TICK).outline("spectral colours", xs(locus), ys(locus));
+        plot.legendBelow().equalScales(TICK).outline("spectral colors", xs(locus), ys(locus));
         for (int i = 0; i < reports.size(); i++) {
-            List<Chromaticity> seen = reports.get(i).colours().stream()
-                    .filter(colour -> colour.view().along() && colour.xyz()[1] > 0)
+            List<Chromaticity> seen = reports.get(i).colors().stream()
+                    .filter(color -> color.view().along() && color.xyz()[1] > 0)
                     .map(SeenColor::chromaticity)
                     .toList();
             if (!seen.isEmpty()) {
@@ -110,7 +111,7 @@ final class ColorSheet {
         plot.rings("white (D65)", xs(white), ys(white));
         List<Chromaticity> purest = reports.stream()
                 .flatMap(report -> report.purest().stream())
-                .map(found -> found.colour().chromaticity())
+                .map(SeenColor::chromaticity)
                 .toList();
         if (!purest.isEmpty()) {
             plot.rings("purest", xs(purest), ys(purest));

@@ -44,6 +44,11 @@ public final class MethodOptions extends SettingOptions {
         return new MethodOptions(Methods.SETTINGS, Map.of(MethodSettings.AVERAGE, chosen));
     }
 
+    /** Whether reasons are asked for. */
+    public boolean explains() {
+        return explain;
+    }
+
     /** Prints a plan with its reasons where they are asked for. */
     public void explain(Plan plan, PrintWriter out) {
         if (explain) {

@@ -1,6 +1,7 @@
 package sunbeam.app.commands.color;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import java.awt.image.BufferedImage;
 import java.util.List;
@@ -12,13 +13,13 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import sunbeam.precompute.analysis.PrincipalDirection;
 import sunbeam.precompute.color.CieTable;
-import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
+import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.patch.Patch;
 
 class ColorSheetTest {
     private static final CieTable CIE = CieTable.load();
-    private static final MirrorReach REACH = new MirrorReach(CoherenceWindow.ofCoherenceLength(65e-6));
     private static final double EXPOSURE = 0.3;
     private static final String LONG = "Cicindela campestris, elytron 03 (museum no. 1907-221), left, 20 um, retrace";
 
@@ -26,29 +27,30 @@ class ColorSheetTest {
         Direction wr = Direction.ofDegrees(Math.abs(thetaR), thetaR < 0 ? 180 : 0);
         SeenColor.View view = new SeenColor.View(along, 0, thetaR, new DirectionPair(Direction.ofDegrees(0, 0), wr));
         // Orange.
-        return SeenColor.of(view, new double[] {0.6, 0.5, 0.1}, EXPOSURE, 1e-3, REACH, CIE);
+        return SeenColor.of(view, new double[] {0.6, 0.5, 0.1}, EXPOSURE, 1e-3, CIE);
     }
 
     private static ColorReport report(String name) {
-        List<SeenColor> colours = Stream.of(true, false)
+        List<SeenColor> colors = Stream.of(true, false)
                 .flatMap(along -> IntStream.rangeClosed(-8, 8).mapToObj(i -> seen(along, 10 * i)))
                 .toList();
-        SpectralWidth width = new SpectralWidth(30e-9, 590e-9, 580e-9, 600e-9, true);
         SeenColor purest = seen(true, -30);
+        HeightMap flat = new HeightMap(2, 2, 1e-6, 1e-6, new double[4]);
         return new ColorReport(
-                name,
-                name,
-                new PrincipalDirection(0, OptionalDouble.empty(), 1),
+                new Patch(name, flat, name, List.of()),
+                new SurfaceOrder(new PrincipalDirection(0, OptionalDouble.empty(), 1), true, Optional.empty()),
+                new Verdict("orange", true),
                 0,
                 65e-6,
                 "a plan",
-                "a model",
                 List.of(0.0),
-                colours,
+                colors,
                 List.of(new ColorReport.SeenSpectrum(
-                        purest.view(), new double[] {380e-9, 590e-9, 780e-9}, new double[] {0, 1, 0}, width)),
-                Optional.of(new ColorReport.Purest(purest, width, 20e-9)),
-                REACH);
+                        purest.view(),
+                        new double[] {380e-9, 590e-9, 780e-9},
+                        new double[] {0, 1, 0},
+                        new SpectralBand(580e-9, 600e-9))),
+                Optional.of(purest));
     }
 
     private static BufferedImage sheet(String... names) {
@@ -84,20 +86,34 @@ class ColorSheetTest {
     }
 
     @Test
-    void theTitleSaysTheColourOfTheStripAndTheTables() {
+    void theTitleSaysTheColorOfTheStripAndTheTables() {
         ColorReport report = report("beetle");
-        Map<?, ?> surface = (Map<?, ?>)
-                ((List<?>) ColorTables.tree(List.of(report), Map.of()).get("surfaces")).get(0);
-        String told = ((Map<?, ?>) surface.get("purest")).get("srgb").toString();
+        String told = report.purest().orElseThrow().hex();
 
-        assertThat(new StripPanel(report, "beetle", 0, 1280).title())
-                .endsWith("purest " + told + " at -30\u00b0")
-                .startsWith("beetle: ");
-        // Dimmer than the hue as bright as a screen shows it.
-        assertThat(((Map<?, ?>) surface.get("purest")).get("srgb_brightest")).isNotEqualTo(told);
-        // Below 50 pixels of title and marks, the strip's cell around -30 degrees.
+        assertThat(new StripPanel(report, "beetle", 0, 1280).light())
+                .contains("purest (square) " + told + " at -30\u00b0");
+        assertThat(report.lines())
+                .anyMatch(line -> line.contains("purest color at -30 degrees") && line.contains(told));
+        // In the strip below the title, the cell around -30 degrees, beside its mark.
         int x = 130 + (50 * (1280 - 160)) / 160;
-        assertThat(String.format("#%06x", sheet("beetle").getRGB(x, 80) & 0xffffff))
+        assertThat(String.format("#%06x", sheet("beetle").getRGB(x, 60) & 0xffffff))
                 .isEqualTo(told);
+    }
+
+    @Test
+    void aGrainOfSpeckleIsNotTheWidthOfAColor() {
+        double[] wavelengths = new double[401];
+        double[] gaussian = new double[401];
+        double[] speckled = new double[401];
+        for (int i = 0; i <= 400; i++) {
+            wavelengths[i] = (380 + i) * 1e-9;
+            gaussian[i] = Math.exp(-Math.pow((i - 170) / 40.0, 2) / 2);
+            // Grains 5 nm wide; one is three times as bright as its neighbors.
+            speckled[i] = gaussian[i] * (i % 10 < 5 ? 2 : 0) * (i / 10 == 17 ? 3 : 1);
+        }
+        // The quartiles of a normal distribution.
+        assertThat(SpectralBand.of(wavelengths, gaussian).width()).isCloseTo(2 * 0.6745 * 40e-9, within(0.1e-9));
+        // The grain holds a fifth of the light and draws the quartiles nearer by as much.
+        assertThat(SpectralBand.of(wavelengths, speckled).width()).isBetween(40e-9, 60e-9);
     }
 }
