@@ -51,29 +51,4 @@ class SrgbTest {
             assertThat(xyz[1] / sum).isCloseTo(chromaticities[i][1], within(3e-7));
         }
     }
-
-    @Test
-    void aColourOfADiagramKeepsItsHueHoweverBrightItIs() {
-        double[] orange = Srgb.xyz(0.5, 0.2, 0.01);
-        DisplayColor.Hued shown = DisplayColor.Hued.of(orange);
-        assertThat(shown.rgb())
-                .as("what fits is what maps show")
-                .isEqualTo(new DisplayTransform(1, Tone.COMPRESS).rgb(orange));
-        assertThat(shown.tooBright() || shown.tooPure()).isFalse();
-        double[] bright = {1000 * orange[0], 1000 * orange[1], 1000 * orange[2]};
-        assertThat(DisplayColor.Hued.of(bright).tooBright()).isTrue();
-        for (double[] same : new double[][] {orange, bright}) {
-            DisplayColor.Hued brightest = DisplayColor.Hued.brightest(same);
-            assertThat(brightest.rgb()).isEqualTo(DisplayColor.Hued.of(bright).rgb());
-            assertThat(brightest.rgb() >> 16).as("red is full").isEqualTo(255);
-            assertThat(brightest.rgb() >> 8 & 255).isEqualTo(Srgb.channel(0.4));
-        }
-        // Spectral green, x = 0.07, y = 0.83, is outside: without red it is as near as a screen comes along its hue.
-        DisplayColor.Hued green = DisplayColor.Hued.of(new double[] {0.03, 0.3, 0.03});
-        assertThat(green.tooPure()).isTrue();
-        assertThat(green.rgb() >> 16).isZero();
-        assertThat(DisplayColor.Hued.of(new double[] {Double.NaN, Double.NaN, Double.NaN})
-                        .rgb())
-                .isZero();
-    }
 }

@@ -40,6 +40,7 @@ import sunbeam.app.terminal.options.MethodOptions;
 import sunbeam.app.terminal.options.PatchOptions;
 import sunbeam.app.terminal.progress.Progress;
 import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.color.DisplayTransform;
 import sunbeam.precompute.method.FittingPart;
 import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.method.ScanLimit;
@@ -141,6 +142,7 @@ public final class ColorCommand implements Callable<Integer> {
         check();
         RefractiveIndex material = index.parse();
         DisplayOptions.Exposure exposed = exposure.parse();
+        exposure.tone(choices);
         Methods.of(choices);
         if (output != null) {
             new ColorFiles(output, force.overwrite()).checkWritable();
@@ -183,7 +185,7 @@ public final class ColorCommand implements Callable<Integer> {
     private List<ColorReport> reports(
             RenderContext context,
             List<StripColors> strips,
-            ExposureOption.Exposure exposed,
+            DisplayOptions.Exposure exposed,
             Choices choices,
             RefractiveIndex material,
             CieTable cie,
@@ -200,6 +202,7 @@ public final class ColorCommand implements Callable<Integer> {
                         : Gloss.picture(colors.get(i)))
                 .toList();
         double factor = factor(exposed, pictures);
+        DisplayTransform display = new DisplayTransform(factor, exposure.tone(choices));
         double tolerance = choices.get(TOLERANCE);
         Choices seen = ScanLimit.of(choices, strips.get(0).setup().patch()).choices();
         settings.put("light", light(strips));
@@ -207,9 +210,10 @@ public final class ColorCommand implements Callable<Integer> {
         settings.put("options", Methods.describe(seen));
         settings.put("index", index.describe(material));
         settings.put("exposure", factor);
+        settings.put("tone", display.tone().name().toLowerCase(Locale.ROOT));
         settings.put("tolerance", tolerance);
         settings.put("renderer", context.info().renderer());
-        ColorReport.Scale scale = new ColorReport.Scale(factor, tolerance, cie);
+        ColorReport.Scale scale = new ColorReport.Scale(display, tolerance, cie);
         return IntStream.range(0, strips.size())
                 .mapToObj(i -> ColorReport.of(
                         context, strips.get(i), colors.get(i), verdicts.get(i), thetas, spectra, material, scale))

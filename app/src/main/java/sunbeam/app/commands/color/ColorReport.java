@@ -7,6 +7,7 @@ import java.util.Optional;
 import java.util.stream.IntStream;
 import jrtr.RenderContext;
 import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.color.DisplayTransform;
 import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.patch.Patch;
 
@@ -52,10 +53,10 @@ record ColorReport(
     /**
      * How colors become numbers.
      *
-     * @param exposure factor
+     * @param display what a screen shows of linear light
      * @param tolerance that the colors are planned for
      */
-    record Scale(double exposure, double tolerance, CieTable cie) {}
+    record Scale(DisplayTransform display, double tolerance, CieTable cie) {}
 
     /**
      * Of the colors that strips have, and the spectra of some.
@@ -73,7 +74,7 @@ record ColorReport(
             Scale scale) {
         List<SeenColor> colors = IntStream.range(0, xyz.size())
                 .mapToObj(i -> SeenColor.of(
-                        strips.views().get(i), xyz.get(i), scale.exposure(), scale.tolerance(), scale.cie()))
+                        strips.views().get(i), xyz.get(i), scale.display(), scale.tolerance(), scale.cie()))
                 .toList();
         List<SeenColor> along = strip(colors, true, thetas.get(0));
         Optional<SeenColor> purest = verdict.colored() ? purest(along, strips.gloss()) : Optional.empty();

@@ -79,10 +79,7 @@ final class ColorSheet {
         String index = FittedNames.of("refractive index " + settings.get("index"), font, room);
         graphics.drawString(exposed + index + method, LEFT, top + 14);
         graphics.drawString(
-                "angles of the view to the normal, negative on the side away from the azimuth; what is brighter than a screen"
-                        + " shows keeps its hue",
-                LEFT,
-                top + 34);
+                "angles of the view to the normal, negative on the side away from the azimuth", LEFT, top + 34);
     }
 
     /** The locus of spectral light, white, and each surface's colors along its plane of most color. */

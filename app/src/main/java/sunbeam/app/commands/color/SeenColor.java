@@ -5,7 +5,7 @@ import sunbeam.precompute.color.Chromaticity;
 import sunbeam.precompute.color.CieLab;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.ColorDifference;
-import sunbeam.precompute.color.DisplayColor;
+import sunbeam.precompute.color.DisplayTransform;
 import sunbeam.precompute.optics.DirectionPair;
 
 /**
@@ -37,13 +37,14 @@ record SeenColor(
      */
     record View(boolean along, double thetaIDegrees, double thetaRDegrees, DirectionPair pair) {}
 
-    static SeenColor of(View view, double[] xyz, double exposure, double tolerance, CieTable cie) {
+    static SeenColor of(View view, double[] xyz, DisplayTransform display, double tolerance, CieTable cie) {
+        double exposure = display.exposure();
         double[] exposed = {exposure * xyz[0], exposure * xyz[1], exposure * xyz[2]};
         Chromaticity chromaticity = Chromaticity.of(xyz);
         return new SeenColor(
                 view,
                 xyz,
-                DisplayColor.Hued.of(exposed).rgb(),
+                display.rgb(xyz),
                 chromaticity,
                 chromaticity.hue(cie),
                 lab(exposed),
@@ -69,8 +70,9 @@ record SeenColor(
         return CieLab.ofXyz(cut * xyz[0], cut * xyz[1], cut * xyz[2]);
     }
 
+    /** As in a style sheet: {@code #1a2b3c}. */
     String hex() {
-        return DisplayColor.hex(rgb);
+        return String.format(Locale.ROOT, "#%06x", rgb);
     }
 
     /** Degrees from red to yellow, CIE 1976. */

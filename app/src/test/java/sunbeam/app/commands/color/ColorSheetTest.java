@@ -13,6 +13,8 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import sunbeam.precompute.analysis.PrincipalDirection;
 import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.color.DisplayTransform;
+import sunbeam.precompute.color.Tone;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.patch.HeightMap;
@@ -27,7 +29,8 @@ class ColorSheetTest {
         Direction wr = Direction.ofDegrees(Math.abs(thetaR), thetaR < 0 ? 180 : 0);
         SeenColor.View view = new SeenColor.View(along, 0, thetaR, new DirectionPair(Direction.ofDegrees(0, 0), wr));
         // Orange.
-        return SeenColor.of(view, new double[] {0.6, 0.5, 0.1}, EXPOSURE, 1e-3, CIE);
+        return SeenColor.of(
+                view, new double[] {0.6, 0.5, 0.1}, new DisplayTransform(EXPOSURE, Tone.COMPRESS), 1e-3, CIE);
     }
 
     private static ColorReport report(String name) {
