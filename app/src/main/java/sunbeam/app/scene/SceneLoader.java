@@ -147,7 +147,7 @@ public final class SceneLoader {
     private Patch patch(Scene scene) {
         Patch patch = PatchOptions.load(scene.patch().raw(scene.method().isThesis()));
         patch.notes().forEach(line -> warning.accept(patch.name() + ": " + line));
-        patch.warnings().forEach(line -> warning.accept(patch.name() + ": " + line));
+        patch.warning().ifPresent(line -> warning.accept(patch.name() + ": " + line));
         return patch;
     }
 

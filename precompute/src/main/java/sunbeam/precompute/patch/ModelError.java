@@ -64,6 +64,11 @@ public record ModelError(double meanSlope) {
         return incidence.high * expected(incidence);
     }
 
+    /** What light near the normal is drawn wrong, for people: "about 12 %". */
+    String share() {
+        return hasRule() ? "about " + percent(expected(Incidence.NEAR_NORMAL)) : "half or more";
+    }
+
     /** One line for people. */
     public String describe() {
         if (!hasRule()) {

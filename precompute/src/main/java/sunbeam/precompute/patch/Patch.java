@@ -14,8 +14,8 @@ import sunbeam.precompute.prepare.Crop;
  * @param source where the heights come from and how they were read and prepared, for people
  * @param channels a line for each channel of a scan, with its number, name and unit; empty for all else
  * @param notes what was chosen for the user, one line each
- * @param warnings what the user should know, one line each; empty when all is well
- * @param faults what is wrong with the scan as it was measured, each by itself; the warnings have all of it in one line
+ * @param warnings what the user should know, one line each, the gravest first; empty when all is well
+ * @param faults what is wrong with the scan as it was measured; the warnings have it, too
  * @param crop the part of the file that the scan is, on its samples' borders; empty for all of it
  * @param repetition whether the surface goes on beyond the heights as they do
  */
@@ -63,6 +63,12 @@ public record Patch(
                 List.of(),
                 Optional.empty(),
                 Repetition.PERIODIC);
+    }
+
+    /** The first of the warnings, for whoever tells one line a run; empty when all is well. */
+    public Optional<String> warning() {
+        String others = warnings.size() > 1 ? " (inspect has " + (warnings.size() - 1) + " more)" : "";
+        return warnings.stream().findFirst().map(first -> first + others);
     }
 
     /**
@@ -117,7 +123,7 @@ public record Patch(
 
     /** Whether the relief is so far below a wavelength that the patch looks like a mirror; its warnings say so, too. */
     public boolean isMirror() {
-        return ReliefCheck.mirror(heights).isPresent();
+        return Plausibility.mirror(heights).isPresent();
     }
 
     /** SHA-256 of the height map, for cache keys; see {@link HeightMap#digest}. */

@@ -1,28 +1,75 @@
 package sunbeam.precompute.patch;
 
+import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
+import sunbeam.precompute.files.OwnFolder;
+import sunbeam.precompute.json.JsonFile;
+import sunbeam.precompute.json.JsonObject;
 import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.text.Quoted;
 
 /**
- * A patch described by a JSON file beside its image:
+ * A patch described by a JSON file beside its heights:
  *
  * <pre>{@code
  * {
- *   "heights":   "elaphe.png",   image in the descriptor's folder or below it; required
- *   "width":     "65 um",        extent along x; required
- *   "height":    "65 um",        extent along y; square pixels without it
- *   "maxHeight": "375 nm",       height of full scale: of 255 of 8 bits, 65535 of 16 bits, 1.0 of float; required
- *   "channel":   "red",          grey, red, green, blue or alpha; needed where red, green and blue differ
- *   "levelling": "plane",        none, mean (default) or plane
+ *   "heights":   "elaphe.png",   file in the descriptor's folder or below it; required
+ *   "width":     "65 um",        extent along x; required where the file does not say it
+ *   "maxHeight": "375 nm",       height of full scale: of 255 of 8 bits, 65535 of 16 bits, 1.0 of float
  *   "note":      "shed skin"     for people
  * }
  * }</pre>
  *
- * <p>A float image that holds metres has the maxHeight "1 m", one that holds nanometres "1 nm".
+ * <p>and any other of {@link PatchSettings#OF_FILES}. It may come from anywhere, so it reaches no file outside its folder.
  *
  * @param file the descriptor itself
- * @param heights the image, resolved against the descriptor's folder and inside it
- * @param choices of {@link PatchSettings#OF_FILES}; width and maxHeight are there
- * @param note remark for people, empty without one
+ * @param heights the file of the heights, resolved against the descriptor's folder and inside it
+ * @param choices of {@link PatchSettings#OF_FILES}
  */
-record PatchDescriptor(Path file, Path heights, Choices choices, String note) {}
+record PatchDescriptor(Path file, Path heights, Choices choices) {
+    /**
+     * Reads a descriptor.
+     *
+     * @throws PatchException when the descriptor cannot be read or its heights are not there
+     * @throws sunbeam.precompute.json.JsonException when it is not such a file; names file, line and key
+     * @throws sunbeam.precompute.setting.SettingException when one of its values cannot be used; names these, too
+     */
+    static PatchDescriptor read(Path file) {
+        InputFiles.requireReadable(file);
+        JsonObject keys = json(file);
+        String heights = keys.text("heights", keys.required("heights", "\"scan.png\""));
+        Path inside = inside(file, keys.name("heights"), heights);
+        Choices choices = keys.choices(PatchSettings.OF_FILES);
+        keys.find("note").ifPresent(value -> keys.text("note", value));
+        keys.requireNoOthers();
+        return new PatchDescriptor(file, inside, choices);
+    }
+
+    private static JsonObject json(Path file) {
+        try {
+            return JsonFile.read(file);
+        } catch (IOException failure) {
+            throw new PatchException(file + " cannot be read (" + failure.getMessage() + "); check the file", failure);
+        }
+    }
+
+    /** The file that the descriptor names, which after following all links must lie in the descriptor's folder. */
+    private static Path inside(Path descriptor, String name, String heights) {
+        if (heights.isBlank()) {
+            throw new PatchException(name + " is empty; name a file in the descriptor's own folder");
+        }
+        try {
+            OwnFolder folder = new OwnFolder(descriptor, "descriptor");
+            Path file = folder.file(heights);
+            if (!Files.exists(file)) {
+                throw new PatchException(
+                        name + " is " + Quoted.of(heights) + ", but there is no file " + file + "; check the name");
+            }
+            folder.requireNoWayOut(file);
+            return file;
+        } catch (IllegalArgumentException wrong) {
+            throw new PatchException(name + " " + Quoted.of(heights) + " " + wrong.getMessage(), wrong);
+        }
+    }
+}

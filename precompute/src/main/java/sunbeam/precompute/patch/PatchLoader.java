@@ -46,7 +46,7 @@ public final class PatchLoader {
 
     /** Whether a file is a scan in a format that knows its own scale, or most of it; not so images and descriptors. */
     public static boolean isScan(Path file) {
-        return HeightFiles.isScan(file);
+        return MeasuredHeights.isScan(file);
     }
 
     private Patch loadHere(PatchRequest request) {
@@ -59,12 +59,12 @@ public final class PatchLoader {
         }
         Path file = existing(name);
         return name.toLowerCase(Locale.ROOT).endsWith(".json")
-                ? fromDescriptor(PatchDescriptorReader.read(file), request)
+                ? fromDescriptor(PatchDescriptor.read(file), request)
                 : fromFile(
                         file,
                         file,
                         request.choices(),
-                        request.raw() ? ScanFinish.Kind.DESCRIBED : ScanFinish.Kind.GIVEN_DIRECTLY);
+                        request.raw() ? PatchAssembler.Kind.DESCRIBED : PatchAssembler.Kind.GIVEN_DIRECTLY);
     }
 
     private Path existing(String name) {
@@ -109,8 +109,8 @@ public final class PatchLoader {
             throw new SettingException(CHANNEL, "contradicts " + what + ", which is no scan or image; leave it out");
         }
         String source = "built-in " + name + ", " + map.describe();
-        MeasuredHeights made = new MeasuredHeights(map, source, List.of(), List.of(), List.of());
-        return new ScanFinish(name, name, request.choices(), ScanFinish.Kind.BUILT_IN).patch(made);
+        MeasuredHeights made = new MeasuredHeights(map, source, List.of(), List.of());
+        return new PatchAssembler(name, name, request.choices(), PatchAssembler.Kind.BUILT_IN).patch(made);
     }
 
     private static Patch fromDescriptor(PatchDescriptor descriptor, PatchRequest request) {
@@ -120,7 +120,7 @@ public final class PatchLoader {
         requireAgreed(CHANNEL, request, described, what);
         PatchSettings.PREPARING.forEach(setting -> requireAgreed(setting, request, described, what));
         Choices all = described.over(request.choices());
-        return all.located(() -> fromFile(descriptor.file(), descriptor.heights(), all, ScanFinish.Kind.DESCRIBED));
+        return all.located(() -> fromFile(descriptor.file(), descriptor.heights(), all, PatchAssembler.Kind.DESCRIBED));
     }
 
     private static void requireNoScale(PatchRequest request, String what) {
@@ -146,8 +146,8 @@ public final class PatchLoader {
     }
 
     /** @param file that the patch is called by */
-    private static Patch fromFile(Path file, Path heightsFile, Choices choices, ScanFinish.Kind kind) {
-        MeasuredHeights measured = HeightFiles.read(heightsFile, choices);
-        return new ScanFinish(InputFiles.stem(file), heightsFile.toString(), choices, kind).patch(measured);
+    private static Patch fromFile(Path file, Path heightsFile, Choices choices, PatchAssembler.Kind kind) {
+        MeasuredHeights measured = MeasuredHeights.read(heightsFile, choices);
+        return new PatchAssembler(InputFiles.stem(file), heightsFile.toString(), choices, kind).patch(measured);
     }
 }

@@ -6,6 +6,7 @@ import sunbeam.precompute.prepare.Crop;
 import sunbeam.precompute.prepare.Edges;
 import sunbeam.precompute.prepare.Levelling;
 import sunbeam.precompute.scan.ScanLimits;
+import sunbeam.precompute.scan.text.DecimalMark;
 import sunbeam.precompute.setting.Kinds;
 import sunbeam.precompute.setting.Setting;
 
@@ -22,7 +23,7 @@ public final class PatchSettings {
     public static final Setting<Double> HEIGHT =
             side("height", "Extent along y of such a file. Default: square pixels.");
 
-    /** Height of full scale, metres: of 255 of 8 bits, 65535 of 16 bits, 1.0 of float. Float images may hold metres. */
+    /** Height of full scale, metres: of 255 of 8 bits, 65535 of 16 bits, 1.0 of floats and of numbers without unit. */
     public static final Setting<Double> MAX_HEIGHT = new Setting<>(
             "maxHeight",
             Kinds.length(1e-12, 1),
@@ -53,6 +54,13 @@ public final class PatchSettings {
             "columns",
             Kinds.integer("N", 1, ScanLimits.LONGEST_SIDE),
             "How many numbers make a row, in a file that does not say it.");
+
+    /** How a text writes fractions. */
+    public static final Setting<DecimalMark> DECIMAL_MARK = new Setting<>(
+            "decimalMark",
+            Kinds.oneOf("MARK", List.of(DecimalMark.values()), DecimalMark::label),
+            "Of a text: point or comma. Default: commas are decimal marks where blanks, tabs or semicolons separate the"
+                    + " numbers and none has a point.");
 
     /** Which channel of a file holds the heights. */
     public static final Setting<String> CHANNEL = new Setting<>(
@@ -100,18 +108,41 @@ public final class PatchSettings {
                     + " seen with a coherence length of at most its shorter side.");
 
     /** What turns a file's samples into metres. */
-    public static final List<Setting<?>> SCALE = List.of(WIDTH, HEIGHT, MAX_HEIGHT, HEIGHT_UNIT, COLUMNS);
+    public static final List<Setting<?>> SCALE = List.of(WIDTH, HEIGHT, MAX_HEIGHT, HEIGHT_UNIT, COLUMNS, DECIMAL_MARK);
 
     /** What is done with heights, in this order, whatever they come from. */
     public static final List<Setting<?>> PREPARING = List.of(CROP, LEVEL, DESPIKE, EDGES, PERIODIC);
 
     /** What may be said of a file's heights, in a descriptor or beside an image's name. */
-    public static final List<Setting<?>> OF_FILES =
-            List.of(WIDTH, HEIGHT, MAX_HEIGHT, HEIGHT_UNIT, COLUMNS, CHANNEL, LEVEL, CROP, DESPIKE, EDGES, PERIODIC);
+    public static final List<Setting<?>> OF_FILES = List.of(
+            WIDTH,
+            HEIGHT,
+            MAX_HEIGHT,
+            HEIGHT_UNIT,
+            COLUMNS,
+            DECIMAL_MARK,
+            CHANNEL,
+            LEVEL,
+            CROP,
+            DESPIKE,
+            EDGES,
+            PERIODIC);
 
     /** All, the surface first. */
     public static final List<Setting<?>> ALL = List.of(
-            PATCH, WIDTH, HEIGHT, MAX_HEIGHT, HEIGHT_UNIT, COLUMNS, CHANNEL, LEVEL, CROP, DESPIKE, EDGES, PERIODIC);
+            PATCH,
+            WIDTH,
+            HEIGHT,
+            MAX_HEIGHT,
+            HEIGHT_UNIT,
+            COLUMNS,
+            DECIMAL_MARK,
+            CHANNEL,
+            LEVEL,
+            CROP,
+            DESPIKE,
+            EDGES,
+            PERIODIC);
 
     private PatchSettings() {}
 

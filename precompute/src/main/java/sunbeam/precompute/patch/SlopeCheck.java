@@ -26,7 +26,6 @@ public final class SlopeCheck {
      * @param map without missing samples
      */
     public static Optional<String> slopes(HeightMap map) {
-        double steepest = 0;
         long steep = 0;
         double limit = Math.tan(Math.toRadians(STEEPEST));
         int columns = Math.max(1, map.columns() - 1);
@@ -34,12 +33,11 @@ public final class SlopeCheck {
         for (int row = 0; row < rows; row++) {
             for (int column = 0; column < columns; column++) {
                 double slope = slope(map, column, row);
-                steepest = Math.max(steepest, slope);
                 steep += slope > limit ? 1 : 0;
             }
         }
         double share = steep / ((double) columns * rows);
-        return share <= LARGEST_SHARE ? Optional.empty() : Optional.of(warning(share, steepest, ModelError.of(map)));
+        return share <= LARGEST_SHARE ? Optional.empty() : Optional.of(warning(share, ModelError.of(map)));
     }
 
     /** The slope between a sample and its right and lower neighbours. */
@@ -50,14 +48,13 @@ public final class SlopeCheck {
         return Math.sqrt(alongX * alongX + alongY * alongY);
     }
 
-    private static String warning(double share, double steepest, ModelError error) {
+    private static String warning(double share, ModelError error) {
         return String.format(
                 Locale.ROOT,
-                "slopes too steep for scalar theory: %.1f %% of the surface are steeper than %.0f degrees, the steepest"
-                        + " %.0f degrees; shadows and second reflections are not computed: %s",
+                "slopes too steep for scalar theory: %.1f %% of the surface are steeper than %.0f degrees, and %s of the light is"
+                        + " drawn elsewhere than it goes (docs/validity.md)",
                 100 * share,
                 STEEPEST,
-                Math.toDegrees(Math.atan(steepest)),
-                error.describe());
+                error.share());
     }
 }

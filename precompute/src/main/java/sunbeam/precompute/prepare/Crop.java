@@ -168,7 +168,7 @@ public record Crop(double left, double right, double bottom, double top) {
      *
      * @throws IllegalArgumentException as {@link #samples}
      */
-    HeightField apply(HeightField field) {
+    public HeightField apply(HeightField field) {
         Samples samples = samples(field);
         int columns = samples.endColumn - samples.firstColumn;
         int rows = samples.endRow - samples.firstRow;

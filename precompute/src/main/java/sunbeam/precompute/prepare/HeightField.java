@@ -31,7 +31,8 @@ public record HeightField(int columns, int rows, double pitchX, double pitchY, d
         return new HeightField(columns, rows, pitchX, pitchY, others);
     }
 
-    double at(int column, int row) {
+    /** Height at a column (0 = left) and row (0 = top), metres; NaN or infinite where missing. */
+    public double at(int column, int row) {
         return heights[row * columns + column];
     }
 

@@ -9,8 +9,8 @@ import org.apache.commons.math3.linear.RealVector;
 import org.apache.commons.math3.linear.SingularValueDecomposition;
 
 /**
- * The least-squares polynomial through heights, of first or second degree in x and y, over coordinates from -1 to 1 that are
- * centred on the samples that count; where these lie on one line, the pseudo-inverse takes the slope along it. Missing
+ * The least-squares polynomial through heights, of first or second degree in x and y, over coordinates from -1 to 1;
+ * where samples lie on one line, the pseudo-inverse takes the slope along it. Missing
  * samples take no part.
  */
 final class Polynomial {
@@ -21,15 +21,11 @@ final class Polynomial {
 
     private final HeightField field;
     private final double offset;
-    private final double centreX;
-    private final double centreY;
     private final RealVector coefficients;
 
-    private Polynomial(HeightField field, double offset, double centreX, double centreY, RealVector coefficients) {
+    private Polynomial(HeightField field, double offset, RealVector coefficients) {
         this.field = field;
         this.offset = offset;
-        this.centreX = centreX;
-        this.centreY = centreY;
         this.coefficients = coefficients;
     }
 
@@ -44,38 +40,21 @@ final class Polynomial {
                 .filter(Double::isFinite)
                 .findFirst()
                 .orElse(0);
-        List<Moments> aboutMiddle = moments(field, offset, 0);
-        double count = 0;
-        double sumX = 0;
-        double sumY = 0;
-        for (Moments row : aboutMiddle) {
-            count += row.places[0];
-            sumX += row.places[1];
-            sumY += row.places[0] * row.y;
-        }
-        if (count == 0) {
-            return new Polynomial(field, 0, 0, 0, new ArrayRealVector(terms));
-        }
-        // Where none is missing the middle is the centre.
-        boolean whole = count == field.heights().length;
-        double centreX = whole ? 0 : sumX / count;
-        double centreY = whole ? 0 : sumY / count;
         double[][] normal = new double[terms][terms];
         double[] right = new double[terms];
-        for (Moments row : whole ? aboutMiddle : moments(field, offset, centreX)) {
-            double y = row.y - centreY;
+        for (Moments row : moments(field, offset)) {
             for (int j = 0; j < terms; j++) {
-                right[j] += row.heights[POWERS_OF_X[j]] * Math.pow(y, POWERS_OF_Y[j]);
+                right[j] += row.heights[POWERS_OF_X[j]] * Math.pow(row.y, POWERS_OF_Y[j]);
                 for (int k = 0; k < terms; k++) {
                     normal[j][k] += row.places[POWERS_OF_X[j] + POWERS_OF_X[k]]
-                            * Math.pow(y, (double) POWERS_OF_Y[j] + POWERS_OF_Y[k]);
+                            * Math.pow(row.y, (double) POWERS_OF_Y[j] + POWERS_OF_Y[k]);
                 }
             }
         }
         RealVector fitted = new SingularValueDecomposition(new Array2DRowRealMatrix(normal))
                 .getSolver()
                 .solve(new ArrayRealVector(right));
-        return new Polynomial(field, offset, centreX, centreY, fitted);
+        return new Polynomial(field, offset, fitted);
     }
 
     /**
@@ -86,13 +65,13 @@ final class Polynomial {
      * @param heights of the heights times the powers of x from 0 on
      */
     private record Moments(double y, double[] places, double[] heights) {
-        static Moments of(HeightField field, int row, double offset, double centreX) {
+        static Moments of(HeightField field, int row, double offset) {
             double[] places = new double[2 * HIGHEST + 1];
             double[] heights = new double[HIGHEST + 1];
             for (int column = 0; column < field.columns(); column++) {
                 double height = field.at(column, row);
                 if (Double.isFinite(height)) {
-                    double x = field.relativeX(column) - centreX;
+                    double x = field.relativeX(column);
                     double square = x * x;
                     places[0]++;
                     places[1] += x;
@@ -109,10 +88,10 @@ final class Polynomial {
     }
 
     /** Of all rows, in their order. */
-    private static List<Moments> moments(HeightField field, double offset, double centreX) {
+    private static List<Moments> moments(HeightField field, double offset) {
         return IntStream.range(0, field.rows())
                 .parallel()
-                .mapToObj(row -> Moments.of(field, row, offset, centreX))
+                .mapToObj(row -> Moments.of(field, row, offset))
                 .toList();
     }
 
@@ -138,7 +117,7 @@ final class Polynomial {
         for (int column = 0; column < field.columns(); column++) {
             double height = field.at(column, row);
             if (Double.isFinite(height)) {
-                double x = field.relativeX(column) - centreX;
+                double x = field.relativeX(column);
                 double rest = height - offset - (ofX[0] + x * (ofX[1] + x * ofX[2]));
                 sum += rest * rest;
                 count++;
@@ -149,7 +128,7 @@ final class Polynomial {
 
     /** The polynomial along a row: coefficients of the powers of x. */
     private double[] ofX(int row) {
-        double y = field.relativeY(row) - centreY;
+        double y = field.relativeY(row);
         double[] ofX = new double[HIGHEST + 1];
         for (int j = 0; j < coefficients.getDimension(); j++) {
             ofX[POWERS_OF_X[j]] += coefficients.getEntry(j) * Math.pow(y, POWERS_OF_Y[j]);
@@ -163,7 +142,7 @@ final class Polynomial {
         IntStream.range(0, field.rows()).parallel().forEach(row -> {
             double[] ofX = ofX(row);
             for (int column = 0, i = row * field.columns(); column < field.columns(); column++, i++) {
-                double x = field.relativeX(column) - centreX;
+                double x = field.relativeX(column);
                 heights[i] = heights[i] - offset - (ofX[0] + x * (ofX[1] + x * ofX[2]));
             }
         });

@@ -2,7 +2,6 @@ package sunbeam.precompute.prepare;
 
 import java.util.Arrays;
 import java.util.Optional;
-import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 
 /**
@@ -20,9 +19,6 @@ public record Spikes(HeightField field, int count, double largest) {
     private static final double CONSPICUOUS = 2.5;
     private static final double NEARLY_ALL = 0.995;
     private static final int MOST_LOOKED_AT = 100_000;
-    // The median of so many is known to a few hundredths.
-    private static final int MEDIANS_LOOKED_AT = 10_000;
-    private static final double CAUTION = 0.8;
     private static final double DEVIATIONS = 8;
     private static final double GAUSSIAN = 1.4826;
     private static final double ISOLATED = 0.25;
@@ -35,42 +31,11 @@ public record Spikes(HeightField field, int count, double largest) {
      */
     public static Optional<Spikes> conspicuous(HeightField field) {
         double relief = relief(field.heights());
-        if (!(relief > CONSPICUOUS * usualRange(field.heights())) || !mayBeConspicuous(field, relief)) {
+        if (!(relief > CONSPICUOUS * usualRange(field.heights()))) {
             return Optional.empty();
         }
         return Optional.of(removed(field))
                 .filter(spikes -> spikes.count() > 0 && relief > CONSPICUOUS * relief(spikes.field.heights()));
-    }
-
-    /**
-     * Whether the relief would be that of spikes alone, by a look at the highest and lowest samples: others change it
-     * little. The deviation is that of every so many-th sample, and taken for less than it is, so that no spike is missed.
-     */
-    private static boolean mayBeConspicuous(HeightField field, double relief) {
-        double[] heights = field.heights();
-        double[] sorted = someSorted(heights);
-        double lowest = sorted[outside(sorted)];
-        double highest = sorted[sorted.length - 1 - outside(sorted)];
-        int stride = Math.max(1, heights.length / MEDIANS_LOOKED_AT);
-        double[] around = new double[(2 * REACH + 1) * (2 * REACH + 1)];
-        double limit = CAUTION
-                * DEVIATIONS
-                * GAUSSIAN
-                * medianOf(IntStream.range(0, heights.length / stride)
-                        .map(i -> i * stride)
-                        .mapToDouble(i -> Math.abs(heights[i] - median(field, i, around))));
-        double lowestLeft = lowest;
-        double highestLeft = highest;
-        for (int i = 0; i < heights.length; i++) {
-            if (heights[i] < lowestLeft || heights[i] > highestLeft) {
-                double median = median(field, i, around);
-                double difference = heights[i] - median;
-                boolean spike = Math.abs(difference) > limit && isAlone(field, i, median, difference, around);
-                lowestLeft = Math.min(lowestLeft, spike ? median : heights[i]);
-                highestLeft = Math.max(highestLeft, spike ? median : heights[i]);
-            }
-        }
-        return relief > CONSPICUOUS * (highestLeft - lowestLeft);
     }
 
     /** Highest less lowest of those that are there. */
@@ -88,21 +53,14 @@ public record Spikes(HeightField field, int count, double largest) {
 
     /** Of nearly all of a sample of the heights. */
     private static double usualRange(double[] heights) {
-        double[] some = someSorted(heights);
-        return some.length == 0 ? Double.NaN : some[some.length - 1 - outside(some)] - some[outside(some)];
-    }
-
-    private static int outside(double[] some) {
-        return (int) ((1 - NEARLY_ALL) * some.length);
-    }
-
-    private static double[] someSorted(double[] heights) {
         int stride = Math.max(1, heights.length / MOST_LOOKED_AT);
-        return IntStream.range(0, heights.length / stride)
+        double[] some = IntStream.range(0, heights.length / stride)
                 .mapToDouble(i -> heights[i * stride])
                 .filter(Double::isFinite)
                 .sorted()
                 .toArray();
+        int outside = (int) ((1 - NEARLY_ALL) * some.length);
+        return some.length == 0 ? Double.NaN : some[some.length - 1 - outside] - some[outside];
     }
 
     static Spikes removed(HeightField field) {
@@ -113,7 +71,7 @@ public record Spikes(HeightField field, int count, double largest) {
                 medians[i] = median(field, i, around);
             }
         });
-        double limit = DEVIATIONS * GAUSSIAN * medianDifference(field, medians);
+        double limit = DEVIATIONS * GAUSSIAN * medianDifference(field.heights(), medians);
         double[] heights = field.heights().clone();
         double[] around = new double[(2 * REACH + 1) * (2 * REACH + 1)];
         int count = 0;
@@ -160,12 +118,10 @@ public record Spikes(HeightField field, int count, double largest) {
     }
 
     /** Over the samples that differ at all: most of a coarsely stored, smooth surface equal their medians. */
-    private static double medianDifference(HeightField field, double[] medians) {
-        return medianOf(IntStream.range(0, medians.length).mapToDouble(i -> Math.abs(field.heights()[i] - medians[i])));
-    }
-
-    private static double medianOf(DoubleStream all) {
-        double[] differences = all.filter(difference -> difference > 0 && Double.isFinite(difference))
+    private static double medianDifference(double[] heights, double[] medians) {
+        double[] differences = IntStream.range(0, medians.length)
+                .mapToDouble(i -> Math.abs(heights[i] - medians[i]))
+                .filter(difference -> difference > 0 && Double.isFinite(difference))
                 .sorted()
                 .toArray();
         return differences.length == 0 ? 0 : differences[differences.length / 2];

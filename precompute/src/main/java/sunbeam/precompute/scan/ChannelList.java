@@ -62,15 +62,12 @@ public final class ChannelList {
         return labelled.or(() -> named).or(() -> numbered(plain));
     }
 
-    /** The channel that a user may have meant who asked for one that there is not: its name, or nothing. */
+    /** The channel that a user may have meant who asked for one that there is not: its label, or nothing. */
     public Optional<String> nearest(String wanted) {
-        Optional<String> label = Similar.nearest(wanted, labels);
-        Optional<String> begun = labels.stream()
-                .filter(name -> !wanted.isBlank() && plain(name).startsWith(plain(wanted)))
-                .findFirst();
-        return label.or(() -> Similar.nearest(
-                        wanted, channels.stream().map(ScanChannel::name).toList()))
-                .or(() -> begun);
+        return Similar.nearest(wanted, labels)
+                .or(() -> labels.stream()
+                        .filter(name -> !wanted.isBlank() && plain(name).startsWith(plain(wanted)))
+                        .findFirst());
     }
 
     private Optional<Integer> numbered(String text) {
@@ -83,13 +80,22 @@ public final class ChannelList {
      * @return its index; nothing when no channel can hold heights, or only such whose name says that they are none
      */
     public Optional<Integer> heights() {
-        return all().filter(i -> channels.get(i).maybeHeights())
+        return possible()
                 .boxed()
-                .filter(i -> count() == 1 || kind(i) != ChannelNames.Kind.OTHER)
                 .min(Comparator.<Integer, Boolean>comparing(
                                 i -> channels.get(i).unit().isEmpty())
                         .thenComparing(this::kind)
                         .thenComparing(i -> channels.get(i).direction() == Direction.RETRACE));
+    }
+
+    /** How many channels may hold heights, by their units and names. */
+    public long candidates() {
+        return possible().count();
+    }
+
+    private IntStream possible() {
+        return all().filter(i -> channels.get(i).maybeHeights())
+                .filter(i -> count() == 1 || kind(i) != ChannelNames.Kind.OTHER);
     }
 
     private ChannelNames.Kind kind(int index) {

@@ -10,7 +10,8 @@ import java.util.regex.Pattern;
 final class ChannelNames {
     private static final Pattern OTHER = Pattern.compile(
             "amplitude|deflection|error|phase|friction|lateral|adhesion|potential|current|stiffness|modulus|dissipation"
-                    + "|deformation|indentation|frequency|drive|mask|\\bvdefl|\\bhdefl|slope|intensity|colou?r");
+                    + "|deformation|indentation|frequency|drive|mask|\\bvdefl|\\bhdefl|slope|intensity|colou?r"
+                    + "|\\bred\\b|\\bgreen\\b|\\bblue\\b|\\balpha\\b");
     private static final Pattern HEIGHT =
             Pattern.compile("height|topo|\\bz\\b|\\bz[- _]?(axis|sensor|scan|piezo|drive)|hoehe|h\u00f6he|hauteur");
     private static final Pattern SENSOR = Pattern.compile("sensor|measured|\\blvdt|closed loop");

@@ -10,10 +10,20 @@ import java.util.Locale;
  * Samples that lie in a file one after the other.
  *
  * @param offset of the first, bytes
- * @param count how many; checked against the file, so that a header cannot ask for more than is there
+ * @param count how many
  */
 public record SampleBlock(long offset, long count, SampleType type, ByteOrder order) {
     private static final int BUFFER_SAMPLES = 1 << 15;
+
+    /**
+     * A block that the file has, as {@link ScanChannel}s read it.
+     *
+     * @throws ScanException when the file ends before it does, so that a header cannot ask for more than is there
+     */
+    public static ScanChannel.Source of(ScanBytes file, long offset, long count, SampleType type, ByteOrder order) {
+        SampleBlock block = new SampleBlock(offset, count, type, order).requireIn(file);
+        return () -> block.read(file.stream(offset));
+    }
 
     /** Bytes of all. */
     public long bytes() {
@@ -34,14 +44,8 @@ public record SampleBlock(long offset, long count, SampleType type, ByteOrder or
         return this;
     }
 
-    /** The samples as stored, without any scale. */
-    public double[] read(ScanBytes file) throws IOException {
-        requireIn(file);
-        return read(file.stream(offset));
-    }
-
     /**
-     * The samples of a stream that stands at the first of them.
+     * The samples of a stream that stands at the first of them, as stored, without any scale.
      *
      * @throws ScanException when the stream ends too early
      */

@@ -4,84 +4,30 @@ import java.nio.ByteBuffer;
 import java.util.Locale;
 
 /** How a file stores one sample. */
+@SuppressWarnings("ImmutableEnumChecker") // functions of nothing but their arguments
 public enum SampleType {
-    UNSIGNED_8(1) {
-        @Override
-        void decode(ByteBuffer from, double[] to, int first, int count) {
-            for (int i = 0; i < count; i++) {
-                to[first + i] = from.get(i) & 0xff;
-            }
-        }
-    },
-    SIGNED_8(1) {
-        @Override
-        void decode(ByteBuffer from, double[] to, int first, int count) {
-            for (int i = 0; i < count; i++) {
-                to[first + i] = from.get(i);
-            }
-        }
-    },
-    UNSIGNED_16(Short.BYTES) {
-        @Override
-        void decode(ByteBuffer from, double[] to, int first, int count) {
-            for (int i = 0; i < count; i++) {
-                to[first + i] = from.getShort(Short.BYTES * i) & 0xffff;
-            }
-        }
-    },
-    SIGNED_16(Short.BYTES) {
-        @Override
-        void decode(ByteBuffer from, double[] to, int first, int count) {
-            for (int i = 0; i < count; i++) {
-                to[first + i] = from.getShort(Short.BYTES * i);
-            }
-        }
-    },
-    UNSIGNED_32(Integer.BYTES) {
-        @Override
-        void decode(ByteBuffer from, double[] to, int first, int count) {
-            for (int i = 0; i < count; i++) {
-                to[first + i] = from.getInt(Integer.BYTES * i) & 0xffff_ffffL;
-            }
-        }
-    },
-    SIGNED_32(Integer.BYTES) {
-        @Override
-        void decode(ByteBuffer from, double[] to, int first, int count) {
-            for (int i = 0; i < count; i++) {
-                to[first + i] = from.getInt(Integer.BYTES * i);
-            }
-        }
-    },
-    SIGNED_64(Long.BYTES) {
-        @Override
-        void decode(ByteBuffer from, double[] to, int first, int count) {
-            for (int i = 0; i < count; i++) {
-                to[first + i] = from.getLong(Long.BYTES * i);
-            }
-        }
-    },
-    FLOAT_32(Float.BYTES) {
-        @Override
-        void decode(ByteBuffer from, double[] to, int first, int count) {
-            for (int i = 0; i < count; i++) {
-                to[first + i] = from.getFloat(Float.BYTES * i);
-            }
-        }
-    },
-    FLOAT_64(Double.BYTES) {
-        @Override
-        void decode(ByteBuffer from, double[] to, int first, int count) {
-            for (int i = 0; i < count; i++) {
-                to[first + i] = from.getDouble(Double.BYTES * i);
-            }
-        }
-    };
+    UNSIGNED_8(1, (from, at) -> from.get(at) & 0xff),
+    SIGNED_8(1, ByteBuffer::get),
+    UNSIGNED_16(Short.BYTES, (from, at) -> from.getShort(at) & 0xffff),
+    SIGNED_16(Short.BYTES, ByteBuffer::getShort),
+    UNSIGNED_32(Integer.BYTES, (from, at) -> from.getInt(at) & 0xffff_ffffL),
+    SIGNED_32(Integer.BYTES, ByteBuffer::getInt),
+    SIGNED_64(Long.BYTES, ByteBuffer::getLong),
+    FLOAT_32(Float.BYTES, ByteBuffer::getFloat),
+    FLOAT_64(Double.BYTES, ByteBuffer::getDouble);
 
     private final int size;
+    private final Decoder decoder;
 
-    SampleType(int size) {
+    /** Of one sample at a byte of a buffer, in its order. */
+    @FunctionalInterface
+    private interface Decoder {
+        double decode(ByteBuffer from, int at);
+    }
+
+    SampleType(int size, Decoder decoder) {
         this.size = size;
+        this.decoder = decoder;
     }
 
     /** Bytes of a sample. */
@@ -110,5 +56,9 @@ public enum SampleType {
     }
 
     /** Decodes samples from the start of a buffer, in its byte order. */
-    abstract void decode(ByteBuffer from, double[] to, int first, int count);
+    void decode(ByteBuffer from, double[] to, int first, int count) {
+        for (int i = 0; i < count; i++) {
+            to[first + i] = decoder.decode(from, size * i);
+        }
+    }
 }

@@ -15,11 +15,34 @@ import java.util.Optional;
  */
 public record ScanChannel(
         String name, Direction direction, int columns, int rows, Extent extent, String unit, Source source) {
-    /** Where samples come from. */
+    /** Unit of whole numbers of which the file only knows that full scale is 1: an image's. */
+    public static final String FULL_SCALE = "full scale";
+
+    /** Where samples come from; what instruments do to their order and scale is undone by what a source is put through. */
     @FunctionalInterface
     public interface Source {
         /** {@code rows * columns} samples row by row, row 0 the top of the scan, NaN where one is missing. */
         double[] read() throws IOException;
+
+        /** {@code factor * sample + offset} of each. */
+        default Source scaled(double factor, double offset) {
+            return () -> Samples.scaled(read(), factor, offset);
+        }
+
+        /** The last row first: of files that begin at the bottom of the scan. */
+        default Source upsideDown(int columns) {
+            return () -> Samples.upsideDown(read(), columns);
+        }
+
+        /** The last column first: of files that begin at the right of the scan. */
+        default Source mirrored(int columns) {
+            return () -> Samples.mirrored(read(), columns);
+        }
+
+        /** NaN for a value that stands for a missing sample. */
+        default Source withMissing(double mark) {
+            return () -> Samples.withMissing(read(), mark);
+        }
     }
 
     /** @throws ScanException when there are no samples */
@@ -37,14 +60,19 @@ public record ScanChannel(
         this(name, Direction.UNKNOWN, columns, rows, extent, unit, source);
     }
 
+    /** The same samples in rows of another length. */
+    public ScanChannel inRows(int newColumns, int newRows) {
+        return new ScanChannel(name, direction, newColumns, newRows, extent, unit, source);
+    }
+
     /** Metres of one unit of the samples; nothing when the unit is none of length, or not known. */
     public Optional<Double> metresPerUnit() {
         return LengthUnit.metres(unit);
     }
 
-    /** Whether the samples may be heights: in a unit of length, or without any unit. */
+    /** Whether the samples may be heights: in a unit of length, of full scale, or without any unit. */
     public boolean maybeHeights() {
-        return unit.isEmpty() || metresPerUnit().isPresent();
+        return unit.isEmpty() || unit.equals(FULL_SCALE) || metresPerUnit().isPresent();
     }
 
     /**

@@ -18,4 +18,9 @@ public interface ScanReader {
      * @throws ScanException when the file cannot be used
      */
     List<ScanChannel> channels(ScanBytes file) throws IOException;
+
+    /** Whether files of this format are pictures, which know no scale. */
+    default boolean isPicture() {
+        return false;
+    }
 }

@@ -16,7 +16,6 @@ import sunbeam.precompute.fault.ScanFaults;
 import sunbeam.precompute.patch.HeightMap;
 import sunbeam.precompute.prepare.HeightField;
 import sunbeam.precompute.prepare.Levelling;
-import sunbeam.precompute.prepare.OnePeriod;
 
 /** Sound scans of which something wrong was said, as an outsider found. 256 x 256 samples of 10 um. */
 final class MisleadingScansTest {
@@ -121,22 +120,6 @@ final class MisleadingScansTest {
         assertThat(FewPeriods.in(scan(
                         (x, y) -> 15e-9 * Math.sin(2 * Math.PI * 0.0731 * (x / PITCH + SAMPLES * (y / PITCH))))))
                 .isEmpty();
-    }
-
-    @Test
-    void whatMeetsItselfWithACrestIsNotOnePeriod() {
-        assertThat(OnePeriod.isDrawn(drawn(2.5))).isFalse();
-        assertThat(OnePeriod.isDrawn(drawn(1.5))).isFalse();
-        assertThat(OnePeriod.isDrawn(drawn(2))).isTrue();
-        assertThat(OnePeriod.isDrawn(drawn(1))).isTrue();
-    }
-
-    private static HeightField drawn(double periods) {
-        double[] heights = new double[SAMPLES * SAMPLES];
-        for (int i = 0; i < heights.length; i++) {
-            heights[i] = 60e-9 * Math.sin(2 * Math.PI * periods * (i % SAMPLES) / SAMPLES);
-        }
-        return new HeightField(SAMPLES, SAMPLES, PITCH, PITCH, heights);
     }
 
     @ParameterizedTest

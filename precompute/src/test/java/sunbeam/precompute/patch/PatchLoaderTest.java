@@ -72,8 +72,7 @@ class PatchLoaderTest {
             // Three roundings of relative 1e-16 on at most 255 nm.
             assertThat(patch.heights().at(column, 1) - column * 1e-9).isBetween(-1e-22, 1e-22);
         }
-        assertThat(patch.source())
-                .contains("ramp.png", "8-bit grey PNG", "256 x 2 samples, 12.8 um x 100 nm", "full scale 255 nm");
+        assertThat(patch.source()).contains("ramp.png (image, channel grey)", "256 x 2 samples, 12.8 um x 100 nm");
         assertThat(patch.warnings()).isEmpty();
     }
 
@@ -104,10 +103,7 @@ class PatchLoaderTest {
         ", 375nm, --width 65um",
     })
     void asksForTheScaleOfAnImage(String width, String maxHeight, String remedy) throws IOException {
-        assertRefused(
-                PatchRequests.parse(ramp(), width, null, maxHeight, null, null),
-                "ramp.png is an image without scale",
-                remedy);
+        assertRefused(PatchRequests.parse(ramp(), width, null, maxHeight, null, null), "ramp.png does not say", remedy);
     }
 
     @ParameterizedTest
@@ -205,7 +201,8 @@ class PatchLoaderTest {
     void namesTheChannelsThatAnImageHas() throws IOException {
         assertChoiceRefused(
                 PatchRequests.parse(ramp(), "12.8um", null, "255nm", "cyan", null),
-                "--channel cyan is not one of grey, red, green, blue, alpha");
+                "--channel cyan is no channel of",
+                "ramp.png, which has grey");
     }
 
     @Test

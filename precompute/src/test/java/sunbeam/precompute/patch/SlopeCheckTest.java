@@ -16,13 +16,12 @@ class SlopeCheckTest {
     }
 
     @Test
-    void namesTheShareAndTheSteepestSlope() {
+    void namesTheShareOfTheSurface() {
         // Left half flat, right half at 40 degrees: 31 of 63 steps climb.
         double rise = Math.tan(Math.toRadians(40));
         HeightMap half = Surfaces.of(64, 8, PITCH, (x, y) -> rise * Math.max(0, x - 32 * PITCH));
 
-        assertThat(SlopeCheck.slopes(half).orElseThrow())
-                .contains("49.2 % of the surface", "steeper than 30 degrees", "the steepest 40 degrees");
+        assertThat(SlopeCheck.slopes(half).orElseThrow()).contains("49.2 % of the surface", "steeper than 30 degrees");
     }
 
     @Test
@@ -31,7 +30,7 @@ class SlopeCheckTest {
         double rise = Math.tan(Math.toRadians(25));
         HeightMap tilted = Surfaces.of(8, 8, PITCH, (x, y) -> rise * (x + y));
 
-        assertThat(SlopeCheck.slopes(tilted).orElseThrow()).contains("100.0 %", "the steepest 33 degrees");
+        assertThat(SlopeCheck.slopes(tilted).orElseThrow()).contains("100.0 %");
     }
 
     @Test
@@ -40,10 +39,10 @@ class SlopeCheckTest {
 
         assertThat(SlopeCheck.slopes(Surfaces.of(8, 1, PITCH, (x, y) -> rise * x))
                         .orElseThrow())
-                .contains("60 degrees");
+                .contains("half or more of the light");
         assertThat(SlopeCheck.slopes(Surfaces.of(1, 8, PITCH, (x, y) -> rise * y))
                         .orElseThrow())
-                .contains("60 degrees");
+                .contains("half or more of the light");
     }
 
     @Test

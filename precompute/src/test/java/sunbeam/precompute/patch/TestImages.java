@@ -11,6 +11,7 @@ import java.awt.image.Raster;
 import java.awt.image.WritableRaster;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.Arrays;
 import javax.imageio.ImageIO;
 
 /** Images of heights, written by the JDK's own writers. */
@@ -83,5 +84,18 @@ final class TestImages {
             }
         }
         return image;
+    }
+
+    /** What the heights' channel of an image holds, as stored. */
+    static double[] samples(Path file, double fullScale) {
+        return samples(file, null, fullScale);
+    }
+
+    /** What a channel of an image holds, as stored: heights of a full scale of 1 um, to the micrometre. */
+    static double[] samples(Path file, String channel, double fullScale) {
+        PatchRequest request = PatchRequests.parse(file.toString(), "10um", null, "1um", channel, null);
+        return Arrays.stream(MeasuredHeights.read(file, request.choices()).map().toArray())
+                .map(height -> height / 1e-6 * fullScale)
+                .toArray();
     }
 }

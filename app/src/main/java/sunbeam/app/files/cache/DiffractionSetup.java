@@ -62,7 +62,7 @@ public final class DiffractionSetup {
                     err.flush();
                 });
         patch.notes().forEach(note -> err.println(Messages.note(patch.name() + ": " + note)));
-        patch.warnings().forEach(warning -> err.println(Messages.warning(patch.name() + ": " + warning)));
+        patch.warning().ifPresent(warning -> err.println(Messages.warning(patch.name() + ": " + warning)));
         err.flush();
     }
 

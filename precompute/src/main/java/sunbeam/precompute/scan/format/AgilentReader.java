@@ -3,19 +3,16 @@ package sunbeam.precompute.scan.format;
 import java.io.IOException;
 import java.nio.ByteOrder;
 import java.util.ArrayList;
-import java.util.HashMap;
 import java.util.List;
-import java.util.Map;
 import sunbeam.precompute.scan.Direction;
 import sunbeam.precompute.scan.Extent;
+import sunbeam.precompute.scan.Header;
 import sunbeam.precompute.scan.SampleBlock;
 import sunbeam.precompute.scan.SampleType;
-import sunbeam.precompute.scan.Samples;
 import sunbeam.precompute.scan.ScanBytes;
 import sunbeam.precompute.scan.ScanChannel;
 import sunbeam.precompute.scan.ScanException;
 import sunbeam.precompute.scan.ScanReader;
-import sunbeam.precompute.scan.text.HeaderText;
 
 /**
  * Molecular Imaging, Agilent and Keysight .mi: lines of a key padded to 14 characters and a value; a list of buffers,
@@ -39,56 +36,54 @@ final class AgilentReader implements ScanReader {
 
     @Override
     public List<ScanChannel> channels(ScanBytes file) throws IOException {
-        Map<String, String> all = new HashMap<>();
-        List<Map<String, String>> buffers = new ArrayList<>();
-        Map<String, String> list = all;
+        Header all = new Header();
+        List<Header> buffers = new ArrayList<>();
         String head = file.headText(LARGEST_HEADER);
         int position = 0;
-        while (!all.containsKey("data")) {
+        while (!all.has("data")) {
             int end = head.indexOf('\n', position);
             if (end < 0) {
                 throw new ScanException("has no line \"data\" after its header; copy or export it again");
             }
             String line = head.substring(position, end);
             String key = line.substring(0, Math.min(KEY, line.length())).strip();
-            String value = line.length() > KEY ? line.substring(KEY).strip() : "";
             if (key.equals("bufferLabel")) {
-                list = new HashMap<>();
-                buffers.add(list);
+                buffers.add(new Header());
             }
-            (key.equals("data") ? all : list).put(key, value);
+            boolean ofBuffer = !buffers.isEmpty() && !key.equals("data");
+            Header list = ofBuffer ? buffers.get(buffers.size() - 1) : all;
+            list.put(key, line.length() > KEY ? line.substring(KEY) : "");
             position = end + 1;
         }
         return channels(file, all, buffers, position);
     }
 
-    private static List<ScanChannel> channels(
-            ScanBytes file, Map<String, String> all, List<Map<String, String>> buffers, long start) {
-        SampleType type = switch (all.get("data")) {
+    private static List<ScanChannel> channels(ScanBytes file, Header all, List<Header> buffers, long start) {
+        SampleType type = switch (all.text("data", "")) {
             case "BINARY" -> SampleType.SIGNED_16;
             case "BINARY_32" -> SampleType.SIGNED_32;
             default ->
                 throw new ScanException(
-                        "stores its samples as " + all.get("data") + "; export it in binary or another format");
+                        "stores its samples as " + all.text("data", "") + "; export it in binary or another format");
         };
-        int columns = HeaderText.integer(all, "xPixels");
-        int rows = HeaderText.integer(all, "yPixels");
-        Extent extent = Extent.of(HeaderText.number(all, "xLength"), HeaderText.number(all, "yLength"));
+        int columns = all.count("xPixels");
+        int rows = all.count("yPixels");
+        Extent extent = Extent.of(all.number("xLength"), all.number("yLength"));
         long count = (long) columns * rows;
         List<ScanChannel> channels = new ArrayList<>();
-        for (int i = 0; i < buffers.size(); i++) {
-            Map<String, String> buffer = buffers.get(i);
-            SampleBlock block = new SampleBlock(start + i * count * type.size(), count, type, ByteOrder.LITTLE_ENDIAN)
-                    .requireIn(file);
-            double factor = HeaderText.number(buffer, "bufferRange") / Math.pow(2, 8.0 * type.size() - 1);
+        for (Header buffer : buffers) {
+            long offset = start + channels.size() * count * type.size();
+            double factor = buffer.number("bufferRange") / Math.pow(2, 8.0 * type.size() - 1);
             channels.add(new ScanChannel(
-                    buffer.get("bufferLabel"),
-                    direction(buffer.getOrDefault("direction", "")),
+                    buffer.text("bufferLabel", ""),
+                    direction(buffer.text("direction", "")),
                     columns,
                     rows,
                     extent,
-                    buffer.getOrDefault("bufferUnit", ""),
-                    () -> Samples.scaled(Samples.upsideDown(block.read(file), columns), factor, 0)));
+                    buffer.text("bufferUnit", ""),
+                    SampleBlock.of(file, offset, count, type, ByteOrder.LITTLE_ENDIAN)
+                            .upsideDown(columns)
+                            .scaled(factor, 0)));
         }
         return channels;
     }

@@ -10,7 +10,6 @@ import sunbeam.precompute.scan.Extent;
 import sunbeam.precompute.scan.LengthUnit;
 import sunbeam.precompute.scan.SampleBlock;
 import sunbeam.precompute.scan.SampleType;
-import sunbeam.precompute.scan.Samples;
 import sunbeam.precompute.scan.ScanBytes;
 import sunbeam.precompute.scan.ScanChannel;
 import sunbeam.precompute.scan.ScanException;
@@ -84,8 +83,8 @@ final class DigitalSurfReader implements ScanReader {
         Inversion inversion = Inversion.of(cursor.unsigned16());
         cursor.moveTo(COMMENT_SIZE);
         long start = HEADER + cursor.unsigned16() + (long) cursor.unsigned16();
-        SampleBlock block =
-                new SampleBlock(start, (long) columns * rows, samples, ByteOrder.LITTLE_ENDIAN).requireIn(file);
+        ScanChannel.Source stored =
+                SampleBlock.of(file, start, (long) columns * rows, samples, ByteOrder.LITTLE_ENDIAN);
         double missing = special ? (double) lowest - BELOW_LOWEST : Double.NaN;
         double factor = inversion == Inversion.NONE ? step : -step;
         return List.of(new ScanChannel(
@@ -94,8 +93,7 @@ final class DigitalSurfReader implements ScanReader {
                 rows,
                 extent(pitchX, unitX, pitchY, unitY, columns, rows),
                 unitZ,
-                () -> Samples.scaled(
-                        inversion.undone(Samples.withMissing(block.read(file), missing), columns), factor, 0)));
+                inversion.undone(stored.withMissing(missing), columns).scaled(factor, 0)));
     }
 
     /** What was turned over before the file was written; all of it turns heights over, too. */
@@ -113,11 +111,11 @@ final class DigitalSurfReader implements ScanReader {
             return values()[code];
         }
 
-        double[] undone(double[] samples, int columns) {
+        ScanChannel.Source undone(ScanChannel.Source samples, int columns) {
             return switch (this) {
                 case NONE, HEIGHTS -> samples;
-                case COLUMNS -> Samples.mirrored(samples, columns);
-                case ROWS -> Samples.upsideDown(samples, columns);
+                case COLUMNS -> samples.mirrored(columns);
+                case ROWS -> samples.upsideDown(columns);
             };
         }
     }

@@ -72,13 +72,14 @@ final class GwyddionReader implements ScanReader {
                     columns,
                     rows));
         }
-        SampleBlock block = new SampleBlock(data.offset(), data.count(), SampleType.FLOAT_64, ByteOrder.LITTLE_ENDIAN);
+        ScanChannel.Source samples =
+                SampleBlock.of(file, data.offset(), data.count(), SampleType.FLOAT_64, ByteOrder.LITTLE_ENDIAN);
         Extent extent = Extent.ofPitches(
                 field.number("xreal", 1) / columns,
                 field.number("yreal", 1) / rows,
                 field.unit("si_unit_xy"),
                 columns,
                 rows);
-        return new ScanChannel(title, columns, rows, extent, field.unit("si_unit_z"), () -> block.read(file));
+        return new ScanChannel(title, columns, rows, extent, field.unit("si_unit_z"), samples);
     }
 }

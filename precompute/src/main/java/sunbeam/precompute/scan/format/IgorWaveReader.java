@@ -10,7 +10,6 @@ import sunbeam.precompute.scan.Direction;
 import sunbeam.precompute.scan.Extent;
 import sunbeam.precompute.scan.SampleBlock;
 import sunbeam.precompute.scan.SampleType;
-import sunbeam.precompute.scan.Samples;
 import sunbeam.precompute.scan.ScanBytes;
 import sunbeam.precompute.scan.ScanChannel;
 import sunbeam.precompute.scan.ScanException;
@@ -101,7 +100,6 @@ final class IgorWaveReader implements ScanReader {
         Extent extent = Extent.ofPitches(pitchX, pitchY, unitXy, columns, rows);
         List<ScanChannel> channels = new ArrayList<>();
         for (int layer = 0; layer < layers; layer++) {
-            SampleBlock block = new SampleBlock(data + layer * count * type.size(), count, type, order);
             String name = names.get(layer);
             channels.add(new ScanChannel(
                     name,
@@ -110,7 +108,8 @@ final class IgorWaveReader implements ScanReader {
                     rows,
                     extent,
                     unit(name, unit),
-                    () -> Samples.upsideDown(block.read(file), columns)));
+                    SampleBlock.of(file, data + layer * count * type.size(), count, type, order)
+                            .upsideDown(columns)));
         }
         return channels;
     }

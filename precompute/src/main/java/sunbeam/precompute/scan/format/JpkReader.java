@@ -6,7 +6,6 @@ import java.util.List;
 import java.util.Locale;
 import sunbeam.precompute.scan.Direction;
 import sunbeam.precompute.scan.Extent;
-import sunbeam.precompute.scan.Samples;
 import sunbeam.precompute.scan.ScanBytes;
 import sunbeam.precompute.scan.ScanChannel;
 import sunbeam.precompute.scan.ScanException;
@@ -61,7 +60,6 @@ final class JpkReader implements ScanReader {
     private static ScanChannel channel(TiffPages.Page page, Extent extent) throws IOException {
         int columns = (int) page.number(TiffPages.WIDTH);
         int rows = (int) page.number(TiffPages.LENGTH);
-        page.requireSamples(columns, rows);
         String title = page.text(CHANNEL_TITLE);
         int slot = slot(page);
         boolean linear = page.text(slot + SCALING).equals("LinearScaling");
@@ -76,7 +74,7 @@ final class JpkReader implements ScanReader {
                 rows,
                 extent,
                 unit,
-                () -> Samples.scaled(Samples.upsideDown(page.samples(), columns), factor, offset));
+                page.samples().upsideDown(columns).scaled(factor, offset));
     }
 
     /** First tag of the slot that is the default. */

@@ -3,24 +3,21 @@ package sunbeam.precompute.scan.format;
 import java.io.IOException;
 import java.nio.ByteOrder;
 import java.util.ArrayList;
-import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
-import java.util.Map;
 import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import sunbeam.precompute.scan.Direction;
 import sunbeam.precompute.scan.Extent;
+import sunbeam.precompute.scan.Header;
 import sunbeam.precompute.scan.LengthUnit;
 import sunbeam.precompute.scan.SampleBlock;
 import sunbeam.precompute.scan.SampleType;
-import sunbeam.precompute.scan.Samples;
 import sunbeam.precompute.scan.ScanBytes;
 import sunbeam.precompute.scan.ScanChannel;
 import sunbeam.precompute.scan.ScanException;
 import sunbeam.precompute.scan.ScanReader;
-import sunbeam.precompute.scan.text.HeaderText;
 
 /**
  * Bruker (Digital Instruments, Veeco) Nanoscope, since version 4.2: lists of {@code \key: value}, one list an image;
@@ -53,40 +50,36 @@ final class NanoscopeReader implements ScanReader {
         if (file.startsWith("\\*Force")) {
             throw new ScanException("holds force curves and no scan; export its height channel as an image file");
         }
-        Map<String, String> all = new HashMap<>();
-        List<Map<String, String>> images = new ArrayList<>();
-        Map<String, String> list = all;
+        Header all = new Header();
+        List<Header> images = new ArrayList<>();
+        Header list = all;
         for (String line : file.headText(LARGEST_HEADER).lines().toList()) {
             if (line.startsWith("\\*File list end")) {
                 break;
             }
+            Matcher matcher = LINE.matcher(line);
             if (line.startsWith("\\*")) {
                 boolean image = line.toLowerCase(Locale.ROOT).contains("image list");
-                list = image ? new HashMap<>() : all;
+                list = image ? new Header() : all;
                 if (image) {
                     images.add(list);
                 }
-                continue;
-            }
-            Matcher matcher = LINE.matcher(line);
-            if (matcher.matches()) {
-                list.putIfAbsent(
-                        matcher.group(1).strip().toLowerCase(Locale.ROOT),
-                        matcher.group(2).strip());
+            } else if (matcher.matches()) {
+                list.put(matcher.group(1).strip().toLowerCase(Locale.ROOT), matcher.group(2));
             }
         }
         List<ScanChannel> channels = new ArrayList<>();
-        for (Map<String, String> image : images) {
+        for (Header image : images) {
             channels.add(channel(file, all, image));
         }
         return channels;
     }
 
-    private static ScanChannel channel(ScanBytes file, Map<String, String> all, Map<String, String> image) {
-        int columns = HeaderText.integer(image, "samps/line");
-        int rows = HeaderText.integer(image, "number of lines");
-        long offset = HeaderText.integer(image, "data offset");
-        long length = HeaderText.integer(image, "data length");
+    private static ScanChannel channel(ScanBytes file, Header all, Header image) {
+        int columns = image.count("samps/line");
+        int rows = image.count("number of lines");
+        long offset = image.count("data offset");
+        long length = image.count("data length");
         long count = (long) columns * rows;
         // Since version 9.2 samples have 32 bits, while "Bytes/pixel" still tells how many steps "Z scale" is about.
         long bytes = length / count;
@@ -99,21 +92,22 @@ final class NanoscopeReader implements ScanReader {
                     rows));
         }
         SampleType type = SampleType.signed((int) Math.min(64, 8 * bytes));
-        SampleBlock block = new SampleBlock(offset, count, type, ByteOrder.LITTLE_ENDIAN).requireIn(file);
         Scale scale = scale(all, image);
-        double perStep = scale.value / Math.pow(256, HeaderText.integer(image, "bytes/pixel"));
+        double perStep = scale.value / Math.pow(256, image.count("bytes/pixel"));
         return new ScanChannel(
                 name(image),
-                direction(image.getOrDefault("line direction", "")),
+                direction(image.text("line direction", "")),
                 columns,
                 rows,
                 extent(all, image, columns, rows),
                 scale.unit,
-                () -> Samples.scaled(Samples.upsideDown(block.read(file), columns), perStep, 0));
+                SampleBlock.of(file, offset, count, type, ByteOrder.LITTLE_ENDIAN)
+                        .upsideDown(columns)
+                        .scaled(perStep, 0));
     }
 
-    private static String name(Map<String, String> image) {
-        Matcher name = NAME.matcher(image.getOrDefault("image data", ""));
+    private static String name(Header image) {
+        Matcher name = NAME.matcher(image.text("image data", ""));
         if (!name.matches()) {
             return "";
         }
@@ -131,8 +125,8 @@ final class NanoscopeReader implements ScanReader {
     /** What all steps of a sample are worth together. */
     private record Scale(double value, String unit) {}
 
-    private static Scale scale(Map<String, String> all, Map<String, String> image) {
-        Matcher hard = SCALE.matcher(image.getOrDefault("z scale", ""));
+    private static Scale scale(Header all, Header image) {
+        Matcher hard = SCALE.matcher(image.text("z scale", ""));
         if (!hard.matches()) {
             throw new ScanException(
                     "has no \"Z scale\" with volts, as before Nanoscope 4.2; save it with a newer version"
@@ -141,7 +135,7 @@ final class NanoscopeReader implements ScanReader {
         double volts = number(hard.group(2));
         String unit = hard.group(3);
         Optional<Matcher> soft = Optional.ofNullable(hard.group(1))
-                .map(name -> SENSITIVITY.matcher(all.getOrDefault(name.toLowerCase(Locale.ROOT), "")))
+                .map(name -> SENSITIVITY.matcher(all.text(name.toLowerCase(Locale.ROOT), "")))
                 .filter(Matcher::matches)
                 .filter(matcher -> matcher.group(2) != null && !matcher.group(2).isEmpty());
         if (soft.isEmpty()) {
@@ -153,13 +147,13 @@ final class NanoscopeReader implements ScanReader {
     }
 
     private static double number(String text) {
-        return HeaderText.number(text)
+        return Header.number(Optional.of(text))
                 .orElseThrow(() -> new ScanException("has a scale that is no number; the file is damaged"));
     }
 
     /** "500 500 nm", "500 nm", "10 10 ~m": of the image, else of the scan. */
-    private static Extent extent(Map<String, String> all, Map<String, String> image, int columns, int rows) {
-        String text = image.getOrDefault("scan size", all.getOrDefault("scan size", ""));
+    private static Extent extent(Header all, Header image, int columns, int rows) {
+        String text = image.text("scan size", all.text("scan size", ""));
         String[] words = text.split("\\s+", -1);
         boolean both = words.length == 3;
         if (words.length < 2) {

@@ -3,21 +3,19 @@ package sunbeam.precompute.scan.format;
 import java.io.IOException;
 import java.nio.ByteOrder;
 import java.util.ArrayList;
-import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.TreeMap;
 import sunbeam.precompute.scan.Direction;
 import sunbeam.precompute.scan.Extent;
+import sunbeam.precompute.scan.Header;
 import sunbeam.precompute.scan.SampleBlock;
 import sunbeam.precompute.scan.SampleType;
-import sunbeam.precompute.scan.Samples;
 import sunbeam.precompute.scan.ScanBytes;
 import sunbeam.precompute.scan.ScanChannel;
 import sunbeam.precompute.scan.ScanException;
 import sunbeam.precompute.scan.ScanReader;
-import sunbeam.precompute.scan.text.HeaderText;
 
 /**
  * Nanosurf: sections of {@code key=value}; the mark {@code #!}; the channels' samples one after the other in the order
@@ -46,15 +44,14 @@ final class NanosurfReader implements ScanReader {
         if (mark < 0) {
             throw new ScanException("has no samples after its header; copy or export it again");
         }
-        Map<String, Map<String, String>> sections = sections(head.substring(0, mark));
-        Map<String, String> set = sections.getOrDefault("DataSet", Map.of());
+        Map<String, Header> sections = sections(head.substring(0, mark));
+        Header set = sections.getOrDefault("DataSet", new Header());
         List<ScanChannel> channels = new ArrayList<>();
         long offset = mark + 2L;
-        int groups = Math.min(MOST_GROUPS, HeaderText.integer(set, "GroupCount"));
+        int groups = Math.min(MOST_GROUPS, set.count("GroupCount"));
         for (int group = 0; group < groups; group++) {
             for (int number = 0; number < MOST_PER_GROUP; number++) {
-                String name = set.get(String.format(Locale.ROOT, "Gr%d-Ch%d", group, number));
-                Map<String, String> section = name == null ? null : sections.get(name);
+                Header section = sections.get(set.text(String.format(Locale.ROOT, "Gr%d-Ch%d", group, number), ""));
                 if (section != null) {
                     offset += add(channels, file, section, offset);
                 }
@@ -63,62 +60,59 @@ final class NanosurfReader implements ScanReader {
         return channels;
     }
 
-    private static Map<String, Map<String, String>> sections(String header) {
-        Map<String, Map<String, String>> sections = new TreeMap<>();
-        Map<String, String> section = new HashMap<>();
+    private static Map<String, Header> sections(String header) {
+        Map<String, Header> sections = new TreeMap<>();
+        Header section = new Header();
         for (String line : header.lines().toList()) {
             int equals = line.indexOf('=');
             if (line.startsWith("[") && line.endsWith("]")) {
                 String path = line.substring(1, line.length() - 1);
-                section = new HashMap<>();
+                section = new Header();
                 sections.putIfAbsent(path.startsWith("DataSet\\") ? path.substring(8) : path, section);
             } else if (equals > 0) {
-                section.putIfAbsent(
-                        line.substring(0, equals).strip(),
-                        line.substring(equals + 1).strip());
+                section.put(line.substring(0, equals), line.substring(equals + 1));
             }
         }
         return sections;
     }
 
     /** Adds a channel of an image; its bytes. */
-    private static long add(List<ScanChannel> channels, ScanBytes file, Map<String, String> section, long offset) {
-        int columns = HeaderText.integer(section, "Points");
-        int rows = HeaderText.integer(section, "Lines");
-        int bits = HeaderText.integer(section, "SaveBits");
-        String mode = section.getOrDefault("SaveMode", "Binary");
-        String sign = section.getOrDefault("SaveSign", "Signed");
+    private static long add(List<ScanChannel> channels, ScanBytes file, Header section, long offset) {
+        int columns = section.count("Points");
+        int rows = section.count("Lines");
+        int bits = section.count("SaveBits");
+        String mode = section.text("SaveMode", "Binary");
+        String sign = section.text("SaveSign", "Signed");
         if (!mode.equals("Binary") || !sign.equals("Signed")) {
             throw new ScanException(
                     String.format(Locale.ROOT, "stores samples as %s, %s; export it in another format", mode, sign));
         }
-        ByteOrder order = section.getOrDefault("SaveOrder", "Intel").equals("Intel")
-                ? ByteOrder.LITTLE_ENDIAN
-                : ByteOrder.BIG_ENDIAN;
-        SampleBlock block =
-                new SampleBlock(offset, (long) columns * rows, SampleType.signed(bits), order).requireIn(file);
-        boolean image = section.getOrDefault("Dim1Unit", "").equals(section.get("Dim0Unit"));
+        ByteOrder order =
+                section.text("SaveOrder", "Intel").equals("Intel") ? ByteOrder.LITTLE_ENDIAN : ByteOrder.BIG_ENDIAN;
+        SampleType type = SampleType.signed(bits);
+        ScanChannel.Source samples = SampleBlock.of(file, offset, (long) columns * rows, type, order);
+        boolean image = section.text("Dim1Unit", "").equals(section.text("Dim0Unit", ""));
         if (image) {
-            double range = HeaderText.number(section, "Dim2Range");
-            double least = HeaderText.number(section, "Dim2Min");
+            double range = section.number("Dim2Range");
+            double least = section.number("Dim2Min");
             double perStep = range / Math.pow(2, bits);
-            String frame = section.getOrDefault("Frame", "");
+            String frame = section.text("Frame", "");
             boolean backward = frame.contains("backward");
             Extent extent = Extent.ofPitches(
-                    HeaderText.number(section, "Dim0Range") / columns,
-                    HeaderText.number(section, "Dim1Range") / rows,
-                    section.get("Dim0Unit"),
+                    section.number("Dim0Range") / columns,
+                    section.number("Dim1Range") / rows,
+                    section.text("Dim0Unit", ""),
                     columns,
                     rows);
             channels.add(new ScanChannel(
-                    section.getOrDefault("Dim2Name", "") + (backward ? " backward" : " forward"),
+                    section.text("Dim2Name", "") + (backward ? " backward" : " forward"),
                     backward ? Direction.RETRACE : Direction.TRACE,
                     columns,
                     rows,
                     extent,
-                    section.getOrDefault("Dim2Unit", ""),
-                    () -> Samples.scaled(Samples.upsideDown(block.read(file), columns), perStep, least + 0.5 * range)));
+                    section.text("Dim2Unit", ""),
+                    samples.upsideDown(columns).scaled(perStep, least + 0.5 * range)));
         }
-        return block.bytes();
+        return (long) columns * rows * type.size();
     }
 }

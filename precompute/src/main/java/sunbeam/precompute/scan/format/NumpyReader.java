@@ -58,12 +58,15 @@ final class NumpyReader implements ScanReader {
         int columns = Integer.parseInt(shape.group(row ? 1 : 2));
         ByteOrder order = type.group(1).equals(">") ? ByteOrder.BIG_ENDIAN : ByteOrder.LITTLE_ENDIAN;
         SampleType samples = type(type.group(2) + type.group(3));
-        SampleBlock block = new SampleBlock(start, (long) columns * rows, samples, order).requireIn(file);
+        ScanChannel.Source stored = SampleBlock.of(file, start, (long) columns * rows, samples, order);
         boolean byColumns = fortran.group(1).equals("True");
-        return List.of(new ScanChannel("", columns, rows, Extent.UNKNOWN, "", () -> {
-            double[] read = block.read(file);
-            return byColumns ? transposed(read, columns, rows) : read;
-        }));
+        return List.of(new ScanChannel(
+                "",
+                columns,
+                rows,
+                Extent.UNKNOWN,
+                "",
+                byColumns ? () -> transposed(stored.read(), columns, rows) : stored));
     }
 
     private static Matcher find(Pattern pattern, String header, String otherwise) {

@@ -10,7 +10,6 @@ import sunbeam.precompute.scan.Direction;
 import sunbeam.precompute.scan.Extent;
 import sunbeam.precompute.scan.SampleBlock;
 import sunbeam.precompute.scan.SampleType;
-import sunbeam.precompute.scan.Samples;
 import sunbeam.precompute.scan.ScanBytes;
 import sunbeam.precompute.scan.ScanChannel;
 import sunbeam.precompute.scan.ScanException;
@@ -90,7 +89,9 @@ final class ParkReader implements ScanReader {
                 rows,
                 Extent.of(width, height),
                 wide(file, header + UNIT, 8),
-                () -> Samples.scaled(Samples.upsideDown(block.read(file), columns), factor, offset)));
+                SampleBlock.of(file, block.offset(), block.count(), type, block.order())
+                        .upsideDown(columns)
+                        .scaled(factor, offset)));
     }
 
     private static SampleType type(TiffPages.Page page, ByteCursor cursor, long header) throws IOException {

@@ -1,22 +1,21 @@
 package sunbeam.precompute.scan.format;
 
 import java.io.IOException;
+import java.io.InputStreamReader;
 import java.nio.ByteOrder;
-import java.util.HashMap;
+import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Locale;
-import java.util.Map;
 import sunbeam.precompute.scan.ByteCursor;
 import sunbeam.precompute.scan.Extent;
+import sunbeam.precompute.scan.Header;
 import sunbeam.precompute.scan.SampleBlock;
 import sunbeam.precompute.scan.SampleType;
-import sunbeam.precompute.scan.Samples;
 import sunbeam.precompute.scan.ScanBytes;
 import sunbeam.precompute.scan.ScanChannel;
 import sunbeam.precompute.scan.ScanException;
 import sunbeam.precompute.scan.ScanReader;
-import sunbeam.precompute.scan.text.HeaderText;
-import sunbeam.precompute.scan.text.NumberList;
+import sunbeam.precompute.scan.text.NumberStream;
 
 /**
  * ISO 25178-71 .sdf, as text ("aISO-1.0") and binary ("bISO-1.0"), and its predecessor BCR-1.0. Scales are metres; a
@@ -48,19 +47,11 @@ final class SurfaceDataReader implements ScanReader {
         if (end < 0) {
             throw new ScanException("has no * after its header; copy or export it again");
         }
-        Map<String, String> values = new HashMap<>();
-        for (String line : head.substring(0, end).lines().toList()) {
-            int equals = line.indexOf('=');
-            if (equals > 0) {
-                values.put(
-                        line.substring(0, equals).strip(),
-                        line.substring(equals + 1).strip());
-            }
-        }
-        int columns = HeaderText.integer(values, "NumPoints");
-        int rows = HeaderText.integer(values, "NumProfiles");
-        requirePlain((int) HeaderText.number(values, "Compression", 0));
-        double scale = HeaderText.number(values, "Zscale");
+        Header values = Header.of(head.substring(0, end), '=');
+        int columns = values.count("NumPoints");
+        int rows = values.count("NumProfiles");
+        requirePlain((int) values.number("Compression", 0));
+        double scale = values.number("Zscale");
         long lines = head.substring(0, end).lines().count() + 1;
         long offset = end + 1L;
         long count = (long) columns * rows;
@@ -68,9 +59,15 @@ final class SurfaceDataReader implements ScanReader {
                 "Topography",
                 columns,
                 rows,
-                extent(HeaderText.number(values, "Xscale"), HeaderText.number(values, "Yscale"), columns, rows),
+                extent(values.number("Xscale"), values.number("Yscale"), columns, rows),
                 "m",
-                () -> Samples.scaled(NumberList.read(file.stream(offset), count, lines), scale, 0));
+                source(file, offset, count, lines).scaled(scale, 0));
+    }
+
+    private static ScanChannel.Source source(ScanBytes file, long offset, long count, long line) {
+        return () -> new NumberStream(
+                        new InputStreamReader(file.stream(offset), StandardCharsets.ISO_8859_1), false, line)
+                .read(count);
     }
 
     private static ScanChannel binary(ScanBytes file) throws IOException {
@@ -83,8 +80,8 @@ final class SurfaceDataReader implements ScanReader {
         cursor.float64();
         requirePlain(cursor.unsignedByte());
         SampleType type = type(cursor.unsignedByte());
-        SampleBlock block =
-                new SampleBlock(BINARY_HEADER, (long) columns * rows, type, ByteOrder.LITTLE_ENDIAN).requireIn(file);
+        ScanChannel.Source samples =
+                SampleBlock.of(file, BINARY_HEADER, (long) columns * rows, type, ByteOrder.LITTLE_ENDIAN);
         double missing = switch (type) {
             case SIGNED_16 -> Short.MIN_VALUE;
             case SIGNED_32 -> Integer.MIN_VALUE;
@@ -96,7 +93,7 @@ final class SurfaceDataReader implements ScanReader {
                 rows,
                 extent(pitchX, pitchY, columns, rows),
                 "m",
-                () -> Samples.scaled(Samples.withMissing(block.read(file), missing), scale, 0));
+                samples.withMissing(missing).scaled(scale, 0));
     }
 
     private static Extent extent(double pitchX, double pitchY, int columns, int rows) {

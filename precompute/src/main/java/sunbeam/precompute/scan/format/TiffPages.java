@@ -13,6 +13,7 @@ import sunbeam.precompute.scan.ByteCursor;
 import sunbeam.precompute.scan.SampleBlock;
 import sunbeam.precompute.scan.SampleType;
 import sunbeam.precompute.scan.ScanBytes;
+import sunbeam.precompute.scan.ScanChannel;
 import sunbeam.precompute.scan.ScanException;
 import sunbeam.precompute.scan.ScanLimits;
 
@@ -23,11 +24,11 @@ import sunbeam.precompute.scan.ScanLimits;
 final class TiffPages {
     static final int WIDTH = 256;
     static final int LENGTH = 257;
-    private static final int BITS = 258;
+    static final int BITS = 258;
     private static final int COMPRESSION = 259;
     private static final int STRIP_OFFSETS = 273;
     private static final int STRIP_BYTES = 279;
-    private static final int SAMPLE_FORMAT = 339;
+    static final int SAMPLE_FORMAT = 339;
 
     private static final int MOST_TAGS = 4096;
     private static final int LONGEST_TEXT = 1 << 16;
@@ -96,17 +97,26 @@ final class TiffPages {
             return tags.get(tag).count * SIZES[tags.get(tag).type];
         }
 
-        /** The samples of an uncompressed image of one band, row by row. */
-        double[] samples() throws IOException {
-            SampleType type = sampleType();
-            int count = Math.toIntExact(Math.round(number(WIDTH) * number(LENGTH)));
-            double[] samples = new double[count];
-            int first = 0;
-            for (SampleBlock strip : strips(type, count)) {
-                System.arraycopy(strip.read(file), 0, samples, first, (int) strip.count());
-                first += (int) strip.count();
-            }
-            return samples;
+        /**
+         * The samples of an uncompressed image of one band, row by row.
+         *
+         * @throws ScanException when the file does not have them
+         */
+        ScanChannel.Source samples() throws IOException {
+            long columns = (long) number(WIDTH);
+            long rows = (long) number(LENGTH);
+            ScanLimits.requireSize(columns, rows);
+            List<SampleBlock> strips = strips(sampleType(), columns * rows);
+            return () -> {
+                double[] samples = new double[(int) (columns * rows)];
+                int first = 0;
+                for (SampleBlock strip : strips) {
+                    double[] some = strip.read(file.stream(strip.offset()));
+                    System.arraycopy(some, 0, samples, first, some.length);
+                    first += some.length;
+                }
+                return samples;
+            };
         }
 
         private List<SampleBlock> strips(SampleType type, long count) throws IOException {
@@ -137,12 +147,6 @@ final class TiffPages {
                 default ->
                     bits == 8 ? SampleType.UNSIGNED_8 : bits == 16 ? SampleType.UNSIGNED_16 : SampleType.UNSIGNED_32;
             };
-        }
-
-        /** Refuses a page whose samples the file does not have. */
-        void requireSamples(int columns, int rows) throws IOException {
-            ScanLimits.requireSize(columns, rows);
-            strips(sampleType(), (long) columns * rows);
         }
     }
 

@@ -2,15 +2,12 @@ package sunbeam.precompute.scan.format;
 
 import java.io.IOException;
 import java.nio.ByteOrder;
-import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
-import java.util.Map;
-import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import sunbeam.precompute.scan.Extent;
-import sunbeam.precompute.scan.LengthUnit;
+import sunbeam.precompute.scan.Header;
 import sunbeam.precompute.scan.SampleBlock;
 import sunbeam.precompute.scan.SampleType;
 import sunbeam.precompute.scan.Samples;
@@ -18,7 +15,6 @@ import sunbeam.precompute.scan.ScanBytes;
 import sunbeam.precompute.scan.ScanChannel;
 import sunbeam.precompute.scan.ScanException;
 import sunbeam.precompute.scan.ScanReader;
-import sunbeam.precompute.scan.text.HeaderText;
 
 /**
  * WSxM .stp and .top: a text header whose size it states, then 16-bit integers, floats or doubles, little-endian, from
@@ -46,35 +42,22 @@ final class WsxmReader implements ScanReader {
         }
         int start = Integer.parseInt(size.group(1));
         file.requireInside(start, 0);
-        Map<String, String> values = new HashMap<>();
-        for (String line : file.headText(start).lines().toList()) {
-            int colon = line.indexOf(':');
-            if (colon > 0) {
-                values.putIfAbsent(
-                        line.substring(0, colon).strip(),
-                        line.substring(colon + 1).strip());
-            }
-        }
-        int columns = HeaderText.integer(values, "Number of columns");
-        int rows = HeaderText.integer(values, "Number of rows");
-        SampleType type = type(values.getOrDefault("Image Data Type", "short"));
-        SampleBlock block =
-                new SampleBlock(start, (long) columns * rows, type, ByteOrder.LITTLE_ENDIAN).requireIn(file);
-        HeaderText.Quantity amplitude = HeaderText.quantity(values, "Z Amplitude");
-        String name = values.getOrDefault("Acquisition channel", values.getOrDefault("Head type", ""));
+        Header values = Header.of(file.headText(start), ':');
+        int columns = values.count("Number of columns");
+        int rows = values.count("Number of rows");
+        SampleType type = type(values.text("Image Data Type", "short"));
+        ScanChannel.Source samples = SampleBlock.of(file, start, (long) columns * rows, type, ByteOrder.LITTLE_ENDIAN)
+                .mirrored(columns)
+                .upsideDown(columns);
+        Header.Quantity amplitude = values.quantity("Z Amplitude");
+        String name = values.text("Acquisition channel", values.text("Head type", ""));
         return List.of(new ScanChannel(
                 name,
                 columns,
                 rows,
-                new Extent(side(values, "X Amplitude"), side(values, "Y Amplitude"), 1),
+                new Extent(values.metres("X Amplitude", ""), values.metres("Y Amplitude", ""), 1),
                 amplitude.unit(),
-                () -> stretched(
-                        Samples.upsideDown(Samples.mirrored(block.read(file), columns), columns), amplitude.value())));
-    }
-
-    private static Optional<Double> side(Map<String, String> values, String name) {
-        HeaderText.Quantity side = HeaderText.quantity(values, name);
-        return LengthUnit.metres(side.unit()).map(metres -> metres * side.value());
+                () -> stretched(samples.read(), amplitude.value())));
     }
 
     private static SampleType type(String name) {

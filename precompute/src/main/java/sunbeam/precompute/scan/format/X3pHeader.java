@@ -4,17 +4,16 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.util.ArrayDeque;
 import java.util.Deque;
-import java.util.HashMap;
 import java.util.Locale;
-import java.util.Map;
+import java.util.Optional;
 import javax.xml.stream.XMLInputFactory;
 import javax.xml.stream.XMLStreamConstants;
 import javax.xml.stream.XMLStreamException;
 import javax.xml.stream.XMLStreamReader;
+import sunbeam.precompute.scan.Header;
 import sunbeam.precompute.scan.SampleType;
 import sunbeam.precompute.scan.ScanException;
 import sunbeam.precompute.scan.ScanLimits;
-import sunbeam.precompute.scan.text.HeaderText;
 
 /**
  * What main.xml of an .x3p says.
@@ -49,7 +48,7 @@ record X3pHeader(
 
     /** Reads all but samples; stops after as many elements as any such file has. */
     static X3pHeader read(InputStream in) throws IOException {
-        Map<String, String> values = new HashMap<>();
+        Header values = new Header();
         try {
             XMLStreamReader xml = open(new BoundedStream(in, LARGEST_HEADER));
             Deque<String> path = new ArrayDeque<>();
@@ -73,8 +72,7 @@ record X3pHeader(
                     String parent = path.size() < 2
                             ? ""
                             : path.stream().skip(path.size() - 2).findFirst().orElse("");
-                    values.putIfAbsent(
-                            parent + "/" + path.removeLast(), text.toString().strip());
+                    values.put(parent + "/" + path.removeLast(), text.toString());
                     text.setLength(0);
                 }
             }
@@ -84,29 +82,29 @@ record X3pHeader(
         return of(values);
     }
 
-    private static X3pHeader of(Map<String, String> values) {
+    private static X3pHeader of(Header values) {
         requireIncremental(values, "CX");
         requireIncremental(values, "CY");
-        if (HeaderText.number(values, "MatrixDimension/SizeZ", 1) != 1) {
+        if (values.number("MatrixDimension/SizeZ", 1) != 1) {
             throw new ScanException("holds several layers; export one of them");
         }
-        int columns = HeaderText.integer(values, "MatrixDimension/SizeX");
-        int rows = HeaderText.integer(values, "MatrixDimension/SizeY");
+        int columns = values.count("MatrixDimension/SizeX");
+        int rows = values.count("MatrixDimension/SizeY");
         ScanLimits.requireSize(columns, rows);
         return new X3pHeader(
                 columns,
                 rows,
-                HeaderText.number(values, "CX/Increment"),
-                HeaderText.number(values, "CY/Increment"),
-                HeaderText.number(values, "CZ/Increment", 1),
-                HeaderText.number(values, "CZ/Offset", 0),
-                type(values.getOrDefault("CZ/DataType", "D")),
-                values.getOrDefault("DataLink/PointDataLink", ""),
-                values.getOrDefault("DataLink/ValidPointsLink", ""));
+                values.number("CX/Increment"),
+                values.number("CY/Increment"),
+                values.number("CZ/Increment", 1),
+                values.number("CZ/Offset", 0),
+                type(values.text("CZ/DataType", "D")),
+                values.text("DataLink/PointDataLink", ""),
+                values.text("DataLink/ValidPointsLink", ""));
     }
 
-    private static void requireIncremental(Map<String, String> values, String axis) {
-        if (!values.getOrDefault(axis + "/AxisType", "I").equals("I")) {
+    private static void requireIncremental(Header values, String axis) {
+        if (!values.text(axis + "/AxisType", "I").equals("I")) {
             throw new ScanException("holds points on no grid; interpolate them and export a matrix");
         }
     }
@@ -137,7 +135,7 @@ record X3pHeader(
                 } else if (event == XMLStreamConstants.END_ELEMENT
                         && xml.getLocalName().equals("Datum")) {
                     String datum = text.substring(1 + Math.max(text.lastIndexOf(";"), text.lastIndexOf(" ")));
-                    samples[read++] = HeaderText.number(datum).orElse(Double.NaN);
+                    samples[read++] = Header.number(Optional.of(datum)).orElse(Double.NaN);
                 }
             }
         } catch (XMLStreamException broken) {

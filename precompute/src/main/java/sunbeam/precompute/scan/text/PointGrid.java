@@ -15,14 +15,10 @@ import sunbeam.precompute.scan.ScanException;
  */
 record PointGrid(Axis axisX, Axis axisY, double[] heights) {
     /** Largest distance of a coordinate from its grid line, in pitches; files round coordinates to a few digits. */
+    // Coordinates that differ by less than a tenth of the largest gap were each rounded, or measured, by themselves.
     private static final double MOST_OFF = 0.05;
 
     private static final double MOST_MISSING = 0.5;
-
-    // Of the range: coordinates that differ by less are equal.
-    private static final double ROUNDING = 1e-9;
-    // Of the largest gap: the same for coordinates that were each rounded, or measured, by themselves.
-    private static final double ROUNDED = 2 * MOST_OFF;
 
     /**
      * Equidistant coordinates.
@@ -53,33 +49,13 @@ record PointGrid(Axis axisX, Axis axisY, double[] heights) {
                 gaps[i] = sorted[i + 1] - sorted[i];
             }
             Arrays.sort(gaps);
-            double[] standstills = {ROUNDING * range, ROUNDED * gaps[gaps.length - 1]};
-            return Arrays.stream(standstills)
-                    .mapToObj(standstill -> of(sorted, range, gaps, standstill))
-                    .flatMap(Optional::stream)
-                    .findFirst();
-        }
-
-        /**
-         * An axis with a line at each different coordinate, or, where lines without any point lie between, in steps as most
-         * neighbours have.
-         *
-         * @param gaps between the sorted coordinates, sorted
-         * @param standstill the largest gap between coordinates that are meant to be equal
-         */
-        private static Optional<Axis> of(double[] sorted, double range, double[] gaps, double standstill) {
-            int equal = 0;
-            while (equal < gaps.length && gaps[equal] <= standstill) {
-                equal++;
-            }
-            int steps = gaps.length - equal;
-            if (steps == 0) {
-                return Optional.empty();
-            }
-            double usual = range / gaps[equal + steps / 2];
-            return DoubleStream.of(steps, Math.rint(usual))
+            double standstill = MOST_OFF * 2 * gaps[gaps.length - 1];
+            double[] steps = Arrays.stream(gaps).filter(gap -> gap > standstill).toArray();
+            // A line at each different coordinate, or, where lines lack all points, in steps as most neighbours have.
+            double usual = range / steps[steps.length / 2];
+            return DoubleStream.of(steps.length, Math.rint(usual))
                     .filter(intervals -> intervals >= 1 && intervals <= sorted.length)
-                    .mapToObj(intervals -> new Axis(sorted[0], range / intervals, (int) intervals + 1))
+                    .mapToObj(intervals -> new Axis(least, range / intervals, (int) intervals + 1))
                     .filter(axis -> Arrays.stream(sorted).allMatch(axis::holds))
                     .findFirst();
         }

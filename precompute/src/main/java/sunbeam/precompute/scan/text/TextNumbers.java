@@ -1,91 +1,68 @@
 package sunbeam.precompute.scan.text;
 
 import java.io.IOException;
+import java.util.Arrays;
 import java.util.Locale;
 import sunbeam.precompute.scan.ScanException;
 import sunbeam.precompute.scan.ScanLimits;
 
-/** The numbers of a text, counted before memory is taken for them. */
-final class TextNumbers {
-    private final TextBytes file;
-    private final TextHead head;
-    private final long columns;
-    private final long rows;
-    private final long count;
-    /** The first line with another number of numbers than the first has; 0 when there is none. */
-    private final long raggedLine;
-
-    private final long raggedCount;
-
-    private TextNumbers(TextBytes file, TextHead head, long columns, long rows, long count, long[] ragged) {
-        this.file = file;
-        this.head = head;
-        this.columns = columns;
-        this.rows = rows;
-        this.count = count;
-        this.raggedLine = ragged[0];
-        this.raggedCount = ragged[1];
-    }
+/**
+ * All numbers of a text.
+ *
+ * @param values in their order; only the first {@code count} are any
+ * @param columns numbers of the first line
+ * @param rows lines with numbers
+ * @param raggedLine the first line with another number of numbers than the first has; 0 when there is none
+ * @param raggedCount its numbers
+ */
+record TextNumbers(double[] values, int count, long columns, long rows, long raggedLine, long raggedCount) {
+    private static final int FIRST_CAPACITY = 1 << 12;
+    /** Three numbers a point. */
+    private static final long MOST = 3 * ScanLimits.MOST_SAMPLES;
 
     /**
-     * Counts, in constant memory.
+     * Reads; memory grows with what is there.
      *
      * @throws ScanException when there are too many, or something that is no number
      */
-    static TextNumbers count(TextBytes file, TextHead head) throws IOException {
-        NumberStream numbers = stream(file, head);
-        long[] ragged = new long[2];
+    static TextNumbers read(NumberStream numbers) throws IOException {
+        double[] values = new double[FIRST_CAPACITY];
+        int count = 0;
         long columns = 0;
         long rows = 0;
         long inRow = 0;
-        long count = 0;
         long line = 0;
-        while (numbers.next()) {
-            if (numbers.firstOfLine() && rows > 0) {
+        long raggedLine = 0;
+        long raggedCount = 0;
+        for (boolean more = true; more; ) {
+            more = numbers.next();
+            if (rows > 0 && (!more || numbers.firstOfLine())) {
                 columns = rows == 1 ? inRow : columns;
-                note(ragged, columns, inRow, line);
+                if (raggedLine == 0 && inRow != columns) {
+                    raggedLine = line;
+                    raggedCount = inRow;
+                }
                 inRow = 0;
             }
-            rows += numbers.firstOfLine() ? 1 : 0;
-            line = numbers.line();
-            inRow++;
-            // Three numbers a point.
-            if (++count > 3 * ScanLimits.MOST_SAMPLES) {
-                throw new ScanException(String.format(
-                        Locale.ROOT,
-                        "has more than %d numbers, more than can be used; crop the scan",
-                        3 * ScanLimits.MOST_SAMPLES));
+            if (more) {
+                values = count < values.length ? values : grown(values);
+                values[count++] = numbers.value();
+                rows += numbers.firstOfLine() ? 1 : 0;
+                line = numbers.line();
+                inRow++;
             }
         }
-        columns = rows == 1 ? inRow : columns;
-        note(ragged, columns, inRow, line);
-        return new TextNumbers(file, head, columns, rows, count, ragged);
+        return new TextNumbers(values, count, columns, rows, raggedLine, raggedCount);
     }
 
-    private static void note(long[] ragged, long columns, long inRow, long line) {
-        if (ragged[0] == 0 && inRow != columns) {
-            ragged[0] = line;
-            ragged[1] = inRow;
+    private static double[] grown(double[] values) {
+        long capacity = 2L * values.length;
+        if (values.length >= MOST) {
+            throw new ScanException(
+                    String.format(Locale.ROOT, "has more than %d numbers, more than can be used; crop the scan", MOST));
         }
-    }
-
-    private static NumberStream stream(TextBytes file, TextHead head) throws IOException {
-        return new NumberStream(
-                file.stream(head.offset()), head.decimalComma(), head.header().size() + 1L);
-    }
-
-    /** Numbers of the first line. */
-    long columns() {
-        return columns;
-    }
-
-    /** Lines with numbers. */
-    long rows() {
-        return rows;
-    }
-
-    long count() {
-        return count;
+        ScanLimits.requireMemory(capacity, 0, Runtime.getRuntime().maxMemory());
+        return Arrays.copyOf(values, (int) Math.min(MOST, capacity));
     }
 
     boolean isRectangular() {
@@ -104,25 +81,17 @@ final class TextNumbers {
         }
     }
 
-    /** All numbers in their order. */
-    double[] read() throws IOException {
-        double[] all = new double[Math.toIntExact(count)];
-        NumberStream numbers = stream(file, head);
-        for (int i = 0; i < all.length && numbers.next(); i++) {
-            all[i] = numbers.value();
-        }
-        return all;
+    /** A copy of all. */
+    double[] all() {
+        return Arrays.copyOf(values, count);
     }
 
-    /** The numbers of each column. */
-    double[][] readColumns(int several) throws IOException {
-        ScanLimits.requireMemory(
-                rows, Double.BYTES * (several + 1), Runtime.getRuntime().maxMemory());
-        double[][] all = new double[several][Math.toIntExact(rows)];
-        NumberStream numbers = stream(file, head);
-        for (int i = 0; i < several * rows && numbers.next(); i++) {
-            all[i % several][i / several] = numbers.value();
+    /** A copy of one of several columns. */
+    double[] column(int column) {
+        double[] some = new double[Math.toIntExact(rows)];
+        for (int row = 0; row < some.length; row++) {
+            some[row] = values[Math.toIntExact(row * columns + column)];
         }
-        return all;
+        return some;
     }
 }

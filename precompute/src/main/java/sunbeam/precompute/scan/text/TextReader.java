@@ -14,10 +14,12 @@ import sunbeam.precompute.scan.ScanException;
 import sunbeam.precompute.scan.ScanReader;
 
 /**
- * Text: a matrix of numbers from the top row, or points x y z on a grid, below any header. Known headers are those of
- * Gwyddion (in all its languages), SPIP, Park's XEI and WSxM; numbers may have decimal commas and any line ends.
+ * Text: a matrix of numbers from the top row, or points x y z on a grid, below any header. Numbers may have decimal commas
+ * and any line ends.
+ *
+ * @param decimalMark where the user says it
  */
-public final class TextReader implements ScanReader {
+public record TextReader(Optional<DecimalMark> decimalMark) implements ScanReader {
     private static final int POINT = 3;
     /** As few triples on no grid may well be a matrix of three columns. */
     private static final int SURELY_POINTS = 16;
@@ -32,18 +34,17 @@ public final class TextReader implements ScanReader {
 
     @Override
     public boolean recognises(ScanBytes file) throws IOException {
-        return TextHead.of(TextBytes.of(file)).isPresent();
+        return TextFile.of(file, decimalMark).isPresent();
     }
 
     @Override
     public List<ScanChannel> channels(ScanBytes file) throws IOException {
-        TextBytes text = TextBytes.of(file);
-        TextHead head = TextHead.of(text).orElseThrow();
-        TextFacts facts = TextFacts.of(head.header());
-        TextNumbers numbers = TextNumbers.count(text, head);
-        boolean matrix = facts.width().isPresent() || facts.columns().isPresent();
+        TextFile text = TextFile.of(file, decimalMark).orElseThrow();
+        TextFacts facts = TextFacts.of(text.header());
+        TextNumbers numbers = TextNumbers.read(text.numbers());
+        boolean matrix = facts.extent().width().isPresent() || facts.columns().isPresent();
         if (!matrix && numbers.columns() == POINT && numbers.isRectangular() && numbers.rows() > POINT) {
-            Optional<ScanChannel> points = points(head, numbers);
+            Optional<ScanChannel> points = points(text, numbers);
             if (points.isPresent()) {
                 return List.of(points.get());
             }
@@ -56,9 +57,6 @@ public final class TextReader implements ScanReader {
             numbers.requireRectangular();
         }
         long columns = facts.columns().map(Integer::longValue).orElse(numbers.columns());
-        if (columns < 1) {
-            throw new ScanException("has no numbers in its first row; export it again");
-        }
         boolean asSaid = facts.columns().isPresent() && facts.rows().isPresent();
         long rows = asSaid ? facts.rows().get() : numbers.count() / columns;
         if (columns * rows != numbers.count()) {
@@ -69,21 +67,15 @@ public final class TextReader implements ScanReader {
                     columns,
                     rows));
         }
-        Extent extent = new Extent(facts.width(), facts.height(), 1);
-        return new ScanChannel(facts.channel(), toInt(columns), toInt(rows), extent, facts.unit(), () -> {
-            double[] heights = numbers.read();
-            CountedLines.refuse(heights, toInt(columns));
+        return new ScanChannel(facts.channel(), (int) columns, (int) rows, facts.extent(), facts.unit(), () -> {
+            double[] heights = numbers.all();
+            CountedLines.refuse(heights, (int) columns);
             return heights;
         });
     }
 
-    private static int toInt(long count) {
-        return (int) Math.min(count, Integer.MAX_VALUE);
-    }
-
-    private static Optional<ScanChannel> points(TextHead head, TextNumbers numbers) throws IOException {
-        double[][] xyz = numbers.readColumns(POINT);
-        Optional<PointGrid> found = PointGrid.of(xyz[0], xyz[1], xyz[2]);
+    private static Optional<ScanChannel> points(TextFile text, TextNumbers numbers) {
+        Optional<PointGrid> found = PointGrid.of(numbers.column(0), numbers.column(1), numbers.column(2));
         if (found.isEmpty()) {
             if (numbers.rows() >= SURELY_POINTS) {
                 throw new ScanException("has three numbers a line whose first two are no points of a grid; interpolate"
@@ -92,26 +84,20 @@ public final class TextReader implements ScanReader {
             return Optional.empty();
         }
         PointGrid grid = found.get();
-        Optional<Matcher> axes = head.header().stream()
+        Optional<Matcher> axes = text.header().stream()
                 .map(AXES::matcher)
                 .filter(Matcher::matches)
                 .findFirst();
         String unitX = axes.map(matcher -> matcher.group(1)).orElse("");
-        String unitY = axes.map(matcher -> matcher.group(2)).orElse("");
+        double metresX = LengthUnit.metres(unitX).orElse(1.0);
         double metresY =
-                LengthUnit.metres(unitY).orElse(1.0) / LengthUnit.metres(unitX).orElse(1.0);
-        Extent extent = Extent.ofPitches(
-                grid.axisX().pitch(),
-                grid.axisY().pitch() * metresY,
-                unitX,
-                grid.axisX().count(),
-                grid.axisY().count());
+                axes.flatMap(matcher -> LengthUnit.metres(matcher.group(2))).orElse(1.0);
+        int columns = grid.axisX().count();
+        int rows = grid.axisY().count();
+        Extent extent =
+                Extent.ofPitches(grid.axisX().pitch(), grid.axisY().pitch() * metresY / metresX, unitX, columns, rows);
+        String unit = axes.map(matcher -> matcher.group(3)).orElse("");
         return Optional.of(new ScanChannel(
-                "z",
-                grid.axisX().count(),
-                grid.axisY().count(),
-                extent,
-                axes.map(matcher -> matcher.group(3)).orElse(""),
-                grid::heights));
+                "z", columns, rows, extent, unit, () -> grid.heights().clone()));
     }
 }

@@ -9,6 +9,7 @@ import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import sunbeam.precompute.scan.ChannelList;
@@ -25,7 +26,7 @@ class HostileScansTest {
         Path file = Files.write(folder.resolve("scan"), content);
         assertThatThrownBy(() -> {
                     try (ScanBytes bytes = ScanBytes.open(file)) {
-                        var reader = ScanFormats.find(bytes).orElseThrow();
+                        var reader = ScanFormats.find(bytes, Optional.empty()).orElseThrow();
                         for (ScanChannel channel : new ChannelList(reader.channels(bytes)).channels()) {
                             channel.samples();
                         }

@@ -8,6 +8,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Collection;
+import java.util.Optional;
 import java.util.Random;
 import java.util.function.Supplier;
 import org.junit.jupiter.api.io.TempDir;
@@ -40,7 +41,7 @@ class ScanFormatsTest {
     @MethodSource("formats")
     void readsTheHeightsTheirSizeAndWhichWayIsUp(String format) throws IOException {
         try (ScanBytes bytes = ScanBytes.open(file(TestScans.all().get(format)))) {
-            ScanReader reader = ScanFormats.find(bytes).orElseThrow();
+            ScanReader reader = ScanFormats.find(bytes, Optional.empty()).orElseThrow();
             ChannelList channels = new ChannelList(reader.channels(bytes));
             ScanChannel channel = channels.channels().get(channels.heights().orElseThrow());
 
@@ -84,7 +85,7 @@ class ScanFormatsTest {
     /** Reads every channel; a complaint is as good as heights, anything else is not. */
     private void readAll(byte[] content, Supplier<String> what) throws IOException {
         try (ScanBytes bytes = ScanBytes.open(file(content))) {
-            ScanReader reader = ScanFormats.find(bytes).orElse(null);
+            ScanReader reader = ScanFormats.find(bytes, Optional.empty()).orElse(null);
             if (reader == null) {
                 return;
             }

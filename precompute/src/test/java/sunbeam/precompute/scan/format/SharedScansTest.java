@@ -15,6 +15,7 @@ import java.util.DoubleSummaryStatistics;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.precompute.scan.ChannelList;
@@ -58,8 +59,8 @@ class SharedScansTest {
     void agreesWithOtherPrograms(String name) throws IOException {
         JsonNode expected = expected(name);
         try (ScanBytes bytes = ScanBytes.open(SCANS.resolve(name))) {
-            ChannelList channels =
-                    new ChannelList(ScanFormats.find(bytes).orElseThrow().channels(bytes));
+            ChannelList channels = new ChannelList(
+                    ScanFormats.find(bytes, Optional.empty()).orElseThrow().channels(bytes));
             assertThat(channels.count()).isEqualTo(expected.get("channels").size());
             Map<String, Integer> seen = new HashMap<>();
             for (JsonNode heights : expected.get("heights")) {

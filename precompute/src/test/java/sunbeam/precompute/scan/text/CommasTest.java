@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -13,21 +14,24 @@ import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.precompute.scan.ScanBytes;
 import sunbeam.precompute.scan.ScanException;
 
-/** Commas are decimal marks, or separators, or both. */
+/** Commas are decimal marks, or separators. */
 class CommasTest {
     @TempDir
     private Path folder;
 
     private double[] read(String text) throws IOException {
+        return read(text, Optional.empty());
+    }
+
+    private double[] read(String text, Optional<DecimalMark> mark) throws IOException {
         Path file = folder.resolve("scan.txt");
         Files.writeString(file, text);
         try (ScanBytes opened = ScanBytes.open(file)) {
-            TextBytes bytes = TextBytes.of(opened);
-            TextHead head = TextHead.of(bytes).orElseThrow();
-            TextNumbers numbers = TextNumbers.count(bytes, head);
+            TextNumbers numbers =
+                    TextNumbers.read(TextFile.of(opened, mark).orElseThrow().numbers());
             numbers.requireRectangular();
             assertThat(numbers.rows()).isEqualTo(2);
-            return numbers.read();
+            return numbers.all();
         }
     }
 
@@ -53,37 +57,11 @@ class CommasTest {
     }
 
     @Test
-    void halvesOfNumbersAreSeenByTheirSigns() {
-        String row = "-7,82,-44,55,-22,70,49,38,".repeat(10) + "35,36\n";
-        assertThatThrownBy(() -> read(row + row))
+    void whoeverSaysTheMarkIsBelieved() throws IOException {
+        assertThat(read("1,5 2,5\n3,5 4,5\n", Optional.of(DecimalMark.POINT))).containsExactly(1, 5, 2, 5, 3, 5, 4, 5);
+        assertThat(read("1,5\n2,5\n", Optional.of(DecimalMark.COMMA))).containsExactly(1.5, 2.5);
+        assertThatThrownBy(() -> read("1 2\n3 4,x\n", Optional.empty()))
                 .isInstanceOf(ScanException.class)
-                .hasMessageContaining("decimal marks or separators");
-    }
-
-    @ParameterizedTest
-    @ValueSource(
-            strings = {
-                "200,05,198,71,99,30,101,22,", // two decimals
-                "200,0,198,7,99,3,101,2,", // one
-                "200,5,198,71,99,3,101,05," // as many as there are
-            })
-    void halvesOfPositiveNumbersAreSeenByTheirDigits(String numbers) {
-        String row = numbers.repeat(9) + numbers.replaceAll(",$", "\n");
-        assertThatThrownBy(() -> read(row + row))
-                .isInstanceOf(ScanException.class)
-                .hasMessageContaining("decimal marks or separators");
-    }
-
-    @ParameterizedTest
-    @ValueSource(strings = {"7,82,144,5,22,70,149,138,", "107,182,144,155,122,170,149,138,"})
-    void wholePositiveNumbersAreNoHalves(String numbers) throws IOException {
-        String row = numbers.repeat(10) + "35,36\n";
-        assertThat(read(row + row)).hasSize(164);
-    }
-
-    @Test
-    void wholeNumbersOfEitherSignAreNoHalves() throws IOException {
-        String row = "-7,82,44,-55,22,-70,-49,38,".repeat(10) + "35,36\n";
-        assertThat(read(row + row)).hasSize(164);
+                .hasMessageContaining("\"x\" in line 2");
     }
 }

@@ -17,7 +17,7 @@ import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.setting.SettingException;
 
 /** How a file's own scale and what the user says of it come together. */
-class ScanHeightsTest {
+class FileScaleTest {
     private static final String NUMBERS = "0 10 20 30\n40 50 60 70\n80 90 100 110\n";
     private static final String HEADER = "# Channel: Height\n# Width: 4.0 um\n# Height: 3.0 um\n# Value units: nm\n";
 
@@ -58,7 +58,12 @@ class ScanHeightsTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"width, 5um, 4 um wide", "height, 5um, 3 um high", "heightUnit, um, in nm", "maxHeight, 1nm, in nm"})
+    @CsvSource({
+        "width, 5um, says 4 um",
+        "height, 5um, says 3 um",
+        "heightUnit, um, says 1 nm",
+        "maxHeight, 2nm, says 1 nm"
+    })
     void whatAFileKnowsIsNotOverruled(String key, String word, String complaint) throws IOException {
         Path file = file(HEADER + NUMBERS);
         var setting = PatchSettings.OF_FILES.stream()
@@ -93,13 +98,13 @@ class ScanHeightsTest {
 
         assertThatThrownBy(() -> load(file))
                 .isInstanceOf(PatchException.class)
-                .hasMessageContaining("--width 20um and --height-unit nm");
+                .hasMessageContaining("--width 65um and --height-unit nm");
         assertThatThrownBy(() -> load(file, PatchSettings.WIDTH, "4um"))
                 .isInstanceOf(PatchException.class)
-                .hasMessageContaining("in which unit its heights are; add for example --height-unit nm");
+                .hasMessageContaining("how high a unit of its samples is; add for example --height-unit nm");
         assertThatThrownBy(() -> load(file, PatchSettings.HEIGHT_UNIT, "nm"))
                 .isInstanceOf(PatchException.class)
-                .hasMessageContaining("how large the scan is; add for example --width 20um");
+                .hasMessageContaining("how large the scan is; add for example --width 65um");
     }
 
     @Test
@@ -153,7 +158,7 @@ class ScanHeightsTest {
 
         assertThatThrownBy(() -> load(metres, PatchSettings.WIDTH, "4um", PatchSettings.HEIGHT_UNIT, "nm"))
                 .isInstanceOf(SettingException.class)
-                .hasMessageContaining("less than a hundredth of an atom; give a larger unit");
+                .hasMessageContaining("less than a hundredth of an atom; check both units");
     }
 
     @Test
@@ -162,23 +167,67 @@ class ScanHeightsTest {
 
         assertThatThrownBy(() -> load(file))
                 .isInstanceOf(PatchException.class)
-                .hasMessageContaining("relief of 0.1 pm, less than a hundredth of an atom")
+                .hasMessageContaining(
+                        "relief of 0.1 pm on a patch of 4 um, which is absurd: less than a hundredth of an atom")
                 .hasMessageContaining("its scale is wrong");
     }
 
     @Test
-    void aFloatImageInMetresIsNoMirror() throws IOException {
+    void aFloatImageHasAUnitOrAFullScale() throws IOException {
         Path file =
                 TestImages.write(TestImages.grey32f(4, 4, (c, r, b) -> 534e-9 * c / 3), folder.resolve("metres.tiff"));
 
         assertThatThrownBy(() -> load(file, PatchSettings.WIDTH, "4um", PatchSettings.MAX_HEIGHT, "534nm"))
                 .isInstanceOf(SettingException.class)
-                .hasMessageContaining("--max-height 534 nm makes a relief of 0.285156 pm")
-                .hasMessageContaining("reach over 534 nm if they are metres: give --height-unit m");
+                .hasMessageContaining("--max-height 534 nm makes a relief of 0.285156 pm");
         HeightMap map = load(file, PatchSettings.WIDTH, "4um", PatchSettings.HEIGHT_UNIT, "m")
                 .heights();
         // Seven digits of a float.
         assertThat(map.relief()).isCloseTo(534e-9, within(5e-14));
+    }
+
+    @Test
+    void anImageHasSquarePixelsUntilItsHeightIsSaid() throws IOException {
+        Path file = TestImages.write(TestImages.grey8(8, 4, (c, r, b) -> c == 7 ? 255 : 0), folder.resolve("grey.png"));
+        Object[] scale = {PatchSettings.WIDTH, "8um", PatchSettings.MAX_HEIGHT, "375nm"};
+        HeightMap square = load(file, scale).scan();
+        HeightMap oblong = load(file, scale[0], "8um", scale[2], "375nm", PatchSettings.HEIGHT, "8um")
+                .scan();
+
+        // Two roundings: of full scale and of the product.
+        assertThat(square.relief() / 375e-9 - 1).isBetween(-3e-16, 3e-16);
+        assertThat(square.pitchY()).isEqualTo(1e-6);
+        assertThat(oblong.pitchY()).isEqualTo(2e-6);
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "65nm, 1nm, --width 65 nm is absurd",
+        "65um, 375mm, --max-height 375 mm is absurd",
+        "65um, 375um, --max-height 375 um makes a relief of 370.588 um on a patch of 65 um",
+        "1nm, 1um, --width 1 nm is absurd"
+    })
+    void refusesScalesThatCannotBe(String width, String maxHeight, String complaint) throws IOException {
+        Path file = TestImages.write(TestImages.grey8(5, 4, (c, r, b) -> 63 * c + 3), folder.resolve("grey.png"));
+
+        assertThatThrownBy(() -> load(file, PatchSettings.WIDTH, width, PatchSettings.MAX_HEIGHT, maxHeight))
+                .isInstanceOf(SettingException.class)
+                .hasMessageContaining(complaint);
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "2.5um, 5um, relief of 5 um is larger than the patch (2.5 um)",
+        "20mm, 5um, the scan is 20 mm wide",
+        "200nm, 50nm, the scan is 200 nm wide",
+        "65um, 20um, one grey level is 78.4314 nm"
+    })
+    void warnsOfScalesThatHardlyAre(String width, String maxHeight, String warning) throws IOException {
+        Path file = TestImages.write(TestImages.grey8(64, 64, (c, r, b) -> 4 * c + r % 4), folder.resolve("grey.png"));
+
+        assertThat(load(file, PatchSettings.WIDTH, width, PatchSettings.MAX_HEIGHT, maxHeight)
+                        .warnings())
+                .anyMatch(line -> line.contains(warning));
     }
 
     @Test
@@ -187,7 +236,7 @@ class ScanHeightsTest {
 
         assertThatThrownBy(() -> load(file, PatchSettings.WIDTH, "4um", PatchSettings.HEIGHT_UNIT, "nm"))
                 .isInstanceOf(SettingException.class)
-                .hasMessageContaining("--height-unit nm is for images of floats")
+                .hasMessageContaining("--height-unit nm is for numbers without unit")
                 .hasMessageContaining("--max-height");
     }
 

@@ -15,7 +15,7 @@ import sunbeam.precompute.patch.builtin.BuiltInPatches;
 import sunbeam.precompute.setting.Setting;
 
 /** What a scan's user is told before anything is drawn. */
-class ScanFinishTest {
+class PatchAssemblerTest {
     private static final int SAMPLES = 96;
 
     @TempDir
@@ -49,24 +49,55 @@ class ScanFinishTest {
 
     @Test
     void spikesThatMakeTheReliefAreToldUntilTheyAreGone() throws IOException {
-        assertThat(scan(ScanFinishTest::withDust).warnings())
+        assertThat(scan(PatchAssemblerTest::withDust).warnings())
                 .anySatisfy(line -> assertThat(line)
                         .startsWith("2 samples stand alone, up to ")
                         .contains("despike"));
-        assertThat(scan(ScanFinishTest::withDust, PatchSettings.DESPIKE, "true").warnings())
+        assertThat(scan(PatchAssemblerTest::withDust, PatchSettings.DESPIKE, "true")
+                        .warnings())
                 .noneMatch(line -> line.contains("stand alone"));
-        assertThat(scan(ScanFinishTest::lines).warnings()).noneMatch(line -> line.contains("stand alone"));
+        assertThat(scan(PatchAssemblerTest::lines).warnings()).noneMatch(line -> line.contains("stand alone"));
     }
 
     @Test
     void aScanThatIsSaidToBeAPeriodAndIsNoneIsTold() throws IOException {
-        assertThat(scan(ScanFinishTest::lines, PatchSettings.PERIODIC, "true").warnings())
-                .anySatisfy(line -> assertThat(line)
-                        .contains("taken for one period, as said")
-                        .contains("repetition's"));
+        assertThat(scan(PatchAssemblerTest::lines, PatchSettings.PERIODIC, "true")
+                        .warnings())
+                .anySatisfy(line -> assertThat(line).contains("opposite borders differ by"));
         assertThat(scan((x, y) -> 40 * Math.sin(2 * Math.PI * x / 16), PatchSettings.PERIODIC, "true")
                         .warnings())
-                .noneMatch(line -> line.contains("taken for one period"));
-        assertThat(scan(ScanFinishTest::lines).warnings()).noneMatch(line -> line.contains("taken for one period"));
+                .noneMatch(line -> line.contains("borders differ"));
+        assertThat(scan(PatchAssemblerTest::lines).warnings()).noneMatch(line -> line.contains("borders differ"));
+    }
+
+    @Test
+    void drawnLinesAreAPieceUntilSomebodySaysMore() throws IOException {
+        Patch drawn = scan((x, y) -> x);
+        assertThat(drawn.repetition()).isEqualTo(Patch.Repetition.NONE);
+        assertThat(drawn.warnings()).anyMatch(line -> line.contains("period of a grating, say so (--periodic)"));
+    }
+
+    @Test
+    void eachFaultNamesWhatHelpsUntilItIsMended() throws IOException {
+        DoubleBinaryOperator stopped = (x, y) -> y < 72 ? lines(x, y) + (y < 24 ? 200 : 0) : 0;
+        assertThat(scan(stopped).faults())
+                .extracting(PatchFault::line)
+                .satisfiesExactly(
+                        rows -> assertThat(rows)
+                                .startsWith("rows 73 to 96 of 96")
+                                .endsWith("; --crop 0:4.8um,1.2um:4.8um leaves them out"),
+                        jump -> assertThat(jump)
+                                .contains("between rows 24 and 25")
+                                .endsWith("; --level median-rows takes that away"));
+        assertThat(scan(stopped, PatchSettings.LEVEL, "median-rows").faults()).hasSize(1);
+    }
+
+    @Test
+    void aRunIsToldOneLine() throws IOException {
+        Patch patch = scan((x, y) -> y < 72 ? lines(x, y) + (y < 24 ? 200 : 0) : 0);
+        assertThat(patch.warnings()).hasSizeGreaterThan(1);
+        assertThat(patch.warning().orElseThrow())
+                .startsWith(patch.warnings().get(0))
+                .endsWith("(inspect has " + (patch.warnings().size() - 1) + " more)");
     }
 }

@@ -1,0 +1,149 @@
+package sunbeam.precompute.fault;
+
+import java.util.ArrayList;
+import java.util.BitSet;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.StringJoiner;
+import sunbeam.precompute.prepare.Crop;
+import sunbeam.precompute.prepare.HeightField;
+
+/**
+ * Which rows of a scan were measured. The others are missing, of one height all along, or the row before once more. A surface that
+ * was computed has such rows, too, but many: then all count as measured.
+ */
+final class MeasuredRows {
+    // Of a row's samples: single ones are missing wherever light finds no way back.
+    private static final double MISSING = 0.9;
+    // Measured rows beside each run of others; a computed surface has a crest, of two equal rows, in each period.
+    private static final int ROWS_A_RUN = 16;
+    // Of the largest height: rounding to 32 bits of rows that were levelled together.
+    private static final double ROUNDING = 4e-7;
+    private static final int MOST_RUNS_TOLD = 4;
+
+    private final HeightField scan;
+    private final BitSet unmeasured = new BitSet();
+
+    MeasuredRows(HeightField scan) {
+        this.scan = scan;
+        double slack = ROUNDING * largest();
+        for (int row = 0; row < scan.rows(); row++) {
+            unmeasured.set(row, isMissing(row) || isConstant(row, -1, 0));
+        }
+        boolean noisy = rowsDiffer();
+        for (int row = 1; row < scan.rows() && noisy; row++) {
+            unmeasured.set(row, unmeasured.get(row) || isConstant(row, row - 1, slack));
+        }
+        int measured = scan.rows() - unmeasured.cardinality();
+        if (runs(unmeasured).size() * ROWS_A_RUN > measured) {
+            unmeasured.clear();
+        }
+    }
+
+    /** Whether a row and the next were measured. */
+    boolean isPair(int row) {
+        return row + 1 < scan.rows() && !unmeasured.get(row) && !unmeasured.get(row + 1);
+    }
+
+    /** Whether most samples differ from those of the row above: else a row may be like it by chance, or because it was drawn so. */
+    private boolean rowsDiffer() {
+        double[] heights = scan.heights();
+        long same = 0;
+        for (int i = scan.columns(); i < heights.length; i++) {
+            same += heights[i] == heights[i - scan.columns()] ? 1 : 0;
+        }
+        long unlike = (long) heights.length - (long) unmeasured.cardinality() * scan.columns() - same;
+        return 2 * unlike > heights.length - (long) unmeasured.cardinality() * scan.columns();
+    }
+
+    private double largest() {
+        double largest = 0;
+        for (double height : scan.heights()) {
+            double size = Math.abs(height);
+            largest = size > largest && size < Double.POSITIVE_INFINITY ? size : largest;
+        }
+        return largest;
+    }
+
+    private boolean isMissing(int row) {
+        int missing = 0;
+        for (int column = 0; column < scan.columns(); column++) {
+            missing += Double.isFinite(height(column, row)) ? 0 : 1;
+        }
+        return missing >= MISSING * scan.columns();
+    }
+
+    /** Whether a row less another, or where that is negative the row itself, is the same all along. */
+    private boolean isConstant(int row, int other, double slack) {
+        double first = Double.NaN;
+        for (int column = 0; column < scan.columns(); column++) {
+            double difference = height(column, row) - (other < 0 ? 0 : height(column, other));
+            first = Double.isNaN(first) ? difference : first;
+            if (Math.abs(difference - first) > slack) {
+                return false;
+            }
+        }
+        return Double.isFinite(first);
+    }
+
+    private double height(int column, int row) {
+        return scan.heights()[row * scan.columns() + column];
+    }
+
+    /** First and end of each unbroken run. */
+    private static List<int[]> runs(BitSet rows) {
+        List<int[]> runs = new ArrayList<>();
+        for (int first = rows.nextSetBit(0); first >= 0; ) {
+            int end = rows.nextClearBit(first);
+            runs.add(new int[] {first, end});
+            first = rows.nextSetBit(end);
+        }
+        return runs;
+    }
+
+    /**
+     * What is told of rows that were not measured, with the largest part without them.
+     *
+     * @param whole scan
+     * @param place of the samples in it
+     */
+    Optional<ScanFault> fault(HeightField whole, Crop.Samples place) {
+        if (unmeasured.isEmpty()) {
+            return Optional.empty();
+        }
+        BitSet measured = (BitSet) unmeasured.clone();
+        measured.flip(0, scan.rows());
+        Optional<Crop> part = runs(measured).stream()
+                .max(Comparator.comparingInt(run -> run[1] - run[0]))
+                .map(run -> new Crop.Samples(
+                                place.firstColumn(),
+                                place.endColumn(),
+                                place.firstRow() + run[0],
+                                place.firstRow() + run[1])
+                        .area(whole));
+        String words = String.format(
+                Locale.ROOT,
+                "%s %s of %d (from the top) hold no measurement: missing, of one height, or the row above once more",
+                unmeasured.cardinality() == 1 ? "row" : "rows",
+                numbers(place.firstRow() + 1),
+                whole.rows());
+        double share = (double) unmeasured.cardinality() / scan.rows();
+        return Optional.of(new ScanFault(words, part, Optional.empty(), share));
+    }
+
+    /** "3, 7 to 9 and 3 more". */
+    private String numbers(int ofFirst) {
+        StringJoiner told = new StringJoiner(", ");
+        List<int[]> runs = runs(unmeasured);
+        int others = unmeasured.cardinality();
+        for (int[] run : runs.subList(0, Math.min(MOST_RUNS_TOLD, runs.size()))) {
+            int first = run[0] + ofFirst;
+            int last = run[1] - 1 + ofFirst;
+            told.add(first == last ? Integer.toString(first) : first + " to " + last);
+            others -= run[1] - run[0];
+        }
+        return told + (others > 0 ? " and " + others + " more" : "");
+    }
+}

@@ -1,0 +1,100 @@
+package sunbeam.precompute.patch;
+
+import static sunbeam.precompute.patch.PatchSettings.HEIGHT;
+import static sunbeam.precompute.patch.PatchSettings.HEIGHT_UNIT;
+import static sunbeam.precompute.patch.PatchSettings.MAX_HEIGHT;
+import static sunbeam.precompute.patch.PatchSettings.WIDTH;
+
+import java.nio.file.Path;
+import java.util.Optional;
+import sunbeam.precompute.scan.ScanChannel;
+import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.setting.Setting;
+import sunbeam.precompute.setting.SettingException;
+import sunbeam.precompute.units.Lengths;
+
+/**
+ * The scale of a channel: what the file says, completed by what was chosen. Who says again what the file says may.
+ *
+ * @param metresPerUnit of the samples
+ * @param pitchX distance of columns, metres
+ * @param pitchY distance of rows, metres
+ * @param heightsFrom the setting that gave the metres; empty where the file did
+ */
+record FileScale(double metresPerUnit, double pitchX, double pitchY, Optional<Setting<?>> heightsFrom) {
+    /** What six digits, as many as messages show of a length, leave open. */
+    private static final double SAME = 1e-5;
+
+    /** @throws SettingException when a choice contradicts the file or is absurd, or something must be chosen */
+    static FileScale of(Path file, ScanChannel channel, Choices choices) {
+        Optional<Double> width = agreed(WIDTH, channel.extent().width(), choices, file);
+        Optional<Double> height = agreed(HEIGHT, channel.extent().height(), choices, file);
+        Optional<Double> unit = agreed(
+                HEIGHT_UNIT, channel.metresPerUnit(), choices.find(HEIGHT_UNIT).map(HeightUnit::metres), file);
+        Optional<Double> full = agreed(MAX_HEIGHT, channel.metresPerUnit(), choices, file);
+        boolean whole = channel.unit().equals(ScanChannel.FULL_SCALE);
+        requireOne(choices, whole);
+        Optional<Double> metresPerUnit = unit.or(() -> full);
+        if (width.isEmpty() || metresPerUnit.isEmpty()) {
+            throw missing(file, width.isEmpty(), metresPerUnit.isEmpty(), whole);
+        }
+        double pitchX = width.get() / channel.columns();
+        double pitchY = height.map(side -> side / channel.rows())
+                .orElse(pitchX * channel.extent().aspect());
+        Plausibility.requireSides(pitchX * channel.columns(), pitchY * channel.rows(), file);
+        if (whole && metresPerUnit.get() > Plausibility.LARGEST_RELIEF) {
+            throw new SettingException(
+                    MAX_HEIGHT,
+                    "is absurd for the full scale of whole numbers; the most is "
+                            + Lengths.format(Plausibility.LARGEST_RELIEF) + " (is the unit right?)");
+        }
+        Setting<?> from = choices.has(HEIGHT_UNIT) ? HEIGHT_UNIT : MAX_HEIGHT;
+        return new FileScale(
+                metresPerUnit.get(),
+                pitchX,
+                pitchY,
+                channel.metresPerUnit().isPresent() ? Optional.empty() : Optional.of(from));
+    }
+
+    private static Optional<Double> agreed(
+            Setting<Double> setting, Optional<Double> known, Choices choices, Path file) {
+        return agreed(setting, known, choices.find(setting), file);
+    }
+
+    private static Optional<Double> agreed(
+            Setting<?> setting, Optional<Double> known, Optional<Double> chosen, Path file) {
+        if (known.isPresent() && chosen.isPresent() && Math.abs(chosen.get() - known.get()) > SAME * known.get()) {
+            throw new SettingException(
+                    setting,
+                    "contradicts " + file + ", which says " + Lengths.format(known.get()) + " itself; leave it out");
+        }
+        return known.or(() -> chosen);
+    }
+
+    private static void requireOne(Choices choices, boolean whole) {
+        if (choices.has(MAX_HEIGHT) && choices.has(HEIGHT_UNIT)) {
+            throw new SettingException(HEIGHT_UNIT, "contradicts ", MAX_HEIGHT, "; give one of them");
+        }
+        if (whole && choices.has(HEIGHT_UNIT)) {
+            throw new SettingException(
+                    HEIGHT_UNIT,
+                    "is for numbers without unit; of an image's whole numbers give the height of full scale with ",
+                    MAX_HEIGHT);
+        }
+    }
+
+    private static SettingException missing(Path file, boolean width, boolean unit, boolean whole) {
+        Setting<?> ofHeights = whole ? MAX_HEIGHT : HEIGHT_UNIT;
+        String heights = whole ? " 375nm" : " nm";
+        String what = "is missing: " + file + " does not say "
+                + (width ? "how large the scan is" : "") + (width && unit ? ", nor " : "")
+                + (unit ? "how high a unit of its samples is" : "") + "; add for example ";
+        String end = ", or name a descriptor (.json)";
+        if (width && unit) {
+            return new SettingException(WIDTH, what, WIDTH, " 65um and ", ofHeights, heights + end);
+        }
+        return width
+                ? new SettingException(WIDTH, what, WIDTH, " 65um" + end)
+                : new SettingException(ofHeights, what, ofHeights, heights + end);
+    }
+}

@@ -1,0 +1,161 @@
+package sunbeam.precompute.patch;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.stream.IntStream;
+import sunbeam.precompute.setting.Setting;
+import sunbeam.precompute.setting.SettingException;
+import sunbeam.precompute.units.Lengths;
+
+/** What no scan can be (smaller than a wavelength, larger than a hand, flatter than an atom, deeper than wide), and what hardly any is. */
+final class Plausibility {
+    /** Of the longer side, metres: no order of visible light leaves a smaller patch. */
+    static final double SHORTEST_LONG_SIDE = 100e-9;
+
+    static final double LONGEST_SIDE = 0.1;
+    static final double LARGEST_RELIEF = 1e-3;
+    /** A hundredth of an atom: no microscope sees less, no light scatters from it. */
+    static final double SMALLEST_RELIEF = 1e-12;
+    /** Less than this scatters a few ten-thousandths of the light: a mirror, and most likely a mistaken unit. */
+    static final double FLATTEST_RELIEF = 1e-9;
+    /** Relief over the longer side. */
+    static final double STEEPEST_RELIEF = 4;
+    /** Samples, 2048 x 2048, of a patch whose heights are all equal: work on them takes seconds. */
+    static final long MOST_FLAT_SAMPLES = 1L << 22;
+    // Of the longer side, metres: force microscopes reach 150 um, interference microscopes a few hundred.
+    private static final double USUAL_FROM = 300e-9;
+    private static final double USUAL_TO = 1e-3;
+    private static final double ODD_ASPECT = 50;
+    private static final int MOST_LOOKED_AT = 100_000;
+    // Whole numbers recur, and a drawn surface has fewer levels.
+    private static final int FEWEST_LEVELS = 16;
+    private static final int RECURRING = 4;
+
+    private Plausibility() {}
+
+    /** @throws SettingException about the width when the sides are absurd */
+    static void requireSides(double width, double height, Path file) {
+        double longSide = Math.max(width, height);
+        if (longSide < SHORTEST_LONG_SIDE || longSide > LONGEST_SIDE) {
+            throw new SettingException(
+                    PatchSettings.WIDTH,
+                    String.format(
+                            Locale.ROOT,
+                            "is absurd: %s would be %s x %s; a patch's longer side is %s to %s (is the unit right?)",
+                            file,
+                            Lengths.format(width),
+                            Lengths.format(height),
+                            Lengths.format(SHORTEST_LONG_SIDE),
+                            Lengths.format(LONGEST_SIDE)));
+        }
+    }
+
+    /**
+     * Refuses a relief that is absurd, and a large file without any, which holds nothing, but takes minutes to work on.
+     *
+     * @param from the setting that gave the heights their scale; empty where the file did
+     * @throws SettingException about that setting
+     * @throws PatchException when the file is at fault
+     */
+    static void requireRelief(HeightMap map, Optional<Setting<?>> from, Path file) {
+        double relief = map.relief();
+        double longSide = Math.max(map.width(), map.height());
+        if (relief == 0 && (long) map.columns() * map.rows() > MOST_FLAT_SAMPLES) {
+            throw new PatchException(String.format(
+                    Locale.ROOT,
+                    "%s: all of its %d x %d samples are equal: it is empty; export the scan again"
+                            + " (of a flat mirror 2048 x 2048 samples are enough)",
+                    file,
+                    map.columns(),
+                    map.rows()));
+        }
+        boolean flat = relief > 0 && relief < SMALLEST_RELIEF;
+        if (!flat && !(relief > LARGEST_RELIEF) && !(relief > STEEPEST_RELIEF * longSide)) {
+            return;
+        }
+        String absurd = String.format(
+                Locale.ROOT,
+                "a relief of %s on a patch of %s, which is absurd%s",
+                Lengths.format(relief),
+                Lengths.format(longSide),
+                flat ? ": less than a hundredth of an atom" : "");
+        if (from.isPresent()) {
+            throw new SettingException(from.get(), "makes " + absurd + "; check both units");
+        }
+        throw new PatchException(file + " has " + absurd + "; its scale is wrong, export it again");
+    }
+
+    /** What is possible but unlikely about heights as they were measured, one line each. */
+    static List<String> oddities(HeightMap map) {
+        List<String> told = new ArrayList<>();
+        double side = Math.max(map.width(), map.height());
+        if (side < USUAL_FROM || side > USUAL_TO) {
+            told.add(String.format(
+                    Locale.ROOT,
+                    "the scan is %s wide, and microscopes of heights scan %s to %s: is its unit of length right?",
+                    Lengths.rounded(side, 3),
+                    Lengths.format(USUAL_FROM),
+                    Lengths.format(USUAL_TO)));
+        }
+        if (map.relief() > side) {
+            told.add(String.format(
+                    Locale.ROOT,
+                    "the relief of %s is larger than the patch (%s): is the unit of the heights right?",
+                    Lengths.format(map.relief()),
+                    Lengths.format(side)));
+        }
+        double aspect = Math.max(map.pitchX() / map.pitchY(), map.pitchY() / map.pitchX());
+        if (map.columns() > 1 && map.rows() > 1 && aspect > ODD_ASPECT) {
+            told.add(String.format(
+                    Locale.ROOT,
+                    "samples are %s apart along x and %s along y: is the height, the extent along y, right?",
+                    Lengths.format(map.pitchX()),
+                    Lengths.format(map.pitchY())));
+        }
+        SamplingCheck.heightStep(smallestStep(map)).ifPresent(told::add);
+        return told;
+    }
+
+    /** Between different heights among evenly spread samples: the quantum of those that were whole numbers; 0 of others. */
+    private static double smallestStep(HeightMap map) {
+        long samples = (long) map.columns() * map.rows();
+        long stride = Math.max(1, samples / MOST_LOOKED_AT);
+        double[] sorted = IntStream.range(0, (int) (samples / stride))
+                .mapToLong(i -> i * stride)
+                .mapToDouble(i -> map.at((int) (i % map.columns()), (int) (i / map.columns())))
+                .filter(Double::isFinite)
+                .sorted()
+                .toArray();
+        double[] distinct = Arrays.stream(sorted).distinct().toArray();
+        if (distinct.length < FEWEST_LEVELS || sorted.length < RECURRING * distinct.length) {
+            return 0;
+        }
+        return IntStream.range(1, distinct.length)
+                .mapToDouble(i -> distinct[i] - distinct[i - 1])
+                .min()
+                .orElseThrow();
+    }
+
+    /** That a patch is a mirror to any eye; empty for all others. */
+    static Optional<String> mirror(HeightMap map) {
+        double relief = map.relief();
+        if (relief == 0) {
+            return Optional.of("all heights are equal: the patch is a flat mirror");
+        }
+        if (relief >= FLATTEST_RELIEF) {
+            return Optional.empty();
+        }
+        // Phases of at most k w h / 2 about the middle, of the shortest wavelength along the normal.
+        double phase = 2 * Math.PI * relief / SamplingCheck.SHORTEST_WAVELENGTH;
+        return Optional.of(String.format(
+                Locale.ROOT,
+                "the relief is only %s, far below a wavelength: the patch is a mirror, which diffracts less than %.1g %% of the"
+                        + " light; is the unit of the heights right?",
+                Lengths.format(relief),
+                100 * phase * phase));
+    }
+}

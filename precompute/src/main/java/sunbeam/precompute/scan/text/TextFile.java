@@ -1,0 +1,125 @@
+package sunbeam.precompute.scan.text;
+
+import java.io.IOException;
+import java.io.InputStreamReader;
+import java.io.Reader;
+import java.nio.ByteBuffer;
+import java.nio.CharBuffer;
+import java.nio.charset.Charset;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.StringTokenizer;
+import java.util.regex.Pattern;
+import sunbeam.precompute.scan.ScanBytes;
+
+/**
+ * Where the numbers of a text begin, and how they are written.
+ *
+ * @param charset UTF-16 where the file has such a mark, UTF-8 where it is, else Latin-1, which instruments still write
+ * @param header the lines before, without their ends
+ * @param start of the first line of numbers, characters
+ * @param decimalComma whether 1,5 is one and a half
+ */
+record TextFile(ScanBytes file, Charset charset, List<String> header, long start, boolean decimalComma) {
+    private static final int LONGEST_HEADER = 1 << 18;
+    private static final Pattern NUMBER =
+            Pattern.compile("[+-]?(?:\\d+[.,]?\\d*|[.,]\\d+)(?:[eE][+-]?\\d{1,3})?|[+-]?[nN][aA][nN]");
+    private static final Pattern FRACTION = Pattern.compile("\\d,\\d");
+    private static final Pattern SIGNED = Pattern.compile(",[-+]");
+    private static final Pattern SEPARATED = Pattern.compile("\\S[ \\t]+\\S|;");
+
+    /**
+     * Nothing when the file is no text, or has no line of numbers after at most 256 KB of header.
+     *
+     * @param mark where the user says it; else commas are decimal marks where something else separates numbers and none has a
+     *     point
+     */
+    static Optional<TextFile> of(ScanBytes file, Optional<DecimalMark> mark) throws IOException {
+        byte[] bytes = file.head(LONGEST_HEADER);
+        Charset charset = charset(bytes);
+        String head = new String(bytes, charset);
+        if (!isText(head)) {
+            return Optional.empty();
+        }
+        List<String> header = new ArrayList<>();
+        int start = head.startsWith("\ufeff") ? 1 : 0;
+        while (start < head.length()) {
+            int end = endOfLine(head, start);
+            // The head may cut a line of numbers short, within a number.
+            boolean cut = end == head.length() && bytes.length < file.size();
+            String line = head.substring(start, cut ? lastBlank(head, start, end) : end);
+            if (areNumbers(line, " \t;,\"\f") || areNumbers(line, " \t;\"\f")) {
+                boolean comma = mark.map(DecimalMark.COMMA::equals).orElse(hasDecimalCommas(head.substring(start)));
+                return Optional.of(new TextFile(file, charset, header, start, comma));
+            }
+            header.add(line);
+            start = end + (head.startsWith("\r\n", end) ? 2 : 1);
+        }
+        return Optional.empty();
+    }
+
+    /** Whether a line holds nothing but numbers, at least one. */
+    private static boolean areNumbers(String line, String separators) {
+        StringTokenizer words = new StringTokenizer(line, separators);
+        boolean some = words.hasMoreTokens();
+        while (words.hasMoreTokens()) {
+            if (!NUMBER.matcher(words.nextToken()).matches()) {
+                return false;
+            }
+        }
+        return some;
+    }
+
+    private static Charset charset(byte[] head) {
+        boolean wide = head.length > 1 && (head[0] & 0xff) + (head[1] & 0xff) == 0xff + 0xfe;
+        if (wide) {
+            return head[0] == (byte) 0xff ? StandardCharsets.UTF_16LE : StandardCharsets.UTF_16BE;
+        }
+        // A character that the head cuts short is no error.
+        boolean broken = StandardCharsets.UTF_8
+                .newDecoder()
+                .decode(ByteBuffer.wrap(head), CharBuffer.allocate(head.length), false)
+                .isError();
+        return broken ? StandardCharsets.ISO_8859_1 : StandardCharsets.UTF_8;
+    }
+
+    private static boolean isText(String head) {
+        return !head.isEmpty()
+                && head.chars().allMatch(c -> c >= ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f');
+    }
+
+    private static int endOfLine(String head, int start) {
+        int end = start;
+        while (end < head.length() && head.charAt(end) != '\n' && head.charAt(end) != '\r') {
+            end++;
+        }
+        return end;
+    }
+
+    private static int lastBlank(String head, int start, int end) {
+        int last = end;
+        while (last > start && " \t;,".indexOf(head.charAt(last - 1)) < 0) {
+            last--;
+        }
+        return last;
+    }
+
+    private static boolean hasDecimalCommas(String numbers) {
+        return numbers.indexOf('.') < 0
+                && FRACTION.matcher(numbers).find()
+                && SEPARATED.matcher(numbers).find()
+                && !SIGNED.matcher(numbers).find();
+    }
+
+    /** The numbers, one after the other. */
+    NumberStream numbers() throws IOException {
+        Reader reader = new InputStreamReader(file.stream(0), charset);
+        for (long left = start; left > 0; ) {
+            long skipped = reader.skip(left);
+            left = skipped > 0 ? left - skipped : 0;
+        }
+        return new NumberStream(reader, decimalComma, header.size() + 1L);
+    }
+}
