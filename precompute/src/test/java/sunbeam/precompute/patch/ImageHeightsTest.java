@@ -42,7 +42,7 @@ class ImageHeightsTest {
     @ParameterizedTest
     @CsvSource({"png, 8", "tiff, 8", "bmp, 8", "png, 16", "tiff, 16"})
     void readsAllGreysAsStored(String format, int bits) throws IOException {
-        int side = 1 << bits / 2;
+        int side = 1 << (bits / 2);
         TestImages.Samples greys = (c, r, b) -> r * side + c;
         BufferedImage image = bits == 8 ? TestImages.grey8(side, side, greys) : TestImages.grey16(side, side, greys);
         double[] samples = read(image, "grey." + format, (1 << bits) - 1);
