@@ -53,7 +53,7 @@ public record SceneData(
     }
 
     /**
-     * The same parts for another scene.
+     * The same parts for another scene; this for an equal one.
      *
      * @throws IllegalArgumentException unless they suit it
      */
@@ -62,7 +62,7 @@ public record SceneData(
             throw new IllegalArgumentException(
                     "a scene with another mesh, patch, texture or method must be loaded by a SceneLoader");
         }
-        return new SceneData(other, mesh, patch, method, tables, levels, body, part);
+        return other.equals(scene) ? this : new SceneData(other, mesh, patch, method, tables, levels, body, part);
     }
 
     // The same object, not an equal one: comparing the values would take as long as loading them.

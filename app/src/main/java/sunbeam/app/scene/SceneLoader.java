@@ -3,9 +3,11 @@ package sunbeam.app.scene;
 import static sunbeam.precompute.plan.MethodSettings.COHERENCE_LENGTH;
 
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.function.DoubleConsumer;
 import java.util.function.Supplier;
 import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.files.input.IndexFile;
@@ -32,6 +34,10 @@ import sunbeam.precompute.shader.ShaderTables;
 
 /** Loads what a scene names. Needs no OpenGL and may run on any thread; may take seconds. */
 public final class SceneLoader {
+    // Shares of a load, roughly as its steps take: heights, plan, tables.
+    private static final double READ = 0.2;
+    private static final double PLANNED = 0.4;
+
     private final Environment environment;
     private final Consumer<String> warning;
 
@@ -53,7 +59,7 @@ public final class SceneLoader {
 
     /** As {@link #load(Scene)}, keeping what has not changed; files are not looked at again. */
     public SceneData load(Scene scene, SceneData previous) {
-        return whole(parts(scene, List.of(previous)));
+        return whole(parts(scene, List.of(previous), share -> {}));
     }
 
     private static SceneData whole(List<SceneData> parts) {
@@ -80,15 +86,22 @@ public final class SceneLoader {
         // Beside the patch, most of whose work is one processor's.
         Meanwhile<BodyTexture> body = Meanwhile.start(() -> BodyTextures.load(scene.texture()));
         try {
-            return withTables(scene, mesh, body::get, patch(scene), parts);
+            return withTables(scene, mesh, body::get, patch(scene), parts, share -> {});
         } finally {
             body.settle();
         }
     }
 
-    /** As {@link #parts(Scene)}, keeping what has not changed; files are not looked at again. */
-    public List<SceneData> parts(Scene scene, List<SceneData> previous) {
+    /**
+     * As {@link #parts(Scene)}, keeping what has not changed; files are not looked at again.
+     *
+     * @param progress told now and then the share that is done
+     */
+    public List<SceneData> parts(Scene scene, List<SceneData> previous, DoubleConsumer progress) {
         SceneData one = previous.get(0);
+        if (one.suits(scene)) {
+            return previous.stream().map(part -> part.with(scene)).toList();
+        }
         Scene before = one.scene();
         Mesh mesh = before.mesh().equals(scene.mesh()) ? one.mesh() : mesh(scene);
         BodyTexture body = before.texture().equals(scene.texture()) ? one.body() : BodyTextures.load(scene.texture());
@@ -101,15 +114,26 @@ public final class SceneLoader {
                             scene, mesh, part.patch(), part.method(), part.tables(), part.levels(), body, part.part()))
                     .toList();
         }
-        return withTables(scene, mesh, () -> body, samePatch ? one.patch() : patch(scene), skinParts(scene));
+        Patch patch = samePatch ? one.patch() : patch(scene);
+        progress.accept(READ);
+        return withTables(scene, mesh, () -> body, patch, skinParts(scene), progress);
     }
 
     private List<SceneData> withTables(
-            Scene scene, Mesh mesh, Supplier<BodyTexture> body, Patch patch, List<Optional<SkinPart>> parts) {
+            Scene scene,
+            Mesh mesh,
+            Supplier<BodyTexture> body,
+            Patch patch,
+            List<Optional<SkinPart>> parts,
+            DoubleConsumer progress) {
         tellLimit(scene, patch);
-        return parts.stream()
-                .map(part -> withTables(scene, mesh, body, patch, part, () -> {}))
-                .toList();
+        List<SceneData> loaded = new ArrayList<>();
+        for (Optional<SkinPart> part : parts) {
+            int before = loaded.size();
+            DoubleConsumer ofAll = share -> progress.accept(READ + (1 - READ) * (before + share) / parts.size());
+            loaded.add(withTables(scene, mesh, body, patch, part, ofAll));
+        }
+        return List.copyOf(loaded);
     }
 
     private static List<Optional<SkinPart>> skinParts(Scene scene) {
@@ -129,13 +153,13 @@ public final class SceneLoader {
      * A scene that is loaded already, by another method, as one part: roughly, where it is several. What is to be said of the
      * patch has been said.
      *
-     * @param between run before each layer of tables that is made, which goes on when it returns
+     * @param progress told before each layer of tables that is made the share that is done; goes on when it returns
      */
-    public SceneData preview(Scene scene, SceneData loaded, Runnable between) {
+    public SceneData preview(Scene scene, SceneData loaded, DoubleConsumer progress) {
         Optional<SkinPart> part = scene.index().isByWavelength()
                 ? Optional.of(SkinPart.approximately(index(scene), CieTable.load()))
                 : Optional.empty();
-        return withTables(scene, loaded.mesh(), loaded::body, loaded.patch(), part, between);
+        return withTables(scene, loaded.mesh(), loaded::body, loaded.patch(), part, progress);
     }
 
     private Mesh mesh(Scene scene) {
@@ -165,7 +189,7 @@ public final class SceneLoader {
             Supplier<BodyTexture> body,
             Patch patch,
             Optional<SkinPart> part,
-            Runnable between) {
+            DoubleConsumer progress) {
         DiffractionSetup setup = new DiffractionSetup(patch, environment, warning);
         Surface surface = part.map(
                         found -> setup.surface().under(found.reflection().cie()))
@@ -173,10 +197,12 @@ public final class SceneLoader {
         Choices choices = scene.method().choices();
         MethodPlan method =
                 choices.located(() -> scene.method().seeing(patch).method().plan(surface, VisibleRange.all()));
+        progress.accept(PLANNED);
+        DoubleConsumer ofTables = share -> progress.accept(PLANNED + (1 - PLANNED) * share);
         Optional<LevelSources> levels = method.levelled().map(plan -> new LevelsOfSetup(setup, plan, surface.cie()));
         ShaderTables tables = levels.isPresent()
                 ? setup.freshTables(method, MethodUse.COLOUR, GpuColours::of)
-                : setup.tables(method, MethodUse.COLOUR, GpuColours::of, between);
+                : setup.tables(method, MethodUse.COLOUR, GpuColours::of, ofTables);
         return new SceneData(scene, mesh, patch, method, tables, levels, body.get(), part);
     }
 }

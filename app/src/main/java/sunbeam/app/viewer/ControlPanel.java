@@ -15,13 +15,14 @@ import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
 import java.awt.GridBagConstraints;
 import java.awt.GridBagLayout;
 import java.awt.Insets;
+import java.math.BigDecimal;
+import java.math.MathContext;
 import java.util.Arrays;
 import java.util.HashMap;
 import java.util.Locale;
 import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.function.Consumer;
-import java.util.function.DoubleConsumer;
 import java.util.function.Function;
 import javax.swing.BorderFactory;
 import javax.swing.JCheckBox;
@@ -43,7 +44,7 @@ import sunbeam.precompute.setting.SettingException;
 /** The controls beside the picture. They change the scene and follow it. */
 final class ControlPanel extends JPanel {
     private static final String ENTER = "Enter takes it over.";
-    private static final String STOPS = "A step of 4 doubles it.";
+    private static final String RESET = "Double click resets it.";
 
     private final transient ViewerModel model;
     private final transient Consumer<String> problem;
@@ -77,10 +78,11 @@ final class ControlPanel extends JPanel {
                 180,
                 Math::toRadians,
                 Math::toDegrees,
-                value -> format("%.0f°", Math.toDegrees(value)),
-                value -> choose(ROTATE_PATCH, value));
-        exposure = stops("exposure", -60, 60, value -> choose(EXPOSURE, OptionalDouble.of(value)));
-        diffraction = stops("diffraction", -20, 80, value -> choose(DIFFRACTION, value));
+                value -> format("%.1f", Math.toDegrees(value)),
+                ROTATE_PATCH.writtenStandard().orElseThrow(),
+                text -> enter(ROTATE_PATCH, text));
+        exposure = stops("exposure", -45, 45, EXPOSURE);
+        diffraction = stops("diffraction", -15, 60, DIFFRACTION);
         texture = new LabelledSlider(
                 "texture",
                 0,
@@ -88,21 +90,26 @@ final class ControlPanel extends JPanel {
                 step -> step / 100,
                 weight -> weight * 100,
                 weight -> format("%.2f", weight),
-                value -> choose(TEXTURE_WEIGHT, value));
+                TEXTURE_WEIGHT.writtenStandard().orElseThrow(),
+                text -> enter(TEXTURE_WEIGHT, text));
         layOut();
         listen();
     }
 
-    /** @param low in quarters of a stop, as is high: four double the factor */
-    private static LabelledSlider stops(String name, int low, int high, DoubleConsumer changed) {
+    /** @param low in thirds of a stop, as is high: three double the factor */
+    private LabelledSlider stops(String name, int low, int high, Setting<?> setting) {
         return new LabelledSlider(
                 name,
                 low,
                 high,
-                step -> Math.pow(2, step / 4),
-                factor -> 4 * Math.log(Math.max(1e-9, factor)) / Math.log(2),
-                factor -> format("%.3g", factor),
-                changed);
+                step -> Math.pow(2, step / 3),
+                factor -> 3 * Math.log(Math.max(1e-9, factor)) / Math.log(2),
+                factor -> new BigDecimal(factor)
+                        .round(new MathContext(3))
+                        .stripTrailingZeros()
+                        .toPlainString(),
+                setting.writtenStandard().orElseThrow(),
+                text -> enter(setting, text));
     }
 
     private void layOut() {
@@ -114,11 +121,11 @@ final class ControlPanel extends JPanel {
         add(TOLERANCE, tolerance, "");
         add(COHERENCE_LENGTH, coherence, ENTER);
         add(AVERAGE, average, "");
-        add(ROTATE_PATCH, rotation, "");
+        add(ROTATE_PATCH, rotation, RESET);
         add(EXPOSURE, automatic, "Automatic: chosen from the picture.");
-        add("", exposure, ControlOrigin.INSTANCE.tip(EXPOSURE, STOPS));
-        add(DIFFRACTION, diffraction, STOPS + " For gem about 0.5.");
-        add(TEXTURE_WEIGHT, texture, "");
+        add("", exposure, ControlOrigin.INSTANCE.tip(EXPOSURE, "In thirds of a stop. Double click: automatic."));
+        add(DIFFRACTION, diffraction, RESET + " For gem about 0.5.");
+        add(TEXTURE_WEIGHT, texture, RESET);
         mesh.setName("mesh");
         patch.setName("patch");
         tolerance.setEditable(true);
@@ -161,8 +168,10 @@ final class ControlPanel extends JPanel {
         onChoice(average, name -> enter(AVERAGE, name));
         onChoice(tolerance, text -> enter(TOLERANCE, text));
         coherence.addActionListener(event -> enter(COHERENCE_LENGTH, coherence.getText()));
-        automatic.addActionListener(event ->
-                choose(EXPOSURE, automatic.isSelected() ? OptionalDouble.empty() : OptionalDouble.of(lastExposure)));
+        automatic.addActionListener(event -> enter(
+                EXPOSURE,
+                EXPOSURE.kind()
+                        .format(automatic.isSelected() ? OptionalDouble.empty() : OptionalDouble.of(lastExposure))));
     }
 
     private void onChoice(JComboBox<String> box, Consumer<String> chosen) {
@@ -190,10 +199,6 @@ final class ControlPanel extends JPanel {
     /** Takes over what was typed. */
     private void enter(Setting<?> setting, String text) {
         attempt(() -> change(parsed(setting, text)));
-    }
-
-    private <T> void choose(Setting<T> setting, T value) {
-        attempt(() -> change(Choices.at(ControlOrigin.INSTANCE).with(setting, value)));
     }
 
     private static Choices parsed(Setting<?> setting, String text) {
@@ -254,7 +259,6 @@ final class ControlPanel extends JPanel {
         average.setSelectedItem(AVERAGE.kind().format(chosen.get(AVERAGE)));
         rotation.follow(scene.rotatePatch());
         automatic.setSelected(scene.exposure().isEmpty());
-        exposure.setEnabled(scene.exposure().isPresent());
         scene.exposure().ifPresent(factor -> {
             lastExposure = factor;
             exposure.follow(factor);

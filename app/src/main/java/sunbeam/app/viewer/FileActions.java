@@ -147,17 +147,7 @@ final class FileActions {
     }
 
     private <T> void run(Callable<T> work, Consumer<T> done) {
-        window.status().busy(true);
-        background.run(
-                work,
-                result -> {
-                    window.status().busy(false);
-                    done.accept(result);
-                },
-                problem -> {
-                    window.status().busy(false);
-                    window.status().message(problem);
-                });
+        background.run(work, done, window.status()::message);
     }
 
     private Optional<Path> ask(String title, int kind) {

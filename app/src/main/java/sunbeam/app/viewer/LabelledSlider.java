@@ -2,17 +2,19 @@ package sunbeam.app.viewer;
 
 import java.awt.BorderLayout;
 import java.awt.Dimension;
-import java.util.function.DoubleConsumer;
+import java.awt.event.MouseAdapter;
+import java.awt.event.MouseEvent;
+import java.util.function.Consumer;
 import java.util.function.DoubleFunction;
 import java.util.function.DoubleUnaryOperator;
-import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JSlider;
+import javax.swing.JTextField;
 
-/** A slider with its value beside it. */
+/** A slider with its value beside it, which may be typed. What either is set to is told as text; a double click resets. */
 final class LabelledSlider extends JPanel {
     private final JSlider slider;
-    private final JLabel value = new JLabel();
+    private final JTextField value = new JTextField(5);
     private final transient DoubleUnaryOperator toSlider;
     private final transient DoubleFunction<String> text;
     private boolean updating;
@@ -20,7 +22,9 @@ final class LabelledSlider extends JPanel {
     /**
      * @param fromSlider from the slider's steps to the quantity
      * @param toSlider and back
-     * @param text the quantity with its unit
+     * @param text the quantity as it may be typed
+     * @param standard what a double click on the slider enters
+     * @param entered told what was chosen
      */
     LabelledSlider(
             String name,
@@ -29,22 +33,28 @@ final class LabelledSlider extends JPanel {
             DoubleUnaryOperator fromSlider,
             DoubleUnaryOperator toSlider,
             DoubleFunction<String> text,
-            DoubleConsumer changed) {
+            String standard,
+            Consumer<String> entered) {
         super(new BorderLayout(6, 0));
         this.toSlider = toSlider;
         this.text = text;
         slider = new JSlider(low, high);
         slider.setName(name);
-        value.setText("3.28e+04 ");
-        value.setPreferredSize(value.getPreferredSize());
         slider.setPreferredSize(new Dimension(110, slider.getPreferredSize().height));
         add(slider);
         add(value, BorderLayout.EAST);
         slider.addChangeListener(event -> {
             if (!updating) {
-                double quantity = fromSlider.applyAsDouble(slider.getValue());
-                value.setText(text.apply(quantity));
-                changed.accept(quantity);
+                entered.accept(text.apply(fromSlider.applyAsDouble(slider.getValue())));
+            }
+        });
+        value.addActionListener(event -> entered.accept(value.getText()));
+        slider.addMouseListener(new MouseAdapter() {
+            @Override
+            public void mouseReleased(MouseEvent event) {
+                if (event.getClickCount() == 2) {
+                    entered.accept(standard);
+                }
             }
         });
     }
@@ -53,7 +63,10 @@ final class LabelledSlider extends JPanel {
     void follow(double quantity) {
         updating = true;
         slider.setValue((int) Math.round(toSlider.applyAsDouble(quantity)));
-        value.setText(text.apply(quantity));
+        String now = text.apply(quantity);
+        if (!value.getText().equals(now)) {
+            value.setText(now);
+        }
         updating = false;
     }
 
@@ -61,12 +74,6 @@ final class LabelledSlider extends JPanel {
     public void setToolTipText(String tip) {
         super.setToolTipText(tip);
         slider.setToolTipText(tip);
-    }
-
-    @Override
-    public void setEnabled(boolean enabled) {
-        super.setEnabled(enabled);
-        slider.setEnabled(enabled);
-        value.setEnabled(enabled);
+        value.setToolTipText(tip);
     }
 }

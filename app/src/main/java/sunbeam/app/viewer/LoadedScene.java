@@ -2,6 +2,7 @@ package sunbeam.app.viewer;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.function.DoubleConsumer;
 import sunbeam.app.scene.Blend;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneData;
@@ -39,23 +40,27 @@ record LoadedScene(
             new SceneMethod(Choices.none().with(Methods.METHOD, GemMethod.TYPE).with(MethodSettings.SPACING, 1e-6));
 
     /**
-     * Loads all, or what differs from the previous one. May take seconds. Without a previous one, what pictures can do without
-     * is left for the next load, so that the first one comes soon.
+     * Loads all, or what differs from the previous one. May take seconds. What pictures of something new can do without is left
+     * for the next load, so that the first one comes soon.
      */
     static LoadedScene load(SceneLoader loader, Scene scene, LoadedScene previous) {
-        return load(loader, scene, previous, new Sparing());
+        return load(loader, scene, previous, new Sparing(), share -> {});
     }
 
     /**
      * As {@link #load(SceneLoader, Scene, LoadedScene)}.
      *
      * @param sparing for what was left for this load, which waits while something moves
+     * @param progress told now and then the share that is done
      */
-    static LoadedScene load(SceneLoader loader, Scene scene, LoadedScene previous, Sparing sparing) {
-        List<SceneData> parts = previous == null ? loader.parts(scene) : loader.parts(scene, previous.parts);
+    static LoadedScene load(
+            SceneLoader loader, Scene scene, LoadedScene previous, Sparing sparing, DoubleConsumer progress) {
+        List<SceneData> parts = previous == null ? loader.parts(scene) : loader.parts(scene, previous.parts, progress);
         SceneData fine = parts.get(0);
         Scene preview = coarse(scene, parts);
-        if (previous == null && isLookedUp(parts)) {
+        boolean later =
+                isLookedUp(parts) && (previous == null || !previous.fine().suits(scene));
+        if (later) {
             // Long before anybody looks: what that needs is one processor's work, as is opening OpenGL.
             fine.levels()
                     .ifPresent(levels -> Meanwhile.start(() -> {
@@ -64,26 +69,33 @@ record LoadedScene(
                     }));
         }
         boolean kept = previous != null && previous.coarse.suits(preview);
-        SceneData coarse = kept ? previous.coarse.with(preview) : loader.preview(preview, fine, () -> {});
+        SceneData coarse = kept ? previous.coarse.with(preview) : loader.preview(preview, fine, share -> {});
         Optional<SceneData> moving = previous == null ? Optional.empty() : moving(loader, scene, fine, previous);
-        boolean later = previous == null && isLookedUp(parts);
         Optional<SceneData> mapped = tabulated(scene, fine.patch())
                 .filter(full -> !later)
                 .map(full -> previous == null
                         ? other(loader, full, fine, Optional.empty())
                         // Something may move already.
-                        : Sparing.call(() -> mapped(loader, full, fine, previous, sparing)));
-        return new LoadedScene(parts, coarse, moving, mapped, previous != null);
+                        : Sparing.call(() -> mapped(loader, full, fine, previous, sparing, progress)));
+        return new LoadedScene(parts, coarse, moving, mapped, previous != null && !later);
     }
 
     /** For what was left for this load nobody waits. */
     private static SceneData mapped(
-            SceneLoader loader, Scene full, SceneData fine, LoadedScene previous, Sparing sparing) {
+            SceneLoader loader,
+            Scene full,
+            SceneData fine,
+            LoadedScene previous,
+            Sparing sparing,
+            DoubleConsumer progress) {
         if (previous.isWhole) {
             return other(loader, full, fine, previous.mapped);
         }
         sparing.pause();
-        return loader.preview(full, fine, sparing::pause);
+        return loader.preview(full, fine, share -> {
+            progress.accept(share);
+            sparing.pause();
+        });
     }
 
     /** Tables that cannot be had are done without: what moves is drawn in fewer pixels then, as the status line says. */
@@ -98,7 +110,7 @@ record LoadedScene(
     private static SceneData other(SceneLoader loader, Scene scene, SceneData fine, Optional<SceneData> before) {
         return before.filter(data -> data.suits(scene))
                 .map(data -> data.with(scene))
-                .orElseGet(() -> loader.preview(scene, fine, () -> {}));
+                .orElseGet(() -> loader.preview(scene, fine, share -> {}));
     }
 
     /** The scene with the method whose colours its own method tabulates, if it does. */
@@ -122,11 +134,6 @@ record LoadedScene(
     /** Whether what moves will be drawn by tables, once colours for that have been made. */
     boolean willMove() {
         return moving.isPresent() || (parts.size() == 1 && fine().levels().isPresent());
-    }
-
-    /** Whether another scene needs no loading. */
-    boolean suits(Scene scene) {
-        return fine().suits(scene);
     }
 
     LoadedScene with(Scene scene) {

@@ -8,6 +8,7 @@ import java.awt.Graphics2D;
 import java.awt.RenderingHints;
 import java.awt.geom.Ellipse2D;
 import java.awt.image.BufferedImage;
+import java.util.Locale;
 import java.util.Optional;
 import javax.swing.JComponent;
 import sunbeam.precompute.optics.Direction;
@@ -20,6 +21,8 @@ final class MapView extends JComponent {
     private BufferedImage map;
     private transient Optional<Direction> marked = Optional.empty();
     private String caption = "";
+    // Of the map for the newest light that is there; 1 for all.
+    private double share;
 
     MapView() {
         setPreferredSize(new Dimension(240, 196 + CAPTION));
@@ -33,6 +36,12 @@ final class MapView extends JComponent {
         repaint();
     }
 
+    /** Dims the map and says how much of the next one is computed, in [0, 1]; at 1 its caption is back. */
+    void computed(double value) {
+        share = value;
+        repaint();
+    }
+
     /** @param direction to the viewer, tangent frame */
     void mark(Optional<Direction> direction, String text) {
         marked = direction;
@@ -43,6 +52,7 @@ final class MapView extends JComponent {
     /** Nothing to show, and why. */
     void clear(String text) {
         map = null;
+        share = 1;
         mark(Optional.empty(), text);
     }
 
@@ -54,18 +64,26 @@ final class MapView extends JComponent {
         graphics.setRenderingHint(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
         int side = Math.max(1, Math.min(getWidth(), getHeight() - CAPTION));
         int left = (getWidth() - side) / 2;
+        Ellipse2D disc = new Ellipse2D.Double(left, 0, side, side);
         graphics.setColor(Color.BLACK);
-        graphics.fill(new Ellipse2D.Double(left, 0, side, side));
+        graphics.fill(disc);
         if (map != null) {
-            graphics.setClip(new Ellipse2D.Double(left, 0, side, side));
-            graphics.drawImage(map, left, 0, side, side, null);
-            graphics.setClip(null);
+            // Within the clip that there is: a scroll pane shows a part of the map.
+            Graphics2D clipped = (Graphics2D) graphics.create();
+            clipped.clip(disc);
+            clipped.drawImage(map, left, 0, side, side, null);
+            if (share < 1) {
+                clipped.setColor(PictureView.VEIL);
+                clipped.fill(disc);
+            }
+            clipped.dispose();
             marked.filter(direction -> direction.z() > 0).ifPresent(direction -> paintMark(graphics, left, side));
         }
         graphics.setColor(getForeground());
         graphics.setFont(getFont().deriveFont(11f));
-        int width = graphics.getFontMetrics().stringWidth(caption);
-        graphics.drawString(caption, Math.max(0, (getWidth() - width) / 2), getHeight() - 5);
+        String text = share < 1 ? String.format(Locale.ROOT, "BRDF map: %.0f %%", 100 * share) : caption;
+        int width = graphics.getFontMetrics().stringWidth(text);
+        graphics.drawString(text, Math.max(0, (getWidth() - width) / 2), getHeight() - 5);
         graphics.dispose();
     }
 

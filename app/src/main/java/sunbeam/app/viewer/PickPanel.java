@@ -50,12 +50,20 @@ final class PickPanel extends JPanel {
 
     void showSpectrum(double[] powers) {
         plot.show(powers);
+        plot.dim(false);
+    }
+
+    /** Takes the color away until there is that of the newest picture, and dims the spectrum if it is of another scene. */
+    void outdate(boolean spectrum) {
+        color.setOpaque(false);
+        color.setText(" ");
+        plot.dim(spectrum);
+        repaint();
     }
 
     void clear() {
         text.setText(HINT);
-        color.setOpaque(false);
-        color.setText(" ");
-        plot.show(new double[0]);
+        showSpectrum(new double[0]);
+        outdate(false);
     }
 }

@@ -1,18 +1,15 @@
 package sunbeam.app.viewer;
 
+import java.awt.Point;
 import java.util.Locale;
+import org.joml.Vector3f;
 import org.joml.Vector3fc;
 import sunbeam.app.scene.Pick;
 import sunbeam.app.scene.Scene;
 import sunbeam.precompute.optics.Direction;
 
-/**
- * A point of the skin that the user has picked, and the scene it was picked in.
- *
- * @param x column of the picture
- * @param y row of the picture
- */
-record PickedPoint(Scene scene, Pick pick, int x, int y) {
+/** A point of the skin that the user has picked, and the scene it was picked in. */
+record PickedPoint(Scene scene, Pick pick) {
 
     /** Whether the point is still where it was: nothing but light, exposure and weights has changed. */
     boolean staysIn(Scene other) {
@@ -30,13 +27,26 @@ record PickedPoint(Scene scene, Pick pick, int x, int y) {
                 pick.normal().dot(towards));
     }
 
-    /** The frame and the angles in words, one quantity a line. */
-    String describe(Vector3fc towards) {
+    /** The pixel that shows the point in a picture of some size: its column and row, which may lie outside. */
+    Point pixel(int width, int height) {
+        Vector3f seen = scene.view().camera().worldToCamera().transformPosition(pick.position(), new Vector3f());
+        double perUnit = 0.5 * height / scene.view().halfHeight(width, height) / -seen.z;
+        return new Point(
+                (int) Math.floor(0.5 * width + perUnit * seen.x), (int) Math.floor(0.5 * height - perUnit * seen.y));
+    }
+
+    /**
+     * The frame and the angles in words, one quantity a line.
+     *
+     * @param towards the light
+     * @param pixel that shows the point
+     */
+    String describe(Vector3fc towards, Point pixel) {
         Direction wi = light(towards);
         Direction wr = pick.wr();
         return String.join(
                 "\n",
-                format("pixel      (%d, %d)", x, y),
+                format("pixel      (%d, %d)", pixel.x, pixel.y),
                 "tangent    " + vector(pick.tangent()),
                 "bitangent  " + vector(pick.bitangent()),
                 "normal     " + vector(pick.normal()),

@@ -15,12 +15,16 @@ import javax.swing.SwingConstants;
 
 /** Shows the newest picture, or a line that says why there is none. */
 final class PictureView extends JComponent {
+    /** Laid over what is out of date. */
+    static final Color VEIL = new Color(0x10, 0x14, 0x18, 160);
+
     private final JLabel message = new JLabel("Loading ...", SwingConstants.CENTER);
     private BufferedImage picture;
     // Of the final picture; a preview is smaller.
     private int fullWidth;
     private int fullHeight;
     private boolean isFinal;
+    private boolean isOld;
     private transient Optional<LightCone> cone = Optional.empty();
 
     PictureView() {
@@ -120,7 +124,15 @@ final class PictureView extends JComponent {
 
     /** Whether the picture is what {@code render} writes. */
     boolean isFinal() {
-        return isFinal;
+        return isFinal && !isOld;
+    }
+
+    /** Dims a picture of what is no longer asked for. */
+    void dim(boolean old) {
+        if (old != isOld) {
+            isOld = old;
+            repaint();
+        }
     }
 
     /** Shows or hides the light. */
@@ -150,6 +162,10 @@ final class PictureView extends JComponent {
                 smooth(scaled);
             }
             scaled.drawImage(picture, 0, 0, getWidth(), getHeight(), null);
+            if (isOld) {
+                scaled.setColor(VEIL);
+                scaled.fillRect(0, 0, getWidth(), getHeight());
+            }
             scaled.dispose();
             cone.ifPresent(light -> light.paint((Graphics2D) graphics.create(), getWidth(), getHeight()));
         }

@@ -1,7 +1,8 @@
 package sunbeam.app.viewer;
 
+import java.awt.Point;
+import java.util.List;
 import java.util.Optional;
-import java.util.concurrent.atomic.AtomicLong;
 import javax.swing.SwingUtilities;
 import org.joml.Vector3fc;
 import sunbeam.app.scene.Pick;
@@ -14,8 +15,10 @@ import sunbeam.precompute.optics.DirectionPair;
 final class PointInspector implements AutoCloseable {
     private final ViewerWindow window;
     private final Background measuring = new Background("spectrum");
-    private final AtomicLong newestSpectrum = new AtomicLong();
     private Optional<PickedPoint> point = Optional.empty();
+    // What the newest spectrum depends on, as question() has it, and that which is shown.
+    private volatile List<Object> asked = List.of();
+    private List<Object> answered = List.of();
 
     PointInspector(ViewerWindow window) {
         this.window = window;
@@ -41,46 +44,69 @@ final class PointInspector implements AutoCloseable {
         loop.submit(stage -> {
             Optional<Pick> pick = stage.pick(x, y, width, height);
             SwingUtilities.invokeLater(() -> {
-                point = pick.map(skin -> new PickedPoint(data.scene(), skin, x, y));
+                point = pick.map(skin -> new PickedPoint(data.scene(), skin));
                 if (point.isEmpty()) {
-                    window.pick().clear();
+                    clear();
                 }
                 found.run();
             });
         });
     }
 
-    /** Lets go of the point unless it is still where it was. */
+    private void clear() {
+        point = Optional.empty();
+        asked = List.of();
+        answered = List.of();
+        window.pick().clear();
+    }
+
+    /** Lets go of the point unless it is still where it was, and dims what the panel has of another scene. */
     void follow(Scene scene) {
-        if (point.isPresent() && !point.get().staysIn(scene)) {
-            point = Optional.empty();
-            window.pick().clear();
-        }
+        point.ifPresent(found -> {
+            if (found.staysIn(scene)) {
+                window.pick().outdate(!question(found, scene).equals(answered));
+            } else {
+                clear();
+            }
+        });
     }
 
     /** Shows frame and angles for a light. */
     void showAngles(Vector3fc towards) {
-        point.ifPresent(found -> window.pick().show(found.describe(towards)));
+        point.ifPresent(found -> window.pick().show(found.describe(towards, pixel(found))));
     }
 
-    /** Shows colour and spectrum, from the picture on screen and for the light of what is drawn. */
+    private Point pixel(PickedPoint found) {
+        return found.pixel(window.picture().pictureWidth(), window.picture().pictureHeight());
+    }
+
+    /** All that a point's spectrum depends on. */
+    private static List<Object> question(PickedPoint found, Scene scene) {
+        return List.of(found.pick(), scene.light().towards(), scene.patch(), scene.method());
+    }
+
+    /** Shows color and spectrum, from the final picture on screen and for the light of what is drawn. */
     void measure(SceneData data) {
-        long number = newestSpectrum.incrementAndGet();
         if (point.isEmpty()) {
             return;
         }
         PickedPoint measured = point.get();
-        window.picture().color(measured.x(), measured.y()).ifPresent(window.pick()::showColor);
-        Direction wi = measured.light(data.scene().light().towards());
-        Direction wr = measured.pick().wr();
-        if (wi.z() <= 0 || wr.z() <= 0) {
-            window.pick().showSpectrum(new double[0]);
+        Point pixel = pixel(measured);
+        window.picture().color(pixel.x, pixel.y).ifPresent(window.pick()::showColor);
+        List<Object> question = question(measured, data.scene());
+        if (question.equals(asked)) {
             return;
         }
+        asked = question;
+        Direction wi = measured.light(data.scene().light().towards());
+        Direction wr = measured.pick().wr();
         measuring.run(
-                () -> Spectrum.of(data, new DirectionPair(wi, wr), () -> number != newestSpectrum.get()),
+                () -> wi.z() > 0 && wr.z() > 0
+                        ? Spectrum.of(data, new DirectionPair(wi, wr), () -> !question.equals(asked))
+                        : new double[0],
                 powers -> {
-                    if (number == newestSpectrum.get()) {
+                    if (question.equals(asked)) {
+                        answered = question;
                         window.pick().showSpectrum(powers);
                     }
                 },
@@ -90,7 +116,7 @@ final class PointInspector implements AutoCloseable {
     /** Gives up what is being computed. */
     @Override
     public void close() {
-        newestSpectrum.incrementAndGet();
+        asked = List.of();
         measuring.close();
     }
 }

@@ -16,6 +16,7 @@ final class SpectrumPlot extends JComponent {
     private static final int MARGIN = 16;
 
     private double[] powers = {};
+    private boolean isOld;
 
     SpectrumPlot() {
         setPreferredSize(new Dimension(240, 100));
@@ -26,6 +27,12 @@ final class SpectrumPlot extends JComponent {
     /** @param values at equal steps of wavelength; none while there is no spectrum */
     void show(double[] values) {
         powers = values.clone();
+        repaint();
+    }
+
+    /** Dims a spectrum of another light or scene. */
+    void dim(boolean old) {
+        isOld = old;
         repaint();
     }
 
@@ -47,6 +54,10 @@ final class SpectrumPlot extends JComponent {
             paintCurve(graphics, bottom, most);
             graphics.setColor(getForeground());
             graphics.drawString(String.format(Locale.ROOT, "%.2g", most), 0, 10);
+        }
+        if (isOld) {
+            graphics.setColor(PictureView.VEIL);
+            graphics.fillRect(0, 0, getWidth(), getHeight());
         }
         graphics.dispose();
     }

@@ -1,52 +1,52 @@
 package sunbeam.app.viewer;
 
 import java.awt.BorderLayout;
-import java.awt.Dimension;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.Locale;
 import javax.swing.BorderFactory;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
-import javax.swing.JProgressBar;
+import javax.swing.JScrollPane;
+import javax.swing.JTextArea;
+import javax.swing.SwingConstants;
 
-/** What is on screen, how fast it came, by which plan and which renderer; and the last problem. */
+/** What is on screen, how fast it came and who drew it; below, the last message. */
 final class StatusLine extends JPanel {
     private static final long SECOND = 1_000_000_000;
     // A second, of frames.
     private static final int MOST_TEXTS = 5;
+    // Always, lest the picture change its size with each message; longer ones are scrolled.
+    private static final int MESSAGE_ROWS = 2;
 
     private final JLabel picture = new JLabel("Loading");
-    private final JLabel plan = new JLabel(" ");
-    private final JLabel renderer = new JLabel(" ");
-    private final JLabel message = new JLabel(" ");
-    private final JProgressBar progress = new JProgressBar();
+    private final JLabel renderer = new JLabel(" ", SwingConstants.TRAILING);
+    private final JTextArea message = new JTextArea(" ", MESSAGE_ROWS, 0);
     private final transient Deque<Long> frames = new ArrayDeque<>();
     private long lastNanoseconds;
     // When a frame was last told of; 0 where something else has been since.
     private long told;
-    private int loads;
+    // Stands in place of what is told of an old picture; empty while there is none.
+    private String loading = "";
 
     StatusLine() {
         super(new BorderLayout(16, 2));
         setBorder(BorderFactory.createEmptyBorder(4, 12, 5, 12));
         picture.setName("status");
-        picture.setToolTipText("Preview or final; frames per second; milliseconds per frame");
-        plan.setToolTipText("The plan in force, by which the final picture is computed");
-        plan.setName("plan");
         renderer.setToolTipText("Who draws (GL_RENDERER)");
         message.setName("message");
-        progress.setIndeterminate(true);
-        progress.setVisible(false);
-        progress.setPreferredSize(new Dimension(90, 6));
-        plan.setMinimumSize(new Dimension(10, 10));
-        JPanel top = new JPanel(new BorderLayout(16, 0));
-        top.add(picture, BorderLayout.WEST);
-        top.add(message);
-        top.add(progress, BorderLayout.EAST);
-        add(top, BorderLayout.NORTH);
-        add(plan);
-        add(renderer, BorderLayout.EAST);
+        message.setEditable(false);
+        message.setFocusable(false);
+        message.setOpaque(false);
+        message.setLineWrap(true);
+        message.setWrapStyleWord(true);
+        message.setFont(picture.getFont());
+        message.setBorder(null);
+        add(picture, BorderLayout.WEST);
+        add(renderer);
+        JScrollPane scroll = new JScrollPane(message);
+        scroll.setBorder(null);
+        add(scroll, BorderLayout.SOUTH);
     }
 
     void preview(int divisor, long nanoseconds) {
@@ -60,9 +60,9 @@ final class StatusLine extends JPanel {
         if (told != 0 && now - told < SECOND / MOST_TEXTS) {
             return;
         }
-        told = now;
         String scale = divisor > 1 ? " 1:" + divisor : "";
-        picture.setText("Preview" + scale + " · " + rate());
+        tell("Preview" + scale + " · " + rate());
+        told = now;
     }
 
     void refining(double share) {
@@ -70,16 +70,40 @@ final class StatusLine extends JPanel {
     }
 
     void waiting(double share) {
-        tell(format("Preview, %.0f %% of its colours made · ", 100 * share) + rate());
+        tell(format("Preview, %.0f %% of its colors made · ", 100 * share) + rate());
     }
 
     void complete(long nanoseconds) {
         tell(format("Final · %.2f s · ", nanoseconds * 1e-9) + rate());
     }
 
+    /** The picture is not of what is asked for now; a newer one follows. */
+    void outdated() {
+        tell("Preview · " + rate());
+    }
+
+    /** Nothing newer can be drawn. */
+    void refused() {
+        loading = "";
+        tell("No picture of this scene");
+    }
+
+    /** The picture will be of something that is being loaded. */
+    void loading(String name, double share) {
+        loading = "Loading " + name + (share > 0 ? format(", %.0f %%", 100 * share) : "");
+        picture.setText(loading);
+    }
+
+    /** What was loaded is on screen. */
+    void loaded() {
+        loading = "";
+    }
+
     private void tell(String text) {
         told = 0;
-        picture.setText(text);
+        if (loading.isEmpty()) {
+            picture.setText(text);
+        }
     }
 
     /** Frames per second as the last second had them, or as the last frame's time would allow. */
@@ -90,29 +114,24 @@ final class StatusLine extends JPanel {
         return format("%.0f frames/s · %.0f ms per frame", perSecond, lastNanoseconds * 1e-6);
     }
 
+    /** How the final picture is computed. */
     void plan(String summary) {
-        plan.setText(summary);
+        picture.setToolTipText("Preview or final; frames per second; milliseconds per frame. Plan: " + summary);
     }
 
     void renderer(String name) {
         renderer.setText(name);
     }
 
-    /** One line, until the next; a blank one clears it. */
+    /** A message, until the next; a blank one clears it. */
     void message(String text) {
         message.setText(text);
-        message.setToolTipText(text.isBlank() ? null : text);
+        message.setCaretPosition(0);
     }
 
     /** The last message. */
     String text() {
         return message.getText();
-    }
-
-    /** Shows that something is being loaded or saved. */
-    void busy(boolean active) {
-        loads = Math.max(0, loads + (active ? 1 : -1));
-        progress.setVisible(loads > 0);
     }
 
     private static String format(String pattern, Object... values) {

@@ -5,13 +5,13 @@ import java.awt.event.ComponentEvent;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 import java.awt.image.BufferedImage;
+import java.io.File;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
-import java.util.function.BiFunction;
 import java.util.function.Supplier;
 import javax.swing.SwingUtilities;
 import jrtr.ContextInfo;
@@ -39,20 +39,23 @@ final class Viewer {
     private boolean mapShown = true;
     private volatile boolean failed;
     private ViewState asked;
+    private ViewState shown;
     private ViewState completed;
+    // Of what is being loaded.
+    private double loadedShare;
 
     /**
      * Puts everything together and opens OpenGL; nothing is shown yet.
      *
      * @param scene to begin with
-     * @param loader loads a scene, given the last one (null at first)
+     * @param loader loads scenes
      * @param sparing that the loader's last work waits for
      * @param opening opens OpenGL, on the render thread
      * @param journal of what is reached
      */
     Viewer(
             Scene scene,
-            BiFunction<Scene, LoadedScene, LoadedScene> loader,
+            ViewerModel.Loading loader,
             Sparing sparing,
             Supplier<GraphicsStage> opening,
             StartJournal journal) {
@@ -247,6 +250,8 @@ final class Viewer {
 
     /** Has the newest scene drawn in the picture's size. */
     private void show() {
+        inspector.follow(model.scene());
+        followLight();
         int width = window.picture().pictureWidth();
         int height = window.picture().pictureHeight();
         if (failed || width < 1 || height < 1 || model.loaded().isEmpty()) {
@@ -260,9 +265,37 @@ final class Viewer {
                 loaded.mapped(),
                 width,
                 height,
-                loaded.hasMap() ? mapLight() : Optional.empty());
+                mapLight().filter(light -> loaded.hasMap()));
+        window.status().outdated();
         observer.asked(asked);
         loop.show(asked);
+    }
+
+    /** Dims what is not of the newest scene, and says what is being loaded, until that is on screen. */
+    private void followLoad() {
+        boolean old = isOld();
+        window.picture().dim(old);
+        if (old) {
+            window.status().loading(wantedPart(), loadedShare);
+        } else {
+            window.status().loaded();
+        }
+    }
+
+    private boolean isOld() {
+        return shown == null || !shown.fine().suits(model.scene());
+    }
+
+    /** In a word, what the newest scene has that the picture on screen has not. */
+    private String wantedPart() {
+        Scene wanted = model.scene();
+        Scene old = shown == null ? wanted : shown.fine().scene();
+        if (!old.mesh().equals(wanted.mesh())) {
+            return new File(wanted.mesh()).getName();
+        }
+        return shown == null || !old.patch().equals(wanted.patch())
+                ? new File(wanted.patch().patch()).getName()
+                : "method " + wanted.method().type().label();
     }
 
     private Optional<Direction> mapLight() {
@@ -274,6 +307,7 @@ final class Viewer {
         if (light.isEmpty()) {
             window.map().clear("the light is behind the skin here");
         } else {
+            window.map().computed(0);
             window.map()
                     .mark(
                             picked.map(point -> point.pick().wr()),
@@ -291,10 +325,8 @@ final class Viewer {
     private void pick(int x, int y) {
         model.loaded()
                 .ifPresent(loaded -> inspector.pick(loop, loaded.fine(), x, y, () -> {
-                    inspector.follow(model.scene());
-                    followLight();
-                    measure();
                     show();
+                    measure();
                 }));
     }
 
@@ -306,22 +338,26 @@ final class Viewer {
     private final class FromModel implements ViewerModel.Listener {
         @Override
         public void changed() {
-            inspector.follow(model.scene());
             window.controls().follow();
-            followLight();
             model.loaded().ifPresent(loaded -> {
                 journal.reached(StartJournal.Stage.LOADED);
                 window.status().plan(loaded.fine().method().summary());
             });
             show();
+            followLoad();
         }
 
         @Override
-        public void loading(boolean active) {
-            window.status().busy(active);
-            if (active) {
+        public void loading(double share) {
+            if (!isOld()) {
+                window.map().computed(share);
+                return;
+            }
+            loadedShare = share;
+            if (share == 0) {
                 window.status().message(" "); // what was said of the last load
             }
+            followLoad();
         }
 
         @Override
@@ -354,6 +390,7 @@ final class Viewer {
         @Override
         public void refused(String message) {
             window.status().message(message);
+            window.status().refused();
             firstPicture.cannotCome(message);
             model.loadRest();
             if (window.picture().picture().isEmpty()) {
@@ -365,7 +402,7 @@ final class Viewer {
         public void preview(
                 ViewState state, BufferedImage image, int divisor, boolean tables, double exposure, long nanoseconds) {
             sparing.hold();
-            show(state, image, false, exposure);
+            show(state, image, false, tables || !state.isBare(), exposure);
             journal.reached(reached(state, tables));
             if (!state.isBare()) {
                 model.loadRest();
@@ -381,14 +418,17 @@ final class Viewer {
         }
 
         @Override
+        @SuppressWarnings("ReferenceEquality") // the same request, not an equal one
         public void complete(ViewState state, BufferedImage image, double exposure, long nanoseconds) {
-            show(state, image, true, exposure);
+            show(state, image, true, true, exposure);
             journal.reached(StartJournal.Stage.FINAL);
             completed = state;
             // Only now: it would take the processors from the picture, or from what moves in a moment.
             sparing.hold();
             model.loadRest();
-            window.status().complete(nanoseconds);
+            if (state == asked) {
+                window.status().complete(nanoseconds);
+            }
             files.pictureIsFinal(state.fine(), exposure);
             measure();
         }
@@ -400,10 +440,15 @@ final class Viewer {
             return tables ? StartJournal.Stage.COLOURS : StartJournal.Stage.BODY;
         }
 
-        private void show(ViewState state, BufferedImage image, boolean isFinal, double exposure) {
+        private void show(
+                ViewState state, BufferedImage image, boolean isFinal, boolean hasDiffraction, double exposure) {
             firstPicture.came();
+            shown = state;
+            followLoad();
             window.picture().showPicture(image, state.width(), state.height(), isFinal);
-            window.controls().exposureInUse(exposure);
+            if (hasDiffraction) {
+                window.controls().exposureInUse(exposure);
+            }
         }
 
         @Override
@@ -413,8 +458,12 @@ final class Viewer {
         }
 
         @Override
+        @SuppressWarnings("ReferenceEquality") // the same request, not an equal one
         public void map(ViewState state, BufferedImage image, boolean isFinal) {
             window.map().show(image);
+            if (isFinal && state == asked) {
+                window.map().computed(1);
+            }
         }
     }
 }

@@ -4,8 +4,9 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicLong;
-import java.util.function.BiFunction;
+import java.util.function.DoubleConsumer;
 import java.util.function.UnaryOperator;
+import javax.swing.SwingUtilities;
 import sunbeam.app.scene.Scene;
 
 /**
@@ -18,14 +19,26 @@ final class ViewerModel {
         /** There is something new to draw, or a control must follow. */
         void changed();
 
-        /** A load has begun or ended; several may be under way, and every one that begins also ends. */
-        void loading(boolean active);
+        /** How much of the newest load is done: 0 where it begins. */
+        void loading(double share);
 
         /** Something could not be loaded. */
         void problem(String message);
     }
 
-    private final BiFunction<Scene, LoadedScene, LoadedScene> loading;
+    /** Loads scenes, in the background. */
+    @FunctionalInterface
+    interface Loading {
+        /**
+         * Loads a scene.
+         *
+         * @param previous what is loaded; null at first
+         * @param progress may be told the share that is done
+         */
+        LoadedScene load(Scene scene, LoadedScene previous, DoubleConsumer progress);
+    }
+
+    private final Loading loading;
     private final Background background;
     private Listener listener;
     private Scene wanted;
@@ -47,11 +60,8 @@ final class ViewerModel {
      */
     private record Opening(long load, Scene before, Runnable opened) {}
 
-    /**
-     * @param scene to begin with
-     * @param loading loads a scene, given what is loaded (null at first); runs in the background
-     */
-    ViewerModel(Scene scene, BiFunction<Scene, LoadedScene, LoadedScene> loading, Background background) {
+    /** @param scene to begin with */
+    ViewerModel(Scene scene, Loading loading, Background background) {
         this.wanted = scene;
         this.loading = loading;
         this.background = background;
@@ -109,16 +119,20 @@ final class ViewerModel {
         long number = newestLoad.incrementAndGet();
         Scene scene = wanted;
         LoadedScene previous = loaded;
-        listener.loading(true);
+        listener.loading(0);
+        DoubleConsumer progress = share -> SwingUtilities.invokeLater(() -> {
+            if (number == newestLoad.get()) {
+                listener.loading(share);
+            }
+        });
         background.run(
                 // A load that is out of date before it begins is left out.
-                () -> number == newestLoad.get() ? loading.apply(scene, previous) : null,
+                () -> number == newestLoad.get() ? loading.load(scene, previous, progress) : null,
                 result -> accept(number, result),
                 message -> refuse(number, message));
     }
 
     private void accept(long number, LoadedScene result) {
-        listener.loading(false);
         if (result == null) {
             return;
         }
@@ -128,6 +142,7 @@ final class ViewerModel {
             return;
         }
         overtaken = null;
+        loadsRest = false;
         loaded = result.with(withPartsOf(wanted, result.fine().scene()));
         endOpenings(number);
         listener.changed();
@@ -145,7 +160,6 @@ final class ViewerModel {
     }
 
     private void refuse(long number, String message) {
-        listener.loading(false);
         // An older load's problem is the newer one's too, or else of no interest any more.
         if (number != newestLoad.get()) {
             return;

@@ -84,9 +84,9 @@ final class ViewerStart {
                 FlatDarkLaf.setup();
                 viewer.set(new Viewer(
                         scene,
-                        (next, previous) -> previous == null && next.equals(scene)
+                        (next, previous, progress) -> previous == null && next.equals(scene)
                                 ? first.get()
-                                : LoadedScene.load(loader, next, previous, sparing),
+                                : LoadedScene.load(loader, next, previous, sparing, progress),
                         sparing,
                         GraphicsStage::new,
                         journal));

@@ -28,9 +28,12 @@ final class ViewerEndWindowTest extends ViewerInAWindow {
             viewer.window().setSize(1100, 800);
             return null;
         });
-        await(() -> onEvents(
-                () -> viewer.model().loaded().orElseThrow().suits(viewer.model().scene())
-                        && !viewer.window().picture().isFinal()));
+        await(() -> onEvents(() -> viewer.model()
+                        .loaded()
+                        .orElseThrow()
+                        .fine()
+                        .suits(viewer.model().scene())
+                && !viewer.window().picture().isFinal()));
         closeWindow();
         assertEnd();
     }

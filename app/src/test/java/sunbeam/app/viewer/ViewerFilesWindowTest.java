@@ -27,8 +27,11 @@ final class ViewerFilesWindowTest extends ViewerInAWindow {
             viewer.model().change(scene -> scene.withRotatePatch(0.3).withTexture("elaphe"));
             return null;
         });
-        await(() -> onEvents(
-                () -> viewer.model().loaded().orElseThrow().suits(viewer.model().scene())));
+        await(() -> onEvents(() -> viewer.model()
+                .loaded()
+                .orElseThrow()
+                .fine()
+                .suits(viewer.model().scene())));
         drag(InputEvent.BUTTON1_DOWN_MASK);
         drag(InputEvent.BUTTON3_DOWN_MASK);
         awaitFinal();

@@ -25,7 +25,7 @@ final class ViewerLifeWindowTest extends ViewerInAWindow {
         Viewer blind = onEvents(() -> {
             Viewer made = new Viewer(
                     scene(),
-                    (next, previous) -> null,
+                    (next, previous, progress) -> null,
                     new Sparing(),
                     () -> {
                         throw new GraphicsException("no OpenGL 3.3 here");

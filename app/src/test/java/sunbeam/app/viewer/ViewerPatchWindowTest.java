@@ -10,9 +10,9 @@ import java.awt.event.KeyEvent;
 import java.awt.image.BufferedImage;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import javax.swing.JComboBox;
 import javax.swing.JLabel;
-import javax.swing.JProgressBar;
 import org.joml.Vector3f;
 import org.junit.jupiter.api.Test;
 import sunbeam.app.files.output.Overwrite;
@@ -44,8 +44,8 @@ final class ViewerPatchWindowTest extends ViewerInAWindow {
         assertThat(different(picture(), rendered("dropped"), false))
                 .as("render's picture")
                 .isZero();
-        assertThat(plan())
-                .isEqualTo(onEvents(() ->
+        assertThat(onEvents(() -> label("status").getToolTipText()))
+                .contains(onEvents(() ->
                         viewer.model().loaded().orElseThrow().fine().method().summary()));
         assertThat(onEvents(() -> control("patch", JComboBox.class).getSelectedItem()))
                 .isEqualTo(file.toString());
@@ -130,6 +130,30 @@ final class ViewerPatchWindowTest extends ViewerInAWindow {
     }
 
     @Test
+    void whileAPatchIsLoadedTheStatusNamesItAndTheOldPictureIsDimmedAndNotFinal() throws Exception {
+        int before = brightness(onEvents(() -> painted(viewer.window().picture())));
+        Path file = PatchFiles.descriptor(folder, "next");
+        onEvents(() -> {
+            viewer.files().loadPatch(file);
+            // Nothing can have been loaded yet: what was comes back on this thread.
+            assertThat(label("status").getText()).startsWith("Loading next.json");
+            assertThat(viewer.window().picture().isFinal()).isFalse();
+            assertThat(brightness(painted(viewer.window().picture()))).isLessThan(before);
+            return null;
+        });
+        awaitPatch(file.toString());
+        awaitFinal();
+        await(() -> onEvents(() -> label("status").getText()).startsWith("Final"));
+    }
+
+    /** Sum over pixels and channels. */
+    private static int brightness(BufferedImage image) {
+        return Arrays.stream(image.getRGB(0, 0, image.getWidth(), image.getHeight(), null, 0, image.getWidth()))
+                .map(rgb -> (rgb >> 16 & 255) + (rgb >> 8 & 255) + (rgb & 255))
+                .sum();
+    }
+
+    @Test
     void controlLLoadsAPatch() throws Exception {
         Path file = PatchFiles.descriptor(folder, "chosen");
         press(KeyEvent.VK_CONTROL, KeyEvent.VK_L);
@@ -170,10 +194,6 @@ final class ViewerPatchWindowTest extends ViewerInAWindow {
         return onEvents(() -> viewer.window().status().text());
     }
 
-    private String plan() throws Exception {
-        return onEvents(() -> label("plan").getText());
-    }
-
     private JLabel label(String name) {
         return Dialogs.all(viewer.window().status(), JLabel.class).stream()
                 .filter(label -> name.equals(label.getName()))
@@ -182,7 +202,6 @@ final class ViewerPatchWindowTest extends ViewerInAWindow {
     }
 
     private boolean isBusy() throws Exception {
-        return onEvents(() ->
-                Dialogs.all(viewer.window().status(), JProgressBar.class).get(0).isVisible());
+        return onEvents(() -> label("status").getText()).startsWith("Loading");
     }
 }

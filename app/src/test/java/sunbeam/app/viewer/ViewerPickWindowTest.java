@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 import static sunbeam.app.viewer.Pictures.different;
 
+import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
@@ -92,6 +93,25 @@ final class ViewerPickWindowTest extends ViewerInAWindow {
         await(() -> onEvents(() -> viewer.inspector().point().isEmpty()));
         awaitFinal();
         assertThat(ring()).as("the point is let go of").isNull();
+    }
+
+    @Test
+    void afterAResizeThePanelHasTheColorOfThePixelThatShowsThePointNow() throws Exception {
+        Pick pick = doubleClick();
+        onEvents(() -> {
+            viewer.window().setSize(700, 500);
+            return null;
+        });
+        awaitFinal();
+        BufferedImage shown = picture();
+        assertThat(onEvents(() -> viewer.inspector().point().orElseThrow().pick()))
+                .isEqualTo(pick);
+        // The point in the middle stays there; what is half a pixel from it is the same pixel or its neighbor.
+        Point pixel =
+                onEvents(() -> viewer.inspector().point().orElseThrow().pixel(shown.getWidth(), shown.getHeight()));
+        assertThat(pixel.x).isCloseTo(shown.getWidth() / 2, within(1));
+        assertThat(pixel.y).isCloseTo(shown.getHeight() / 2, within(1));
+        awaitColor(shown.getRGB(pixel.x, pixel.y));
     }
 
     @Test

@@ -5,6 +5,8 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.DoubleConsumer;
 
 /**
  * All that a method's shader reads.
@@ -38,11 +40,13 @@ public record ShaderTables(
         return arrays.stream().mapToLong(array -> array.layout().bytes()).sum();
     }
 
-    /** The same, whose layers are each given when something has been done. */
-    public ShaderTables preceded(Runnable before) {
+    /** The same, whose layers are each given when something has been told the share of all layers that is done. */
+    public ShaderTables preceded(DoubleConsumer before) {
+        double all = arrays.stream().mapToInt(array -> array.layout().layers()).sum();
+        AtomicInteger done = new AtomicInteger();
         List<TableArray> preceded = arrays.stream()
                 .map(array -> new TableArray(array.layout(), layer -> {
-                    before.run();
+                    before.accept(Math.min(1, done.getAndIncrement() / all));
                     return array.layer(layer);
                 }))
                 .toList();

@@ -2,6 +2,7 @@ package sunbeam.app.files.cache;
 
 import java.io.PrintWriter;
 import java.util.function.Consumer;
+import java.util.function.DoubleConsumer;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.OptionOrigin;
@@ -146,17 +147,17 @@ public final class DiffractionSetup {
      * @throws SettingException when the method has no answer for the use
      */
     public ShaderTables tables(MethodPlan plan, MethodUse use, ColourSources colours) {
-        return tables(plan, use, colours, () -> {});
+        return tables(plan, use, colours, share -> {});
     }
 
     /**
      * As {@link #tables(MethodPlan, MethodUse, ColourSources)}.
      *
-     * @param between run before each layer that is made
+     * @param progress told before each layer that is made the share that is done; goes on when it returns
      */
-    public ShaderTables tables(MethodPlan plan, MethodUse use, ColourSources colours, Runnable between) {
+    public ShaderTables tables(MethodPlan plan, MethodUse use, ColourSources colours, DoubleConsumer progress) {
         requireAnswer(plan, use);
-        return store.tables(plan, use, colours, between);
+        return store.tables(plan, use, colours, progress);
     }
 
     /** Whether there may be such pages. */

@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.function.DoubleConsumer;
 import java.util.function.Function;
 import java.util.function.Supplier;
 import sunbeam.app.files.output.AtomicFile;
@@ -73,19 +74,19 @@ public final class TableStore {
      * @param colours who evaluates shaders, for tables that are made of colours
      */
     public ShaderTables tables(MethodPlan plan, MethodUse use, ColourSources colours) {
-        return tables(plan, use, colours, () -> {});
+        return tables(plan, use, colours, share -> {});
     }
 
     /**
      * As {@link #tables(MethodPlan, MethodUse, ColourSources)}.
      *
-     * @param between run before each layer that is made
+     * @param progress told before each layer that is made the share that is done; goes on when it returns
      */
-    public ShaderTables tables(MethodPlan plan, MethodUse use, ColourSources colours, Runnable between) {
+    public ShaderTables tables(MethodPlan plan, MethodUse use, ColourSources colours, DoubleConsumer progress) {
         String key = "shader tables " + ShaderTablesFile.VERSION + "|" + plan.key(use);
         Optional<Path> file = file(key, CacheEntry.SHADER);
         if (file.isEmpty()) {
-            return freshTables(plan, use, colours).preceded(between);
+            return freshTables(plan, use, colours).preceded(progress);
         }
         Function<Path, ShaderTables> reader = path -> ShaderTablesFile.read(path, key);
         return keptOr(file.get(), reader, () -> {
@@ -101,7 +102,7 @@ public final class TableStore {
                                 ? colours.of(tables, places)
                                 : KeptColours.of(keeping.get(), again, half, () -> colours.of(tables, places));
                     })
-                    .preceded(between);
+                    .preceded(progress);
             TableLabel tried = made.trial().isEmpty()
                     ? label
                     : new TableLabel(label.patch(), "table in " + made.trial() + "; planned as " + label.what());
