@@ -97,7 +97,7 @@ class BadOutputTest {
         "evaluate --patch none.gwy --output taken, taken.png",
         "evaluate --patch none.gwy --output taken.npy, taken.png",
         "precompute --patch none.gwy --output taken.h5, taken.h5",
-        "performance --patch none.gwy --output taken.md, taken.md"
+        "benchmark --patch none.gwy --output taken.md, taken.md"
     })
     void anOutputThatExistsIsRefusedBeforeThePatchIsRead(String commandLine, String taken) throws Exception {
         Files.createFile(workplace.resolve(taken));

@@ -47,8 +47,7 @@ final class CertificateTest {
         assertThat(result.stderr().lines().filter(line -> line.contains("missed")))
                 .as(result::toString)
                 .hasSize(1)
-                .allMatch(line -> line.contains("the expansion"))
-                .allMatch(line -> line.contains("leave out --expansion and --terms: the same places then keep"));
+                .allMatch(line -> line.contains("leave out --expansion and --terms"));
         assertThat(workplace.resolve("map.png")).exists();
     }
 
@@ -56,9 +55,9 @@ final class CertificateTest {
     void theThesissPictureIsJudgedByTheToleranceToo() throws Exception {
         SunbeamResult result = map("--preset", "thesis");
         assertThat(result.stdout()).as(result::toString).contains("certificate: 40 random pixels");
-        // 5 nm steps and the corner's window: error of several percent (docs/accuracy).
+        // 5 nm steps: sharp orders are wrong by several percent.
         assertThat(result.exitCode()).as(result::toString).isEqualTo(3);
-        assertThat(result.stderr()).contains("what errs most: the wavelengths").contains("leave out --preset");
+        assertThat(result.stderr()).contains("leave out --preset");
     }
 
     @Test

@@ -19,9 +19,7 @@ import sunbeam.app.commands.precompute.PrecomputeCommand;
 import sunbeam.app.commands.reflectance.ReflectanceCommand;
 import sunbeam.app.commands.render.RenderCommand;
 import sunbeam.app.files.output.OutputException;
-import sunbeam.app.measure.accuracy.AccuracyCommand;
 import sunbeam.app.measure.benchmark.BenchmarkCommand;
-import sunbeam.app.measure.performance.PerformanceCommand;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.HarmlessWriter;
@@ -108,8 +106,6 @@ public final class Sunbeam {
         root.addSubcommand(new BenchmarkCommand(environment));
         root.addSubcommand(new RenderCommand(environment));
         root.addSubcommand(new MeshCommand());
-        root.addSubcommand(new AccuracyCommand(environment));
-        root.addSubcommand(new PerformanceCommand(environment));
         root.addSubcommand(new ViewCommand(environment));
         root.addSubcommand(new CacheCommand(environment));
         root.addSubcommand(new DoctorCommand(environment, new RendererProbe()));

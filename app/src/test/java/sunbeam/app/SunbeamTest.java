@@ -72,7 +72,6 @@ final class SunbeamTest {
     @ParameterizedTest
     @ValueSource(
             strings = {
-                "accuracy",
                 "benchmark",
                 "brdf-map",
                 "cache",
@@ -82,7 +81,6 @@ final class SunbeamTest {
                 "figures",
                 "inspect",
                 "mesh",
-                "performance",
                 "precompute",
                 "reflectance",
                 "render",

@@ -9,17 +9,14 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
-import java.util.TreeSet;
 import java.util.function.Predicate;
-import java.util.regex.Pattern;
 import java.util.stream.Stream;
-import java.util.zip.CRC32;
 import javax.imageio.ImageIO;
 
 /** Pieces of work that take long because of their number of parts, made small here. */
 enum LongWork {
     /** Twenty-one pictures of three small patches; a part is a picture. The cache has their tables. */
-    FIGURES(1) {
+    FIGURES {
         @Override
         void prepare(Place place) throws IOException {
             Path patches = Files.createDirectories(place.folder().resolve("patches"));
@@ -46,7 +43,7 @@ enum LongWork {
         }
     },
     /** Twelve frames and a GIF; a part is a frame. */
-    ANIMATION(1) {
+    ANIMATION {
         @Override
         List<String> command(Place place) {
             return List.of(
@@ -61,7 +58,7 @@ enum LongWork {
         }
     },
     /** A table of colours and a map from it; a part is a batch of colours. Each has a cache of its own. */
-    TABLE(1) {
+    TABLE {
         @Override
         List<String> command(Place place) {
             return List.of("brdf-map --method table --patch blaze --size 24 --tolerance 0.003 --force --output out.png"
@@ -105,7 +102,7 @@ enum LongWork {
         }
     },
     /** Pages of a scene's colours and a picture of them; a part is a page. Each has a cache of its own. */
-    PAGES(1) {
+    PAGES {
         @Override
         List<String> command(Place place) {
             return List.of(("render elaphe --mesh plane --patch blaze --texture none --method table --tolerance 0.01"
@@ -137,53 +134,6 @@ enum LongWork {
             result.putAll(parts(place));
             return result;
         }
-    },
-    /** Errors on one small patch; a part is a batch of exact values. Its times differ from run to run. */
-    ACCURACY(10) {
-        @Override
-        List<String> command(Place place) {
-            return List.of("accuracy --quick --patch sinusoid --force --output out".split(" "));
-        }
-
-        /** A batch that was computed twice stands there twice. */
-        @Override
-        Map<String, String> parts(Place place) {
-            Map<String, String> parts = new TreeMap<>();
-            for (String line : lines(place)) {
-                String[] fields = line.split("\t", -1);
-                // A line that was cut off is no part.
-                if (fields.length == 3 && fields[0].equals(checksum(fields[1] + "\t" + fields[2]))) {
-                    parts.merge(fields[1], line, (one, other) -> one + " and again " + other);
-                }
-            }
-            return parts;
-        }
-
-        private String[] lines(Place place) {
-            Path file = place.folder().resolve("out/exact-values.txt");
-            return Files.exists(file) ? content(file).split("\n", -1) : new String[0];
-        }
-
-        @Override
-        int finished(Place place) {
-            return lines(place).length / LINES_OF_A_BATCH;
-        }
-
-        @Override
-        Map<String, String> result(Place place) {
-            Map<String, String> result =
-                    files(place.folder().resolve("out"), name -> !name.contains("-methods."), LongWork::content);
-            Path methods = place.folder().resolve("out/sinusoid-methods.csv");
-            // Microseconds a pixel and how many times as fast end the rows.
-            result.put("methods", content(methods).replaceAll("(?m),[^,]*,[^,]*$", ""));
-            result.computeIfPresent(
-                    "README.md", (name, text) -> ROW_WITH_TIMES.matcher(text).replaceAll("$1 times |$2"));
-            // In another order where batches were computed in other runs.
-            result.computeIfPresent(
-                    "exact-values.txt",
-                    (name, text) -> String.join("\n", new TreeSet<>(List.of(text.split("\n", -1)))));
-            return result;
-        }
     };
 
     /**
@@ -193,24 +143,6 @@ enum LongWork {
      * @param cache of tables, which all runs share
      */
     record Place(Path folder, Path cache) {}
-
-    /** Patch, method, median, 95th percentile; then the times; then a remark. */
-    private static final Pattern ROW_WITH_TIMES =
-            Pattern.compile("(?m)^((?:\\| [^|\n]+){4}\\|)[^|\n]*\\|[^|\n]*\\|([^|\n]*\\|)$");
-
-    /** An empty one, and the batch. */
-    private static final int LINES_OF_A_BATCH = 2;
-
-    private final int slowness;
-
-    LongWork(int slowness) {
-        this.slowness = slowness;
-    }
-
-    /** By what the number of kills is divided. */
-    int slowness() {
-        return slowness;
-    }
 
     /** Makes the folder's inputs. */
     void prepare(Place place) throws IOException {
@@ -273,12 +205,6 @@ enum LongWork {
         } catch (IOException failure) {
             throw new UncheckedIOException(failure);
         }
-    }
-
-    private static String checksum(String text) {
-        CRC32 checksum = new CRC32();
-        checksum.update(text.getBytes(StandardCharsets.ISO_8859_1));
-        return Long.toHexString(checksum.getValue());
     }
 
     /** A file that was written again is another one, or has another time. */

@@ -1,6 +1,5 @@
 package sunbeam.precompute.method;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import sunbeam.precompute.patch.HeightMap;
@@ -27,9 +26,8 @@ import sunbeam.precompute.shader.ShaderTables;
 public record FullMethod(TableChoices table, Optional<Neighbourhood> neighbourhood, GaussianArea area)
         implements Method {
     /** Its name and settings. */
-    public static final MethodType TYPE = new MethodType(
-                    "full", "all wavelengths, Gaussian coherence window.", BinSettings.ALL, FullMethod::of)
-            .comparedAs(surface -> variants());
+    public static final MethodType TYPE =
+            new MethodType("full", "all wavelengths, Gaussian coherence window.", BinSettings.ALL, FullMethod::of);
 
     /** As chosen. */
     public static FullMethod of(Choices choices) {
@@ -45,15 +43,6 @@ public record FullMethod(TableChoices table, Optional<Neighbourhood> neighbourho
     /** The thesis's shader: the baseline of every comparison. */
     public static FullMethod thesis() {
         return new FullMethod(TableChoices.of(new Accuracy.ThesisPreset()), Optional.empty(), GaussianArea.THESIS);
-    }
-
-    /** The thesis's first, with which all others are compared. */
-    private static List<Variant> variants() {
-        List<Variant> variants = new ArrayList<>(List.of(new Variant("full, thesis", thesis(), "")));
-        for (String tolerance : List.of("1e-2", "1e-3", "1e-4")) {
-            variants.add(new Variant("full, tolerance " + tolerance, within(Double.parseDouble(tolerance)), ""));
-        }
-        return variants;
     }
 
     /** The same with other tables. */

@@ -4,10 +4,7 @@ import static sunbeam.precompute.plan.MethodSettings.COHERENCE_LENGTH;
 import static sunbeam.precompute.plan.MethodSettings.SPACING;
 
 import java.util.List;
-import java.util.Locale;
 import java.util.OptionalDouble;
-import sunbeam.precompute.analysis.PeriodFinder;
-import sunbeam.precompute.analysis.Periodicity;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.patch.HeightMap;
@@ -32,13 +29,12 @@ public record GemMethod(OptionalDouble spacing, CoherenceWindow window) implemen
 
     /** Its name and settings. */
     public static final MethodType TYPE = new MethodType(
-                    "gem",
-                    "a grating's spacing alone, for comparison only.",
-                    List.of(SPACING, COHERENCE_LENGTH),
-                    choices -> new GemMethod(
-                            choices.find(SPACING).map(OptionalDouble::of).orElseGet(OptionalDouble::empty),
-                            GaussianArea.windowOf(choices)))
-            .comparedAs(GemMethod::variants);
+            "gem",
+            "a grating's spacing alone, for comparison only.",
+            List.of(SPACING, COHERENCE_LENGTH),
+            choices -> new GemMethod(
+                    choices.find(SPACING).map(OptionalDouble::of).orElseGet(OptionalDouble::empty),
+                    GaussianArea.windowOf(choices)));
 
     public GemMethod {
         spacing.ifPresent(SPACING.kind()::check);
@@ -52,21 +48,6 @@ public record GemMethod(OptionalDouble spacing, CoherenceWindow window) implemen
     @Override
     public ReferenceMethod exact(HeightMap map) {
         return new ReferenceMethod(GaussianArea.STANDARD.with(window));
-    }
-
-    /** With the width of a patch of one period; otherwise with the clearest period along x, across the lines. */
-    private static List<Variant> variants(Surface surface) {
-        CoherenceWindow sunlight = GaussianArea.STANDARD.window();
-        OptionalDouble spacing = OptionalDouble.empty();
-        if (surface.map().width() > WIDEST_PERIOD) {
-            Periodicity periods = new PeriodFinder(surface.map()).along(0, sunlight.sigmaFrequency());
-            spacing = periods.found() ? OptionalDouble.of(periods.peaks().get(0).period()) : OptionalDouble.empty();
-        }
-        String note = String.format(
-                Locale.ROOT,
-                "lines %.0f nm apart and nothing of the surface; its brightness, which means nothing, is fitted",
-                1e9 * spacing.orElse(surface.map().width()));
-        return List.of(new Variant("gem", new GemMethod(spacing, sunlight), note));
     }
 
     @Override

@@ -13,7 +13,6 @@ public final class MethodType {
     private final List<Setting<?>> settings;
     private final Choices fixed;
     private final Function<Choices, Method> creation;
-    private final Function<Surface, List<Variant>> variants;
 
     /**
      * A type.
@@ -24,38 +23,21 @@ public final class MethodType {
      * @param creation from choices of these settings; complains of what does not fit together
      */
     MethodType(String label, String help, List<Setting<?>> settings, Function<Choices, Method> creation) {
-        this(
-                label,
-                help,
-                settings,
-                Choices.none(),
-                creation,
-                surface -> List.of(new Variant(label, creation.apply(Choices.none()), help)));
+        this(label, help, settings, Choices.none(), creation);
     }
 
     private MethodType(
-            String label,
-            String help,
-            List<Setting<?>> settings,
-            Choices fixed,
-            Function<Choices, Method> creation,
-            Function<Surface, List<Variant>> variants) {
+            String label, String help, List<Setting<?>> settings, Choices fixed, Function<Choices, Method> creation) {
         this.label = label;
         this.help = help;
         this.settings = List.copyOf(settings);
         this.fixed = fixed;
         this.creation = creation;
-        this.variants = variants;
     }
 
     /** The same for which a setting has one value only, which may be said but not changed. */
     <T> MethodType fixing(Setting<T> setting, T value) {
-        return new MethodType(label, help, settings, fixed.with(setting, value), creation, variants);
-    }
-
-    /** The same that stands in these forms in comparisons; in one with nothing chosen unless said so. */
-    MethodType comparedAs(Function<Surface, List<Variant>> forms) {
-        return new MethodType(label, help, settings, fixed, creation, forms);
+        return new MethodType(label, help, settings, fixed.with(setting, value), creation);
     }
 
     /** Lower-case name: {@code full}. */
@@ -66,11 +48,6 @@ public final class MethodType {
     /** What it is, for a manual. */
     public String help() {
         return help;
-    }
-
-    /** The forms in which it is compared with others on a surface. */
-    public List<Variant> variants(Surface surface) {
-        return variants.apply(surface);
     }
 
     /** What may be chosen. */

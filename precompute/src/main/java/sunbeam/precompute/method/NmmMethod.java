@@ -7,7 +7,6 @@ import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.OrderWeights;
 import sunbeam.precompute.patch.HeightMap;
 import sunbeam.precompute.plan.Accuracy;
-import sunbeam.precompute.plan.ErrorBudget;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.MemoryNeed;
 import sunbeam.precompute.plan.Neighbourhood;
@@ -50,13 +49,11 @@ public record NmmMethod(TableChoices table, Optional<Neighbourhood> neighbourhoo
 
     /** Its name and settings. */
     public static final MethodType TYPE = new MethodType(
-                    "nmm",
-                    "one wavelength per diffraction order, weighted by the order's width.",
-                    BinSettings.ALL,
-                    choices -> new NmmMethod(
-                            TableChoices.of(choices), BinSettings.neighbourhood(choices), GaussianArea.of(choices)))
-            .comparedAs(surface ->
-                    List.of(new Variant("nmm", within(ErrorBudget.STANDARD), "meant for patches of one period")));
+            "nmm",
+            "one wavelength per diffraction order, weighted by the order's width.",
+            BinSettings.ALL,
+            choices -> new NmmMethod(
+                    TableChoices.of(choices), BinSettings.neighbourhood(choices), GaussianArea.of(choices)));
 
     /** Planned for a tolerance, in sunlight. */
     public static NmmMethod within(double tolerance) {

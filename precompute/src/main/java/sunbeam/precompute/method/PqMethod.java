@@ -6,7 +6,6 @@ import static sunbeam.precompute.plan.MethodSettings.INTERPOLATION;
 import static sunbeam.precompute.plan.MethodSettings.REPLICAS;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -21,7 +20,6 @@ import sunbeam.precompute.optics.Replicas;
 import sunbeam.precompute.patch.HeightMap;
 import sunbeam.precompute.plan.Accuracy;
 import sunbeam.precompute.plan.Average;
-import sunbeam.precompute.plan.ErrorBudget;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.MemoryNeed;
 import sunbeam.precompute.plan.MethodSettings;
@@ -62,10 +60,7 @@ public record PqMethod(TableChoices table, PeriodInterpolation interpolation, Re
     /** Its name and settings. */
     public static final MethodType TYPE = new MethodType(
                     "pq", "the patch repeated Q times, sharp edge.", settings(), PqMethod::of)
-            .fixing(AVERAGE, Average.COHERENT)
-            .comparedAs(surface -> Arrays.stream(PeriodInterpolation.values())
-                    .map(PqMethod::variant)
-                    .toList());
+            .fixing(AVERAGE, Average.COHERENT);
 
     /** How often the patch is repeated. */
     public sealed interface Repetition {
@@ -99,13 +94,6 @@ public record PqMethod(TableChoices table, PeriodInterpolation interpolation, Re
         public Replicas of(HeightMap map) {
             return new Replicas(replicas, replicas);
         }
-    }
-
-    private static Variant variant(PeriodInterpolation interpolation) {
-        return new Variant(
-                "pq, " + interpolation.label(),
-                within(ErrorBudget.STANDARD, interpolation),
-                "evenly lit replicas with sharp edges instead of the Gaussian window");
     }
 
     private static List<Setting<?>> settings() {

@@ -26,11 +26,10 @@ import sunbeam.precompute.setting.SettingException;
 public record ReferenceMethod(CoherenceArea area) implements Method {
     /** Its name and settings. Of the preset it takes the window's place. */
     public static final MethodType TYPE = new MethodType(
-                    "reference",
-                    "direct sums in double precision on the processor; slow, the truth; not for maps.",
-                    settings(),
-                    ReferenceMethod::of)
-            .comparedAs(surface -> List.of());
+            "reference",
+            "direct sums in double precision on the processor; slow, the truth; not for maps.",
+            settings(),
+            ReferenceMethod::of);
 
     private static List<Setting<?>> settings() {
         List<Setting<?>> settings = new ArrayList<>(List.of(PRESET));

@@ -49,11 +49,10 @@ public record TableMethod(double tolerance, GaussianArea area) implements Method
 
     /** Its name and settings. */
     public static final MethodType TYPE = new MethodType(
-                    "table",
-                    "colours of full, tabulated beforehand: the fastest where many pixels look into one table; for a single small map or a short list full is.",
-                    List.of(TOLERANCE, WINDOW_ORIGIN, COHERENCE_LENGTH, AVERAGE),
-                    TableMethod::of)
-            .comparedAs(surface -> variants());
+            "table",
+            "colours of full, tabulated beforehand: the fastest where many pixels look into one table; for a single small map or a short list full is.",
+            List.of(TOLERANCE, WINDOW_ORIGIN, COHERENCE_LENGTH, AVERAGE),
+            TableMethod::of);
 
     public TableMethod {
         TOLERANCE.kind().check(tolerance);
@@ -61,17 +60,6 @@ public record TableMethod(double tolerance, GaussianArea area) implements Method
 
     private static TableMethod of(Choices choices) {
         return new TableMethod(choices.get(TOLERANCE), GaussianArea.of(choices));
-    }
-
-    private static List<Variant> variants() {
-        List<Variant> variants = new ArrayList<>();
-        for (String tolerance : List.of("1e-2", "1e-3")) {
-            variants.add(new Variant(
-                    "table, tolerance " + tolerance,
-                    new TableMethod(Double.parseDouble(tolerance), GaussianArea.STANDARD),
-                    ""));
-        }
-        return variants;
     }
 
     @Override

@@ -40,7 +40,6 @@ import sunbeam.app.gpu.picture.LinearPicture;
 import sunbeam.app.measure.errors.Certificate;
 import sunbeam.app.measure.errors.Certifier;
 import sunbeam.app.measure.errors.CertifyOption;
-import sunbeam.app.measure.errors.Explainer;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.Messages;
@@ -58,9 +57,7 @@ import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.Preset;
-import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.Choices;
-import sunbeam.precompute.shader.MethodUse;
 
 /** {@code sunbeam brdf-map}: from a height map to the picture of its BRDF. */
 @Command(
@@ -223,13 +220,7 @@ public final class BrdfMapCommand implements Callable<Integer> {
             err.flush();
         }
         return certificate
-                .map(stated -> CertifyOption.judge(
-                        stated,
-                        materials.get(0).plan(),
-                        new Explainer(
-                                setups.get(0), choices.get(0), VisibleRange.of(light.direction()), MethodUse.COLOUR),
-                        out,
-                        err))
+                .map(stated -> CertifyOption.judge(stated, materials.get(0).plan(), choices.get(0), out, err))
                 .filter(code -> code != ExitCode.OK)
                 .orElse(doubt)
                 .code();

@@ -3,7 +3,6 @@ package sunbeam.app.commands.reflectance;
 import java.util.List;
 import java.util.function.IntFunction;
 import sunbeam.app.files.input.DirectionList;
-import sunbeam.app.gpu.directions.DirectionsRenderer.Query;
 import sunbeam.app.measure.errors.TableCertifier;
 import sunbeam.precompute.reference.ExactLight;
 import sunbeam.precompute.reference.ReferenceColor.Quadrature;
@@ -16,17 +15,12 @@ record ExactRows(ExactLight exact, DirectionList list) {
             // Columns power and power_ensemble.
             int column = exact.ensemble() ? 1 : 0;
             return new TableCertifier(
-                    row -> new Query(list.pair(row), list.wavelength(row)),
                     row -> new double[] {results.get(row)[column]},
                     row -> new double[] {exact.power(list.pair(row), list.wavelength(row))},
                     "power");
         }
         IntFunction<double[]> computed =
                 row -> new double[] {results.get(row)[0], results.get(row)[1], results.get(row)[2]};
-        return new TableCertifier(
-                row -> new Query(list.pair(row), 0),
-                computed,
-                row -> exact.xyz(list.pair(row), Quadrature.INTEGRATED),
-                "XYZ");
+        return new TableCertifier(computed, row -> exact.xyz(list.pair(row), Quadrature.INTEGRATED), "XYZ");
     }
 }

@@ -23,7 +23,6 @@ import sunbeam.app.files.output.ForceOption;
 import sunbeam.app.files.output.StandardOutput;
 import sunbeam.app.measure.errors.Certificate;
 import sunbeam.app.measure.errors.CertifyOption;
-import sunbeam.app.measure.errors.Explainer;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.UsageException;
@@ -37,7 +36,6 @@ import sunbeam.precompute.method.TableMethod;
 import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.Choices;
-import sunbeam.precompute.shader.MethodUse;
 
 /** {@code sunbeam reflectance}: numbers for a list of directions, the interface by which anybody can check Sunbeam. */
 @Command(
@@ -118,9 +116,8 @@ public final class ReflectanceCommand implements Callable<Integer> {
                 .certify(list.size(), count, choices.get(TOLERANCE)));
         write(list, of(material, setup, list, results));
         out.println(StandardOutput.name(output));
-        MethodUse use = list.spectral() ? MethodUse.SPECTRAL : MethodUse.COLOUR;
         return certificate
-                .map(stated -> CertifyOption.judge(stated, plan, new Explainer(setup, choices, range, use), out, err))
+                .map(stated -> CertifyOption.judge(stated, plan, choices, out, err))
                 .orElse(ExitCode.OK)
                 .code();
     }

@@ -114,11 +114,6 @@ public final class DiffractionSetup {
         return method.exact(patch.heights()).area().over(patch.heights(), cie());
     }
 
-    /** The Fourier table that a plan needs, made now. */
-    public FourierTable freshTable(Plan plan) {
-        return store.freshTable(plan);
-    }
-
     /** The Fourier table that a plan needs, from the cache where it is there. */
     public FourierTable table(Plan plan) {
         return store.table(plan);

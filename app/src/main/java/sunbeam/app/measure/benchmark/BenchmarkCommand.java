@@ -1,15 +1,13 @@
 package sunbeam.app.measure.benchmark;
 
-import static sunbeam.precompute.plan.MethodSettings.AVERAGE;
-import static sunbeam.precompute.plan.MethodSettings.PRESET;
-
 import java.io.PrintWriter;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.Callable;
+import jrtr.GraphicsException;
 import jrtr.RenderContext;
 import jrtr.gl.RenderContexts;
 import picocli.CommandLine.Command;
@@ -18,8 +16,7 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 import sunbeam.app.files.cache.DiffractionSetup;
-import sunbeam.app.gpu.UploadedTables;
-import sunbeam.app.gpu.colours.GpuColours;
+import sunbeam.app.files.output.ForceOption;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.JsonOption;
@@ -27,51 +24,46 @@ import sunbeam.app.terminal.UsageException;
 import sunbeam.app.terminal.options.LightOptions;
 import sunbeam.app.terminal.options.MethodOptions;
 import sunbeam.app.terminal.options.PatchOptions;
-import sunbeam.precompute.method.FullMethod;
-import sunbeam.precompute.method.Method;
+import sunbeam.app.terminal.progress.Progress;
 import sunbeam.precompute.method.Methods;
-import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.patch.Patch;
-import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.GaussianArea;
-import sunbeam.precompute.plan.Preset;
-import sunbeam.precompute.plan.VisibleRange;
-import sunbeam.precompute.reference.ReferenceEvaluator;
 import sunbeam.precompute.setting.Choices;
-import sunbeam.precompute.shader.MethodUse;
-import sunbeam.precompute.shader.ShaderTables;
+import sunbeam.precompute.setting.SettingException;
 
-/** {@code sunbeam benchmark}: time and error of BRDF maps, as a ratio to the thesis's shader in the same run. */
+/** {@code sunbeam benchmark}: error and time of the methods, as a ratio to the thesis's shader in the same run. */
 @Command(
         name = "benchmark",
-        header = "Time a BRDF map against the thesis's shader.",
+        header = "Measure error and time of the methods.",
         description =
-                "Time the drawing of a BRDF map and give it as a ratio to the thesis's shader (full --preset thesis),"
-                        + " timed in the same run: an absolute time on a shared machine means nothing. The median of some frames"
-                        + " after one for warming up. Without --average, both averages. Beside each time stand the error of"
-                        + " X, Y, Z against the exact reference, on random views of the same light, half of them aimed at"
-                        + " orders, and what it takes to make the tables (of method table: to bake the colours).")
+                "Measure each method's error of X, Y, Z against the exact reference and its time per pixel of a BRDF map, beside the"
+                        + " thesis's shader (full --preset thesis) in the same run, since an absolute time on a shared machine means"
+                        + " nothing; what its tables take to make and hold; and how the cost of full and table grows with"
+                        + " pixels, samples, relief and coherence length. With --method, or an option that belongs to one, that method"
+                        + " alone, and no growth: a quick comparison. Prints tables (Markdown); with --output writes them as a"
+                        + " page, with plots and all numbers beside it.")
 public final class BenchmarkCommand implements Callable<Integer> {
-    private static final int MOST_SAMPLES = 10_000;
-    private static final int MOST_PATCHES = 24;
+    private static final List<String> PATCHES = List.of("blaze", "elaphe-like", "xenopeltis-like");
+    private static final int MOST_VIEWS = 10_000;
 
     private final Environment environment;
 
-    @Mixin
-    private PatchOptions patchOptions;
-
     @Option(
-            names = "--with",
+            names = "--patch",
             paramLabel = "PATCH",
-            description = "Another surface to measure in the same run, with the same options; may be repeated.")
-    private List<String> others = new ArrayList<>();
+            description =
+                    "A built-in patch, a descriptor (.json) or a scan; may be repeated. Default: blaze, elaphe-like,"
+                            + " xenopeltis-like. Growth is measured on the last.")
+    private List<String> names = new ArrayList<>();
+
+    @Mixin
+    private final PatchOptions patchOptions = PatchOptions.ofSeveral();
 
     @Mixin
     private LightOptions light;
 
     @Mixin
-    private final MethodOptions methodOptions =
-            MethodOptions.choosingAverage("both, one after the other, unless a preset is given");
+    private MethodOptions methodOptions;
 
     @Option(
             names = "--size",
@@ -84,16 +76,18 @@ public final class BenchmarkCommand implements Callable<Integer> {
             names = "--frames",
             paramLabel = "N",
             defaultValue = "3",
-            description = "Frames that are timed, 1 to 100; of short ones as many as take half a second together."
-                    + " Default: ${DEFAULT-VALUE}.")
+            description =
+                    "Frames that are timed, 1 to 100; of short ones as many as take half a second together, of slow"
+                            + " ones those that end within ten. Default: ${DEFAULT-VALUE}.")
     private int frames;
 
     @Option(
             names = "--samples",
             paramLabel = "N",
-            defaultValue = "40",
-            description = "Views at which the error is measured, 0 (not at all) to " + MOST_SAMPLES
-                    + ". Default: ${DEFAULT-VALUE}.")
+            defaultValue = "16",
+            description =
+                    "Views at which errors are measured, 0 (not at all) to " + MOST_VIEWS + ": one takes seconds on a"
+                            + " scan, and some ten times as long with --average ensemble. Default: ${DEFAULT-VALUE}.")
     private int samples;
 
     @Option(
@@ -102,6 +96,15 @@ public final class BenchmarkCommand implements Callable<Integer> {
             defaultValue = "3",
             description = "The same seed gives the same views. Default: ${DEFAULT-VALUE}.")
     private long seed;
+
+    @Option(
+            names = "--output",
+            paramLabel = "PAGE.md",
+            description = "A page to write; plots (PNG) and numbers (CSV) go into a folder of the same name.")
+    private Path output;
+
+    @Mixin
+    private ForceOption force;
 
     @Mixin
     private JsonOption json;
@@ -123,107 +126,85 @@ public final class BenchmarkCommand implements Callable<Integer> {
         Methods.of(asked);
         requireWithin("--size", size, 16, 2048);
         requireWithin("--frames", frames, 1, 100);
-        requireWithin("--samples", samples, 0, MOST_SAMPLES);
-        Direction wi = light.direction();
-        if (others.size() > MOST_PATCHES) {
-            throw new UsageException(
-                    "--with is given " + others.size() + " times; give it " + MOST_PATCHES + " at most");
-        }
+        requireWithin("--samples", samples, 0, MOST_VIEWS);
+        Optional<BenchmarkFiles> files =
+                Optional.ofNullable(output).map(page -> new BenchmarkFiles(page, force.overwrite()));
         // All are read, and what is wrong with one is told, before minutes are spent on the first.
-        List<Patch> patches = new ArrayList<>(List.of(patchOptions.load(asked)));
-        others.forEach(name -> patches.add(patchOptions.load(name, asked)));
-        PrintWriter out = specification.commandLine().getOut();
-        List<Map<String, Object>> surfaces = new ArrayList<>();
+        List<Patch> patches = patchOptions.load(names.isEmpty() ? PATCHES : names, asked);
         try (RenderContext context = RenderContexts.offscreen()) {
-            for (Patch patch : patches) {
-                DiffractionSetup setup = new DiffractionSetup(
-                        patch, environment, specification.commandLine().getErr());
-                surfaces.add(measure(context, setup, asked, wi, out));
-                out.flush();
-            }
-        }
-        if (json.isAsked()) {
-            JsonOption.print(out, Map.of("surfaces", surfaces));
+            run(context, asked, patches, files);
         }
         return ExitCode.OK.code();
     }
 
     private static void requireWithin(String option, int value, int least, int most) {
         if (value < least || value > most) {
-            throw new UsageException(
-                    option + " " + value + String.format(Locale.ROOT, " is out of range; give %d to %d", least, most));
+            throw new UsageException(option + " " + value + " is out of range; give " + least + " to " + most);
         }
     }
 
-    /** Prints the report for people, unless that for programs is asked for; returns the latter. */
-    private Map<String, Object> measure(
-            RenderContext context, DiffractionSetup setup, Choices asked, Direction wi, PrintWriter out) {
-        Choices choices = setup.seen(asked, specification.commandLine().getErr());
-        MapSamples exact = new MapSamples(setup, wi, samples, seed);
-        List<FrameTime> times = new ArrayList<>();
-        for (Contender contender : contenders(setup, choices, wi)) {
-            times.add(time(context, setup, contender, wi, exact));
+    private void run(RenderContext context, Choices asked, List<Patch> patches, Optional<BenchmarkFiles> files) {
+        Meter meter = new Meter(new FrameTimer(context, size, frames), light.direction());
+        BenchmarkPage page =
+                new BenchmarkPage(context.info().renderer(), light.describe(), size, frames, samples, seed);
+        List<Map<String, Object>> all = new ArrayList<>();
+        print(page.introduction());
+        files.ifPresent(file -> file.add(page.introduction()));
+        for (Patch patch : patches) {
+            List<String> remarks = new ArrayList<>();
+            List<Measured> rows = methods(meter, patch, asked, remarks);
+            String words = page.methods(rows, remarks);
+            print(words);
+            files.ifPresent(file -> file.addMethods(words, rows));
+            rows.forEach(row -> all.add(row.fields()));
         }
-        String renderer = context.info().renderer();
-        BenchmarkReport report =
-                new BenchmarkReport(setup.patch().name(), size, frames, light.describe(), samples, seed);
+        if (Contender.open(asked)) {
+            Patch base = patches.get(patches.size() - 1);
+            List<Growth> growths = new GrowthExperiment(meter, environment, base, GaussianArea.of(asked)).run();
+            String words = page.growth(base.name(), growths);
+            print(words);
+            files.ifPresent(file -> file.addGrowth(words, growths));
+        }
+        if (json.isAsked()) {
+            JsonOption.print(out(), Map.of("renderer", page.renderer(), "size", size, "seed", seed, "measured", all));
+        }
+        files.ifPresent(file -> out().println(file.write()));
+    }
+
+    /** The report for people as it comes, unless that for programs is asked for. */
+    private void print(String words) {
         if (!json.isAsked()) {
-            report.print(out, renderer, times);
+            out().print(words);
+            out().flush();
         }
-        GaussianArea area = GaussianArea.of(choices);
-        double rate =
-                ReferenceRate.measure(new ReferenceEvaluator(setup.patch().heights(), area.window(), area.origin()));
-        if (!json.isAsked()) {
-            out.printf(Locale.ROOT, "%n  reference: %.0f directions x wavelengths per second%n%n", rate);
-        }
-        return report.fields(renderer, times, rate);
     }
 
-    /** The thesis's shader, then the method, with both averages where it has them and none was chosen. */
-    private static List<Contender> contenders(DiffractionSetup setup, Choices choices, Direction wi) {
-        VisibleRange range = VisibleRange.of(wi);
-        Method thesis = FullMethod.thesis();
-        List<Contender> all = new ArrayList<>(List.of(new Contender(
-                "full, thesis", Optional.of(word(Average.COHERENT)), thesis, thesis.plan(setup.surface(), range))));
-        for (Choices each : averages(choices)) {
-            Method method = Methods.of(each);
-            Optional<String> average =
-                    method.type().has(AVERAGE) ? Optional.of(word(each.get(AVERAGE))) : Optional.empty();
-            all.add(new Contender(method.type().label(), average, method, method.plan(setup.surface(), range)));
+    private PrintWriter out() {
+        return specification.commandLine().getOut();
+    }
+
+    /** The thesis's shader, then all that is asked for; what cannot be measured beside others becomes a remark. */
+    private List<Measured> methods(Meter meter, Patch patch, Choices asked, List<String> remarks) {
+        PrintWriter err = specification.commandLine().getErr();
+        DiffractionSetup setup = new DiffractionSetup(patch, environment, err);
+        List<Contender> contenders = new ArrayList<>(List.of(Contender.THESIS));
+        contenders.addAll(Contender.of(setup.seen(asked, err)));
+        Optional<ExactViews> views =
+                samples == 0 ? Optional.empty() : Optional.of(new ExactViews(setup, meter.light(), samples, seed));
+        List<Measured> rows = new ArrayList<>();
+        try (Progress progress = Progress.start("Benchmark " + patch.name(), contenders.size())) {
+            for (Contender contender : contenders) {
+                try {
+                    rows.add(meter.measure(setup, contender.name(), contender.method(), views));
+                } catch (GraphicsException | SettingException unmeasured) {
+                    if (!Contender.open(asked) || rows.isEmpty()) {
+                        throw unmeasured;
+                    }
+                    remarks.add(contender.name() + " is not measured: " + unmeasured.getMessage());
+                }
+                progress.step(1);
+            }
         }
-        return all;
-    }
-
-    private static String word(Average average) {
-        return average.name().toLowerCase(Locale.ROOT);
-    }
-
-    private static List<Choices> averages(Choices choices) {
-        boolean both = choices.get(Methods.METHOD).has(AVERAGE)
-                && !choices.has(AVERAGE)
-                && choices.get(PRESET, Preset.NONE) == Preset.NONE;
-        return both
-                ? List.of(choices.with(AVERAGE, Average.COHERENT), choices.with(AVERAGE, Average.ENSEMBLE))
-                : List.of(choices);
-    }
-
-    private FrameTime time(
-            RenderContext context, DiffractionSetup setup, Contender contender, Direction wi, MapSamples exact) {
-        long start = System.nanoTime();
-        ShaderTables tables = setup.freshTables(contender.plan(), MethodUse.COLOUR, GpuColours::of);
-        long tableReady = System.nanoTime();
-        try (UploadedTables drawn = UploadedTables.upload(context, tables)) {
-            double uploadSeconds = (System.nanoTime() - tableReady) * 1e-9;
-            FrameTimer.Timing timing = new FrameTimer(context, size, frames).time(drawn, wi);
-            boolean comparable = samples > 0 && contender.method().brightness() == Method.Brightness.OF_A_MIRROR;
-            return new FrameTime(
-                    contender,
-                    (tableReady - start) * 1e-9,
-                    uploadSeconds + timing.setupSeconds(),
-                    timing.seconds(),
-                    timing.coveredPixels(),
-                    timing.clock(),
-                    comparable ? Optional.of(exact.errors(context, contender.method(), drawn)) : Optional.empty());
-        }
+        return rows;
     }
 }

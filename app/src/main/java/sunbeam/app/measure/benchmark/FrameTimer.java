@@ -8,49 +8,41 @@ import jrtr.GpuTimer;
 import jrtr.RenderContext;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.gpu.map.BrdfMapRenderer;
+import sunbeam.app.gpu.picture.AutoExposure;
 import sunbeam.precompute.optics.Direction;
 
 /**
- * Times the drawing of BRDF maps: the median of some frames after one for warming up. Of short frames, which other work disturbs the
- * most, there are as many as take half a second together.
+ * Times BRDF maps: the median of some frames after one for warming up. Of short frames, which other work disturbs the most,
+ * there are as many as take half a second together; slow ones end after {@link #MOST_SECONDS}.
  *
  * @param context in which methods live
  * @param size width and height of the maps, pixels
- * @param frames that are timed at least
+ * @param frames that are timed, unless they are short or slow
  */
-public record FrameTimer(RenderContext context, int size, int frames) {
-    private static final double LEAST_SECONDS = 0.5;
+record FrameTimer(RenderContext context, int size, int frames) {
+    static final double LEAST_SECONDS = 0.5;
+    static final double MOST_SECONDS = 10;
     private static final int MOST_FRAMES = 1000;
 
     /**
-     * What a map took.
+     * What a map takes.
      *
      * @param seconds median over the frames
-     * @param fastestSeconds of one frame: what other work on the machine disturbed least
-     * @param coveredPixels pixels of the disc
-     * @param clock which clock said so
-     * @param setupSeconds compilation of the shader, until the device was idle
+     * @param pixels of the disc
+     * @param clock which clock says so
+     * @param exposure the map's automatic exposure, a factor for linear XYZ
      */
-    public record Timing(double seconds, double fastestSeconds, int coveredPixels, String clock, double setupSeconds) {
-
-        /** Of the fastest frame. */
-        public double fastestMicrosecondsPerPixel() {
-            return 1e6 * fastestSeconds / coveredPixels;
-        }
-    }
+    record Timing(double seconds, int pixels, String clock, double exposure) {}
 
     /** Times a method's map of one light. */
-    public Timing time(UploadedTables method, Direction light) {
-        long start = System.nanoTime();
+    Timing time(UploadedTables method, Direction light) {
         try (BrdfMapRenderer renderer = new BrdfMapRenderer(context, method, size);
                 GpuTimer timer = context.createTimer()) {
-            context.finish();
-            double setupSeconds = (System.nanoTime() - start) * 1e-9;
             timer.measure(() -> renderer.draw(light, pixels -> {}));
             List<Double> seconds = new ArrayList<>();
             GpuTime.Source clock = GpuTime.Source.WALL_CLOCK;
             double total = 0;
-            while (seconds.size() < frames || total < LEAST_SECONDS) {
+            while (total < LEAST_SECONDS || (seconds.size() < frames && total < MOST_SECONDS)) {
                 GpuTime time = timer.measure(() -> renderer.draw(light, pixels -> {}));
                 seconds.add(time.seconds());
                 // A clock that stands still would never come there.
@@ -60,10 +52,9 @@ public record FrameTimer(RenderContext context, int size, int frames) {
             Collections.sort(seconds);
             return new Timing(
                     seconds.get(seconds.size() / 2),
-                    seconds.get(0),
                     renderer.coveredPixels(),
-                    clock == GpuTime.Source.TIMER_QUERY ? "timer query" : "wall clock",
-                    setupSeconds);
+                    clock == GpuTime.Source.TIMER_QUERY ? "timer query" : "wall clock around glFinish",
+                    AutoExposure.of(renderer.picture()));
         }
     }
 }

@@ -1,2 +1,2 @@
-/** Time per frame, always beside the thesis's shader in the same run. */
+/** Error and time of every method in one run, beside the thesis's shader, and how cost grows. */
 package sunbeam.app.measure.benchmark;

@@ -1,7 +1,5 @@
 package sunbeam.app.measure.errors;
 
-import java.util.Comparator;
-import java.util.List;
 import java.util.Locale;
 
 /**
@@ -14,7 +12,6 @@ import java.util.Locale;
  * @param relativeL2 root of the summed squares of all differences by that of all exact values; bright pixels rule it
  * @param colorDifference CIEDE2000 of those compared, after the picture's exposure; of nothing for a table
  * @param tolerance what was asked for
- * @param compared what was looked at
  */
 public record Certificate(
         String places,
@@ -23,11 +20,7 @@ public record Certificate(
         ErrorStatistics relative,
         double relativeL2,
         ErrorStatistics colorDifference,
-        double tolerance,
-        List<ComparedPlace> compared) {
-    public Certificate {
-        compared = List.copyOf(compared);
-    }
+        double tolerance) {
 
     /** Whether the median exceeds the tolerance or the 95th percentile three times it. */
     public boolean missed() {
@@ -67,16 +60,6 @@ public record Certificate(
                 tolerance,
                 tolerance,
                 ErrorStatistics.PERCENTILE_FACTOR * tolerance);
-    }
-
-    /** So many of the bright places, the worst first. */
-    List<ComparedPlace> worst(int count) {
-        return compared.stream()
-                .filter(place -> place.comparison().bright())
-                .sorted(Comparator.comparingDouble(
-                        (ComparedPlace place) -> -place.comparison().relative()))
-                .limit(count)
-                .toList();
     }
 
     /** What was missed. */

@@ -1,13 +1,10 @@
 package sunbeam.app.measure.errors;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import java.util.Random;
 import java.util.function.ToDoubleFunction;
-import java.util.stream.IntStream;
-import sunbeam.app.gpu.directions.DirectionsRenderer.Query;
 import sunbeam.app.gpu.picture.LinearPicture;
 import sunbeam.app.terminal.progress.Progress;
 import sunbeam.precompute.optics.DirectionPair;
@@ -71,17 +68,18 @@ public final class Certifier {
      */
     public Certificate certify(LinearPicture picture, int count, long seed, double exposure, double tolerance) {
         List<Integer> pixels = draw(picture, count, seed);
-        ComparedPlace[] compared = new ComparedPlace[pixels.size()];
-        try (Progress progress = Progress.start("Certificate", compared.length)) {
-            IntStream.range(0, compared.length).parallel().forEach(i -> {
-                compared[i] = compare(picture, pixels.get(i));
-                progress.step(1);
-            });
+        List<Comparison> all;
+        try (Progress progress = Progress.start("Certificate", pixels.size())) {
+            all = pixels.parallelStream()
+                    .map(pixel -> {
+                        Comparison comparison = compare(picture, pixel);
+                        progress.step(1);
+                        return comparison;
+                    })
+                    .toList();
         }
-        List<Comparison> all =
-                Arrays.stream(compared).map(ComparedPlace::comparison).toList();
         return new Certificate(
-                compared.length + " random pixels, at most a quarter of them dark while there are others",
+                all.size() + " random pixels, at most a quarter of them dark while there are others",
                 false,
                 "XYZ",
                 Comparison.relative(all),
@@ -90,8 +88,7 @@ public final class Certifier {
                         .filter(Comparison::bright)
                         .mapToDouble(pixel -> pixel.colorDifference(exposure))
                         .toArray()),
-                tolerance,
-                List.of(compared));
+                tolerance);
     }
 
     private List<Integer> draw(LinearPicture picture, int count, long seed) {
@@ -114,14 +111,14 @@ public final class Certifier {
         return pixels;
     }
 
-    private ComparedPlace compare(LinearPicture picture, int pixel) {
+    private Comparison compare(LinearPicture picture, int pixel) {
         DirectionPair pair = pairs.at(pixel);
         double gain = gain(pair);
         double[] exact = reference.xyz(pair, Quadrature.INTEGRATED);
         for (int c = 0; c < 3; c++) {
             exact[c] *= gain;
         }
-        return new ComparedPlace(new Query(pair, 0), new Comparison(drawn(picture, pixel), exact, gain));
+        return new Comparison(drawn(picture, pixel), exact, gain);
     }
 
     private static double[] drawn(LinearPicture picture, int pixel) {

@@ -1,17 +1,31 @@
 package sunbeam.app.measure.errors;
 
+import static sunbeam.precompute.plan.MethodSettings.ANCHOR;
+import static sunbeam.precompute.plan.MethodSettings.EXPANSION;
+import static sunbeam.precompute.plan.MethodSettings.PRESET;
+import static sunbeam.precompute.plan.MethodSettings.RADIUS;
+import static sunbeam.precompute.plan.MethodSettings.TERMS;
+import static sunbeam.precompute.plan.MethodSettings.WAVELENGTH_STEP;
+
 import java.io.PrintWriter;
+import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.function.IntFunction;
+import java.util.stream.Collectors;
 import picocli.CommandLine.Option;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.Messages;
+import sunbeam.app.terminal.OptionOrigin;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.precompute.method.Method;
 import sunbeam.precompute.method.MethodPlan;
+import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.method.ReferenceMethod;
+import sunbeam.precompute.plan.Preset;
+import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.setting.Setting;
 
 /** Whether a run states its error; to be used as a picocli mixin. */
 public final class CertifyOption {
@@ -19,6 +33,8 @@ public final class CertifyOption {
     public static final long SEED = 1;
 
     private static final int MOST = 100_000;
+    private static final List<Setting<?>> OVERRIDES =
+            List.of(PRESET, EXPANSION, TERMS, RADIUS, ANCHOR, WAVELENGTH_STEP);
 
     @Option(
             names = "--certify",
@@ -27,8 +43,8 @@ public final class CertifyOption {
                     "Evaluate N random places of this very result (pixels of a map, rows of a table) with the exact"
                             + " reference and state the error: median, 95th percentile and maximum relative error, and CIEDE2000"
                             + " of colours. At most a quarter of a map's pixels are dark while it has others. Exit code 3 when the"
-                            + " median exceeds --tolerance or the 95th percentile three times it (the message names what errs"
-                            + " and what helps), where the plan cannot promise it, and where all places are dark.")
+                            + " median exceeds --tolerance or the 95th percentile three times it, where the plan cannot"
+                            + " promise it, and where all places are dark.")
     private Integer certify;
 
     /**
@@ -67,8 +83,7 @@ public final class CertifyOption {
         }
         if (method.brightness() == Method.Brightness.UNRELATED) {
             throw new UsageException("--certify compares with a mirror's light, to which the colours of --method "
-                    + method.type().label() + " do not relate; leave out --certify ('accuracy' compares with a"
-                    + " brightness that is fitted)");
+                    + method.type().label() + " do not relate; leave out --certify");
         }
     }
 
@@ -76,9 +91,10 @@ public final class CertifyOption {
      * Prints what a certificate says, complains if the tolerance is missed or was not promised, and returns the exit code.
      *
      * @param plan that the result was made by
+     * @param choices that the plan was made with
      */
     public static ExitCode judge(
-            Certificate certificate, MethodPlan plan, Explainer explainer, PrintWriter out, PrintWriter err) {
+            Certificate certificate, MethodPlan plan, Choices choices, PrintWriter out, PrintWriter err) {
         out.println("certificate: " + certificate.summary());
         out.flush();
         if (certificate.relative().count() == 0) {
@@ -88,7 +104,7 @@ public final class CertifyOption {
             return ExitCode.TOLERANCE_MISSED;
         }
         if (certificate.missed()) {
-            err.println(Messages.error(certificate.complaint() + "; " + explainer.explain(certificate)));
+            err.println(Messages.error(certificate.complaint() + "; " + remedy(choices)));
             return ExitCode.TOLERANCE_MISSED;
         }
         if (!plan.shortfalls().isEmpty()) {
@@ -101,5 +117,23 @@ public final class CertifyOption {
         out.println("verdict: " + certificate.praise());
         out.flush();
         return ExitCode.OK;
+    }
+
+    /** A choice that overrides the plan, a method that approximates whatever is asked for, or neither. */
+    private static String remedy(Choices choices) {
+        Method method = Methods.of(choices);
+        String overrides = OVERRIDES.stream()
+                .filter(setting -> choices.has(setting) && method.type().has(setting))
+                .filter(setting -> !setting.equals(PRESET) || choices.get(PRESET) != Preset.NONE)
+                .map(OptionOrigin.INSTANCE::name)
+                .collect(Collectors.joining(" and "));
+        if (!overrides.isEmpty()) {
+            return "leave out " + overrides + ", and the plan follows from the tolerance";
+        }
+        Optional<String> instead = method.instead().map(type -> "; give --method " + type.label());
+        return method.approximation()
+                .map(words -> method.type().label() + " is an approximation, whatever the tolerance: " + words
+                        + instead.orElse(""))
+                .orElse("give a finer --tolerance; 'reflectance --method reference' has the exact values");
     }
 }

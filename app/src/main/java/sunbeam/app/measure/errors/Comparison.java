@@ -1,6 +1,5 @@
 package sunbeam.app.measure.errors;
 
-import java.util.Arrays;
 import java.util.List;
 import sunbeam.precompute.color.CieLab;
 import sunbeam.precompute.color.ColorDifference;
@@ -12,10 +11,10 @@ import sunbeam.precompute.color.ColorDifference;
  * @param exact the same by the reference
  * @param gain by which both were multiplied
  */
-record Comparison(double[] computed, double[] exact, double gain) {
+public record Comparison(double[] computed, double[] exact, double gain) {
 
     /** Whether either has enough light; the gain, which is not finite at the horizon, does not count. */
-    boolean bright() {
+    public boolean bright() {
         // Written so that a NaN is looked at.
         return !(Math.max(RelativeError.largest(computed), RelativeError.largest(exact)) <= floor());
     }
@@ -29,22 +28,8 @@ record Comparison(double[] computed, double[] exact, double gain) {
         return RelativeError.difference(computed, exact) / Math.max(floor(), RelativeError.largest(exact));
     }
 
-    /** The same before it was multiplied. */
-    Comparison withoutGain() {
-        return new Comparison(divided(computed), divided(exact), 1);
-    }
-
-    private double[] divided(double[] values) {
-        return Arrays.stream(values).map(value -> value / gain).toArray();
-    }
-
-    /** Something else that was computed at the same place. */
-    Comparison with(double[] other) {
-        return new Comparison(other, exact, gain);
-    }
-
     /** CIEDE2000 of X, Y, Z after an exposure. */
-    double colorDifference(double exposure) {
+    public double colorDifference(double exposure) {
         return ColorDifference.ciede2000(lab(computed, exposure), lab(exact, exposure));
     }
 
@@ -53,7 +38,7 @@ record Comparison(double[] computed, double[] exact, double gain) {
     }
 
     /** Relative errors of those that are bright. */
-    static ErrorStatistics relative(List<Comparison> compared) {
+    public static ErrorStatistics relative(List<Comparison> compared) {
         return ErrorStatistics.of(compared.stream()
                 .filter(Comparison::bright)
                 .mapToDouble(Comparison::relative)

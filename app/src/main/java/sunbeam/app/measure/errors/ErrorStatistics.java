@@ -31,11 +31,6 @@ public record ErrorStatistics(int count, double median, double percentile95, dou
         return count == 0 || (median <= tolerance && percentile95 <= PERCENTILE_FACTOR * tolerance);
     }
 
-    /** The smallest tolerance that they meet. */
-    public double reached() {
-        return count == 0 ? 0 : Math.max(median, percentile95 / PERCENTILE_FACTOR);
-    }
-
     /**
      * What so few errors leave unknown, to be put behind other words; empty where they are enough. That all of n lie below the
      * 95th percentile of what they were drawn from has the chance 0.95^n.

@@ -6,12 +6,10 @@ import java.util.List;
 import java.util.Random;
 import java.util.function.IntFunction;
 import java.util.stream.IntStream;
-import sunbeam.app.gpu.directions.DirectionsRenderer.Query;
 import sunbeam.app.terminal.progress.Progress;
 
 /** Compares random rows of a table with the exact reference. */
 public final class TableCertifier {
-    private final IntFunction<Query> queries;
     private final IntFunction<double[]> computed;
     private final IntFunction<double[]> exact;
     private final String quantity;
@@ -19,14 +17,11 @@ public final class TableCertifier {
     /**
      * A certifier of one table.
      *
-     * @param queries a row's directions
      * @param computed a row's X, Y, Z of power, or power alone
      * @param exact the same by the reference; thread-safe
      * @param quantity its name
      */
-    public TableCertifier(
-            IntFunction<Query> queries, IntFunction<double[]> computed, IntFunction<double[]> exact, String quantity) {
-        this.queries = queries;
+    public TableCertifier(IntFunction<double[]> computed, IntFunction<double[]> exact, String quantity) {
         this.computed = computed;
         this.exact = exact;
         this.quantity = quantity;
@@ -44,15 +39,13 @@ public final class TableCertifier {
         Collections.shuffle(chosen, new Random(CertifyOption.SEED));
         List<Integer> drawn = chosen.subList(0, Math.min(rows, count));
         try (Progress progress = Progress.start("Certificate", drawn.size())) {
-            List<ComparedPlace> places = drawn.parallelStream()
+            List<Comparison> compared = drawn.parallelStream()
                     .map(row -> {
                         Comparison comparison = new Comparison(computed.apply(row), exact.apply(row), 1);
                         progress.step(1);
-                        return new ComparedPlace(queries.apply(row), comparison);
+                        return comparison;
                     })
                     .toList();
-            List<Comparison> compared =
-                    places.stream().map(ComparedPlace::comparison).toList();
             return new Certificate(
                     drawn.size() == rows ? "all " + rows + " rows" : compared.size() + " random rows",
                     drawn.size() == rows,
@@ -60,8 +53,7 @@ public final class TableCertifier {
                     Comparison.relative(compared),
                     Comparison.relativeL2(compared),
                     ErrorStatistics.of(),
-                    tolerance,
-                    places);
+                    tolerance);
         }
     }
 }

@@ -2,6 +2,8 @@ package sunbeam.app.terminal.options;
 
 import static sunbeam.precompute.plan.MethodSettings.PRESET;
 
+import java.util.ArrayList;
+import java.util.List;
 import sunbeam.app.terminal.SettingOptions;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.patch.PatchLoader;
@@ -10,11 +12,30 @@ import sunbeam.precompute.patch.PatchSettings;
 import sunbeam.precompute.patch.builtin.BuiltInPatches;
 import sunbeam.precompute.plan.Preset;
 import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.setting.Setting;
 
 /** Which surface; to be used as a picocli mixin. */
 public final class PatchOptions extends SettingOptions {
     public PatchOptions() {
-        super(PatchSettings.ALL);
+        this(PatchSettings.ALL);
+    }
+
+    private PatchOptions(List<Setting<?>> settings) {
+        super(settings);
+    }
+
+    /** Options for surfaces that a command names by itself. */
+    public static PatchOptions ofSeveral() {
+        return new PatchOptions(PatchSettings.ALL.stream()
+                .filter(setting -> !setting.equals(PatchSettings.PATCH))
+                .toList());
+    }
+
+    /** Loads several, with names that differ, as a method's preset takes them. */
+    public List<Patch> load(List<String> names, Choices method) {
+        List<Patch> patches = new ArrayList<>();
+        names.forEach(name -> patches.add(ComparedPatches.distinct(load(name, method), patches)));
+        return patches;
     }
 
     /** Loads the patch; nothing else is read before it is known to be usable. */

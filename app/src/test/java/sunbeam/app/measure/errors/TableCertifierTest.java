@@ -6,9 +6,6 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import org.junit.jupiter.api.Test;
-import sunbeam.app.gpu.directions.DirectionsRenderer.Query;
-import sunbeam.precompute.optics.Direction;
-import sunbeam.precompute.optics.DirectionPair;
 
 /** On a table whose exact powers are 1, 1/2, 1/3 and so on. */
 final class TableCertifierTest {
@@ -18,17 +15,8 @@ final class TableCertifierTest {
         return new double[] {1.0 / (row + 1)};
     }
 
-    private static Query query(int row) {
-        Direction direction = Direction.ofDegrees(row % 90, 0);
-        return new Query(new DirectionPair(direction, direction), 500e-9);
-    }
-
     private static Certificate certify(double factor, int count) {
-        return new TableCertifier(
-                        TableCertifierTest::query,
-                        row -> new double[] {factor * exact(row)[0]},
-                        TableCertifierTest::exact,
-                        "power")
+        return new TableCertifier(row -> new double[] {factor * exact(row)[0]}, TableCertifierTest::exact, "power")
                 .certify(ROWS, count, 1e-3);
     }
 
@@ -58,7 +46,6 @@ final class TableCertifierTest {
     void rowsAreDrawnOnceAndNoMoreThanThereAre() {
         Set<Integer> seen = ConcurrentHashMap.newKeySet();
         Certificate certificate = new TableCertifier(
-                        TableCertifierTest::query,
                         TableCertifierTest::exact,
                         row -> {
                             assertThat(seen.add(row)).as("row %d", row).isTrue();
@@ -72,13 +59,11 @@ final class TableCertifierTest {
 
     @Test
     void darkRowsAreNotComparedUnlessTheTableHasLightThere() {
-        Certificate dark = new TableCertifier(
-                        TableCertifierTest::query, row -> new double[] {1e-12}, row -> new double[] {2e-12}, "power")
+        Certificate dark = new TableCertifier(row -> new double[] {1e-12}, row -> new double[] {2e-12}, "power")
                 .certify(ROWS, ROWS, 1e-3);
         assertThat(dark.relative().count()).isZero();
         assertThat(dark.missed()).isFalse();
-        Certificate lit = new TableCertifier(
-                        TableCertifierTest::query, row -> new double[] {1e-3}, row -> new double[] {2e-12}, "power")
+        Certificate lit = new TableCertifier(row -> new double[] {1e-3}, row -> new double[] {2e-12}, "power")
                 .certify(ROWS, ROWS, 1e-3);
         assertThat(lit.missed()).isTrue();
     }
@@ -86,7 +71,7 @@ final class TableCertifierTest {
     @Test
     void aTableFullOfNanIsWrong() {
         Certificate certificate = new TableCertifier(
-                        TableCertifierTest::query, row -> new double[] {Double.NaN}, TableCertifierTest::exact, "power")
+                        row -> new double[] {Double.NaN}, TableCertifierTest::exact, "power")
                 .certify(ROWS, 20, 1);
         assertThat(certificate.missed()).isTrue();
     }

@@ -1,0 +1,36 @@
+package sunbeam.app.measure.benchmark;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+
+/**
+ * How cost grows along one axis.
+ *
+ * @param key part of file names: lower-case letters
+ * @param axis what grows, with its unit
+ * @param points in the order in which they were measured
+ * @param remarks what was not measured, and why
+ */
+record Growth(String key, String axis, List<Point> points, List<String> remarks) {
+    /**
+     * A measurement.
+     *
+     * @param x along the axis
+     */
+    record Point(double x, Measured measured) {}
+
+    Growth {
+        points = List.copyOf(points);
+        remarks = List.copyOf(remarks);
+    }
+
+    /** By method, in the order in which they first occur. */
+    Map<String, List<Point>> byMethod() {
+        Map<String, List<Point>> series = new LinkedHashMap<>();
+        points.forEach(point -> series.computeIfAbsent(point.measured().method(), name -> new ArrayList<>())
+                .add(point));
+        return series;
+    }
+}

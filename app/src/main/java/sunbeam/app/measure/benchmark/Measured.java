@@ -1,0 +1,76 @@
+package sunbeam.app.measure.benchmark;
+
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Optional;
+import sunbeam.app.measure.errors.ErrorStatistics;
+
+/**
+ * What a method costs on a surface, and how far off it is.
+ *
+ * @param patch name of the surface
+ * @param method its name, with what distinguishes it from others of the run
+ * @param plan what it computes, in words
+ * @param makingSeconds from the heights to all that the shader reads on the graphics card
+ * @param bytes of it
+ * @param timing of a map
+ * @param errors of X, Y, Z; nothing where they are not measured
+ */
+record Measured(
+        String patch,
+        String method,
+        String plan,
+        double makingSeconds,
+        long bytes,
+        FrameTimer.Timing timing,
+        Optional<Errors> errors) {
+
+    /**
+     * Errors on random views.
+     *
+     * @param relative of X, Y, Z
+     * @param colorDifference CIEDE2000 at the map's automatic exposure
+     */
+    record Errors(ErrorStatistics relative, ErrorStatistics colorDifference) {}
+
+    double frameSeconds() {
+        return timing.seconds();
+    }
+
+    double microsecondsPerPixel() {
+        return 1e6 * timing.seconds() / timing.pixels();
+    }
+
+    /** How many times faster than another it draws. */
+    double timesFaster(Measured other) {
+        return other.microsecondsPerPixel() / microsecondsPerPixel();
+    }
+
+    /** How many times faster than another it is from the heights to the first picture. */
+    double timesFasterToFirstPicture(Measured other) {
+        return (other.makingSeconds + other.frameSeconds()) / (makingSeconds + frameSeconds());
+    }
+
+    /** By name, for programs; SI units but for those that are named. */
+    Map<String, Object> fields() {
+        Map<String, Object> fields = new LinkedHashMap<>();
+        fields.put("patch", patch);
+        fields.put("method", method);
+        fields.put("pixels", timing.pixels());
+        fields.put("makingSeconds", makingSeconds);
+        fields.put("frameSeconds", frameSeconds());
+        fields.put("microsecondsPerPixel", microsecondsPerPixel());
+        fields.put("bytes", bytes);
+        ErrorStatistics none = ErrorStatistics.of();
+        ErrorStatistics relative = errors.map(Errors::relative).orElse(none);
+        fields.put("views", relative.count());
+        fields.put("medianErrorOfXyz", relative.median());
+        fields.put("percentile95ErrorOfXyz", relative.percentile95());
+        fields.put("maximumErrorOfXyz", relative.maximum());
+        fields.put(
+                "medianCiede2000",
+                errors.map(Errors::colorDifference).orElse(none).median());
+        fields.put("plan", plan);
+        return fields;
+    }
+}

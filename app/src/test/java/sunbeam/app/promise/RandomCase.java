@@ -1,0 +1,207 @@
+package sunbeam.app.promise;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.SplittableRandom;
+import java.util.stream.IntStream;
+import jrtr.RenderContext;
+import sunbeam.app.gpu.UploadedTables;
+import sunbeam.app.gpu.directions.DirectionsRenderer;
+import sunbeam.app.gpu.directions.DirectionsRenderer.Query;
+import sunbeam.app.measure.errors.ErrorStatistics;
+import sunbeam.app.measure.errors.RelativeError;
+import sunbeam.precompute.method.Surface;
+import sunbeam.precompute.optics.CoherenceWindow;
+import sunbeam.precompute.optics.DirectionPair;
+import sunbeam.precompute.optics.WindowOrigin;
+import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.patch.Patch;
+import sunbeam.precompute.plan.Accuracy;
+import sunbeam.precompute.plan.Average;
+import sunbeam.precompute.plan.GaussianArea;
+import sunbeam.precompute.plan.Plan;
+import sunbeam.precompute.plan.Planner;
+import sunbeam.precompute.plan.TableChoices;
+import sunbeam.precompute.plan.VisibleRange;
+import sunbeam.precompute.reference.ReferenceColor;
+import sunbeam.precompute.reference.ReferenceEvaluator;
+import sunbeam.precompute.shader.MethodUse;
+import sunbeam.precompute.table.FourierTable;
+import sunbeam.precompute.table.TableBuilder;
+
+/**
+ * A surface, window, average, tolerance and directions, all drawn from one seed: method {@code full} must keep its
+ * tolerance on any.
+ *
+ * @param seed from which all follows
+ * @param kind of surface, in words
+ * @param map the surface
+ * @param area window, place and average
+ * @param tolerance relative error asked for
+ * @param aim of the directions, in words
+ * @param colors whether X, Y, Z are compared, else powers
+ * @param queries directions, with wavelengths where powers are compared
+ */
+record RandomCase(
+        long seed,
+        String kind,
+        HeightMap map,
+        GaussianArea area,
+        double tolerance,
+        String aim,
+        boolean colors,
+        List<Query> queries) {
+
+    private static final double[] TOLERANCES = {1e-2, 1e-3, 1e-4};
+    private static final int POWERS = 60;
+    private static final int COLORS = 12;
+    // Both the reference and, under long windows, its integral over wavelengths cost by the sample.
+    private static final int MOST_SAMPLES = 128;
+    private static final int MOST_SAMPLES_OF_COLORS = 40;
+    private static final double FINEST_PITCH = 10e-9;
+    private static final double COARSEST_PITCH = 1e-6;
+    private static final double LONGEST_SIDE = 100e-6;
+    private static final double SHORTEST_WINDOW = 1e-6;
+    private static final double LONGEST_WINDOW = 1e-3;
+    // The reference sums the window's samples at each of hundreds of wavelengths.
+    private static final double LONGEST_IN_SAMPLES = 600;
+    // Samples in a coherence length: with fewer, the plan says what the sampled Gaussian errs (PlanWarnings).
+    private static final double FEWEST_SAMPLES = 5;
+
+    /** Draws a case. */
+    static RandomCase of(long seed) {
+        SplittableRandom random = new SplittableRandom(seed);
+        RandomSurface kind = oneOf(random, RandomSurface.values());
+        RandomAim aim = oneOf(random, RandomAim.values());
+        boolean colors = random.nextInt(3) == 0;
+        HeightMap map = kind.draw(
+                random,
+                colors ? MOST_SAMPLES_OF_COLORS : MOST_SAMPLES,
+                between(random, FINEST_PITCH, COARSEST_PITCH),
+                LONGEST_SIDE);
+        double shortest = Math.max(SHORTEST_WINDOW, FEWEST_SAMPLES * Math.max(map.pitchX(), map.pitchY()));
+        double longest = colors ? LONGEST_IN_SAMPLES * Math.min(map.pitchX(), map.pitchY()) : LONGEST_WINDOW;
+        double coherenceLength = between(random, shortest, Math.max(shortest, Math.min(longest, LONGEST_WINDOW)));
+        GaussianArea area = new GaussianArea(
+                CoherenceWindow.ofCoherenceLength(coherenceLength),
+                oneOf(random, WindowOrigin.values()),
+                oneOf(random, Average.values()));
+        double tolerance = TOLERANCES[random.nextInt(TOLERANCES.length)];
+        List<Query> queries = new ArrayList<>();
+        for (int i = 0; i < (colors ? COLORS : POWERS); i++) {
+            double wavelength = RandomAim.wavelength(random);
+            DirectionPair pair = aim.draw(random, map, wavelength, area.window().sigmaFrequency());
+            queries.add(new Query(pair, wavelength));
+        }
+        return new RandomCase(seed, words(kind), map, area, tolerance, words(aim), colors, queries);
+    }
+
+    private static String words(Enum<?> value) {
+        return value.toString().toLowerCase(Locale.ROOT);
+    }
+
+    /** Equally often in each octave. */
+    private static double between(SplittableRandom random, double least, double most) {
+        return least * Math.pow(most / least, random.nextDouble());
+    }
+
+    private static <T> T oneOf(SplittableRandom random, T[] values) {
+        return values[random.nextInt(values.length)];
+    }
+
+    /** What was measured. */
+    record Outcome(ErrorStatistics errors, Plan plan, boolean said) {}
+
+    /** Compares method {@code full} with the reference on all directions that are bright enough. */
+    Outcome measure(RenderContext context) {
+        return measure(context, exact());
+    }
+
+    /** The same with exact values that are known already. */
+    Outcome measure(RenderContext context, double[][] exact) {
+        Surface surface = surface();
+        Planner planner = surface.planner();
+        Plan plan = planner.plan(
+                TableChoices.of(new Accuracy.ByTolerance(tolerance)),
+                Optional.empty(),
+                area,
+                VisibleRange.of(queries.stream().map(Query::pair).toList()));
+        List<float[]> results = evaluate(context, surface, plan);
+        double[] errors = IntStream.range(0, exact.length)
+                .filter(i -> !(Math.max(RelativeError.largest(exact[i]), RelativeError.largest(computed(results, i)))
+                        <= RelativeError.FLOOR))
+                .mapToDouble(i -> RelativeError.difference(computed(results, i), exact[i])
+                        / Math.max(RelativeError.FLOOR, RelativeError.largest(exact[i])))
+                .toArray();
+        return new Outcome(
+                ErrorStatistics.of(errors), plan, !planner.warnings(plan).isEmpty());
+    }
+
+    private double[] computed(List<float[]> results, int row) {
+        float[] result = results.get(row);
+        if (colors) {
+            return new double[] {result[0], result[1], result[2]};
+        }
+        return new double[] {area.average() == Average.ENSEMBLE ? result[1] : result[0]};
+    }
+
+    private List<float[]> evaluate(RenderContext context, Surface surface, Plan plan) {
+        FourierTable table = new TableBuilder(surface.identity(), surface.levels(), done -> {})
+                .build(plan.expansion(), plan.bandX(), plan.bandY());
+        MethodUse use = colors ? MethodUse.COLOUR : MethodUse.SPECTRAL;
+        try (UploadedTables method =
+                        UploadedTables.upload(context, plan.sampling().tables(plan, table, use, surface.cie()));
+                DirectionsRenderer renderer = new DirectionsRenderer(context, method, !colors)) {
+            return renderer.evaluate(queries, done -> {});
+        }
+    }
+
+    /** The same at another tolerance. */
+    RandomCase with(double otherTolerance) {
+        return new RandomCase(seed, kind, map, area, otherTolerance, aim, colors, queries);
+    }
+
+    private Surface surface() {
+        return Surface.of(new Patch("case " + seed, map, "made up", List.of()));
+    }
+
+    /** X, Y, Z, or the power of the average alone, of each query. */
+    double[][] exact() {
+        ReferenceEvaluator evaluator = new ReferenceEvaluator(map, area.window(), area.origin());
+        ReferenceColor color =
+                new ReferenceColor(evaluator, area.window(), surface().cie(), ReferenceColor.Quadrature.INTEGRATED);
+        boolean ensemble = area.average() == Average.ENSEMBLE;
+        return queries.parallelStream()
+                .map(query -> {
+                    if (colors) {
+                        return color.xyz(query.pair(), ensemble);
+                    }
+                    ReferenceEvaluator.Power power = evaluator.powers(query.pair(), query.wavelength());
+                    return new double[] {ensemble ? power.ensemble() : power.coherent()};
+                })
+                .toArray(double[][]::new);
+    }
+
+    /** The case in a line. */
+    @Override
+    public String toString() {
+        return String.format(
+                Locale.ROOT,
+                "seed %d: %s, %d x %d samples of %.0f x %.0f nm, relief %.3g nm, window %.3g um on the %s, %s %s %s, tolerance %.0e",
+                seed,
+                kind,
+                map.columns(),
+                map.rows(),
+                map.pitchX() * 1e9,
+                map.pitchY() * 1e9,
+                map.relief() * 1e9,
+                area.window().coherenceLength() * 1e6,
+                words(area.origin()),
+                words(area.average()),
+                colors ? "XYZ" : "power",
+                aim,
+                tolerance);
+    }
+}
