@@ -4,7 +4,7 @@ import sunbeam.precompute.resample.InterpolationDesign;
 
 /**
  * What each source of error may take of the one tolerance that is promised: the relative error of power, and of X, Y, Z, at
- * every direction whose power is at least {@link #DARKEST_POWER} of the mirror's. Derived in docs/error-budget.md. The
+ * every direction whose power is at least {@link #DARKEST_POWER} of the mirror's. Derived in docs/accuracy-and-speed.md. The
  * shares of one output add up to less than 1, worst case upon worst case.
  *
  * @param tolerance relative error, {@link #FINEST}..{@link #COARSEST}
@@ -22,7 +22,7 @@ public record ErrorBudget(double tolerance, Roughness roughness) {
 
     /**
      * Down to here the 95th percentile of the power's error stays below three times the tolerance. Below, the median keeps
-     * the tolerance, but float32 leaves up to {@link #FLOAT32_PERCENTILE} (docs/accuracy).
+     * the tolerance, but float32 leaves up to {@link #FLOAT32_PERCENTILE} (docs/accuracy-and-speed.md).
      */
     static final double FINEST_CERTAIN = 2e-5;
 
@@ -40,7 +40,7 @@ public record ErrorBudget(double tolerance, Roughness roughness) {
     // the ground: the specular spot, an order of a grating.
     private static final double ROUGH_SKIRT = 3.5;
     // A colour sums dozens of wavelengths over dozens of orders, whose errors are independent there. Directions
-    // on the skirt of one bright order see that one alone, within this factor (docs/error-budget.md).
+    // on the skirt of one bright order see that one alone, within this factor (RoughGroundTest).
     private static final double ROUGH_AVERAGING = 8;
     // One direction in ten is darker than the dark ones, where the promise is three times the tolerance.
     private static final double AT_DARK_DIRECTIONS = 2;

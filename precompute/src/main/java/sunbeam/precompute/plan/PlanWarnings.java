@@ -17,7 +17,7 @@ final class PlanWarnings {
     // With five, the replicas of the window's spectrum meet at exp(-(5 pi / 4)^2 / 2) = 4e-4 of an amplitude.
     private static final double FEWEST_SAMPLES = 5;
 
-    // Units in the last place: a fifth of the bound, as measured for colours of orders at 65 um (docs/accuracy).
+    // Units in the last place: a fifth of the bound, as measured for colours of orders at 65 um.
     private static final double TYPICAL_ROUNDING = 0.1;
 
     private final Plan plan;

@@ -47,6 +47,7 @@ public final class BenchmarkCommand implements Callable<Integer> {
     private static final int MOST_VIEWS = 10_000;
 
     private final Environment environment;
+    private final GrowthExperiment.Axes axes;
 
     @Option(
             names = "--patch",
@@ -113,7 +114,13 @@ public final class BenchmarkCommand implements Callable<Integer> {
     private CommandSpec specification;
 
     public BenchmarkCommand(Environment environment) {
+        this(environment, GrowthExperiment.Axes.STANDARD);
+    }
+
+    /** @param axes along which cost is measured */
+    BenchmarkCommand(Environment environment, GrowthExperiment.Axes axes) {
         this.environment = environment;
+        this.axes = axes;
     }
 
     @Override
@@ -160,7 +167,7 @@ public final class BenchmarkCommand implements Callable<Integer> {
         }
         if (Contender.open(asked)) {
             Patch base = patches.get(patches.size() - 1);
-            List<Growth> growths = new GrowthExperiment(meter, environment, base, GaussianArea.of(asked)).run();
+            List<Growth> growths = new GrowthExperiment(meter, environment, base, GaussianArea.of(asked)).run(axes);
             String words = page.growth(base.name(), growths);
             print(words);
             files.ifPresent(file -> file.addGrowth(words, growths));

@@ -21,10 +21,21 @@ final class GrowthExperiment {
     /** What both keep: cost over an axis has the same shape at any tolerance. */
     static final double TOLERANCE = 1e-2;
 
-    private static final int[] PIXELS = {128, 256, 512, 1024};
-    private static final int[] SAMPLES = {256, 512, 1024};
-    private static final double[] RELIEFS = {0.1e-6, 0.3e-6, 1e-6, 2e-6};
-    private static final double[] COHERENCE_LENGTHS = {8e-6, 16e-6, 32e-6, 65e-6};
+    /**
+     * Where cost is measured.
+     *
+     * @param pixels widths of maps
+     * @param samples along a side of the patch
+     * @param reliefs metres
+     * @param coherenceLengths metres
+     */
+    record Axes(List<Integer> pixels, List<Integer> samples, List<Double> reliefs, List<Double> coherenceLengths) {
+        static final Axes STANDARD = new Axes(
+                List.of(128, 256, 512, 1024),
+                List.of(256, 512, 1024),
+                List.of(0.1e-6, 0.3e-6, 1e-6, 2e-6),
+                List.of(8e-6, 16e-6, 32e-6, 65e-6));
+    }
 
     private final Meter meter;
     private final Environment environment;
@@ -47,38 +58,38 @@ final class GrowthExperiment {
     }
 
     /** Along all axes. */
-    List<Growth> run() {
-        return List.of(pixels(), samples(), relief(), coherence());
+    List<Growth> run(Axes axes) {
+        return List.of(pixels(axes), samples(axes), relief(axes), coherence(axes));
     }
 
-    private Growth pixels() {
-        for (int size : PIXELS) {
+    private Growth pixels(Axes axes) {
+        for (int size : axes.pixels()) {
             measure(size, meter.of(size), base.heights(), area);
         }
         return end("pixels", "width and height of the map / pixels");
     }
 
-    private Growth samples() {
-        for (int side : SAMPLES) {
+    private Growth samples(Axes axes) {
+        for (int side : axes.samples()) {
             measure(side, meter, resampled(base.heights(), side), area);
         }
         return end("samples", "samples along a side of the patch");
     }
 
-    private Growth relief() {
+    private Growth relief(Axes axes) {
         double own = base.heights().relief();
         if (own == 0) {
             remarks.add("The patch has no relief to stretch");
             return end("relief", "relief / um");
         }
-        for (double relief : RELIEFS) {
+        for (double relief : axes.reliefs()) {
             measure(relief * 1e6, meter, base.heights().map(height -> height * relief / own), area);
         }
         return end("relief", "relief / um");
     }
 
-    private Growth coherence() {
-        for (double length : COHERENCE_LENGTHS) {
+    private Growth coherence(Axes axes) {
+        for (double length : axes.coherenceLengths()) {
             GaussianArea other = area.with(CoherenceWindow.ofCoherenceLength(length));
             measure(length * 1e6, meter, base.heights(), other);
         }
