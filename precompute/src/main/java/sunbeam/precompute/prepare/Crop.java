@@ -53,14 +53,9 @@ public record Crop(double left, double right, double bottom, double top) {
         if (!matcher.matches()) {
             throw new IllegalArgumentException(Quoted.of(text)
                     + " is no area of four lengths; give LEFT:RIGHT,BOTTOM:TOP, such as 5um:25um,0um:10um"
-                    + commaRemedy(text));
+                    + (HAS_UNIT.matcher(text).find() ? Decimals.commaRemedy(text) : ""));
         }
         return new Crop(edge(matcher.group(1)), edge(matcher.group(2)), edge(matcher.group(3)), edge(matcher.group(4)));
-    }
-
-    /** A comma stands between two lengths, whose first ends with its unit; between digits it is a decimal comma. */
-    private static String commaRemedy(String text) {
-        return HAS_UNIT.matcher(text).find() ? Decimals.commaRemedy(text) : "";
     }
 
     /** 0 needs no unit. */

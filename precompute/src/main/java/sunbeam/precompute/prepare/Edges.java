@@ -19,37 +19,30 @@ public enum Edges {
 
     /** The heights with their borders treated, on the same grid. */
     public HeightField apply(HeightField field) {
-        return this == REPEAT ? field : blendedAlongY(blendedAlongX(field));
-    }
-
-    private static HeightField blendedAlongX(HeightField field) {
-        double[] weights = weights(field.columns());
+        if (this == REPEAT) {
+            return field;
+        }
         double[] heights = field.heights().clone();
-        int last = field.columns() - 1;
+        int columns = field.columns();
         for (int row = 0; row < field.rows(); row++) {
-            for (int i = 0; i < weights.length; i++) {
-                double left = field.at(i, row);
-                double right = field.at(last - i, row);
-                heights[row * field.columns() + i] = left + weights[i] * (right - left);
-                heights[row * field.columns() + last - i] = right + weights[i] * (left - right);
-            }
+            blend(heights, row * columns, 1, columns);
+        }
+        for (int column = 0; column < columns; column++) {
+            blend(heights, column, columns, field.rows());
         }
         return field.with(heights);
     }
 
-    private static HeightField blendedAlongY(HeightField field) {
-        double[] weights = weights(field.rows());
-        double[] heights = field.heights().clone();
-        int last = field.rows() - 1;
+    /** Blends both ends of a line of heights. */
+    private static void blend(double[] heights, int first, int stride, int count) {
+        double[] weights = weights(count);
         for (int i = 0; i < weights.length; i++) {
-            for (int column = 0; column < field.columns(); column++) {
-                double top = field.at(column, i);
-                double bottom = field.at(column, last - i);
-                heights[i * field.columns() + column] = top + weights[i] * (bottom - top);
-                heights[(last - i) * field.columns() + column] = bottom + weights[i] * (top - bottom);
-            }
+            int one = first + i * stride;
+            int other = first + (count - 1 - i) * stride;
+            double fade = weights[i] * (heights[other] - heights[one]);
+            heights[one] += fade;
+            heights[other] -= fade;
         }
-        return field.with(heights);
     }
 
     /** Of the opposite border's mirror image: nearly a half at the border, falling to 0 over the margin like a cosine. */

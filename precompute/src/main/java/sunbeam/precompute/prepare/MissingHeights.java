@@ -1,6 +1,7 @@
 package sunbeam.precompute.prepare;
 
 import java.util.Arrays;
+import java.util.stream.IntStream;
 
 /**
  * Fills missing samples (NaN or infinite) from their surroundings: ring by ring from the edge of each hole inwards,
@@ -59,7 +60,9 @@ public final class MissingHeights {
     }
 
     private void fillRings() {
-        int[] ring = firstRing();
+        int[] ring = IntStream.range(0, state.length)
+                .filter(i -> state[i] == MISSING && neighbours(i, KNOWN).length > 0)
+                .toArray();
         while (ring.length > 0) {
             double[] averages =
                     Arrays.stream(ring).mapToDouble(this::averageOfKnown).toArray();
@@ -67,26 +70,18 @@ public final class MissingHeights {
                 heights[ring[i]] = averages[i];
                 state[ring[i]] = KNOWN;
             }
+            // A sample that two of the ring have for a neighbour is queued once.
             ring = Arrays.stream(ring)
-                    .flatMap(i -> Arrays.stream(queueMissing(i)))
+                    .flatMap(i -> Arrays.stream(neighbours(i, MISSING)))
+                    .filter(this::queue)
                     .toArray();
         }
     }
 
-    /** The missing samples with a known neighbour, marked as queued. */
-    private int[] firstRing() {
-        int[] ring = new int[count];
-        int length = 0;
-        for (int i = 0; i < state.length; i++) {
-            if (state[i] == MISSING && neighbours(i, KNOWN).length > 0) {
-                ring[length++] = i;
-            }
-        }
-        ring = Arrays.copyOf(ring, length);
-        for (int i : ring) {
-            state[i] = QUEUED;
-        }
-        return ring;
+    private boolean queue(int index) {
+        boolean first = state[index] == MISSING;
+        state[index] = QUEUED;
+        return first;
     }
 
     private double averageOfKnown(int index) {
@@ -94,14 +89,6 @@ public final class MissingHeights {
         double first = heights[known[0]];
         // Relative to one of them, so that a large common offset costs no digits.
         return first + Arrays.stream(known).mapToDouble(i -> heights[i] - first).sum() / known.length;
-    }
-
-    private int[] queueMissing(int index) {
-        int[] found = neighbours(index, MISSING);
-        for (int i : found) {
-            state[i] = QUEUED;
-        }
-        return found;
     }
 
     /** Indices of the up to eight neighbours in the given state; the patch's edge is not wrapped: scans do not tile. */

@@ -9,7 +9,7 @@ import sunbeam.precompute.patch.PatchException;
 
 /**
  * The patches that Sunbeam generates itself, by name. All are periodic, so they tile without a seam, and the same on
- * every run. Parameters and their sources: docs/patches.md.
+ * every run. Parameters and their sources: docs/guide.md.
  */
 public final class BuiltInPatches {
     private static final Map<String, Supplier<HeightMap>> GENERATORS = new LinkedHashMap<>();

@@ -5,7 +5,7 @@ import sunbeam.precompute.patch.HeightMap;
 
 /**
  * Shed snake skin: overlapping rows of fingers on gently wavy ground, a model of what atomic force microscopy of
- * Elaphe and Xenopeltis skin shows. Where every number comes from stands in docs/patches.md.
+ * Elaphe and Xenopeltis skin shows. Where every number comes from stands in docs/guide.md.
  *
  * @param side width and height of the patch in metres
  * @param samples samples along each side

@@ -1,6 +1,6 @@
 package sunbeam.precompute.patch.builtin;
 
-/** The two snake skins; docs/patches.md has the measurements beside these numbers. */
+/** The two snake skins; docs/guide.md has the measurements beside these numbers. */
 final class SnakeSkins {
     private static final double SIDE = 65e-6;
     /** A power of two for the Fourier transforms; 63.5 nm apart, finer than the 95 nm that 380 nm light needs. */

@@ -1,18 +1,28 @@
 package sunbeam.precompute.scan.format;
 
+import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.ByteOrder;
+import java.util.ArrayDeque;
+import java.util.Deque;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipFile;
+import javax.xml.stream.XMLInputFactory;
+import javax.xml.stream.XMLStreamConstants;
+import javax.xml.stream.XMLStreamException;
+import javax.xml.stream.XMLStreamReader;
 import sunbeam.precompute.scan.Extent;
+import sunbeam.precompute.scan.Header;
 import sunbeam.precompute.scan.SampleBlock;
-import sunbeam.precompute.scan.Samples;
+import sunbeam.precompute.scan.SampleType;
 import sunbeam.precompute.scan.ScanBytes;
 import sunbeam.precompute.scan.ScanChannel;
 import sunbeam.precompute.scan.ScanException;
+import sunbeam.precompute.scan.ScanLimits;
 import sunbeam.precompute.scan.ScanReader;
 
 /**
@@ -22,6 +32,10 @@ import sunbeam.precompute.scan.ScanReader;
  * mark missing samples.
  */
 final class X3pReader implements ScanReader {
+    private static final String MAIN = "main.xml";
+    /** Bytes of main.xml; it has a few thousand. */
+    private static final int LARGEST_MAIN = 1 << 20;
+
     @Override
     public String format() {
         return "ISO 25178-72 (.x3p)";
@@ -33,7 +47,7 @@ final class X3pReader implements ScanReader {
             return false;
         }
         try (ZipFile archive = new ZipFile(file.path().toFile())) {
-            return archive.getEntry(X3pHeader.NAME) != null;
+            return archive.getEntry(MAIN) != null;
         } catch (IOException | IllegalArgumentException broken) {
             return false;
         }
@@ -41,63 +55,103 @@ final class X3pReader implements ScanReader {
 
     @Override
     public List<ScanChannel> channels(ScanBytes file) throws IOException {
-        X3pHeader header;
-        try (ZipFile archive = new ZipFile(file.path().toFile());
-                InputStream in = member(archive, X3pHeader.NAME)) {
-            header = X3pHeader.read(in);
-            if (!header.pointData().isEmpty()) {
-                requireMember(archive, header);
+        try (ZipFile archive = new ZipFile(file.path().toFile())) {
+            Header main = main(member(archive, MAIN, 0));
+            if (!main.text("CX/AxisType", "I").equals("I")
+                    || !main.text("CY/AxisType", "I").equals("I")) {
+                throw new ScanException("holds points on no grid; interpolate them and export a matrix");
             }
+            if (main.number("MatrixDimension/SizeZ", 1) != 1) {
+                throw new ScanException("holds several layers; export one of them");
+            }
+            int columns = main.count("MatrixDimension/SizeX");
+            int rows = main.count("MatrixDimension/SizeY");
+            ScanLimits.requireSize(columns, rows);
+            SampleType type = type(main.text("CZ/DataType", "D"));
+            SampleBlock block = new SampleBlock(0, (long) columns * rows, type, ByteOrder.LITTLE_ENDIAN);
+            String points = main.find("DataLink/PointDataLink")
+                    .orElseThrow(() -> new ScanException("has its samples in main.xml; export them as binary data"));
+            member(archive, points, block.bytes()).close();
+            Extent extent =
+                    Extent.ofPitches(main.number("CX/Increment"), main.number("CY/Increment"), "m", columns, rows);
+            ScanChannel.Source samples = () -> samples(file, block, points, main.find("DataLink/ValidPointsLink"));
+            return List.of(new ScanChannel(
+                    "Topography",
+                    columns,
+                    rows,
+                    extent,
+                    "m",
+                    samples.scaled(main.number("CZ/Increment", 1), main.number("CZ/Offset", 0))));
         } catch (IOException damaged) {
             throw broken(damaged);
         }
-        Extent extent = Extent.ofPitches(header.pitchX(), header.pitchY(), "m", header.columns(), header.rows());
-        return List.of(new ScanChannel(
-                "Topography", header.columns(), header.rows(), extent, "m", () -> samples(file, header)));
     }
 
-    private static void requireMember(ZipFile archive, X3pHeader header) {
-        ZipEntry entry = archive.getEntry(header.pointData());
-        long needed = (long) header.columns() * header.rows() * header.type().size();
-        if (entry == null || entry.getSize() < needed) {
+    /** The texts of elements, as parent/name. */
+    private static Header main(InputStream in) throws IOException {
+        XMLInputFactory factory = XMLInputFactory.newInstance();
+        // No reference to anything outside is followed.
+        factory.setProperty(XMLInputFactory.SUPPORT_DTD, false);
+        factory.setProperty(XMLInputFactory.IS_SUPPORTING_EXTERNAL_ENTITIES, false);
+        Header header = new Header();
+        Deque<String> path = new ArrayDeque<>(List.of(""));
+        StringBuilder text = new StringBuilder();
+        try (in) {
+            XMLStreamReader xml = factory.createXMLStreamReader(new ByteArrayInputStream(in.readNBytes(LARGEST_MAIN)));
+            while (xml.hasNext()) {
+                int event = xml.next();
+                if (event == XMLStreamConstants.START_ELEMENT) {
+                    path.push(xml.getLocalName());
+                    text.setLength(0);
+                } else if (event == XMLStreamConstants.CHARACTERS) {
+                    text.append(xml.getText());
+                } else if (event == XMLStreamConstants.END_ELEMENT) {
+                    String name = path.pop();
+                    header.put(path.element() + "/" + name, text.toString());
+                    text.setLength(0);
+                }
+            }
+        } catch (XMLStreamException invalid) {
+            throw new ScanException(
+                    "has a main.xml that is no valid XML, or longer than 1 MB; export it again", invalid);
+        }
+        return header;
+    }
+
+    private static SampleType type(String code) {
+        return switch (code) {
+            case "I" -> SampleType.SIGNED_16;
+            case "L" -> SampleType.SIGNED_32;
+            case "F" -> SampleType.FLOAT_32;
+            case "D" -> SampleType.FLOAT_64;
+            default -> throw new ScanException("stores samples of the unknown type " + code + "; export it again");
+        };
+    }
+
+    private static InputStream member(ZipFile archive, String name, long bytes) throws IOException {
+        ZipEntry entry = archive.getEntry(name);
+        if (entry == null || entry.isDirectory() || entry.getSize() < bytes) {
             throw new ScanException(String.format(
                     Locale.ROOT,
-                    "has %s bytes of samples where %d x %d take %d; copy or export it again",
-                    entry == null ? "no" : entry.getSize(),
-                    header.columns(),
-                    header.rows(),
-                    needed));
-        }
-    }
-
-    private static InputStream member(ZipFile archive, String name) throws IOException {
-        ZipEntry entry = archive.getEntry(name);
-        if (entry == null || entry.isDirectory()) {
-            throw new ScanException(String.format(Locale.ROOT, "has no member %s; copy or export it again", name));
+                    "has %s bytes of %s, where its matrix takes %d; copy or export it again",
+                    entry == null ? "no" : Long.toString(entry.getSize()),
+                    name,
+                    bytes));
         }
         return archive.getInputStream(entry);
     }
 
-    private static double[] samples(ScanBytes file, X3pHeader header) throws IOException {
-        long count = (long) header.columns() * header.rows();
-        try (ZipFile archive = new ZipFile(file.path().toFile())) {
-            double[] samples;
-            if (header.pointData().isEmpty()) {
-                try (InputStream in = member(archive, X3pHeader.NAME)) {
-                    samples = X3pHeader.dataList(in, count);
-                }
-            } else {
-                SampleBlock block = new SampleBlock(0, count, header.type(), ByteOrder.LITTLE_ENDIAN);
-                try (InputStream in = member(archive, header.pointData())) {
-                    samples = block.read(in);
+    private static double[] samples(ScanBytes file, SampleBlock block, String points, Optional<String> valid)
+            throws IOException {
+        try (ZipFile archive = new ZipFile(file.path().toFile());
+                InputStream in = member(archive, points, block.bytes())) {
+            double[] samples = block.read(in);
+            if (valid.isPresent()) {
+                try (InputStream bits = member(archive, valid.get(), 0)) {
+                    dropInvalid(samples, bits);
                 }
             }
-            if (!header.validPoints().isEmpty()) {
-                try (InputStream in = member(archive, header.validPoints())) {
-                    dropInvalid(samples, in);
-                }
-            }
-            return Samples.scaled(samples, header.stepZ(), header.offsetZ());
+            return samples;
         } catch (IOException damaged) {
             throw broken(damaged);
         }
