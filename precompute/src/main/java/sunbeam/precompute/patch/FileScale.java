@@ -85,16 +85,19 @@ record FileScale(double metresPerUnit, double pitchX, double pitchY, Optional<Se
 
     private static SettingException missing(Path file, boolean width, boolean unit, boolean whole) {
         Setting<?> ofHeights = whole ? MAX_HEIGHT : HEIGHT_UNIT;
+        String ofWidth = whole ? " 65um" : " 20um";
         String heights = whole ? " 375nm" : " nm";
-        String what = "is missing: " + file + " does not say "
-                + (width ? "how large the scan is" : "") + (width && unit ? ", nor " : "")
-                + (unit ? "how high a unit of its samples is" : "") + "; add for example ";
-        String end = ", or name a descriptor (.json)";
+        String size = "how large the scan is";
+        String scale = "in which unit its heights are";
+        String lacks =
+                width && unit ? " says neither " + size + " nor " + scale : " does not say " + (width ? size : scale);
+        String what = "is missing: " + file + (whole ? " is an image without scale" : lacks) + "; add for example ";
+        String end = whole ? ", or name a descriptor (.json)" : "";
         if (width && unit) {
-            return new SettingException(WIDTH, what, WIDTH, " 65um and ", ofHeights, heights + end);
+            return new SettingException(WIDTH, what, WIDTH, ofWidth + " and ", ofHeights, heights + end);
         }
         return width
-                ? new SettingException(WIDTH, what, WIDTH, " 65um" + end)
+                ? new SettingException(WIDTH, what, WIDTH, ofWidth + end)
                 : new SettingException(ofHeights, what, ofHeights, heights + end);
     }
 }

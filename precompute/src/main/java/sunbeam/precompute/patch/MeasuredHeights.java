@@ -36,11 +36,12 @@ record MeasuredHeights(HeightMap map, String source, List<String> channels, List
         InputFiles.requireReadable(file);
         try (ScanBytes bytes = ScanBytes.open(file)) {
             ScanReader reader = ScanFormats.find(bytes, choices.find(PatchSettings.DECIMAL_MARK))
-                    .orElseThrow(() -> new ScanException(
-                            bytes.size() == 0
-                                    ? "is empty; copy or export it again"
-                                    : "is neither an image nor a scan in a format that Sunbeam knows; open it with"
-                                            + " Gwyddion, which reads 170 others, and save it as .gwy, .gsf or text"));
+                    .orElseThrow(
+                            () -> new ScanException(
+                                    bytes.size() == 0
+                                            ? "is empty; copy or export it again"
+                                            : "is neither an image nor a scan in a format that Sunbeam knows; open it with"
+                                                    + " Gwyddion, which reads 170 others, and export it as .gwy, .gsf or text"));
             return of(file, reader, new ChannelList(reader.channels(bytes)), choices);
         } catch (ScanException unusable) {
             throw new PatchException(file + " " + unusable.getMessage(), unusable);

@@ -98,13 +98,13 @@ class FileScaleTest {
 
         assertThatThrownBy(() -> load(file))
                 .isInstanceOf(PatchException.class)
-                .hasMessageContaining("--width 65um and --height-unit nm");
+                .hasMessageContaining("--width 20um and --height-unit nm");
         assertThatThrownBy(() -> load(file, PatchSettings.WIDTH, "4um"))
                 .isInstanceOf(PatchException.class)
-                .hasMessageContaining("how high a unit of its samples is; add for example --height-unit nm");
+                .hasMessageContaining("in which unit its heights are; add for example --height-unit nm");
         assertThatThrownBy(() -> load(file, PatchSettings.HEIGHT_UNIT, "nm"))
                 .isInstanceOf(PatchException.class)
-                .hasMessageContaining("how large the scan is; add for example --width 65um");
+                .hasMessageContaining("how large the scan is; add for example --width 20um");
     }
 
     @Test

@@ -103,7 +103,10 @@ class PatchLoaderTest {
         ", 375nm, --width 65um",
     })
     void asksForTheScaleOfAnImage(String width, String maxHeight, String remedy) throws IOException {
-        assertRefused(PatchRequests.parse(ramp(), width, null, maxHeight, null, null), "ramp.png does not say", remedy);
+        assertRefused(
+                PatchRequests.parse(ramp(), width, null, maxHeight, null, null),
+                "ramp.png is an image without scale",
+                remedy);
     }
 
     @ParameterizedTest

@@ -86,7 +86,8 @@ final class PictureReader implements ScanReader {
         } catch (IOException | RuntimeException broken) {
             // Image decoders answer damaged files with exceptions of many kinds, unchecked ones among them.
             throw new ScanException(
-                    "is damaged or of a kind that cannot be read (" + broken + "); export it again as PNG or TIFF",
+                    "is damaged or of a kind that cannot be read (" + broken
+                            + "); export the scan again as PNG or TIFF",
                     broken);
         }
     }
