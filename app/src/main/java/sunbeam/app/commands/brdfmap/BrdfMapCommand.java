@@ -215,7 +215,7 @@ public final class BrdfMapCommand implements Callable<Integer> {
         if (linear != null) {
             out.println(StandardOutput.name(linear));
         }
-        if (specification.commandLine().getParseResult().originalArgs().isEmpty()) {
+        if (specification.commandLine().getParseResult().matchedOptions().isEmpty()) {
             err.println("next: ./sunbeam view");
             err.flush();
         }
