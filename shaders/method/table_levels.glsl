@@ -1,7 +1,7 @@
 #include "include/colour_spline.glsl"
 
 // Colours of power, tabulated over (u, v) and slices of w in levels of ever wider averages, page by page as pixels need them; for
-// pixels that see more than a point (docs/colour-tables.md).
+// pixels that see more than a point (docs/color-tables.md).
 
 // How the pixel of each fragment looks into them (looks.frag): (u, v, w) in the middle, and the level, or -1 where nothing is
 // diffracted; by how much (u, v, w) changes along the wide and the narrow side of what it sees, and in how many places it looks.

@@ -8,7 +8,7 @@ public final class PixelSamples {
     public static final int MOST = 8;
 
     // A pixel of a whole snake is as wide as the body bends, and one sample in each leaves more than eyes allow
-    // (docs/colour-tables.md).
+    // (docs/color-tables.md).
     private static final double IN_ALL = 1600.0 * 1200;
 
     private PixelSamples() {}

@@ -26,7 +26,7 @@ import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.VisibleRange;
 
 /**
- * How long all colours of a surface take, for whatever light and mesh: makes the numbers of docs/colour-tables.md. Not among the tests:
+ * How long all colours of a surface take, for whatever light and mesh: makes the numbers of docs/color-tables.md. Not among the tests:
  * {@code ./sunbeam test -Dtest=AllLightsRun -Dsurefire.failIfNoSpecifiedTests=false}, with {@code -Dsunbeam.patch=NAME} and {@code
  * -Dsunbeam.tolerance=T}. Nothing is read from the cache and nothing kept.
  */

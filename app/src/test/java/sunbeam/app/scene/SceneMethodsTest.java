@@ -81,7 +81,7 @@ class SceneMethodsTest {
                     .mapToDouble(i -> Math.abs(nmm[4 * i + 1] / full[4 * i + 1] - 1))
                     .sorted()
                     .toArray();
-            // nmm takes an order's power at its one wavelength: 3e-3 on this grating's maps (docs/methods.md), up to
+            // nmm takes an order's power at its one wavelength: 3e-3 on this grating's maps (docs/theory.md), up to
             // 6e-2 at the 95th percentile; beside the grating's plane, on orders' flanks, 1.5e-2 in the median.
             assertThat(errors[errors.length / 2]).as("median error").isLessThan(2e-2);
         }

@@ -7,7 +7,7 @@ import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.GaussianArea;
 
 /**
- * How fine a table of colours is. The laws are measured (docs/colour-tables.md): on the thesis's patches, both averages, 720
+ * How fine a table of colours is. The laws are measured (docs/color-tables.md): on the thesis's patches, both averages, 720
  * directions each, half of them on the axis where gratings have their orders.
  *
  * @param step of (u, v) between texels, above 0

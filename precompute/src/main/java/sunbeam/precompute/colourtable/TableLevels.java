@@ -10,7 +10,7 @@ import sunbeam.precompute.plan.GaussianArea;
  * Tables of the same colours, each averaged over wider surroundings of (u, v): for pixels that see more than a point. The
  * ensemble average under a Gaussian window is a sum of Gaussians in frequency (design, section 3); its mean with Gaussian
  * weights around a place is the same sum with wider ones, which is what a shorter window gives. So a coarse level is
- * evaluated as such, at its few texels, and never averaged from the many of a fine one (docs/colour-tables.md).
+ * evaluated as such, at its few texels, and never averaged from the many of a fine one (docs/color-tables.md).
  *
  * <p>A shorter window's Gaussians are wider by a certain width in frequency, so in (u, v) by a width that grows with the
  * wavelength: {@link #sigma()} is that at {@link #MIDDLE_WAVELENGTH}.
@@ -32,7 +32,7 @@ public record TableLevels(GaussianArea area, List<Level> levels, NumberFormat nu
     // From this tolerance on pixels that see more than a point look between texels along straight lines.
     private static final double LINES_TOLERANCE = 5e-3;
 
-    // Their texels' distance, beside that of splines: errors of means just begin to grow (docs/colour-tables.md).
+    // Their texels' distance, beside that of splines: errors of means just begin to grow (docs/color-tables.md).
     private static final double LINES_STEP = 1.5;
 
     // And as many slices, beside those that bright directions need: where an order vanishes, what is left is small

@@ -1,2 +1,2 @@
-/** Tables of colours over (u, v, w): how fine they are, where their texels lie, how they are made (docs/colour-tables.md). */
+/** Tables of colours over (u, v, w): how fine they are, where their texels lie, how they are made (docs/color-tables.md). */
 package sunbeam.precompute.colourtable;

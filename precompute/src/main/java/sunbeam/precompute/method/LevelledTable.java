@@ -116,7 +116,7 @@ final class LevelledTable implements LevelledPlan {
         List<String> reasons = new ArrayList<>();
         reasons.add(String.format(
                 Locale.ROOT,
-                "step %s in (u, v): cubic B-splines through square roots of X, Y, Z err by the tolerance (docs/colour-tables.md)",
+                "step %s in (u, v): cubic B-splines through square roots of X, Y, Z err by the tolerance (docs/color-tables.md)",
                 step(0)));
         if (levels.ofPoints() == 1) {
             reasons.add(String.format(

@@ -31,7 +31,7 @@ public final class Methods {
                     "method",
                     Kinds.oneOf("METHOD", ALL, MethodType::label),
                     ALL.stream().map(type -> type.label() + ": " + type.help()).collect(Collectors.joining(" "))
-                            + " See docs/methods.md.")
+                            + " See docs/theory.md.")
             .withStandard(FullMethod.TYPE);
 
     /** The method and all that belongs to one, in a manual's order. */

@@ -206,7 +206,7 @@ public record PqMethod(TableChoices table, PeriodInterpolation interpolation, Re
                     "replicas: as asked for, or as many as come closest to the coherence length",
                     String.format(
                             Locale.ROOT,
-                            "spectrum: of one period, %d samples a bin, %d taps along each axis; see docs/methods.md for its error",
+                            "spectrum: of one period, %d samples a bin, %d taps along each axis; see docs/theory.md for its error",
                             interpolation.oversampling(),
                             interpolation.taps()),
                     "wavelengths: as asked for, or one for each cycle of the power over 1 / lambda");

@@ -38,7 +38,7 @@ import sunbeam.precompute.shader.ShaderTables;
 
 /**
  * Colours of the power that {@link FullMethod} diffracts, tabulated over (u, v, w) beforehand: a few look-ups a pixel
- * (docs/colour-tables.md).
+ * (docs/color-tables.md).
  *
  * @param tolerance relative error of colours
  * @param area the window and its average
@@ -157,7 +157,7 @@ public record TableMethod(double tolerance, GaussianArea area) implements Method
             reasons.add(String.format(
                     Locale.ROOT,
                     "step %s in (u, v), or smaller where a trial of the table asks for it: cubic B-splines through square roots of X, Y, Z err by"
-                            + " the tolerance (docs/colour-tables.md)",
+                            + " the tolerance (docs/color-tables.md)",
                     step()));
             reasons.add(
                     pages.slices() == 1

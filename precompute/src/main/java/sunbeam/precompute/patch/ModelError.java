@@ -5,7 +5,7 @@ import sunbeam.precompute.units.Decimals;
 
 /**
  * How much of the reflected light scalar theory sends elsewhere than Maxwell's equations do, by a rule: a power of the mean
- * slope, fitted to 1500 gratings by rigorous coupled-wave analysis (docs/validity.md, docs/examples/coupled_waves.py). The
+ * slope, fitted to 1500 gratings by rigorous coupled-wave analysis (docs/theory.md, docs/examples/coupled_waves.py). The
  * sum over all directions of what is drawn too bright or too dark, over all that is reflected.
  *
  * @param meanSlope mean of |grad h| over the patch, without unit; for a grating twice its depth over its period
@@ -74,7 +74,7 @@ public record ModelError(double meanSlope) {
         if (!hasRule()) {
             return String.format(
                     Locale.ROOT,
-                    "mean slope %.2f, beyond the rule: about as much light goes elsewhere as where it is drawn (docs/validity.md)",
+                    "mean slope %.2f, beyond the rule: about as much light goes elsewhere as where it is drawn (docs/theory.md)",
                     meanSlope);
         }
         return String.format(
@@ -85,7 +85,7 @@ public record ModelError(double meanSlope) {
                         percent(high(Incidence.NEAR_NORMAL)))
                 + String.format(
                         Locale.ROOT,
-                        " normal, %s up to 60, %s up to 75 (mean slope %s; docs/validity.md)",
+                        " normal, %s up to 60, %s up to 75 (mean slope %s; docs/theory.md)",
                         percent(expected(Incidence.OBLIQUE)),
                         percent(expected(Incidence.GRAZING)),
                         Decimals.rounded(meanSlope, 2));

@@ -52,7 +52,7 @@ public final class SlopeCheck {
         return String.format(
                 Locale.ROOT,
                 "slopes too steep for scalar theory: %.1f %% of the surface are steeper than %.0f degrees, and %s of the light is"
-                        + " drawn elsewhere than it goes (docs/validity.md)",
+                        + " drawn elsewhere than it goes (docs/theory.md)",
                 100 * share,
                 STEEPEST,
                 error.share());

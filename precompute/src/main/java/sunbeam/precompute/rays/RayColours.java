@@ -14,7 +14,7 @@ import sunbeam.precompute.plan.GaussianArea;
 /**
  * Colours of the ensemble average at many (u, v) in few slices of w: evaluated along rays through the origin, for all
  * wavelengths and places at once ({@link RayConvolution}), and interpolated between them by quintic B-splines through
- * square roots, which err by a tenth of what cubic splines between the places that are asked for will (docs/colour-tables.md).
+ * square roots, which err by a tenth of what cubic splines between the places that are asked for will (docs/color-tables.md).
  *
  * <p>The disc is divided into octaves of |(u, v)|, so that no more rays go inwards than are needed there, and octaves into
  * sectors, of which only those are evaluated that are asked for. Safe for use by several threads.

@@ -14,7 +14,7 @@ import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.WindowOrigin;
 import sunbeam.precompute.patch.HeightMap;
 
-/** Corrections to the thesis that no other test shows; docs/thesis-corrections.md lists them all. */
+/** Corrections to the thesis that no other test shows; docs/theory.md lists them all. */
 class ThesisCorrectionsTest {
     private static final double WAVELENGTH = 500e-9;
     private static final double ROUNDING = 1e-12;

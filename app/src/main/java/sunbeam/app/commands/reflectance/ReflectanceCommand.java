@@ -45,7 +45,7 @@ import sunbeam.precompute.setting.Choices;
                 + " phi_i, theta_r, phi_r in degrees and, for one wavelength a row, wavelength in nm; other columns are"
                 + " ignored. The output repeats these columns and adds power, power_ensemble, rho and brdf (1/sr,"
                 + " without mask); without wavelengths, X, Y, Z of power and the gain that turns them into rho."
-                + " See docs/reflectance.md.")
+                + " See docs/conventions.md.")
 public final class ReflectanceCommand implements Callable<Integer> {
     private static final List<String> SPECTRAL_RESULTS = List.of("power", "power_ensemble", "rho", "brdf");
     private static final List<String> COLOUR_RESULTS = List.of("X", "Y", "Z", "gain");

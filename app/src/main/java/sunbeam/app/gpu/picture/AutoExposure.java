@@ -4,7 +4,7 @@ import java.util.Arrays;
 
 /**
  * The exposure at which what a picture shows is well lit: the one definition for maps, pictures of scenes, the viewer and {@code color}
- * (docs/exposure.md).
+ * (docs/theory.md).
  *
  * <p>Pixels are sorted by luminance Y, and each counts by its lightness, the cube root of Y (CIE 1976), so that black counts nothing.
  * The geometric mean of Y over the brighter half, by lightness, is drawn at {@link #TARGET}. It is a mean over many pixels, not the value

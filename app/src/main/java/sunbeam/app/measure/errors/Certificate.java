@@ -56,7 +56,7 @@ public record Certificate(
         return String.format(
                 Locale.ROOT,
                 "these places keep the tolerance %.2g: the median may be %.2g, the 95th percentile %.2g. That is the error of"
-                        + " computing the model; what the model leaves out (docs/validity.md) comes on top",
+                        + " computing the model; what the model leaves out (docs/theory.md) comes on top",
                 tolerance,
                 tolerance,
                 ErrorStatistics.PERCENTILE_FACTOR * tolerance);

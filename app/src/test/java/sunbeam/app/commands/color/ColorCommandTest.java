@@ -184,7 +184,7 @@ class ColorCommandTest {
         assertThat(written().get("warnings"))
                 .extracting(JsonNode::asText)
                 .anyMatch(line -> line.contains("coherence length 507.8 nm (the scan's width; 10 um asked)"));
-        assertThat(written().get("surfaces").get(0).get("model").asText()).contains("docs/validity.md");
+        assertThat(written().get("surfaces").get(0).get("model").asText()).contains("docs/theory.md");
     }
 
     /** Of the instruments' files and the thesis's scans, which are no part of the project. */

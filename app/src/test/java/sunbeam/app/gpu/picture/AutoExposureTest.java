@@ -9,7 +9,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What an automatic exposure must do whatever its formula: light what is there, and never jump (docs/exposure.md). */
+/** What an automatic exposure must do whatever its formula: light what is there, and never jump (docs/theory.md). */
 class AutoExposureTest {
     // Luminances are float32.
     private static final double ROUNDING = 1e-6;
