@@ -63,11 +63,15 @@ final class PointInspector implements AutoCloseable {
     /** Lets go of the point unless it is still where it was, and dims what the panel has of another scene. */
     void follow(Scene scene) {
         point.ifPresent(found -> {
-            if (found.staysIn(scene)) {
-                window.pick().outdate(!question(found, scene).equals(answered));
-            } else {
+            if (!found.staysIn(scene)) {
                 clear();
+                return;
             }
+            List<Object> question = question(found, scene);
+            if (!question.equals(asked)) {
+                asked = List.of(); // what is being computed is out of date
+            }
+            window.pick().outdate(!question.equals(answered));
         });
     }
 

@@ -3,11 +3,12 @@ package sunbeam.app.viewer;
 import java.awt.image.BufferedImage;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
+import jrtr.ContextInfo;
 import jrtr.Tile;
 import sunbeam.app.commands.failure.Failure;
-import sunbeam.app.gpu.picture.AutoExposure;
 import sunbeam.app.scene.ScenePreview;
 import sunbeam.precompute.method.MethodPlan;
 
@@ -25,6 +26,7 @@ final class RenderLoop implements AutoCloseable {
     private final Inbox<ViewState, Consumer<GraphicsStage>> inbox = new Inbox<>();
     private final Supplier<GraphicsStage> opening;
     private final RenderListener listener;
+    private final Executor listening;
     private final Thread thread;
     private PreviewScale scale = PreviewScale.first();
     private final MovingScale movingScale = new MovingScale();
@@ -40,10 +42,14 @@ final class RenderLoop implements AutoCloseable {
     /** A final picture: as long as nothing but the map changes, it stays. */
     private record Finished(ViewState state, BufferedImage image, double exposure, long nanoseconds) {}
 
-    /** @param opening makes the stage, on the render thread */
-    RenderLoop(Supplier<GraphicsStage> opening, RenderListener listener) {
+    /**
+     * @param opening makes the stage, on the render thread
+     * @param listening runs what the listener is told
+     */
+    RenderLoop(Supplier<GraphicsStage> opening, RenderListener listener, Executor listening) {
         this.opening = opening;
         this.listener = listener;
+        this.listening = listening;
         this.thread = new Thread(this::run, "render");
         thread.setDaemon(true);
     }
@@ -76,16 +82,17 @@ final class RenderLoop implements AutoCloseable {
 
     private void run() {
         try (GraphicsStage stage = opening.get()) {
-            listener.opened(stage.info());
+            ContextInfo info = stage.info();
+            tell(to -> to.opened(info));
             while (!inbox.isClosed()) {
                 inbox.await();
                 doTasks(stage);
                 inbox.state().ifPresent(state -> guarded(() -> show(stage, state)));
             }
         } catch (RuntimeException | LinkageError | OutOfMemoryError failure) {
-            listener.failed(Failure.of(failure).message());
+            tell(to -> to.failed(Failure.of(failure).message()));
         } catch (InterruptedException failure) {
-            listener.failed("the render thread was interrupted");
+            tell(to -> to.failed("the render thread was interrupted"));
         }
     }
 
@@ -106,6 +113,10 @@ final class RenderLoop implements AutoCloseable {
         }
     }
 
+    private void tell(Consumer<RenderListener> news) {
+        listening.execute(() -> news.accept(listener));
+    }
+
     private void doTasks(GraphicsStage stage) {
         for (var task = inbox.task(); task.isPresent(); task = inbox.task()) {
             Consumer<GraphicsStage> due = task.get();
@@ -118,7 +129,7 @@ final class RenderLoop implements AutoCloseable {
         try {
             work.run();
         } catch (RuntimeException | OutOfMemoryError failure) {
-            listener.refused(Failure.of(failure).message());
+            tell(to -> to.refused(Failure.of(failure).message()));
         }
     }
 
@@ -128,7 +139,7 @@ final class RenderLoop implements AutoCloseable {
         Optional<Finished> kept = finished.filter(picture -> picture.state().showsThePictureOf(state));
         if (kept.isPresent()) {
             Finished picture = kept.get();
-            listener.complete(state, picture.image(), picture.exposure(), picture.nanoseconds());
+            tell(to -> to.complete(state, picture.image(), picture.exposure(), picture.nanoseconds()));
             check(map(stage, state, false) && map(stage, state, true));
             guarded(() -> stage.requestMoving(state.width(), state.height(), inbox::isInterrupted));
             return;
@@ -196,7 +207,7 @@ final class RenderLoop implements AutoCloseable {
         if (stage.canMove()) {
             moving(stage, state, 1, exposures.of(state.fine(), stage::previewExposure));
         }
-        listener.waiting(share);
+        tell(to -> to.waiting(share));
     }
 
     private void check(boolean done) {
@@ -243,7 +254,8 @@ final class RenderLoop implements AutoCloseable {
         long start = System.nanoTime();
         boolean colours = stage.canMove();
         BufferedImage image = stage.moving(state.width(), state.height(), divisor, exposure);
-        listener.preview(state, image, divisor, colours, exposure, System.nanoTime() - start);
+        long taken = System.nanoTime() - start;
+        tell(to -> to.preview(state, image, divisor, colours, exposure, taken));
     }
 
     private void reduced(GraphicsStage stage, ViewState state) {
@@ -251,16 +263,17 @@ final class RenderLoop implements AutoCloseable {
         // The body alone takes no time.
         int divisor = state.isBare() ? 1 : scale.divisor();
         ScenePreview preview = stage.preview(state.width(), state.height(), divisor);
-        // The body's own, until there is diffracted light to be metered.
-        double exposure = state.isBare()
-                ? exposures
-                        .known(state.fine())
-                        .orElseGet(() -> AutoExposure.of(preview.picture().linear()))
-                : exposures.of(state.fine(), stage::previewExposure);
+        double exposure = state.isBare() ? bodyExposure(state) : exposures.of(state.fine(), stage::previewExposure);
         BufferedImage image = stage.image(preview.picture(), exposure);
         long taken = System.nanoTime() - start;
         followTime(state.coarse().method(), taken, preview.fixed(taken));
-        listener.preview(state, image, divisor, false, exposure, taken);
+        tell(to -> to.preview(state, image, divisor, false, exposure, taken));
+    }
+
+    /** Nothing is metered while diffracted light is missing: until then, a white body that faces the light is white. */
+    private double bodyExposure(ViewState state) {
+        double intensity = state.fine().scene().light().intensity();
+        return exposures.known(state.fine()).orElse(intensity > 0 ? 1 / intensity : 1);
     }
 
     /** A method's first frame is left out: the driver compiles its shaders then. */
@@ -306,12 +319,14 @@ final class RenderLoop implements AutoCloseable {
                 whole.getRaster().setDataElements(tile.x(), tile.y(), part.getRaster());
                 done += tile.pixels();
                 double share = (double) done / ((double) state.width() * state.height());
-                listener.tile(state, part, tile.x(), tile.y(), share);
+                ViewState shown = state;
+                tell(to -> to.tile(shown, part, tile.x(), tile.y(), share));
             }
         }
         long taken = System.nanoTime() - start;
         finished = Optional.of(new Finished(state, whole, exposure, taken));
-        listener.complete(state, whole, exposure, taken);
+        ViewState shown = state;
+        tell(to -> to.complete(shown, whole, exposure, taken));
         return map(stage, state, true);
     }
 
@@ -322,7 +337,7 @@ final class RenderLoop implements AutoCloseable {
                     int size = isFinal ? MapStage.SIZE : MapStage.PREVIEW_SIZE;
                     BufferedImage image = stage.map(light, size, inbox::isInterrupted);
                     if (image != null) {
-                        listener.map(state, image, isFinal);
+                        tell(to -> to.map(state, image, isFinal));
                     }
                 }));
         return !inbox.isInterrupted();

@@ -64,7 +64,7 @@ final class Viewer {
         asLoaded = scene;
         model = new ViewerModel(scene, loader, loading);
         // OpenGL opens while the window is being made; what it has to say waits for the event thread.
-        loop = new RenderLoop(opening, new EventThreadListener(new FromRenderThread()));
+        loop = new RenderLoop(opening, new FromRenderThread(), SwingUtilities::invokeLater);
         loop.start();
         try {
             window = new ViewerWindow(title(scene), model);

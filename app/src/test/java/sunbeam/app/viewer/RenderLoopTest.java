@@ -143,7 +143,7 @@ class RenderLoopTest {
                 WIDTH,
                 HEIGHT,
                 Optional.of(Direction.ofDegrees(30, 0)));
-        loop = new RenderLoop(FailingStage::new, new Listener());
+        loop = new RenderLoop(FailingStage::new, new Listener(), Runnable::run);
         loop.start();
     }
 
