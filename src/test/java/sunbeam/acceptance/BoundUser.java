@@ -10,7 +10,7 @@ import java.util.ArrayList;
 import java.util.List;
 
 /** A user whom permissions bind: this one, or in place of root, who may read and write every file, user 65534. */
-final class BoundUser {
+public final class BoundUser {
     // 65534: "nobody" by custom; no file of a test belongs to it.
     private static final List<String> PREFIX =
             List.of("setpriv", "--reuid=65534", "--regid=65534", "--clear-groups", "--");
@@ -23,7 +23,7 @@ final class BoundUser {
      *
      * @param root the test's own folder, which is opened to the user
      */
-    static Sunbeam start(Sunbeam start, Path root) throws IOException, InterruptedException {
+    public static Sunbeam start(Sunbeam start, Path root) throws IOException, InterruptedException {
         if (!System.getProperty("user.name").equals("root")) {
             return start;
         }

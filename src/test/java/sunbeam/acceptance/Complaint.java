@@ -6,17 +6,23 @@ import static org.assertj.core.api.Assertions.assertThat;
  * What a user's mistake must end in: an exit code of its kind and one line that says what and how to mend it. The plan
  * may stand before it, where the mistake shows later.
  */
-final class Complaint {
-    static final int USAGE = 2;
-    static final int UNUSABLE_INPUT = 4;
-    static final int NO_GRAPHICS = 5;
-    static final int CANNOT_WRITE = 6;
-    static final int INTERRUPTED = 130;
+public final class Complaint {
+    public static final int USAGE = 2;
+    public static final int UNUSABLE_INPUT = 4;
+    public static final int NO_GRAPHICS = 5;
+    public static final int CANNOT_WRITE = 6;
+    public static final int INTERRUPTED = 130;
 
     private Complaint() {}
 
+    /** Fails unless the program refused to overwrite a file, in one line that names it and the remedy. */
+    public static void assertThatItExists(SunbeamResult result, String file) {
+        assertThat(result.exitCode()).as("%s", result).isGreaterThan(3);
+        assertThatIt(result, result.exitCode(), "cannot write " + file + ": it exists; add --force");
+    }
+
     /** Fails unless the program complained with this exit code, in one line with all of these words. */
-    static void assertThatIt(SunbeamResult result, int exitCode, String... words) {
+    public static void assertThatIt(SunbeamResult result, int exitCode, String... words) {
         assertThat(result.exitCode()).as("%s", result).isEqualTo(exitCode);
         assertThat(result.stdout()).as("%s", result).isEmpty();
         assertThat(result.complaints())

@@ -9,9 +9,9 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /** Comma-separated numbers under a header, read and written without the program's own code. */
-record CsvFile(List<String> header, List<double[]> rows) {
+public record CsvFile(List<String> header, List<double[]> rows) {
 
-    static CsvFile read(Path file) throws IOException {
+    public static CsvFile read(Path file) throws IOException {
         List<String> lines = Files.readAllLines(file);
         return new CsvFile(
                 List.of(lines.get(0).split(",", -1)),
@@ -24,11 +24,11 @@ record CsvFile(List<String> header, List<double[]> rows) {
     }
 
     /** The first rows only. */
-    CsvFile head(int count) {
+    public CsvFile head(int count) {
         return new CsvFile(header, rows.subList(0, count));
     }
 
-    CsvFile write(Path file) throws IOException {
+    public CsvFile write(Path file) throws IOException {
         String text = rows.stream()
                 .map(row -> java.util.Arrays.stream(row)
                         .mapToObj(value -> String.format(Locale.ROOT, "%.12g", value))
@@ -38,11 +38,11 @@ record CsvFile(List<String> header, List<double[]> rows) {
         return this;
     }
 
-    int size() {
+    public int size() {
         return rows.size();
     }
 
-    double at(int row, String column) {
+    public double at(int row, String column) {
         int index = header.indexOf(column);
         if (index < 0) {
             throw new AssertionError("no column " + column + " among " + header);

@@ -15,11 +15,11 @@ import java.util.function.IntBinaryOperator;
 import javax.imageio.ImageIO;
 
 /** Height maps as image files. */
-final class Images {
+public final class Images {
     private Images() {}
 
     /** An 8-bit grey PNG whose value at a column and row is given. */
-    static Path grey(Path file, int columns, int rows, IntBinaryOperator value) throws IOException {
+    public static Path grey(Path file, int columns, int rows, IntBinaryOperator value) throws IOException {
         BufferedImage image = new BufferedImage(columns, rows, BufferedImage.TYPE_BYTE_GRAY);
         for (int row = 0; row < rows; row++) {
             for (int column = 0; column < columns; column++) {
@@ -31,7 +31,7 @@ final class Images {
     }
 
     /** A square TIFF of 32-bit floats, all the same. */
-    static Path floats(Path file, int side, float value) throws IOException {
+    public static Path floats(Path file, int side, float value) throws IOException {
         float[] samples = new float[side * side];
         Arrays.fill(samples, value);
         ComponentColorModel model = new ComponentColorModel(

@@ -10,10 +10,10 @@ import java.nio.file.Path;
 import java.util.function.DoublePredicate;
 
 /** A linear BRDF map as NumPy would read it; float32, rows x columns x XYZ. */
-record NpyImage(String header, int side, float[] values) {
+public record NpyImage(String header, int side, float[] values) {
     private static final int PREFIX_BYTES = 10;
 
-    static NpyImage read(Path file, int side) throws IOException {
+    public static NpyImage read(Path file, int side) throws IOException {
         ByteBuffer bytes = ByteBuffer.wrap(Files.readAllBytes(file)).order(ByteOrder.LITTLE_ENDIAN);
         int headerBytes = bytes.getShort(PREFIX_BYTES - 2);
         String header = new String(bytes.array(), PREFIX_BYTES, headerBytes, US_ASCII);
@@ -24,22 +24,22 @@ record NpyImage(String header, int side, float[] values) {
     }
 
     /** X, Y or Z of a pixel, row 0 on top. */
-    float at(int row, int column, int channel) {
+    public float at(int row, int column, int channel) {
         return values[3 * (row * side + column) + channel];
     }
 
     /** x of a column's centre, and minus y of a row's, in the unit disc. */
-    double place(int index) {
+    public double place(int index) {
         return (2.0 * index + 1) / side - 1;
     }
 
     /** Whether a pixel's centre lies in the unit disc. */
-    boolean inDisc(int row, int column) {
+    public boolean inDisc(int row, int column) {
         return Math.hypot(place(row), place(column)) < 1;
     }
 
     /** Sum of Y over the disc, less the specular peak, where the azimuth in degrees, -180..180, is accepted. */
-    double luminance(DoublePredicate azimuthAccepted) {
+    public double luminance(DoublePredicate azimuthAccepted) {
         double specularRadius = 0.15;
         double sum = 0;
         for (int row = 0; row < side; row++) {

@@ -13,13 +13,13 @@ import java.util.zip.CRC32;
 import java.util.zip.DeflaterOutputStream;
 
 /** PNG at the level of its chunks: what a file says of itself, and files that lie. */
-final class PngFile {
+public final class PngFile {
     private static final byte[] SIGNATURE = {(byte) 0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
 
     private PngFile() {}
 
     /** The tEXt chunks, keyword to value. */
-    static Map<String, String> text(Path file) throws IOException {
+    public static Map<String, String> text(Path file) throws IOException {
         Map<String, String> text = new LinkedHashMap<>();
         ByteBuffer bytes = ByteBuffer.wrap(Files.readAllBytes(file)).position(SIGNATURE.length);
         while (bytes.hasRemaining()) {
@@ -35,7 +35,7 @@ final class PngFile {
     }
 
     /** An 8-bit grey image whose header promises more than its few bytes hold. */
-    static void writeWithHeaderOf(Path file, int width, int height) throws IOException {
+    public static void writeWithHeaderOf(Path file, int width, int height) throws IOException {
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
         bytes.writeBytes(SIGNATURE);
         byte[] header = ByteBuffer.allocate(13)

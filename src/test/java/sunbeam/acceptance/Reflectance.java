@@ -7,10 +7,11 @@ import java.util.ArrayList;
 import java.util.List;
 
 /** Runs {@code sunbeam reflectance} for a list of directions and reads what it wrote. */
-final class Reflectance {
+public final class Reflectance {
     private Reflectance() {}
 
-    static CsvFile of(Workplace workplace, String patch, CsvFile directions, String... options) throws Exception {
+    public static CsvFile of(Workplace workplace, String patch, CsvFile directions, String... options)
+            throws Exception {
         directions.write(workplace.resolve("directions.csv"));
         Path output = workplace.resolve("reflectance.csv");
         List<String> arguments = new ArrayList<>(List.of(

@@ -9,20 +9,20 @@ import java.util.List;
 import java.util.stream.Stream;
 
 /** A folder in which a user calls the program, and a cache folder of its own beside it. */
-record Workplace(Path folder, Path caches) {
+public record Workplace(Path folder, Path caches) {
     /** Two new folders, with blanks in their names, under an empty one. */
-    static Workplace in(Path root) throws IOException {
+    public static Workplace in(Path root) throws IOException {
         return new Workplace(
                 Files.createDirectories(root.resolve("a folder")), Files.createDirectories(root.resolve("the caches")));
     }
 
     /** A start of the program in the folder. */
-    Sunbeam command(String... arguments) {
+    public Sunbeam command(String... arguments) {
         return equip(Sunbeam.command(arguments));
     }
 
     /** Moves any start here. What is left to start is short: compiling it for speed costs more than it saves. */
-    Sunbeam equip(Sunbeam start) {
+    public Sunbeam equip(Sunbeam start) {
         return start.in(folder)
                 .with("XDG_CACHE_HOME", caches.toString())
                 .with("SUNBEAM_JAVA_OPTIONS", "-XX:TieredStopAtLevel=1")
@@ -30,7 +30,7 @@ record Workplace(Path folder, Path caches) {
     }
 
     /** A start of the program that must succeed. */
-    SunbeamResult succeed(String... arguments) throws IOException, InterruptedException {
+    public SunbeamResult succeed(String... arguments) throws IOException, InterruptedException {
         SunbeamResult result = command(arguments).run();
         assertThat(result.exitCode()).as("%s", result).isZero();
         return result;
@@ -40,28 +40,28 @@ record Workplace(Path folder, Path caches) {
      * A command line run in this process, by the program's own front door: for what does not depend on how the program is
      * started, at a tenth of the cost of a start. Names of files mean those of the folder, in the result too.
      */
-    SunbeamResult here(String... arguments) throws IOException {
+    public SunbeamResult here(String... arguments) throws IOException {
         return new InProcess(folder, caches).run(arguments);
     }
 
     /** A command line run in this process that must succeed. */
-    SunbeamResult succeedHere(String... arguments) throws IOException {
+    public SunbeamResult succeedHere(String... arguments) throws IOException {
         SunbeamResult result = here(arguments);
         assertThat(result.exitCode()).as("%s", result).isZero();
         return result;
     }
 
-    Path resolve(String name) {
+    public Path resolve(String name) {
         return folder.resolve(name);
     }
 
     /** The folder's files, hidden ones too, sorted. */
-    List<String> files() throws IOException {
+    public List<String> files() throws IOException {
         return names(folder);
     }
 
     /** The tables in the cache, sorted. */
-    List<Path> tables() throws IOException {
+    public List<Path> tables() throws IOException {
         Path cache = caches.resolve("sunbeam");
         return names(cache).stream()
                 .filter(name -> !name.endsWith(".lock"))

@@ -1,4 +1,4 @@
-package sunbeam.acceptance;
+package sunbeam.acceptance.contract;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -13,6 +13,11 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import sunbeam.acceptance.BoundUser;
+import sunbeam.acceptance.Complaint;
+import sunbeam.acceptance.Images;
+import sunbeam.acceptance.PngFile;
+import sunbeam.acceptance.Workplace;
 
 /** Surfaces that cannot be used: each is told in one line with file or option, value and remedy. */
 class BadPatchTest {

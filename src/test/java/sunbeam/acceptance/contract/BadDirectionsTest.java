@@ -1,4 +1,4 @@
-package sunbeam.acceptance;
+package sunbeam.acceptance.contract;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -10,6 +10,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import sunbeam.acceptance.Complaint;
+import sunbeam.acceptance.SunbeamResult;
+import sunbeam.acceptance.Workplace;
 
 /** Directions that cannot be used: each is told in one line with file, place, value and remedy. */
 class BadDirectionsTest {

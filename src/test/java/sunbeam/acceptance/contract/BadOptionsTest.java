@@ -1,4 +1,4 @@
-package sunbeam.acceptance;
+package sunbeam.acceptance.contract;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -6,6 +6,9 @@ import java.nio.file.Path;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import sunbeam.acceptance.Complaint;
+import sunbeam.acceptance.SunbeamResult;
+import sunbeam.acceptance.Workplace;
 
 /** Command lines that cannot be meant: refused before anything is computed. */
 class BadOptionsTest {

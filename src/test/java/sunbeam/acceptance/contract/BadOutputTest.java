@@ -1,4 +1,4 @@
-package sunbeam.acceptance;
+package sunbeam.acceptance.contract;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
@@ -12,6 +12,11 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import sunbeam.acceptance.BoundUser;
+import sunbeam.acceptance.Complaint;
+import sunbeam.acceptance.Sunbeam;
+import sunbeam.acceptance.SunbeamResult;
+import sunbeam.acceptance.Workplace;
 
 /** Places that take no output: told in one line, and nothing is left there. */
 class BadOutputTest {
@@ -102,10 +107,7 @@ class BadOutputTest {
     void anOutputThatExistsIsRefusedBeforeThePatchIsRead(String commandLine, String taken) throws Exception {
         Files.createFile(workplace.resolve(taken));
 
-        Complaint.assertThatIt(
-                workplace.here(commandLine.split(" ", -1)),
-                Complaint.CANNOT_WRITE,
-                "cannot write " + taken + ": it exists; add --force");
+        Complaint.assertThatItExists(workplace.here(commandLine.split(" ", -1)), taken);
         assertThat(workplace.files()).containsExactly(taken);
     }
 

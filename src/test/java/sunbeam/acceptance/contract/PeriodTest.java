@@ -1,0 +1,131 @@
+package sunbeam.acceptance.contract;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import java.nio.file.Path;
+import java.util.SplittableRandom;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import sunbeam.acceptance.Images;
+import sunbeam.acceptance.SharedData;
+import sunbeam.acceptance.SunbeamResult;
+import sunbeam.acceptance.Workplace;
+
+/** Periods of gratings: an answer's interval holds the truth, and is narrow where the grating is plain. */
+class PeriodTest {
+    private static final int MANY_WAVELENGTHS_MISSING = 100;
+
+    @TempDir
+    Path root;
+
+    private Workplace workplace;
+
+    @BeforeEach
+    void layOut() throws Exception {
+        workplace = Workplace.in(root);
+    }
+
+    private JsonNode inspect(String... patch) throws Exception {
+        String[] all = new String[patch.length + 5];
+        System.arraycopy(new String[] {"inspect", "--json", "--output", "sheet.png", "--patch"}, 0, all, 0, 5);
+        System.arraycopy(patch, 0, all, 5, patch.length);
+        SunbeamResult result = workplace.succeedHere(all);
+        return new ObjectMapper().readTree(result.stdout());
+    }
+
+    /** Of height maps that tile there is no doubt: a whole number of periods fits. */
+    @ParameterizedTest
+    @CsvSource({"sinusoid, 2500", "blaze, 2500", "disc, 1600"})
+    void aBuiltInGratingHasItsPeriod(String patch, double nanometres) throws Exception {
+        JsonNode period = inspect(patch).at("/periods/0");
+
+        // Half a tenth of a per cent: an answer in whole numbers of nanometres would do.
+        assertThat(1e9 * period.get("periodMetres").doubleValue()).isBetween(0.9995 * nanometres, 1.0005 * nanometres);
+        assertThat(Math.abs(period.get("directionDegrees").doubleValue())).isLessThan(0.1);
+    }
+
+    /** A scan of 12.3 noisy periods, at an angle. */
+    @Test
+    void theIntervalOfANoisyScanHoldsTheTruth() throws Exception {
+        double period = 1234;
+        double angle = Math.toRadians(20);
+        SplittableRandom random = new SplittableRandom(5);
+        double pitch = 60;
+        Images.grey(workplace.resolve("scan.png"), 256, 256, (column, row) -> {
+            double along = pitch * (column * Math.cos(angle) - row * Math.sin(angle));
+            return (int)
+                    Math.round(128 + 90 * Math.sin(2 * Math.PI * along / period) + 20 * (random.nextDouble() - 0.5));
+        });
+
+        JsonNode found = inspect("scan.png", "--width", "15.36um", "--max-height", "100nm", "--no-periodic")
+                .at("/periods/0");
+
+        double low = 1e9 * found.get("lowMetres").doubleValue();
+        double high = 1e9 * found.get("highMetres").doubleValue();
+        assertThat(low).isLessThan(period).isGreaterThan(0.95 * period);
+        assertThat(high).isGreaterThan(period).isLessThan(1.05 * period);
+        assertThat(found.get("directionDegrees").doubleValue()).isBetween(19.0, 21.0);
+    }
+
+    /** The thesis has 1144 nm by light along the fingers' rows and 1032 nm as the ensemble's mean: between them lies the truth. */
+    @Test
+    void elapheIsToldAlikeByInspectAndEvaluate() throws Exception {
+        String patch = SharedData.patch("elaphe").toString();
+        JsonNode seen = inspect(patch).at("/periods/0");
+        workplace.here(
+                "evaluate",
+                "--patch",
+                patch,
+                "--azimuth",
+                "0",
+                "--wavelengths",
+                "380:780:" + MANY_WAVELENGTHS_MISSING,
+                "--output",
+                "result");
+        JsonNode measured = new ObjectMapper()
+                .readTree(workplace.resolve("result.json").toFile())
+                .get("period");
+
+        if (!seen.isMissingNode()) {
+            holds(
+                    1e9 * seen.get("lowMetres").doubleValue(),
+                    1e9 * seen.get("highMetres").doubleValue());
+        }
+        if (!measured.isNull()) {
+            holds(measured.get("low_nm").doubleValue(), measured.get("high_nm").doubleValue());
+        }
+    }
+
+    private static void holds(double low, double high) {
+        assertThat(low).isLessThan(1144).isGreaterThan(850);
+        assertThat(high).isGreaterThan(1032).isLessThan(1400);
+    }
+
+    @Test
+    void lightOnABlazedGratingTellsItsPeriod() throws Exception {
+        workplace.succeedHere(
+                "evaluate", "--patch", "blaze", "--azimuth", "0", "--wavelengths", "380:780:40", "--output", "result");
+        JsonNode report =
+                new ObjectMapper().readTree(workplace.resolve("result.json").toFile());
+
+        // A peak of the response is found to a hundredth of the window's spectrum.
+        assertThat(report.at("/peaks_interpolated/mean_nm").doubleValue()).isBetween(2498.0, 2502.0);
+        assertThat(report.at("/period/low_nm").doubleValue()).isLessThanOrEqualTo(2501);
+        assertThat(report.at("/period/high_nm").doubleValue()).isGreaterThanOrEqualTo(2499);
+    }
+
+    @Test
+    void noiseHasNoPeriod() throws Exception {
+        SplittableRandom random = new SplittableRandom(3);
+        Images.grey(workplace.resolve("noise.png"), 200, 200, (column, row) -> random.nextInt(256));
+
+        JsonNode report = inspect("noise.png", "--width", "16um", "--max-height", "100nm", "--no-periodic");
+
+        assertThat(report.get("periods")).isEmpty();
+    }
+}

@@ -1,0 +1,106 @@
+package sunbeam.acceptance.contract;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import sunbeam.acceptance.NpyImage;
+import sunbeam.acceptance.SunbeamResult;
+import sunbeam.acceptance.Workplace;
+
+/** Pictures of scenes: the linear colours by two methods, what makes them brighter, and their certificate. */
+class PictureTest {
+    private static final int SIDE = 24;
+    private static final String SCENE = """
+            {
+              "mesh": "plane",
+              "patch": "blaze",
+              "camera": { "position": ["-5 cm", "-10 cm", "40 cm"], "lookAt": ["0 m", "0 m", "0 m"] },
+              "light": { "direction": [-0.2, 0.3, 0.9] },
+              "texture": "none",
+              "weights": { "diffraction": 30, "texture": 0.2, "ambient": 0.1 }
+            }
+            """;
+
+    @TempDir
+    Path root;
+
+    private Workplace workplace;
+    private Path scene;
+
+    @BeforeEach
+    void layOut() throws IOException {
+        workplace = Workplace.in(root);
+        scene = Files.writeString(workplace.resolve("scene.json"), SCENE);
+    }
+
+    private NpyImage render(String name, String... more) throws IOException {
+        List<String> words = new ArrayList<>(List.of("render", scene.toString(), "--size", SIDE + "x" + SIDE));
+        words.addAll(List.of("--output", name + ".png", "--linear", name + ".npy"));
+        words.addAll(List.of(more));
+        workplace.succeedHere(words.toArray(String[]::new));
+        NpyImage image = NpyImage.read(workplace.resolve(name + ".npy"), SIDE);
+        for (float value : image.values()) {
+            assertThat(value >= 0 && value < 1e6).as("radiance %s", value).isTrue();
+        }
+        return image;
+    }
+
+    private static double sum(NpyImage image) {
+        double sum = 0;
+        for (float value : image.values()) {
+            sum += value;
+        }
+        return sum;
+    }
+
+    @Test
+    void twoMethodsDrawTheSamePicture() throws Exception {
+        NpyImage full = render("full", "--method", "full", "--tolerance", "1e-2");
+        NpyImage table = render("table", "--method", "table", "--tolerance", "1e-2");
+
+        assertThat(sum(full)).isPositive();
+        double brightest = 0;
+        List<Double> errors = new ArrayList<>();
+        for (int i = 0; i < full.values().length; i++) {
+            brightest = Math.max(brightest, full.values()[i]);
+        }
+        for (int i = 0; i < full.values().length; i++) {
+            double value = full.values()[i];
+            if (value > 1e-3 * brightest) {
+                errors.add(Math.abs(table.values()[i] - value) / value);
+            }
+        }
+        Collections.sort(errors);
+        // Each keeps a hundredth in the median and three in 95 of 100; a channel may be a tenth of the largest.
+        assertThat(errors.get(errors.size() / 2)).as("median").isLessThan(2e-2);
+        assertThat(errors.get((int) (0.95 * (errors.size() - 1)))).as("95 %%").isLessThan(0.1);
+    }
+
+    @Test
+    void twiceTheLightIsTwiceTheRadianceAndExposureChangesNothing() throws Exception {
+        NpyImage once = render("once", "--method", "full", "--tolerance", "0.1");
+        Files.writeString(scene, SCENE.replace("\"direction\": [", "\"intensity\": 2, \"direction\": ["));
+        NpyImage twice = render("twice", "--method", "full", "--tolerance", "0.1", "--exposure", "0.3");
+
+        for (int i = 0; i < once.values().length; i++) {
+            // float32, summed in another order at most.
+            assertThat((double) twice.values()[i]).isBetween(1.9999 * once.values()[i], 2.0001 * once.values()[i]);
+        }
+    }
+
+    @Test
+    void aPictureKeepsItsToleranceByItsCertificate() throws Exception {
+        SunbeamResult result = workplace.succeedHere(
+                "render", scene.toString(), "--size", "40x30", "--certify", "6", "--output", "certified.png");
+
+        assertThat(result.stdout()).contains("certificate: 6 ");
+    }
+}
