@@ -48,7 +48,10 @@ class PictureTest {
         workplace.succeedHere(words.toArray(String[]::new));
         NpyImage image = NpyImage.read(workplace.resolve(name + ".npy"), SIDE);
         for (float value : image.values()) {
-            assertThat(value >= 0 && value < 1e6).as("radiance %s", value).isTrue();
+            // Where nothing is in sight there is no radiance.
+            assertThat(Float.isNaN(value) || (value >= 0 && value < 1e6))
+                    .as("radiance %s", value)
+                    .isTrue();
         }
         return image;
     }
@@ -56,7 +59,7 @@ class PictureTest {
     private static double sum(NpyImage image) {
         double sum = 0;
         for (float value : image.values()) {
-            sum += value;
+            sum += Float.isNaN(value) ? 0 : value;
         }
         return sum;
     }
@@ -70,14 +73,16 @@ class PictureTest {
         double brightest = 0;
         List<Double> errors = new ArrayList<>();
         for (int i = 0; i < full.values().length; i++) {
-            brightest = Math.max(brightest, full.values()[i]);
+            brightest = Float.isNaN(full.values()[i]) ? brightest : Math.max(brightest, full.values()[i]);
         }
         for (int i = 0; i < full.values().length; i++) {
             double value = full.values()[i];
-            if (value > 1e-3 * brightest) {
+            // At the mesh's edge one method samples the pixel's centre and the other its area.
+            if (value > 1e-3 * brightest && !Float.isNaN(table.values()[i])) {
                 errors.add(Math.abs(table.values()[i] - value) / value);
             }
         }
+        assertThat(errors).hasSizeGreaterThan(SIDE * SIDE / 2);
         Collections.sort(errors);
         // Each keeps a hundredth in the median and three in 95 of 100; a channel may be a tenth of the largest.
         assertThat(errors.get(errors.size() / 2)).as("median").isLessThan(2e-2);
@@ -90,7 +95,11 @@ class PictureTest {
         Files.writeString(scene, SCENE.replace("\"direction\": [", "\"intensity\": 2, \"direction\": ["));
         NpyImage twice = render("twice", "--method", "full", "--tolerance", "0.1", "--exposure", "0.3");
 
+        assertThat(sum(once)).isPositive();
         for (int i = 0; i < once.values().length; i++) {
+            if (Float.isNaN(once.values()[i])) {
+                continue;
+            }
             // float32, summed in another order at most.
             assertThat((double) twice.values()[i]).isBetween(1.9999 * once.values()[i], 2.0001 * once.values()[i]);
         }
