@@ -81,7 +81,7 @@ class BadPatchTest {
         byte[] whole = Files.readAllBytes(workplace.resolve("scan.png"));
         Files.write(workplace.resolve("half.png"), Arrays.copyOf(whole, whole.length / 2));
 
-        complains("--patch half.png --width 65um --max-height 375nm", "half.png is damaged", "export it again");
+        complains("--patch half.png --width 65um --max-height 375nm", "half.png is damaged", "export the scan again");
     }
 
     @ParameterizedTest

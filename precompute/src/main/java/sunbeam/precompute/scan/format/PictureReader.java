@@ -86,9 +86,7 @@ final class PictureReader implements ScanReader {
         } catch (IOException | RuntimeException broken) {
             // Image decoders answer damaged files with exceptions of many kinds, unchecked ones among them.
             throw new ScanException(
-                    "is damaged or of a kind that cannot be read (" + broken
-                            + "); export the scan again as PNG or TIFF",
-                    broken);
+                    "is damaged or of a kind that cannot be read; export the scan again as PNG or TIFF", broken);
         }
     }
 
