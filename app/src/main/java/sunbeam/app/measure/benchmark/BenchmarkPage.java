@@ -24,14 +24,16 @@ record BenchmarkPage(String renderer, String light, int size, int frames, int vi
                 """
                 # Error and time
 
-                `sunbeam benchmark` on %s, %d processors. BRDF maps of %d x %d pixels, light at %s: median of %d frames after one for
-                warming up (of short ones as many as take %.1f s, of slow ones those that end within %.0f s). Absolute times mean little on
-                a shared machine; ratios are to the thesis's shader (`full --preset thesis`) in the same run.
+                `sunbeam benchmark`, %s, %d processors.
 
-                Errors of X, Y, Z are relative to the largest of the three, against `reference` (direct sums in double precision) under the
-                method's own window and average, at up to %d random views of that light (seed %d), half of them aimed at orders, of power
-                above %.0e; CIEDE2000 at the map's automatic exposure. Making is all from the heights to what the shader reads, on the
-                card; first picture: making and one frame. Nothing comes from the cache.
+                - Maps of %d x %d pixels, light at %s.
+                - Time: median of %d frames after one for warming up; of short frames as many as take %.1f s, of slow ones those that
+                  end within %.0f s. On a shared machine only ratios mean something: to the thesis's shader (`full --preset thesis`).
+                - Making: from the heights to what the shader reads, on the card, nothing from the cache. First picture: making and a
+                  frame, as a ratio.
+                - Error: of X, Y, Z, relative to the largest of them, against `reference` under the method's own window and average,
+                  at up to %d random views of that light (seed %d), half of them aimed at orders, of power above %.0e. CIEDE2000:
+                  median, at the map's automatic exposure.
                 """,
                 renderer,
                 Runtime.getRuntime().availableProcessors(),

@@ -26,6 +26,17 @@ record Growth(String key, String axis, List<Point> points, List<String> remarks)
         remarks = List.copyOf(remarks);
     }
 
+    /** All points by name, for programs. */
+    List<Map<String, Object>> fields() {
+        return points.stream()
+                .map(point -> {
+                    Map<String, Object> fields = new LinkedHashMap<>(Map.of("varied", axis, "value", point.x()));
+                    fields.putAll(point.measured().fields());
+                    return fields;
+                })
+                .toList();
+    }
+
     /** By method, in the order in which they first occur. */
     Map<String, List<Point>> byMethod() {
         Map<String, List<Point>> series = new LinkedHashMap<>();

@@ -31,10 +31,10 @@ final class GrowthExperiment {
      */
     record Axes(List<Integer> pixels, List<Integer> samples, List<Double> reliefs, List<Double> coherenceLengths) {
         static final Axes STANDARD = new Axes(
-                List.of(128, 256, 512, 1024),
+                List.of(128, 256, 512),
                 List.of(256, 512, 1024),
-                List.of(0.1e-6, 0.3e-6, 1e-6, 2e-6),
-                List.of(8e-6, 16e-6, 32e-6, 65e-6));
+                List.of(0.1e-6, 0.3e-6, 1e-6),
+                List.of(16e-6, 32e-6, 65e-6));
     }
 
     private final Meter meter;
