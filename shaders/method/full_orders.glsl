@@ -1,9 +1,11 @@
 #include "include/average.glsl"
 #include "method/neighbourhood.glsl"
 
-// For patches so small that the window resolves every diffraction order: wavelengths are placed around the middle of each
-// order that the direction sees. Each order counts by its own bin alone: rays nearly along a column of bins meet the windows
-// of several at once, and what another has there is its own to count.
+// For small and periodic patches, of which few bins count: each bin is a diffraction order of the repeated patch.
+//
+// Where the window resolves every order (ORDERS_RESOLVED), wavelengths are placed around the middle of each order that the
+// direction sees. Each counts by its own bin alone: rays nearly along a column of bins meet the windows of several at once,
+// and what another has there is its own to count. Orders that overlap are summed at wavelengths all over the band.
 
 // How far from an order's middle wavelengths lie, and their distance, in deviations of the order's power.
 uniform float orderReach;
@@ -79,7 +81,7 @@ vec3 diffractedXyz(vec3 uvw) {
     // The order of bin (0, 0) covers the whole band at once. Five deviations out of it at the longest wavelength, its power
     // is e^-25.
     const float SPECULAR_REACH = 5.0;
-    if (length(uvw.xy) < SPECULAR_REACH * windowSigmaFrequency * LONGEST_WAVELENGTH) {
+    if (ORDERS_RESOLVED == 0 || length(uvw.xy) < SPECULAR_REACH * windowSigmaFrequency * LONGEST_WAVELENGTH) {
         return cutBandXyz(Ray(uvw, true, ivec2(0), 0.0, 0.0), length(uvw.xy));
     }
     // Orders along the axis on which the ray crosses more of them; on the other, the one nearest to the ray.

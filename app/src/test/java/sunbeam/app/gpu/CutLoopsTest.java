@@ -24,8 +24,8 @@ import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.BandRule;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.Neighbourhood;
+import sunbeam.precompute.plan.OrderSampling;
 import sunbeam.precompute.plan.Plan;
-import sunbeam.precompute.plan.RaySampling;
 import sunbeam.precompute.plan.TableChoices;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.shader.MethodUse;
@@ -69,8 +69,10 @@ class CutLoopsTest {
                         Optional.empty(),
                         AREA,
                         VisibleRange.of(List.of(ASKED.get(0).pair())));
-        RaySampling sampling = new RaySampling(
-                new Neighbourhood(radius, Neighbourhood.Anchor.NEAREST), new BandRule(100, 0.1, 5e3, 50e3));
+        OrderSampling sampling = new OrderSampling(
+                new Neighbourhood(radius, Neighbourhood.Anchor.NEAREST),
+                Optional.empty(),
+                new BandRule(100, 0.1, 5e3, 50e3));
         Plan plan = new Plan(
                 planned.accuracy(),
                 planned.range(),

@@ -2,7 +2,6 @@ package sunbeam.precompute.plan;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import sunbeam.precompute.expansion.CoefficientTable;
 import sunbeam.precompute.expansion.Expansion;
 import sunbeam.precompute.expansion.ExpansionKind;
@@ -18,8 +17,6 @@ import sunbeam.precompute.table.WindowPhase;
 
 /** DFT bins as shaders/method/neighbourhood.glsl reads them. */
 final class BinArrays {
-    // More bins are not held in arrays, and their loops not written out.
-    private static final int MOST_WRITTEN_OUT = 81;
     private static final String TERMS = "tableTerms";
     private static final String COEFFICIENTS = "expansionCoefficients";
 
@@ -51,10 +48,6 @@ final class BinArrays {
         tables.define("ANCHOR_FLOOR", 0)
                 .define("ANCHOR_NEAREST", 1)
                 .define("ANCHOR", floor ? "ANCHOR_FLOOR" : "ANCHOR_NEAREST")
-                .define(
-                        "RADIUS",
-                        String.format(Locale.ROOT, "ivec2(%d, %d)", neighbourhood.radiusX(), neighbourhood.radiusY()))
-                .define("MANY_BINS", neighbourhood.bins() > MOST_WRITTEN_OUT ? 1 : 0)
                 .integers("tableRadius", neighbourhood.radiusX(), neighbourhood.radiusY());
         double sigma = plan.window().sigmaFrequency();
         double width = table.patch().width();

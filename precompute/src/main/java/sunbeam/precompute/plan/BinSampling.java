@@ -120,7 +120,7 @@ public record BinSampling(Neighbourhood neighbourhood, WavelengthNodes wavelengt
 
     @Override
     public long loopSteps(Plan plan) {
-        return wavelengths.count() * neighbourhood.loopSteps(plan.expansion().terms(), plan.average());
+        return wavelengths.count() * neighbourhood.loopSteps(plan.expansion().terms());
     }
 
     @Override

@@ -29,8 +29,7 @@ import sunbeam.precompute.table.FourierTable;
  * @param fewestNodes directions whose ray crosses fewer columns than this within the visible band, those near the specular
  *     one, take this many wavelengths or more and interpolate both axes
  * @param band the wavelengths of these directions
- * @param singles bins that are summed at single wavelengths, where they are not too many
- * @param apart whether columns and rows lie in a texture of their own each, for drivers that have none so large for both
+ * @param single what serves single wavelengths; empty where that is a grid, fine enough for both averages
  * @param budget what each source may err
  */
 public record GridSampling(
@@ -39,14 +38,13 @@ public record GridSampling(
         double longestStep,
         int fewestNodes,
         BandRule band,
-        Optional<Neighbourhood> singles,
-        boolean apart,
+        Optional<OrderSampling> single,
         ErrorBudget budget)
         implements Sampling {
 
-    /** The same with columns and rows apart. */
-    GridSampling intoTwo() {
-        return new GridSampling(interpolation, nodeStep, longestStep, fewestNodes, band, singles, true, budget);
+    /** The same with columns that lie so many times closer. */
+    GridSampling withColumnsCloser(int times) {
+        return new GridSampling(interpolation, nodeStep / times, longestStep, fewestNodes, band, single, budget);
     }
 
     /**
@@ -158,28 +156,27 @@ public record GridSampling(
         return use == MethodUse.SPECTRAL ? List.of(Average.COHERENT, Average.ENSEMBLE) : List.of(plan.average());
     }
 
-    /**
-     * What serves single wavelengths: all bins that count, exactly, where they are not too many, as time is no matter
-     * there; else a grid that is fine enough for both averages.
-     */
-    public Sampling single() {
-        return singles.<Sampling>map(bins -> new RaySampling(bins, band))
+    /** What serves a use: single wavelengths have no columns. */
+    public Sampling serving(MethodUse use) {
+        if (use == MethodUse.COLOUR) {
+            return this;
+        }
+        return single.<Sampling>map(bins -> bins)
                 .orElseGet(() -> new GridSampling(
                         new ErrorBudget(budget.tolerance()).interpolation(Average.ENSEMBLE),
                         nodeStep,
                         longestStep,
                         fewestNodes,
                         band,
-                        singles,
-                        apart,
+                        single,
                         budget));
     }
 
     @Override
     public List<ArrayLayout> layouts(Plan plan, MethodUse use) {
-        Sampling single = single();
-        if (use == MethodUse.SPECTRAL && !equals(single)) {
-            return single.layouts(plan, use);
+        Sampling serving = serving(use);
+        if (!equals(serving)) {
+            return serving.layouts(plan, use);
         }
         List<ArrayLayout> layouts = new ArrayList<>();
         for (Average average : averages(plan, use)) {
@@ -205,9 +202,9 @@ public record GridSampling(
 
     @Override
     public ShaderTables tables(Plan plan, FourierTable table, MethodUse use, CieTable cie) {
-        Sampling single = single();
-        if (use == MethodUse.SPECTRAL && !equals(single)) {
-            return single.tables(plan, table, use, cie);
+        Sampling serving = serving(use);
+        if (!equals(serving)) {
+            return serving.tables(plan, table, use, cie);
         }
         ShaderTables.Builder tables = new ShaderTables.Builder("full_grid");
         plan.average().defineIn(tables);

@@ -54,12 +54,11 @@ public record Neighbourhood(int radiusX, int radiusY, Anchor anchor) {
     }
 
     /**
-     * Steps of loops that one wavelength takes, at least as many as drivers count (shaders/method/neighbourhood.glsl): of the
-     * ensemble average, whose squares are summed bin by bin, compilers leave the loop over a bin's terms.
+     * Steps of loops that one wavelength takes, at least as many as drivers count (shaders/method/neighbourhood.glsl): of
+     * loops over a bin's terms compilers write sixteen steps out, and more where these are not too many.
      */
-    long loopSteps(int terms, Average average) {
-        long rows = 2L * radiusY + 1;
-        return average == Average.ENSEMBLE ? 2 * bins() + 3 * rows : Math.max(terms, bins() + rows);
+    long loopSteps(int terms) {
+        return bins() * (1 + (terms + 15L) / 16) + 2L * radiusY + 1;
     }
 
     /** Texture reads of all bins. */

@@ -2,6 +2,7 @@ package sunbeam.precompute.plan;
 
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.shader.ArrayLayout;
@@ -12,72 +13,106 @@ import sunbeam.precompute.table.FourierTable;
 import sunbeam.precompute.units.Lengths;
 
 /**
- * Looks at the nearest bin only, at wavelengths placed around the middle of each order that a direction sees: for patches
- * so small that the window resolves every order (shaders/method/full_orders.glsl).
+ * Sums the DFT bins around a frequency, each of which is a diffraction order of the repeated patch, at wavelengths along the
+ * ray f = (u, v) / lambda: for small and periodic patches, of which few bins count (shaders/method/full_orders.glsl). Where
+ * the window resolves all orders, each is integrated by itself, around its own middle.
  *
- * @param reach how far from an order's middle wavelengths lie, in standard deviations of the order's power
- * @param nodeSpacing their distance, likewise
- * @param panel of Gauss's rule on orders that the visible band cuts, likewise
- * @param largestStep their largest distance in metres: orders near the specular one are broader than the structure of the
- *     colour matching functions and D65
- * @param cornerLength square of a step over the order's deviation, metres: at most this, so that a corner of D65's table within the
- *     order is resolved
- * @param band wavelengths within the specular order, which has no middle
+ * @param neighbourhood the bins that count
+ * @param resolved wavelengths around the middle of each order; empty where orders overlap
+ * @param band wavelengths of the whole band: where orders overlap, and within the specular order, which has no middle
  */
-public record OrderSampling(
-        double reach, double nodeSpacing, double panel, double largestStep, double cornerLength, BandRule band)
+public record OrderSampling(Neighbourhood neighbourhood, Optional<OrderNodes> resolved, BandRule band)
         implements Sampling {
-    private static final Neighbourhood NEAREST_BIN = new Neighbourhood(0, Neighbourhood.Anchor.NEAREST);
+
+    /**
+     * Wavelengths around the middle of an order.
+     *
+     * @param reach how far from the middle they lie, in standard deviations of the order's power
+     * @param spacing their distance, likewise
+     * @param panel of Gauss's rule on orders that the visible band cuts, likewise
+     * @param largestStep their largest distance in metres: orders near the specular one are broader than the structure of
+     *     the colour matching functions and D65
+     * @param cornerLength square of a step over the order's deviation, metres: at most this, so that a corner of D65's table
+     *     within the order is resolved
+     */
+    public record OrderNodes(double reach, double spacing, double panel, double largestStep, double cornerLength) {
+        private int fewest() {
+            return 2 * (int) Math.ceil(reach / spacing) + 1;
+        }
+    }
+
+    /** Of a patch so small that the window resolves every order: the nearest bin is all there is. */
+    static OrderSampling resolved(OrderNodes nodes, BandRule band) {
+        return new OrderSampling(new Neighbourhood(0, Neighbourhood.Anchor.NEAREST), Optional.of(nodes), band);
+    }
+
+    /** Of overlapping orders. */
+    static OrderSampling overlapping(Neighbourhood neighbourhood, BandRule band) {
+        return new OrderSampling(neighbourhood, Optional.empty(), band);
+    }
+
+    private int mostNodes(VisibleRange range) {
+        return band.mostNodes(range.longestUv());
+    }
 
     @Override
     public String wavelengths(VisibleRange range) {
-        return String.format(Locale.ROOT, "%d wavelengths or more for each order", nodes());
+        return resolved.map(nodes -> nodes.fewest() + " wavelengths or more for each order")
+                .orElseGet(() -> Sampling.count(band.fewestNodes(), mostNodes(range)) + " wavelengths a pixel");
     }
 
     @Override
     public String summary(VisibleRange range) {
-        return String.format(Locale.ROOT, "single orders with %d wavelengths each or more", nodes());
-    }
-
-    private int nodes() {
-        return 2 * (int) Math.ceil(reach / nodeSpacing) + 1;
+        return resolved.map(nodes -> "single orders with " + nodes.fewest() + " wavelengths each or more")
+                .orElseGet(() -> neighbourhood.summary() + " at " + Sampling.count(band.fewestNodes(), mostNodes(range))
+                        + " wavelengths");
     }
 
     @Override
     public List<String> reasons(VisibleRange range) {
-        return List.of(
-                "spectrum: the patch is so small that the window resolves every order; the nearest bin is enough",
-                String.format(
-                        Locale.ROOT,
-                        "wavelengths: %d or more around each order's middle, %.2f deviations of its power and at most %s"
-                                + " apart; %d or more within the specular order",
-                        nodes(),
-                        nodeSpacing,
-                        Lengths.format(largestStep),
-                        band.fewestNodes()));
+        return resolved.map(nodes -> List.of(
+                        "spectrum: the patch is so small that the window resolves every order; the nearest bin is enough",
+                        String.format(
+                                Locale.ROOT,
+                                "wavelengths: %d or more around each order's middle, %.2f deviations of its power and at"
+                                        + " most %s apart; %d or more within the specular order",
+                                nodes.fewest(),
+                                nodes.spacing(),
+                                Lengths.format(nodes.largestStep()),
+                                band.fewestNodes())))
+                .orElseGet(() -> List.of(
+                        "spectrum: the window's is so narrow that its flanks lie bare between orders, or a grid would not"
+                                + " fit into memory; " + neighbourhood.summary() + " are summed",
+                        "wavelengths: " + band.inWords()));
     }
 
     @Override
     public int marginX(CoherenceWindow window, double width) {
-        return NEAREST_BIN.marginX();
+        return neighbourhood.marginX();
     }
 
     @Override
     public int marginY(CoherenceWindow window, double height) {
-        return NEAREST_BIN.marginY();
+        return neighbourhood.marginY();
+    }
+
+    /** Wavelengths of the pixel that takes most. */
+    private long nodes(Plan plan) {
+        // A ray from the middle passes at most half of the orders each way.
+        long passed = ((long) plan.bandX().count() + plan.bandY().count()) / 2;
+        return resolved.map(nodes -> passed * nodes.fewest()).orElseGet(() -> (long) mostNodes(plan.range()));
     }
 
     @Override
     public long reads(Plan plan) {
-        // A ray from the middle passes at most half of the orders each way.
-        long passed = ((long) plan.bandX().count() + plan.bandY().count()) / 2;
-        return passed * nodes() * plan.expansion().terms();
+        return nodes(plan) * neighbourhood.reads(plan.expansion().terms());
     }
 
     @Override
     public long loopSteps(Plan plan) {
-        long passed = ((long) plan.bandX().count() + plan.bandY().count()) / 2;
-        return passed * nodes();
+        return resolved.isPresent()
+                ? nodes(plan)
+                : nodes(plan) * neighbourhood.loopSteps(plan.expansion().terms());
     }
 
     @Override
@@ -89,16 +124,17 @@ public record OrderSampling(
 
     @Override
     public ShaderTables tables(Plan plan, FourierTable table, MethodUse use, CieTable cie) {
-        ShaderTables.Builder tables = BinArrays.tables("full_orders", plan, table, NEAREST_BIN);
+        ShaderTables.Builder tables = BinArrays.tables("full_orders", plan, table, neighbourhood);
         band.addTo(tables);
-        return tables.array(ColorArrays.cieWeights(cie))
-                .reals("orderReach", reach)
-                .reals("orderNodeSpacing", nodeSpacing)
-                .reals("orderPanel", panel)
-                .reals("orderLargestStep", largestStep)
-                .reals("orderCornerLength", cornerLength)
-                .reals("windowSigmaFrequency", plan.window().sigmaFrequency())
+        tables.array(ColorArrays.cieWeights(cie))
                 .reals("cieWhite", ColorArrays.cieWhite(cie))
-                .build(plan.window().sigmaMetres(), plan.specularReach());
+                .reals("windowSigmaFrequency", plan.window().sigmaFrequency())
+                .define("ORDERS_RESOLVED", resolved.isPresent() ? 1 : 0);
+        resolved.ifPresent(nodes -> tables.reals("orderReach", nodes.reach())
+                .reals("orderNodeSpacing", nodes.spacing())
+                .reals("orderPanel", nodes.panel())
+                .reals("orderLargestStep", nodes.largestStep())
+                .reals("orderCornerLength", nodes.cornerLength()));
+        return tables.build(plan.window().sigmaMetres(), plan.specularReach());
     }
 }

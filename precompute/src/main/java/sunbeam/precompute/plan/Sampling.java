@@ -14,7 +14,7 @@ import sunbeam.precompute.table.FourierTable;
  * How the windowed spectrum is read off the DFT bins, and at which wavelengths: what it is in words, what it takes, and
  * the tables of its shader.
  */
-public sealed interface Sampling permits BinSampling, GridSampling, OrderSampling, RaySampling {
+public sealed interface Sampling permits BinSampling, GridSampling, OrderSampling {
 
     /** What is summed or interpolated, in a few words. */
     String summary(VisibleRange range);

@@ -1,6 +1,5 @@
 package sunbeam.precompute.plan;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import sunbeam.precompute.color.CieTable;
@@ -24,10 +23,8 @@ final class SamplingPlanner {
     // per tolerance.
     private static final double CORNER_LENGTH = 4e-6;
     // Interpolating both axes costs as many taps more as the kernel has: of |u|, |v| so much bears it. The columns that
-    // this
-    // takes let rays that meet them more steeply than at 45 degrees take longer steps, too.
-    private static final double LARGEST_CENTRE = 0.12;
-    private static final double LARGEST_COMPACT_CENTRE = 0.25;
+    // this takes let rays that meet them more steeply than at 45 degrees take longer steps, too.
+    private static final double LARGEST_CENTRE = 0.2;
     // Steps of the wavelength per period of the interference between top and bottom of the relief.
     private static final double NODES_PER_FRINGE = 6;
     // Where the window's spectrum is narrower, in bins, its flanks lie bare between orders. Interpolation errs by a
@@ -62,17 +59,11 @@ final class SamplingPlanner {
         if (neighbour < 1e-3 * budget.tolerance()) {
             return List.of(orders());
         }
-        GridSampling compact = grid(budget.compactInterpolation(average), LARGEST_COMPACT_CENTRE);
-        List<Sampling> grids = List.of(
-                grid(budget.interpolation(average), LARGEST_CENTRE),
-                grid(budget.interpolation(average), LARGEST_COMPACT_CENTRE),
-                compact,
-                compact.intoTwo());
-        Sampling rays = new RaySampling(bins(), band(fewestNodes()));
-        List<Sampling> choices = new ArrayList<>(grids);
+        Sampling fast = grid(budget.interpolation(average));
+        Sampling compact = grid(budget.compactInterpolation(average));
+        Sampling bins = OrderSampling.overlapping(bins(), band(fewestNodes()));
         // Where orders are resolved along an axis, a grid fine enough for them is larger than the bins.
-        choices.add(interpolates(map, window) ? grids.size() : 0, rays);
-        return choices;
+        return interpolates(map, window) ? List.of(fast, compact, bins) : List.of(bins, fast, compact);
     }
 
     /** All that count; half way between two orders both count alike. */
@@ -100,16 +91,17 @@ final class SamplingPlanner {
         // colour matching functions.
         double spacing = Math.min(1, Math.PI * Math.sqrt(2 / Math.log(2 / (0.01 * budget.tolerance()))));
         double reach = Math.max(3, Math.sqrt(2 * Math.log(1 / (0.1 * budget.tolerance()))));
-        return new OrderSampling(
-                reach,
-                spacing,
-                budget.panelDeviations(),
-                WAVELENGTH_STEP_AT_STANDARD / relativeFineness(),
-                CORNER_LENGTH * budget.tolerance(),
+        return OrderSampling.resolved(
+                new OrderSampling.OrderNodes(
+                        reach,
+                        spacing,
+                        budget.panelDeviations(),
+                        WAVELENGTH_STEP_AT_STANDARD / relativeFineness(),
+                        CORNER_LENGTH * budget.tolerance()),
                 band(4 * fewestNodes()));
     }
 
-    private GridSampling grid(InterpolationDesign design, double largestCentre) {
+    private GridSampling grid(InterpolationDesign design) {
         // Columns are crossed at up to sqrt(2) of their distance. The power of a lone order along the ray is a Gaussian
         // of deviation sigma / sqrt(2), for which the trapezoid rule errs by 2 exp(-2 (pi deviation / step)^2).
         double perStep = Math.sqrt(2 / (Math.PI * Math.PI) * Math.log(2 / budget.wavelengths()));
@@ -119,15 +111,15 @@ final class SamplingPlanner {
         double step = rough ? uncut : Math.min(uncut, budget.cutSpacing() * deviation / Math.sqrt(2));
         BandRule band = rough ? band(fewestNodes()).evenlyTo(uncut) : band(fewestNodes());
         double longest = Math.sqrt(2) * step;
-        double centre =
-                new GridSampling(design, step, longest, fewestNodes(), band, singles(), false, budget).centreReach();
-        int stride = (int) Math.ceil(centre / largestCentre);
-        return new GridSampling(design, step / stride, longest, fewestNodes(), band, singles(), false, budget);
+        GridSampling coarse = new GridSampling(design, step, longest, fewestNodes(), band, single(band), budget);
+        return coarse.withColumnsCloser((int) Math.ceil(coarse.centreReach() / LARGEST_CENTRE));
     }
 
-    /** Bins that single wavelengths are summed from, where they are not too many. */
-    private Optional<Neighbourhood> singles() {
-        return Optional.of(bins()).filter(bins -> bins.bins() <= MOST_SUMMED);
+    /** For single wavelengths: all bins that count, exactly, where they are not too many, as time is no matter there. */
+    private Optional<OrderSampling> single(BandRule band) {
+        return Optional.of(bins())
+                .filter(bins -> bins.bins() <= MOST_SUMMED)
+                .map(bins -> OrderSampling.overlapping(bins, band));
     }
 
     /** How much finer than at the standard tolerance wavelengths are resolved. */

@@ -34,7 +34,7 @@ class SamplingTablesTest {
         return Stream.of(MethodUse.values())
                 .flatMap(use -> Stream.of(
                         Arguments.of(OrderSampling.class, Preset.NONE, 65e-6, use),
-                        Arguments.of(RaySampling.class, Preset.NONE, 10e-6, use),
+                        Arguments.of(OrderSampling.class, Preset.NONE, 10e-6, use),
                         Arguments.of(GridSampling.class, Preset.NONE, 3.2e-6, use),
                         Arguments.of(BinSampling.class, Preset.THESIS, 3.2e-6, use)));
     }
