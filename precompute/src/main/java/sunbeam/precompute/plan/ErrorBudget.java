@@ -3,9 +3,19 @@ package sunbeam.precompute.plan;
 import sunbeam.precompute.resample.InterpolationDesign;
 
 /**
- * What each source of error may take of the one tolerance that is promised: the relative error of power, and of X, Y, Z, at
- * every direction whose power is at least {@link #DARKEST_POWER} of the mirror's. Derived in docs/accuracy-and-speed.md. The
- * shares of one output add up to less than 1, worst case upon worst case.
+ * What each source of error may take of the one tolerance t that is promised: the relative error of power, and of X, Y, Z, is
+ * at most t in the median and 3 t at the 95th percentile, over the directions whose power is at least {@link #DARKEST_POWER}
+ * of the mirror's. The shares of one output add up to less than 1, worst case upon worst case.
+ *
+ * <p>An amplitude a that is wrong by e has a power that is wrong by 2 e / |a|, relative. So an error that does not depend on
+ * the direction, of the expansion or of bins that are left out, may be t / 2 times the darkest amplitude, 1.6e-5 t, in all.
+ * Interpolation errs by a share of what it interpolates: a skirt of a bright order is a Gaussian, and a design's error is the
+ * largest difference relative to the Gaussian <i>there</i>, down to the darkest amplitude, 4.6 deviations from the middle.
+ *
+ * <p>On a rough patch, whose light goes everywhere, no dark skirt is seen beside it, and a colour sums dozens of wavelengths
+ * over dozens of orders, whose errors are independent there. What may then be left out is beside the dark directions'
+ * amplitude, and interpolation and the trapezoid rule may err several times as much. These factors are measured, not derived:
+ * directions on the skirt of one bright order above a rough ground see that order alone, and keep the promise, too.
  *
  * @param tolerance relative error, {@link #FINEST}..{@link #COARSEST}
  * @param roughness of the patch: where light goes everywhere, errors are beside more of it
@@ -36,11 +46,8 @@ public record ErrorBudget(double tolerance, Roughness roughness) {
     private static final double WINDOW_SHARE = 0.3;
     private static final double WAVELENGTHS_SHARE = 0.2;
 
-    // On a rough patch dark skirts are lost in what lies beside them, but for those of the brightest orders above
-    // the ground: the specular spot, an order of a grating.
+    // Deviations of the skirts that are seen: those of the specular spot, or of a grating's orders.
     private static final double ROUGH_SKIRT = 3.5;
-    // A colour sums dozens of wavelengths over dozens of orders, whose errors are independent there. Directions
-    // on the skirt of one bright order see that one alone, within this factor (RoughGroundTest).
     private static final double ROUGH_AVERAGING = 8;
     // One direction in ten is darker than the dark ones, where the promise is three times the tolerance.
     private static final double AT_DARK_DIRECTIONS = 2;

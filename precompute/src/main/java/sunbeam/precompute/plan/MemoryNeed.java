@@ -89,57 +89,40 @@ public record MemoryNeed(long heapBytes, long textureBytes, long largestTextureB
         return longestSide > LONGEST_SIDE;
     }
 
-    boolean fits(long heapLimit) {
-        return heapBytes <= USABLE_HEAP * heapLimit
-                && textureBytes <= MOST_TEXTURE_BYTES
-                && largestTextureBytes <= LARGEST_TEXTURE_BYTES
-                && longestSide <= LONGEST_SIDE
-                && layers <= MOST_LAYERS;
-    }
-
     /**
      * What there is not enough of, continuing "this plan ..."; nothing where it fits.
      *
      * @param heapLimit largest size of the heap, bytes
      */
     Optional<String> excess(long heapLimit) {
-        if (fits(heapLimit)) {
-            return Optional.empty();
-        }
-        if (longestSide > LONGEST_SIDE) {
-            return Optional.of(String.format(
-                    Locale.ROOT,
-                    "need textures of %d texels along a side, more than the %d of common drivers",
-                    longestSide,
-                    LONGEST_SIDE));
+        if (isTooLong()) {
+            return excess(
+                    "textures of %d texels along a side, more than the %d of common drivers",
+                    longestSide, LONGEST_SIDE);
         }
         if (layers > MOST_LAYERS) {
-            return Optional.of(String.format(
-                    Locale.ROOT,
-                    "need a texture of %d layers, more than the %d of common drivers",
-                    layers,
-                    MOST_LAYERS));
+            return excess("a texture of %d layers, more than the %d of common drivers", layers, MOST_LAYERS);
         }
         if (largestTextureBytes > LARGEST_TEXTURE_BYTES) {
-            return Optional.of(String.format(
-                    Locale.ROOT,
-                    "need a texture of %s, more than the %s that common drivers give to one",
-                    inWords(largestTextureBytes),
-                    inWords(LARGEST_TEXTURE_BYTES)));
+            return excess(
+                    "a texture of %s, more than the %s that common drivers give to one",
+                    inWords(largestTextureBytes), inWords(LARGEST_TEXTURE_BYTES));
         }
         if (textureBytes > MOST_TEXTURE_BYTES) {
-            return Optional.of(String.format(
-                    Locale.ROOT,
-                    "need %s of textures, more than the %s that Sunbeam takes",
-                    inWords(textureBytes),
-                    inWords(MOST_TEXTURE_BYTES)));
+            return excess(
+                    "%s of textures, more than the %s that Sunbeam takes",
+                    inWords(textureBytes), inWords(MOST_TEXTURE_BYTES));
         }
-        return Optional.of(String.format(
-                Locale.ROOT,
-                "need %s of memory, but Java's heap may take %s (SUNBEAM_JAVA_OPTIONS=-Xmx%dm allows more)",
-                inWords(heapBytes),
-                inWords(heapLimit),
-                (long) (heapBytes / USABLE_HEAP / (1 << 20)) + 1));
+        if (heapBytes > USABLE_HEAP * heapLimit) {
+            return excess(
+                    "%s of memory, but Java's heap may take %s (SUNBEAM_JAVA_OPTIONS=-Xmx%dm allows more)",
+                    inWords(heapBytes), inWords(heapLimit), (long) (heapBytes / USABLE_HEAP / (1 << 20)) + 1);
+        }
+        return Optional.empty();
+    }
+
+    private static Optional<String> excess(String what, Object... numbers) {
+        return Optional.of(String.format(Locale.ROOT, "need " + what, numbers));
     }
 
     private static String inWords(long bytes) {

@@ -17,6 +17,9 @@ final class PlanWarnings {
     // With five, the replicas of the window's spectrum meet at exp(-(5 pi / 4)^2 / 2) = 4e-4 of an amplitude.
     private static final double FEWEST_SAMPLES = 5;
 
+    // For the single row of a patch much longer than the window; with three samples in it the first replica alone counts.
+    private static final int MOST_REPLICAS = 1000;
+
     // Units in the last place: a fifth of the bound, as measured for colours of orders at 65 um.
     private static final double TYPICAL_ROUNDING = 0.1;
 
@@ -34,7 +37,6 @@ final class PlanWarnings {
         plan.accuracy().tolerance().ifPresent(tolerance -> {
             lines.addAll(shortfalls());
             checkTerms(tolerance, lines);
-            checkSamples(lines);
             lines.addAll(plan.sampling().warnings(plan, tolerance, map));
         });
         return lines;
@@ -94,9 +96,10 @@ final class PlanWarnings {
 
     /** The sum over a coarse window's samples, by which a coherent power is divided, is not its integral, which bins know. */
     private void checkScale(double tolerance, List<Sentence> lines) {
-        SampledWindow window = new SampledWindow(plan.window(), map);
-        double error = window.coherentError();
+        // Its square is between the powers.
+        double error = Math.pow(sumByIntegral(map.pitchX()) * sumByIntegral(map.pitchY()), 2) - 1;
         if (plan.average() == Average.COHERENT && error > tolerance) {
+            double pitch = Math.max(map.pitchX(), map.pitchY());
             lines.add(Sentence.of(format(
                     "coherent power and its colours are %.1e too large, more than the tolerance %s: a coherence length of %s"
                             + " has too few samples, which are %s apart; give %s or more, a finer scan, or evaluate"
@@ -104,26 +107,21 @@ final class PlanWarnings {
                     error,
                     shown(tolerance),
                     Lengths.format(plan.window().coherenceLength()),
-                    Lengths.format(window.pitch()),
-                    Lengths.format(FEWEST_SAMPLES * window.pitch()))));
+                    Lengths.format(pitch),
+                    Lengths.format(FEWEST_SAMPLES * pitch))));
         }
     }
 
-    /** Positions between the samples count in the ensemble; a window that is moved from sample to sample leaves them out. */
-    private void checkSamples(List<Sentence> lines) {
-        double pitch = PlanChecks.coarsestPitch(map);
-        if (plan.average() == Average.ENSEMBLE && plan.window().coherenceLength() < FEWEST_SAMPLES * pitch) {
-            lines.add(Sentence.of(format(
-                    "a coherence length of %s is less than %.0f samples of the patch, which are %s apart: the ensemble's power"
-                            + " is the mean over all positions of the window, between the samples, too; over positions on"
-                            + " samples alone it is another, by %.1g of all light and more between bright orders;"
-                            + " give %s or more, or a finer scan",
-                    Lengths.format(plan.window().coherenceLength()),
-                    FEWEST_SAMPLES,
-                    Lengths.format(pitch),
-                    new SampledWindow(plan.window(), map).positionsDifference(),
-                    Lengths.format(FEWEST_SAMPLES * pitch))));
+    /**
+     * The sum over a Gaussian's samples relative to its integral, along one axis. By Poisson's sum this is
+     * 1 + 2 sum_k exp(-2 pi^2 k^2 s^2 / pitch^2): replicas of its spectrum lie one period of the sampling apart.
+     */
+    private double sumByIntegral(double pitch) {
+        double sum = 1;
+        for (int k = 1; k <= MOST_REPLICAS; k++) {
+            sum += 2 * Math.exp(-2 * Math.pow(Math.PI * k * plan.window().sigmaMetres() / pitch, 2));
         }
+        return sum;
     }
 
     /** As people write it: 1e-5, not 1.0E-5. */

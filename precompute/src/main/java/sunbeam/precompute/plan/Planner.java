@@ -1,11 +1,6 @@
 package sunbeam.precompute.plan;
 
-import static sunbeam.precompute.plan.MethodSettings.COHERENCE_LENGTH;
-import static sunbeam.precompute.plan.MethodSettings.TERMS;
-import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
-
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.WavelengthNodes;
@@ -19,7 +14,6 @@ import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.patch.HeightLevels;
 import sunbeam.precompute.patch.HeightMap;
 import sunbeam.precompute.setting.Sentence;
-import sunbeam.precompute.setting.SettingException;
 
 /** Makes a {@link Plan} for a patch, what the user fixes, and the directions that a scene can reach. */
 public final class Planner {
@@ -58,7 +52,7 @@ public final class Planner {
      * @param neighbourhood of bins that are to be summed, if any
      * @param area the window, its place, and which power
      * @param range directions that can occur
-     * @throws SettingException when none does, or when what is fixed makes no sense for the patch
+     * @throws sunbeam.precompute.setting.SettingException when none does, or when what is fixed makes no sense for the patch
      */
     public Plan plan(TableChoices table, Optional<Neighbourhood> neighbourhood, GaussianArea area, VisibleRange range) {
         return plan(table, neighbourhood, area, range, budget(table, neighbourhood, area, range));
@@ -68,7 +62,7 @@ public final class Planner {
      * The plan of colours under a shorter window than another's whose roughness is known, which takes seconds to measure.
      *
      * @param roughness of the patch under the longer window
-     * @throws SettingException as {@link #plan(TableChoices, Optional, GaussianArea, VisibleRange)}
+     * @throws sunbeam.precompute.setting.SettingException as {@link #plan(TableChoices, Optional, GaussianArea, VisibleRange)}
      */
     public Plan plan(TableChoices table, GaussianArea area, VisibleRange range, Roughness roughness) {
         ErrorBudget budget = new ErrorBudget(budget(table).tolerance(), roughness.under(area.window(), range));
@@ -88,6 +82,7 @@ public final class Planner {
             ErrorBudget budget) {
         PlanChecks.check(area.window(), map);
         Expansion expansion = expansion(table, range, budget);
+        PlanLimits limits = new PlanLimits(map.rows(), heapLimit);
         Plan plan = null;
         for (Sampling sampling : samplings(table, neighbourhood, area, range, budget)) {
             plan = new Plan(
@@ -100,38 +95,12 @@ public final class Planner {
                     area.origin(),
                     area.average(),
                     sampling);
-            if (MemoryNeed.of(plan, map.rows()).fits(heapLimit) && LoopSteps.fit(plan)) {
-                break;
+            if (limits.hold(plan)) {
+                return plan;
             }
         }
-        requireRoom(plan);
-        LoopSteps.require(plan);
+        limits.require(plan);
         return plan;
-    }
-
-    private void requireRoom(Plan plan) {
-        MemoryNeed need = MemoryNeed.of(plan, map.rows());
-        excess(need).ifPresent(excess -> {
-            String problem = String.format(
-                    Locale.ROOT,
-                    "and %d x %d DFT bins in %d terms %s; crop the patch",
-                    plan.bandX().count(),
-                    plan.bandY().count(),
-                    plan.expansion().terms(),
-                    excess);
-            double coherenceLength = plan.window().coherenceLength();
-            throw need.isTooLong()
-                    ? SettingException.of(COHERENCE_LENGTH, coherenceLength, problem)
-                    : SettingException.of(
-                            COHERENCE_LENGTH,
-                            coherenceLength,
-                            problem + ", or give a coarser ",
-                            TOLERANCE,
-                            ", fewer ",
-                            TERMS,
-                            " or another ",
-                            COHERENCE_LENGTH);
-        });
     }
 
     /** What there is not enough of for some tables, continuing "this plan ..."; nothing where they fit. */
