@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
-import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -15,7 +14,6 @@ import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.WindowOrigin;
 import sunbeam.precompute.patch.HeightLevels;
 import sunbeam.precompute.patch.HeightMap;
-import sunbeam.precompute.plan.Accuracy;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.Planner;
@@ -30,8 +28,7 @@ class CoarseWindowTest extends InAContext {
 
     private static FullMethod method(double coherenceLength, Average average) {
         return new FullMethod(
-                TableChoices.of(new Accuracy.ByTolerance(TOLERANCE)),
-                Optional.empty(),
+                TableChoices.within(TOLERANCE),
                 new GaussianArea(CoherenceWindow.ofCoherenceLength(coherenceLength), WindowOrigin.CENTRE, average));
     }
 

@@ -43,8 +43,7 @@ final class Comparison {
 
     Plan plan(List<Query> queries) {
         List<DirectionPair> pairs = queries.stream().map(Query::pair).toList();
-        return new Planner(map, HeightLevels.of(map), cie)
-                .plan(full.table(), full.neighbourhood(), full.area(), VisibleRange.of(pairs));
+        return new Planner(map, HeightLevels.of(map), cie).plan(full.table(), full.area(), VisibleRange.of(pairs));
     }
 
     /** Coherent power, ensemble power, rho and brdf of each query, from the shaders. */

@@ -19,7 +19,6 @@ import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.WindowOrigin;
 import sunbeam.precompute.patch.HeightMap;
 import sunbeam.precompute.patch.Patch;
-import sunbeam.precompute.plan.Accuracy;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.BandRule;
 import sunbeam.precompute.plan.GaussianArea;
@@ -65,8 +64,7 @@ class CutLoopsTest {
                 Surface.of(new Patch("grain", new HeightMap(8, 8, 200e-9, 200e-9, heights), "made up", List.of()));
         Plan planned = surface.planner()
                 .plan(
-                        TableChoices.of(new Accuracy.ByTolerance(1e-3)),
-                        Optional.empty(),
+                        TableChoices.within(1e-3),
                         AREA,
                         VisibleRange.of(List.of(ASKED.get(0).pair())));
         OrderSampling sampling = new OrderSampling(

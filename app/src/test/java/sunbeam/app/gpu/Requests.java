@@ -28,8 +28,11 @@ final class Requests {
             double coherenceLength, Average average, WindowOrigin origin, Optional<ExpansionKind> expansion) {
         return new FullMethod(
                 new TableChoices(
-                        new Accuracy.ByTolerance(TOLERANCE), expansion, OptionalInt.empty(), OptionalDouble.empty()),
-                Optional.empty(),
+                        new Accuracy.ByTolerance(TOLERANCE),
+                        expansion,
+                        OptionalInt.empty(),
+                        Optional.empty(),
+                        OptionalDouble.empty()),
                 new GaussianArea(CoherenceWindow.ofCoherenceLength(coherenceLength), origin, average));
     }
 }

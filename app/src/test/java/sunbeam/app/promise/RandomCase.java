@@ -3,7 +3,6 @@ package sunbeam.app.promise;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import java.util.Optional;
 import java.util.SplittableRandom;
 import java.util.stream.IntStream;
 import jrtr.RenderContext;
@@ -18,7 +17,6 @@ import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.WindowOrigin;
 import sunbeam.precompute.patch.HeightMap;
 import sunbeam.precompute.patch.Patch;
-import sunbeam.precompute.plan.Accuracy;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.Plan;
@@ -124,8 +122,7 @@ record RandomCase(
         Surface surface = surface();
         Planner planner = surface.planner();
         Plan plan = planner.plan(
-                TableChoices.of(new Accuracy.ByTolerance(tolerance)),
-                Optional.empty(),
+                TableChoices.within(tolerance),
                 area,
                 VisibleRange.of(queries.stream().map(Query::pair).toList()));
         List<float[]> results = evaluate(context, surface, plan);

@@ -1,5 +1,16 @@
 package sunbeam.precompute.method;
 
+import static sunbeam.precompute.plan.MethodSettings.ANCHOR;
+import static sunbeam.precompute.plan.MethodSettings.AVERAGE;
+import static sunbeam.precompute.plan.MethodSettings.COHERENCE_LENGTH;
+import static sunbeam.precompute.plan.MethodSettings.EXPANSION;
+import static sunbeam.precompute.plan.MethodSettings.PRESET;
+import static sunbeam.precompute.plan.MethodSettings.RADIUS;
+import static sunbeam.precompute.plan.MethodSettings.TERMS;
+import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
+import static sunbeam.precompute.plan.MethodSettings.WAVELENGTH_STEP;
+import static sunbeam.precompute.plan.MethodSettings.WINDOW_ORIGIN;
+
 import java.util.List;
 import java.util.Optional;
 import sunbeam.precompute.patch.HeightMap;
@@ -13,51 +24,62 @@ import sunbeam.precompute.plan.TableChoices;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Sentence;
+import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.shader.MethodUse;
 import sunbeam.precompute.shader.ShaderTables;
 
 /**
  * Every wavelength of the planned or the thesis's sampling, under a Gaussian window.
  *
- * @param table the tables and wavelengths
- * @param neighbourhood of bins around each frequency
+ * @param table the tables, bins and wavelengths
  * @param area the window and its average
  */
-public record FullMethod(TableChoices table, Optional<Neighbourhood> neighbourhood, GaussianArea area)
-        implements Method {
+public record FullMethod(TableChoices table, GaussianArea area) implements Method {
+    /** Of the methods that sum over bins under a Gaussian window, in a manual's order. */
+    static final List<Setting<?>> SETTINGS = List.of(
+            PRESET,
+            TOLERANCE,
+            EXPANSION,
+            TERMS,
+            RADIUS,
+            ANCHOR,
+            WAVELENGTH_STEP,
+            WINDOW_ORIGIN,
+            COHERENCE_LENGTH,
+            AVERAGE);
+
     /** Its name and settings. */
     public static final MethodType TYPE =
-            new MethodType("full", "all wavelengths, Gaussian coherence window.", BinSettings.ALL, FullMethod::of);
+            new MethodType("full", "all wavelengths, Gaussian coherence window.", SETTINGS, FullMethod::of);
 
     /** As chosen. */
     public static FullMethod of(Choices choices) {
-        return new FullMethod(TableChoices.of(choices), BinSettings.neighbourhood(choices), GaussianArea.of(choices));
+        return new FullMethod(TableChoices.of(choices), GaussianArea.of(choices));
     }
 
     /** Planned for a tolerance, in sunlight. */
     public static FullMethod within(double tolerance) {
-        return new FullMethod(
-                TableChoices.of(new Accuracy.ByTolerance(tolerance)), Optional.empty(), GaussianArea.STANDARD);
+        return new FullMethod(TableChoices.within(tolerance), GaussianArea.STANDARD);
     }
 
     /** The thesis's shader: the baseline of every comparison. */
     public static FullMethod thesis() {
-        return new FullMethod(TableChoices.of(new Accuracy.ThesisPreset()), Optional.empty(), GaussianArea.THESIS);
+        return new FullMethod(TableChoices.of(new Accuracy.ThesisPreset()), GaussianArea.THESIS);
     }
 
     /** The same with other tables. */
     public FullMethod with(TableChoices other) {
-        return new FullMethod(other, neighbourhood, area);
+        return new FullMethod(other, area);
     }
 
     /** The same with a neighbourhood of bins. */
     public FullMethod with(Neighbourhood other) {
-        return new FullMethod(table, Optional.of(other), area);
+        return new FullMethod(table.with(other), area);
     }
 
     /** The same under another window. */
     public FullMethod with(GaussianArea other) {
-        return new FullMethod(table, neighbourhood, other);
+        return new FullMethod(table, other);
     }
 
     @Override
@@ -82,7 +104,7 @@ public record FullMethod(TableChoices table, Optional<Neighbourhood> neighbourho
 
     /** The plan of its Fourier table. */
     public Plan tablePlan(Surface surface, VisibleRange range) {
-        return surface.planner().plan(table, neighbourhood, area, range);
+        return surface.planner().plan(table, area, range);
     }
 
     /** In the form that the plan's sampling has. */

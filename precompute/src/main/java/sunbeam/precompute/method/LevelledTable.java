@@ -8,7 +8,6 @@ import java.util.stream.IntStream;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.colourtable.LevelGrid;
 import sunbeam.precompute.colourtable.TableLevels;
-import sunbeam.precompute.plan.Accuracy;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.MemoryNeed;
 import sunbeam.precompute.plan.Plan;
@@ -45,7 +44,7 @@ final class LevelledTable implements LevelledPlan {
         this.surface = surface;
         this.levels = levels;
         this.tolerance = tolerance;
-        this.table = TableChoices.of(new Accuracy.ByTolerance(tolerance));
+        this.table = TableChoices.within(tolerance);
         this.roughness = surface.planner().roughness(table, levels.area(), VisibleRange.all());
         this.finest = planned(0);
     }

@@ -6,10 +6,8 @@ import java.util.Optional;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.OrderWeights;
 import sunbeam.precompute.patch.HeightMap;
-import sunbeam.precompute.plan.Accuracy;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.MemoryNeed;
-import sunbeam.precompute.plan.Neighbourhood;
 import sunbeam.precompute.plan.Plan;
 import sunbeam.precompute.plan.PlanReport;
 import sunbeam.precompute.plan.TableChoices;
@@ -27,12 +25,10 @@ import sunbeam.precompute.units.Lengths;
  * One wavelength per diffraction order, weighted by the order's width (unweighted with the thesis's preset), under a
  * Gaussian window.
  *
- * @param table the tables, and the wavelengths near the specular direction
- * @param neighbourhood of bins around each frequency
+ * @param table the tables and bins, and the wavelengths near the specular direction
  * @param area the window and its average
  */
-public record NmmMethod(TableChoices table, Optional<Neighbourhood> neighbourhood, GaussianArea area)
-        implements Method {
+public record NmmMethod(TableChoices table, GaussianArea area) implements Method {
     // For directions so near to the specular one that an order covers them all, metres.
     private static final double WAVELENGTH_STEP = 5e-9;
 
@@ -51,14 +47,12 @@ public record NmmMethod(TableChoices table, Optional<Neighbourhood> neighbourhoo
     public static final MethodType TYPE = new MethodType(
             "nmm",
             "one wavelength per diffraction order, weighted by the order's width.",
-            BinSettings.ALL,
-            choices -> new NmmMethod(
-                    TableChoices.of(choices), BinSettings.neighbourhood(choices), GaussianArea.of(choices)));
+            FullMethod.SETTINGS,
+            choices -> new NmmMethod(TableChoices.of(choices), GaussianArea.of(choices)));
 
     /** Planned for a tolerance, in sunlight. */
     public static NmmMethod within(double tolerance) {
-        return new NmmMethod(
-                TableChoices.of(new Accuracy.ByTolerance(tolerance)), Optional.empty(), GaussianArea.STANDARD);
+        return new NmmMethod(TableChoices.within(tolerance), GaussianArea.STANDARD);
     }
 
     @Override
@@ -95,7 +89,7 @@ public record NmmMethod(TableChoices table, Optional<Neighbourhood> neighbourhoo
         TableChoices planned = table.wavelengthStep().isPresent() ? table : table.withWavelengthStep(WAVELENGTH_STEP);
         return new Planned(
                 surface,
-                surface.planner().plan(planned, neighbourhood, area, range),
+                surface.planner().plan(planned, area, range),
                 table.accuracy().isThesis() ? Weighting.STEP : Weighting.WIDTH);
     }
 

@@ -18,7 +18,6 @@ import sunbeam.precompute.fourier.ComplexVector;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.Replicas;
 import sunbeam.precompute.patch.HeightMap;
-import sunbeam.precompute.plan.Accuracy;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.MemoryNeed;
@@ -111,10 +110,7 @@ public record PqMethod(TableChoices table, PeriodInterpolation interpolation, Re
 
     /** Planned for a tolerance, filling sunlight's coherence length. */
     public static PqMethod within(double tolerance, PeriodInterpolation interpolation) {
-        return new PqMethod(
-                TableChoices.of(new Accuracy.ByTolerance(tolerance)),
-                interpolation,
-                new Filling(GaussianArea.STANDARD.window()));
+        return new PqMethod(TableChoices.within(tolerance), interpolation, new Filling(GaussianArea.STANDARD.window()));
     }
 
     @Override

@@ -9,7 +9,6 @@ import java.nio.ByteBuffer;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import java.util.Optional;
 import sunbeam.precompute.colourtable.LevelGrid;
 import sunbeam.precompute.colourtable.TableBaking;
 import sunbeam.precompute.colourtable.TableDesign;
@@ -21,7 +20,6 @@ import sunbeam.precompute.files.Sha256;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.patch.HeightMap;
-import sunbeam.precompute.plan.Accuracy;
 import sunbeam.precompute.plan.ErrorBudget;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.MemoryNeed;
@@ -87,8 +85,7 @@ public record TableMethod(double tolerance, GaussianArea area) implements Method
         TablePages pages = pages(design, range.reach());
         TableBaking baking = new TableBaking(pages);
         requireRoom(surface, pages);
-        FullMethod full =
-                new FullMethod(TableChoices.of(new Accuracy.ByTolerance(sourceTolerance())), Optional.empty(), area);
+        FullMethod full = new FullMethod(TableChoices.within(sourceTolerance()), area);
         return new Planned(surface, this, range.reach(), pages, baking, full.plan(surface, pages.range()));
     }
 

@@ -28,6 +28,35 @@ import sunbeam.precompute.units.Lengths;
  * @param wavelengths in equal steps
  */
 public record BinSampling(Neighbourhood neighbourhood, WavelengthNodes wavelengths) implements Sampling {
+    private static final Neighbourhood THESIS_NEIGHBOURHOOD = new Neighbourhood(1, Neighbourhood.Anchor.FLOOR);
+    private static final double THESIS_WAVELENGTH_STEP = 5e-9;
+    // Metres: fine enough for the colour matching functions, and for textures' longest side.
+    private static final double COARSEST_WAVELENGTH_STEP = 1e-9;
+    private static final double FINEST_WAVELENGTH_STEP = 0.05e-9;
+
+    /** What is fixed; the rest is the thesis's with its preset, else planned. */
+    static BinSampling of(TableChoices table, CoherenceWindow window, VisibleRange range, HeightMap map, CieTable cie) {
+        boolean thesis = table.accuracy().isThesis();
+        double planned = coarsestWavelengthStep(window, range, table.tolerance());
+        double step = thesis
+                ? THESIS_WAVELENGTH_STEP
+                : Math.max(FINEST_WAVELENGTH_STEP, Math.min(COARSEST_WAVELENGTH_STEP, planned));
+        return new BinSampling(
+                table.neighbourhood()
+                        .orElseGet(() -> thesis ? THESIS_NEIGHBOURHOOD : neighbourhood(table, window, map)),
+                WavelengthNodes.uniform(cie, table.wavelengthStep().orElse(step)));
+    }
+
+    private static Neighbourhood neighbourhood(TableChoices table, CoherenceWindow window, HeightMap map) {
+        double sigmaBins = sigmaBins(window, map);
+        int radius = new ErrorBudget(table.tolerance()).neighbourhoodRadius(sigmaBins);
+        PlanChecks.checkRadius(radius, window, sigmaBins);
+        return new Neighbourhood(radius, Neighbourhood.Anchor.NEAREST);
+    }
+
+    private static double sigmaBins(CoherenceWindow window, HeightMap map) {
+        return window.sigmaFrequency() * Math.max(map.width(), map.height());
+    }
 
     @Override
     public String wavelengths(VisibleRange range) {
@@ -53,7 +82,7 @@ public record BinSampling(Neighbourhood neighbourhood, WavelengthNodes wavelengt
     }
 
     private void checkRadius(Plan plan, double tolerance, HeightMap map, List<Sentence> lines) {
-        double sigmaBins = plan.window().sigmaFrequency() * Math.max(map.width(), map.height());
+        double sigmaBins = sigmaBins(plan.window(), map);
         int needed = new ErrorBudget(tolerance).neighbourhoodRadius(sigmaBins);
         if (neighbourhood.radiusX() < needed) {
             lines.add(Sentence.of(
@@ -90,7 +119,7 @@ public record BinSampling(Neighbourhood neighbourhood, WavelengthNodes wavelengt
      * deviation lambda^2 sigma_f / (sqrt(2) |(u, v)|), for which the trapezoid rule errs by 2 exp(-2 (pi deviation /
      * step)^2).
      */
-    static double coarsestWavelengthStep(CoherenceWindow window, VisibleRange range, double tolerance) {
+    private static double coarsestWavelengthStep(CoherenceWindow window, VisibleRange range, double tolerance) {
         double shortest = CieTable.MINIMUM_WAVELENGTH;
         double deviation =
                 shortest * shortest * window.sigmaFrequency() / (Math.sqrt(2) * Math.max(1e-9, range.longestUv()));

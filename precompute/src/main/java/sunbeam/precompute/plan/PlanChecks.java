@@ -16,7 +16,8 @@ import sunbeam.precompute.units.Lengths;
 /** Refuses what cannot be right, with the numbers that say why. */
 final class PlanChecks {
     // A Gaussian of deviation s sampled at a pitch p has replicas of its spectrum one period 1 / p away. The first adds
-    // exp(-2 pi^2 s^2 / p^2), 6e-5 at s = 0.7 p or a coherence length of 2.8 p, where the spectrum itself is 1. What that
+    // exp(-2 pi^2 s^2 / p^2), 6e-5 at s = 0.7 p or a coherence length of 2.8 p, where the spectrum itself is 1. What
+    // that
     // does to a coherent power, PlanWarnings say.
     private static final double FEWEST_SAMPLES = 2.8;
 

@@ -17,7 +17,8 @@ final class PlanWarnings {
     // With five, the replicas of the window's spectrum meet at exp(-(5 pi / 4)^2 / 2) = 4e-4 of an amplitude.
     private static final double FEWEST_SAMPLES = 5;
 
-    // For the single row of a patch much longer than the window; with three samples in it the first replica alone counts.
+    // For the single row of a patch much longer than the window; with three samples in it the first replica alone
+    // counts.
     private static final int MOST_REPLICAS = 1000;
 
     // Units in the last place: a fifth of the bound, as measured for colours of orders at 65 um.

@@ -1,6 +1,8 @@
 package sunbeam.precompute.plan;
 
+import static sunbeam.precompute.plan.MethodSettings.ANCHOR;
 import static sunbeam.precompute.plan.MethodSettings.EXPANSION;
+import static sunbeam.precompute.plan.MethodSettings.RADIUS;
 import static sunbeam.precompute.plan.MethodSettings.TERMS;
 import static sunbeam.precompute.plan.MethodSettings.WAVELENGTH_STEP;
 
@@ -13,18 +15,25 @@ import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
 
 /**
- * What a user fixes of Fourier tables and the wavelengths at which they are read; the planner chooses the rest.
+ * What a user fixes of Fourier tables, of the bins that are summed, and of the wavelengths; the planner chooses the rest.
  *
  * @param accuracy what it chooses for
  * @param expansion kind of expansion
  * @param terms number of its terms
+ * @param neighbourhood of bins that are summed around each frequency
  * @param wavelengthStep of equal steps, metres
  */
 public record TableChoices(
-        Accuracy accuracy, Optional<ExpansionKind> expansion, OptionalInt terms, OptionalDouble wavelengthStep) {
-    /** The settings that these come from. */
+        Accuracy accuracy,
+        Optional<ExpansionKind> expansion,
+        OptionalInt terms,
+        Optional<Neighbourhood> neighbourhood,
+        OptionalDouble wavelengthStep) {
+    /** The settings that these come from, but for the neighbourhood's, which not all methods have. */
     public static final List<Setting<?>> SETTINGS =
             List.of(MethodSettings.PRESET, MethodSettings.TOLERANCE, EXPANSION, TERMS, WAVELENGTH_STEP);
+
+    private static final int THESIS_RADIUS = 1;
 
     public TableChoices {
         terms.ifPresent(TERMS.kind()::check);
@@ -33,25 +42,71 @@ public record TableChoices(
 
     /** Nothing fixed. */
     public static TableChoices of(Accuracy accuracy) {
-        return new TableChoices(accuracy, Optional.empty(), OptionalInt.empty(), OptionalDouble.empty());
+        return new TableChoices(
+                accuracy, Optional.empty(), OptionalInt.empty(), Optional.empty(), OptionalDouble.empty());
     }
 
-    /** As chosen. */
+    /** Nothing fixed but a tolerance. */
+    public static TableChoices within(double tolerance) {
+        return of(new Accuracy.ByTolerance(tolerance));
+    }
+
+    /**
+     * As chosen.
+     *
+     * @throws sunbeam.precompute.setting.SettingException for choices that do not fit together
+     */
     public static TableChoices of(Choices choices) {
+        Accuracy accuracy = Accuracy.of(choices);
         return new TableChoices(
-                Accuracy.of(choices),
+                accuracy,
                 choices.find(EXPANSION),
                 choices.find(TERMS).map(OptionalInt::of).orElseGet(OptionalInt::empty),
+                neighbourhood(choices, accuracy.isThesis()),
                 choices.find(WAVELENGTH_STEP).map(OptionalDouble::of).orElseGet(OptionalDouble::empty));
+    }
+
+    /** Where anything of it was chosen. An anchor by itself has the thesis's radius or none. */
+    private static Optional<Neighbourhood> neighbourhood(Choices choices, boolean thesis) {
+        if (!choices.has(RADIUS) && !choices.has(ANCHOR)) {
+            return Optional.empty();
+        }
+        if (!choices.has(RADIUS) && !thesis) {
+            throw choices.complaint(
+                    ANCHOR,
+                    "is the middle of a neighbourhood of bins, but no radius is given; add for example ",
+                    RADIUS,
+                    " 3, or leave ",
+                    ANCHOR,
+                    " out");
+        }
+        return Optional.of(new Neighbourhood(
+                choices.get(RADIUS, THESIS_RADIUS),
+                choices.get(ANCHOR, thesis ? Neighbourhood.Anchor.FLOOR : Neighbourhood.Anchor.NEAREST)));
+    }
+
+    /** Whether equal steps of the wavelength and a neighbourhood of bins take the place of a planned sampling. */
+    public boolean fixesBins() {
+        return accuracy.isThesis() || neighbourhood.isPresent() || wavelengthStep.isPresent();
+    }
+
+    /** The tolerance; the standard one where the thesis's choices stand in, for what a user leaves open beside them. */
+    double tolerance() {
+        return accuracy.tolerance().orElse(ErrorBudget.STANDARD);
     }
 
     /** The same with an expansion of so many terms. */
     public TableChoices withExpansion(ExpansionKind kind, int count) {
-        return new TableChoices(accuracy, Optional.of(kind), OptionalInt.of(count), wavelengthStep);
+        return new TableChoices(accuracy, Optional.of(kind), OptionalInt.of(count), neighbourhood, wavelengthStep);
+    }
+
+    /** The same with a neighbourhood of bins. */
+    public TableChoices with(Neighbourhood other) {
+        return new TableChoices(accuracy, expansion, terms, Optional.of(other), wavelengthStep);
     }
 
     /** The same at wavelengths so far apart, metres. */
     public TableChoices withWavelengthStep(double metres) {
-        return new TableChoices(accuracy, expansion, terms, OptionalDouble.of(metres));
+        return new TableChoices(accuracy, expansion, terms, neighbourhood, OptionalDouble.of(metres));
     }
 }

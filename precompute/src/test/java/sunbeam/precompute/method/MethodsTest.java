@@ -77,9 +77,9 @@ class MethodsTest {
                 .hasMessageStartingWith(
                         "anchor nearest is the middle of a neighbourhood of bins, but no radius is given");
         FullMethod method = (FullMethod) Methods.of(anchor.over(THESIS));
-        assertThat(method.neighbourhood()).contains(new Neighbourhood(1, Anchor.NEAREST));
+        assertThat(method.table().neighbourhood()).contains(new Neighbourhood(1, Anchor.NEAREST));
         FullMethod wide = (FullMethod) Methods.of(THESIS.with(RADIUS, 3));
-        assertThat(wide.neighbourhood()).contains(new Neighbourhood(3, Anchor.FLOOR));
+        assertThat(wide.table().neighbourhood()).contains(new Neighbourhood(3, Anchor.FLOOR));
     }
 
     @Test

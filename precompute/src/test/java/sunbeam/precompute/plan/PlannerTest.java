@@ -26,12 +26,12 @@ class PlannerTest {
     private static final VisibleRange MAP = VisibleRange.of(new Direction(0, 0, 1));
     private static final CieTable CIE = CieTable.load();
     private static final Request STANDARD =
-            new Request(TableChoices.of(Accuracy.ByTolerance.STANDARD), Optional.empty(), GaussianArea.STANDARD);
+            new Request(TableChoices.of(Accuracy.ByTolerance.STANDARD), GaussianArea.STANDARD);
     private static final Request THESIS =
-            new Request(TableChoices.of(new Accuracy.ThesisPreset()), Optional.empty(), GaussianArea.THESIS);
+            new Request(TableChoices.of(new Accuracy.ThesisPreset()), GaussianArea.THESIS);
 
     /** What is fixed of a plan. */
-    private record Request(TableChoices table, Optional<Neighbourhood> neighbourhood, GaussianArea area) {}
+    private record Request(TableChoices table, GaussianArea area) {}
 
     @Test
     void ordersThatTheWindowResolvesAreLookedAtOneByOne() {
@@ -61,7 +61,7 @@ class PlannerTest {
 
     @Test
     void theThesisStaysAsItIs() {
-        Plan plan = planner(64, 400e-9).plan(THESIS.table(), THESIS.neighbourhood(), THESIS.area(), MAP);
+        Plan plan = planner(64, 400e-9).plan(THESIS.table(), THESIS.area(), MAP);
 
         BinSampling bins = (BinSampling) plan.sampling();
         assertThat(bins.neighbourhood()).isEqualTo(new Neighbourhood(1, Neighbourhood.Anchor.FLOOR));
@@ -116,8 +116,7 @@ class PlannerTest {
         HeightMap map = Surfaces.random(1024, 1024, PITCH, 800e-9, 1);
         Planner planner = new Planner(map, HeightLevels.of(map), CIE, heap);
 
-        assertThatThrownBy(() ->
-                        planner.plan(STANDARD.table(), STANDARD.neighbourhood(), STANDARD.area(), VisibleRange.all()))
+        assertThatThrownBy(() -> planner.plan(STANDARD.table(), STANDARD.area(), VisibleRange.all()))
                 .isInstanceOf(SettingException.class)
                 .hasMessageContaining("coherence length 65 um and")
                 .hasMessageContaining("MB of memory, but Java's heap may take " + Math.round(heap * 1e-6) + " MB")
@@ -179,12 +178,11 @@ class PlannerTest {
     }
 
     private static Request withTolerance(Request request, double tolerance) {
-        return new Request(
-                TableChoices.of(new Accuracy.ByTolerance(tolerance)), request.neighbourhood(), request.area());
+        return new Request(TableChoices.within(tolerance), request.area());
     }
 
     private static Plan plan(Planner planner, Request request) {
-        return planner.plan(request.table(), request.neighbourhood(), request.area(), MAP);
+        return planner.plan(request.table(), request.area(), MAP);
     }
 
     private static List<String> warnings(Request request) {
@@ -204,8 +202,7 @@ class PlannerTest {
     void moreStepsThanDriversTakeAreRefusedBeforeAnythingIsComputed() {
         Request asked = request(Optional.empty(), 0, OptionalInt.of(15), 65e-6, 0.05e-9);
 
-        assertThatThrownBy(() -> planner(64, 400e-9)
-                        .plan(asked.table(), asked.neighbourhood(), asked.area(), VisibleRange.all()))
+        assertThatThrownBy(() -> planner(64, 400e-9).plan(asked.table(), asked.area(), VisibleRange.all()))
                 .isInstanceOf(SettingException.class)
                 .hasMessageContaining("65,535");
     }
@@ -216,7 +213,7 @@ class PlannerTest {
         GaussianArea area = GaussianArea.STANDARD.with(CoherenceWindow.ofCoherenceLength(5e-6));
 
         Plan plan = new Planner(line, HeightLevels.of(line), CIE, MUCH_MEMORY)
-                .plan(TableChoices.of(Accuracy.ByTolerance.STANDARD), Optional.empty(), area, VisibleRange.all());
+                .plan(TableChoices.of(Accuracy.ByTolerance.STANDARD), area, VisibleRange.all());
 
         Neighbourhood bins = ((OrderSampling) plan.sampling()).neighbourhood();
         assertThat(bins.radiusY()).isEqualTo(1);
@@ -234,11 +231,11 @@ class PlannerTest {
                 Accuracy.ByTolerance.STANDARD,
                 expansion,
                 terms == 0 ? OptionalInt.empty() : OptionalInt.of(terms),
+                radius.isEmpty()
+                        ? Optional.empty()
+                        : Optional.of(new Neighbourhood(radius.getAsInt(), Neighbourhood.Anchor.NEAREST)),
                 wavelengthStep == 0 ? OptionalDouble.empty() : OptionalDouble.of(wavelengthStep));
-        Optional<Neighbourhood> neighbourhood = radius.isEmpty()
-                ? Optional.empty()
-                : Optional.of(new Neighbourhood(radius.getAsInt(), Neighbourhood.Anchor.NEAREST));
         CoherenceWindow window = CoherenceWindow.ofCoherenceLength(coherenceLength);
-        return new Request(table, neighbourhood, GaussianArea.STANDARD.with(window));
+        return new Request(table, GaussianArea.STANDARD.with(window));
     }
 }

@@ -3,7 +3,6 @@ package sunbeam.precompute.plan;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
-import java.util.Optional;
 import java.util.stream.Stream;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
@@ -81,7 +80,6 @@ class SamplingTablesTest {
         return new Planner(SKIN, HeightLevels.of(SKIN), CIE)
                 .plan(
                         TableChoices.of(accuracy),
-                        Optional.empty(),
                         new GaussianArea(window, WindowOrigin.CENTRE, average),
                         VisibleRange.of(new Direction(0, 0, 1)));
     }

@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.Arrays;
-import java.util.Optional;
 import java.util.SplittableRandom;
 import java.util.concurrent.atomic.AtomicLong;
 import org.junit.jupiter.api.Test;
@@ -19,7 +18,6 @@ import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.WindowOrigin;
 import sunbeam.precompute.patch.HeightLevels;
 import sunbeam.precompute.patch.HeightMap;
-import sunbeam.precompute.plan.Accuracy;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.Plan;
@@ -44,8 +42,7 @@ class RayColoursTest {
         PatchIdentity identity =
                 new PatchIdentity("test", map.columns(), map.rows(), map.pitchX(), map.pitchY(), "digest");
         Surface surface = new Surface(map, HeightLevels.of(map), identity, CieTable.load());
-        Plan plan = surface.planner()
-                .plan(TableChoices.of(new Accuracy.ByTolerance(1e-4)), Optional.empty(), ENSEMBLE, VisibleRange.all());
+        Plan plan = surface.planner().plan(TableChoices.within(1e-4), ENSEMBLE, VisibleRange.all());
         Plan wide = RaySpectrum.widened(plan, map.width(), map.height(), shortest.window());
         FourierTable table = new TableBuilder(identity, surface.levels(), terms -> {})
                 .build(wide.expansion(), wide.bandX(), wide.bandY());

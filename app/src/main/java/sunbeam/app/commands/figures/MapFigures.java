@@ -22,7 +22,7 @@ final class MapFigures {
     private static final FullMethod PLANNED = FullMethod.within(ErrorBudget.STANDARD);
     private static final FullMethod THESIS = FullMethod.thesis().with(GaussianArea.STANDARD);
     private static final NmmMethod NMM = NmmMethod.within(ErrorBudget.STANDARD);
-    private static final NmmMethod NMM_THESIS = new NmmMethod(THESIS.table(), Optional.empty(), THESIS.area());
+    private static final NmmMethod NMM_THESIS = new NmmMethod(THESIS.table(), THESIS.area());
     private static final double[] STEPS_NANOMETRES = {1, 5, 10, 20, 40};
     private static final int[] TERMS = {2, 4, 6, 8, 12, 16, 24, 37};
     private static final double[] COHERENCE_LENGTHS_MICROMETRES = {65, 32, 16, 8, 4};
