@@ -149,7 +149,7 @@ public record BinSampling(Neighbourhood neighbourhood, WavelengthNodes wavelengt
 
     @Override
     public long loopSteps(Plan plan) {
-        return wavelengths.count() * neighbourhood.loopSteps(plan.expansion().terms());
+        return wavelengths.count() * neighbourhood.loopSteps();
     }
 
     @Override

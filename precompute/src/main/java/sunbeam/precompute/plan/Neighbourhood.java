@@ -53,12 +53,9 @@ public record Neighbourhood(int radiusX, int radiusY, Anchor anchor) {
         return radiusY + 1;
     }
 
-    /**
-     * Steps of loops that one wavelength takes, at least as many as drivers count (shaders/method/neighbourhood.glsl): of
-     * loops over a bin's terms compilers write sixteen steps out, and more where these are not too many.
-     */
-    long loopSteps(int terms) {
-        return bins() * (1 + (terms + 15L) / 16) + 2L * radiusY + 1;
+    /** Steps of loops that one wavelength takes (shaders/method/neighbourhood.glsl): those over a bin's terms are written out. */
+    long loopSteps() {
+        return bins() + 2L * radiusY + 1;
     }
 
     /** Texture reads of all bins. */

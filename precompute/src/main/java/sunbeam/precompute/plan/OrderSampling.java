@@ -112,7 +112,7 @@ public record OrderSampling(Neighbourhood neighbourhood, Optional<OrderNodes> re
     public long loopSteps(Plan plan) {
         return resolved.isPresent()
                 ? nodes(plan)
-                : nodes(plan) * neighbourhood.loopSteps(plan.expansion().terms());
+                : nodes(plan) * neighbourhood.loopSteps();
     }
 
     @Override
