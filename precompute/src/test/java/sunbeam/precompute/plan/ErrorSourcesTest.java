@@ -3,7 +3,6 @@ package sunbeam.precompute.plan;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.Arrays;
-import java.util.Optional;
 import java.util.SplittableRandom;
 import java.util.stream.Stream;
 import org.apache.commons.math3.complex.Complex;
@@ -49,8 +48,7 @@ final class ErrorSourcesTest {
     private static Expansion expansion(HeightMap map, double tolerance) {
         return new Planner(map, HeightLevels.of(map), CieTable.load(), HEAP)
                 .plan(
-                        TableChoices.of(new Accuracy.ByTolerance(tolerance)),
-                        Optional.empty(),
+                        TableChoices.within(tolerance),
                         new GaussianArea(WINDOW, WindowOrigin.CENTRE, Average.COHERENT),
                         VisibleRange.all())
                 .expansion();
