@@ -110,9 +110,7 @@ public record OrderSampling(Neighbourhood neighbourhood, Optional<OrderNodes> re
 
     @Override
     public long loopSteps(Plan plan) {
-        return resolved.isPresent()
-                ? nodes(plan)
-                : nodes(plan) * neighbourhood.loopSteps();
+        return resolved.isPresent() ? nodes(plan) : nodes(plan) * neighbourhood.loopSteps();
     }
 
     @Override
