@@ -9,6 +9,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.OptionalInt;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.WavelengthNodes;
 import sunbeam.precompute.expansion.CoefficientTable;
@@ -45,9 +46,12 @@ import sunbeam.precompute.shader.TableArray;
  *
  * @param table the tables and wavelengths
  * @param interpolation between the bins of one period's DFT
- * @param repetition how often
+ * @param window whose coherence length the replicas come closest to along each axis
+ * @param replicas along both axes, 1..{@link Replicas#MOST}, whatever the window
  */
-public record PqMethod(TableChoices table, PeriodInterpolation interpolation, Repetition repetition) implements Method {
+public record PqMethod(
+        TableChoices table, PeriodInterpolation interpolation, CoherenceWindow window, OptionalInt replicas)
+        implements Method {
     // The thesis's, metres.
     private static final double COARSEST_STEP = 5e-9;
 
@@ -61,38 +65,8 @@ public record PqMethod(TableChoices table, PeriodInterpolation interpolation, Re
                     "pq", "the patch repeated Q times, sharp edge.", settings(), PqMethod::of)
             .fixing(AVERAGE, Average.COHERENT);
 
-    /** How often the patch is repeated. */
-    public sealed interface Repetition {
-        /** For a patch. */
-        Replicas of(HeightMap map);
-    }
-
-    /**
-     * As often as comes closest to a coherence length.
-     *
-     * @param window that length's
-     */
-    public record Filling(CoherenceWindow window) implements Repetition {
-        @Override
-        public Replicas of(HeightMap map) {
-            return Replicas.filling(window, map.width(), map.height());
-        }
-    }
-
-    /**
-     * So many times along both axes, whatever the coherence length.
-     *
-     * @param replicas 1..{@link Replicas#MOST}
-     */
-    public record Times(int replicas) implements Repetition {
-        public Times {
-            REPLICAS.kind().check(replicas);
-        }
-
-        @Override
-        public Replicas of(HeightMap map) {
-            return new Replicas(replicas, replicas);
-        }
+    public PqMethod {
+        replicas.ifPresent(REPLICAS.kind()::check);
     }
 
     private static List<Setting<?>> settings() {
@@ -102,15 +76,17 @@ public record PqMethod(TableChoices table, PeriodInterpolation interpolation, Re
     }
 
     private static PqMethod of(Choices choices) {
-        Repetition repetition = choices.find(REPLICAS)
-                .<Repetition>map(Times::new)
-                .orElseGet(() -> new Filling(GaussianArea.windowOf(choices)));
-        return new PqMethod(TableChoices.of(choices), choices.get(INTERPOLATION), repetition);
+        return new PqMethod(
+                TableChoices.of(choices),
+                choices.get(INTERPOLATION),
+                GaussianArea.windowOf(choices),
+                choices.find(REPLICAS).map(OptionalInt::of).orElseGet(OptionalInt::empty));
     }
 
     /** Planned for a tolerance, filling sunlight's coherence length. */
     public static PqMethod within(double tolerance, PeriodInterpolation interpolation) {
-        return new PqMethod(TableChoices.within(tolerance), interpolation, new Filling(GaussianArea.STANDARD.window()));
+        return new PqMethod(
+                TableChoices.within(tolerance), interpolation, GaussianArea.STANDARD.window(), OptionalInt.empty());
     }
 
     @Override
@@ -118,9 +94,15 @@ public record PqMethod(TableChoices table, PeriodInterpolation interpolation, Re
         return TYPE;
     }
 
+    private Replicas replicas(HeightMap map) {
+        return replicas.isPresent()
+                ? new Replicas(replicas.getAsInt(), replicas.getAsInt())
+                : Replicas.filling(window, map.width(), map.height());
+    }
+
     @Override
     public ReferenceMethod exact(HeightMap map) {
-        return new ReferenceMethod(new ReplicatedArea(repetition.of(map)));
+        return new ReferenceMethod(new ReplicatedArea(replicas(map)));
     }
 
     @Override
@@ -132,12 +114,12 @@ public record PqMethod(TableChoices table, PeriodInterpolation interpolation, Re
 
     @Override
     public MethodPlan plan(Surface surface, VisibleRange range) {
-        Replicas replicas = repetition.of(surface.map());
-        double step = table.accuracy().isThesis() ? COARSEST_STEP : wavelengthStep(surface.map(), replicas, range);
+        Replicas repeated = replicas(surface.map());
+        double step = table.accuracy().isThesis() ? COARSEST_STEP : wavelengthStep(surface.map(), repeated, range);
         WavelengthNodes wavelengths =
                 WavelengthNodes.uniform(surface.cie(), table.wavelengthStep().orElse(step));
         Planned planned = new Planned(
-                surface, surface.planner().expansion(table, range), range, interpolation, replicas, wavelengths);
+                surface, surface.planner().expansion(table, range), range, interpolation, repeated, wavelengths);
         surface.planner().excess(planned.memory()).ifPresent(excess -> {
             throw new SettingException(
                     Methods.METHOD,

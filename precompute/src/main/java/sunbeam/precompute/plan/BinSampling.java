@@ -143,11 +143,6 @@ public record BinSampling(Neighbourhood neighbourhood, WavelengthNodes wavelengt
     }
 
     @Override
-    public long reads(Plan plan) {
-        return wavelengths.count() * neighbourhood.reads(plan.expansion().terms());
-    }
-
-    @Override
     public long loopSteps(Plan plan) {
         return wavelengths.count() * neighbourhood.loopSteps();
     }

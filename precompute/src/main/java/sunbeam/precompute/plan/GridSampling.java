@@ -137,12 +137,6 @@ public record GridSampling(
     }
 
     @Override
-    public long reads(Plan plan) {
-        // Two complex terms share a texel.
-        return (plan.expansion().terms() + 1L) / 2 * mostNodes(plan.range()) * interpolation.taps();
-    }
-
-    @Override
     public long loopSteps(Plan plan) {
         // Loops over the taps of a texel are written out, those over texels may not be.
         long layers = (2L * plan.expansion().terms() + 3) / 4;

@@ -125,7 +125,8 @@ public record MemoryNeed(long heapBytes, long textureBytes, long largestTextureB
         return Optional.of(String.format(Locale.ROOT, "need " + what, numbers));
     }
 
-    private static String inWords(long bytes) {
+    /** "12 MB". */
+    static String inWords(long bytes) {
         return bytes < 1_000_000_000
                 ? String.format(Locale.ROOT, "%.0f MB", bytes * 1e-6)
                 : String.format(Locale.ROOT, "%.1f GB", bytes * 1e-9);

@@ -57,9 +57,4 @@ public record Neighbourhood(int radiusX, int radiusY, Anchor anchor) {
     long loopSteps() {
         return bins() + 2L * radiusY + 1;
     }
-
-    /** Texture reads of all bins. */
-    long reads(int terms) {
-        return bins() * terms;
-    }
 }

@@ -104,11 +104,6 @@ public record OrderSampling(Neighbourhood neighbourhood, Optional<OrderNodes> re
     }
 
     @Override
-    public long reads(Plan plan) {
-        return nodes(plan) * neighbourhood.reads(plan.expansion().terms());
-    }
-
-    @Override
     public long loopSteps(Plan plan) {
         return resolved.isPresent() ? nodes(plan) : nodes(plan) * neighbourhood.loopSteps();
     }

@@ -13,9 +13,6 @@ import sunbeam.precompute.units.Lengths;
 
 /** A plan in words. */
 public final class PlanReport {
-    // 81 wavelengths, 3 x 3 bins, 37 terms.
-    private static final int THESIS_READS = 81 * 9 * 37;
-
     private final Plan plan;
 
     public PlanReport(Plan plan) {
@@ -62,21 +59,13 @@ public final class PlanReport {
     }
 
     /**
-     * One line: memory on the graphics card and texture reads of the pixel that takes most, beside those of the thesis's
-     * shader.
+     * One line: memory on the graphics card.
      *
      * @param patchRows of the height map
      */
     public String cost(int patchRows) {
-        return format(
-                "textures of at most %s; up to %d texture reads a pixel (the thesis's shader: %d)",
-                megabytes((double) MemoryNeed.of(plan, patchRows).textureBytes()),
-                plan.sampling().reads(plan),
-                THESIS_READS);
-    }
-
-    private static String megabytes(double bytes) {
-        return bytes < 1e9 ? format("%.0f MB", bytes * 1e-6) : format("%.1f GB", bytes * 1e-9);
+        return "textures of at most "
+                + MemoryNeed.inWords(MemoryNeed.of(plan, patchRows).textureBytes());
     }
 
     /** Several lines: each choice and its reason. */

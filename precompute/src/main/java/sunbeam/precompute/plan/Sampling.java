@@ -49,9 +49,6 @@ public sealed interface Sampling permits BinSampling, GridSampling, OrderSamplin
      */
     int marginY(CoherenceWindow window, double height);
 
-    /** Texture reads of the pixel that takes most. */
-    long reads(Plan plan);
-
     /** Steps that the loops of the pixel that takes most make together, but for those that compilers write out. */
     long loopSteps(Plan plan);
 

@@ -66,7 +66,7 @@ final class InspectCommandTest {
                 .contains("periods   1600.0 nm, 95 % interval 1598", "nm, in direction 0.0")
                 .containsPattern("in direction 0\\.0[0-9]* \\+- 0\\.0[0-9]* degrees \\(95 %\\)")
                 .contains("plan ")
-                .containsPattern("cost +textures of at most [0-9.]+ [MG]B; up to [0-9]+ texture reads a pixel")
+                .containsPattern("cost +textures of at most [0-9.]+ [MG]B")
                 .endsWith(picture() + System.lineSeparator());
         BufferedImage sheet = ImageIO.read(new File(picture()));
         assertThat(sheet.getWidth()).isGreaterThan(1000);

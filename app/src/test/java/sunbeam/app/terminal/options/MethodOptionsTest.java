@@ -43,7 +43,7 @@ class MethodOptionsTest {
     void aMethodTakesItsOwnOptions() {
         PqMethod pq = (PqMethod) method("--method pq --interpolation linear --replicas 7");
         assertThat(pq.interpolation()).isEqualTo(PeriodInterpolation.LINEAR);
-        assertThat(pq.repetition()).isEqualTo(new PqMethod.Times(7));
+        assertThat(pq.replicas()).hasValue(7);
         assertThat(((GemMethod) method("--method gem --spacing 1.6um")).spacing())
                 .hasValue(1.6e-6);
     }
