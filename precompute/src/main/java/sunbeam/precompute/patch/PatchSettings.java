@@ -2,6 +2,7 @@ package sunbeam.precompute.patch;
 
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Stream;
 import sunbeam.precompute.prepare.Crop;
 import sunbeam.precompute.prepare.Edges;
 import sunbeam.precompute.prepare.Levelling;
@@ -114,35 +115,13 @@ public final class PatchSettings {
     public static final List<Setting<?>> PREPARING = List.of(CROP, LEVEL, DESPIKE, EDGES, PERIODIC);
 
     /** What may be said of a file's heights, in a descriptor or beside an image's name. */
-    public static final List<Setting<?>> OF_FILES = List.of(
-            WIDTH,
-            HEIGHT,
-            MAX_HEIGHT,
-            HEIGHT_UNIT,
-            COLUMNS,
-            DECIMAL_MARK,
-            CHANNEL,
-            LEVEL,
-            CROP,
-            DESPIKE,
-            EDGES,
-            PERIODIC);
+    public static final List<Setting<?>> OF_FILES = Stream.of(SCALE, List.<Setting<?>>of(CHANNEL), PREPARING)
+            .<Setting<?>>flatMap(List::stream)
+            .toList();
 
     /** All, the surface first. */
-    public static final List<Setting<?>> ALL = List.of(
-            PATCH,
-            WIDTH,
-            HEIGHT,
-            MAX_HEIGHT,
-            HEIGHT_UNIT,
-            COLUMNS,
-            DECIMAL_MARK,
-            CHANNEL,
-            LEVEL,
-            CROP,
-            DESPIKE,
-            EDGES,
-            PERIODIC);
+    public static final List<Setting<?>> ALL =
+            Stream.concat(Stream.<Setting<?>>of(PATCH), OF_FILES.stream()).toList();
 
     private PatchSettings() {}
 

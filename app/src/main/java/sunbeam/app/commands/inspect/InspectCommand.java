@@ -69,7 +69,10 @@ public final class InspectCommand implements Callable<Integer> {
         AtomicFile.checkNamed(output, force.overwrite());
         Patch loaded = load();
         loaded.notes().forEach(note -> err.println(Messages.note(loaded.name() + ": " + note)));
-        loaded.warnings().forEach(warning -> err.println(Messages.warning(loaded.name() + ": " + warning)));
+        // One line beside the report, which has the others.
+        loaded.warnings().stream()
+                .limit(1)
+                .forEach(warning -> err.println(Messages.warning(loaded.name() + ": " + warning)));
         err.flush();
         Path picture = output != null ? output : Path.of("inspect-" + loaded.name() + ".png");
         AtomicFile.checkWritable(picture, force.overwrite(output));
@@ -77,6 +80,7 @@ public final class InspectCommand implements Callable<Integer> {
         List<String> lines = inspection.lines();
         if (!json.isAsked()) {
             lines.forEach(out::println);
+            loaded.warnings().stream().skip(1).forEach(warning -> out.println("also: " + warning));
             out.flush();
         }
         Map<String, String> text = new LinkedHashMap<>();

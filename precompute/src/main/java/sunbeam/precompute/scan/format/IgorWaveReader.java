@@ -62,19 +62,14 @@ final class IgorWaveReader implements ScanReader {
     @Override
     public List<ScanChannel> channels(ScanBytes file) throws IOException {
         ByteOrder order = order(file);
-        ByteCursor cursor = file.cursor(4, order);
-        cursor.skip(Integer.BYTES);
-        long formula = cursor.unsigned32();
-        long note = cursor.unsigned32();
-        long dataUnit = cursor.unsigned32();
-        long otherUnits = 0;
-        for (int i = 0; i < 4; i++) {
-            otherUnits += cursor.unsigned32();
+        ByteCursor cursor = file.cursor(8, order);
+        // Sizes of what follows the samples: formula, note, units of the data and of four dimensions, labels of the
+        // first two.
+        long beforeLabels = 0;
+        for (int i = 0; i < 9; i++) {
+            beforeLabels += cursor.unsigned32();
         }
-        long[] labels = new long[4];
-        for (int i = 0; i < 4; i++) {
-            labels[i] = cursor.unsigned32();
-        }
+        long labels = cursor.unsigned32();
         cursor.moveTo(TYPE);
         SampleType type = type(cursor.int16());
         cursor.moveTo(DIMENSIONS);
@@ -95,8 +90,7 @@ final class IgorWaveReader implements ScanReader {
         long data = BIN_HEADER + WAVE_HEADER;
         long texts = data + Math.multiplyExact(Math.multiplyExact(count, layers), type.size());
         file.requireInside(data, texts - data);
-        long firstLabel = texts + formula + note + dataUnit + otherUnits + labels[0] + labels[1];
-        List<String> names = names(file, firstLabel, labels[2], layers, order);
+        List<String> names = names(file, texts + beforeLabels, labels, layers, order);
         Extent extent = Extent.ofPitches(pitchX, pitchY, unitXy, columns, rows);
         List<ScanChannel> channels = new ArrayList<>();
         for (int layer = 0; layer < layers; layer++) {
