@@ -3,21 +3,15 @@ package sunbeam.app.viewer;
 /** Told on the event thread what is asked for and what has come on screen; for measuring. */
 interface FrameObserver {
     /** Nobody watches. */
-    FrameObserver NONE = new FrameObserver() {
-        @Override
-        public void asked(ViewState state) {}
-
-        @Override
-        public void shown(ViewState state, int divisor) {}
-    };
+    FrameObserver NONE = new FrameObserver() {};
 
     /** A state is wanted on screen. */
-    void asked(ViewState state);
+    default void asked(ViewState state) {}
 
     /**
      * A state has been painted as a preview.
      *
      * @param divisor the preview has a divisor-th of the columns and rows
      */
-    void shown(ViewState state, int divisor);
+    default void shown(ViewState state, int divisor) {}
 }

@@ -15,6 +15,7 @@ import java.util.concurrent.TimeoutException;
 import java.util.function.Supplier;
 import javax.swing.SwingUtilities;
 import jrtr.ContextInfo;
+import jrtr.GraphicsException;
 import sunbeam.app.scene.Scene;
 import sunbeam.precompute.optics.Direction;
 
@@ -30,7 +31,7 @@ final class Viewer {
     private final Background loading = new Background("loading");
     private final Background writing = new Background("files");
     private final CountDownLatch closed = new CountDownLatch(1);
-    private final FirstPicture firstPicture = new FirstPicture();
+    private final CompletableFuture<Void> firstPicture = new CompletableFuture<>();
     private final StartJournal journal;
     private final Sparing sparing;
     private Scene asLoaded;
@@ -122,9 +123,22 @@ final class Viewer {
         return inspector;
     }
 
-    /** For waiting until something is to be seen. */
-    FirstPicture firstPicture() {
-        return firstPicture;
+    /**
+     * Waits until something is to be seen. Not on the event thread.
+     *
+     * @throws GraphicsException if it cannot be, says why
+     */
+    void awaitPicture() throws InterruptedException {
+        try {
+            firstPicture.get();
+        } catch (ExecutionException failure) {
+            throw new GraphicsException(failure.getCause().getMessage());
+        }
+    }
+
+    /** Without effect once there has been a picture. */
+    private void noPicture(String why) {
+        firstPicture.completeExceptionally(new GraphicsException(why));
     }
 
     /** When what was reached. */
@@ -212,7 +226,7 @@ final class Viewer {
         loading.close();
         writing.finish();
         inspector.close();
-        firstPicture.cannotCome("the window was closed");
+        noPicture("the window was closed");
         closed.countDown();
     }
 
@@ -364,7 +378,7 @@ final class Viewer {
         public void problem(String message) {
             window.status().message(message);
             if (model.loaded().isEmpty()) {
-                firstPicture.cannotCome(message);
+                noPicture(message);
                 window.picture().showMessage(message);
             }
         }
@@ -382,7 +396,7 @@ final class Viewer {
         @Override
         public void failed(String message) {
             failed = true;
-            firstPicture.cannotCome(message);
+            noPicture(message);
             window.picture().showMessage("No picture: " + message);
             window.status().message(message);
         }
@@ -391,7 +405,7 @@ final class Viewer {
         public void refused(String message) {
             window.status().message(message);
             window.status().refused();
-            firstPicture.cannotCome(message);
+            noPicture(message);
             model.loadRest();
             if (window.picture().picture().isEmpty()) {
                 window.picture().showMessage(message);
@@ -442,7 +456,7 @@ final class Viewer {
 
         private void show(
                 ViewState state, BufferedImage image, boolean isFinal, boolean hasDiffraction, double exposure) {
-            firstPicture.came();
+            firstPicture.complete(null);
             shown = state;
             followLoad();
             window.picture().showPicture(image, state.width(), state.height(), isFinal);

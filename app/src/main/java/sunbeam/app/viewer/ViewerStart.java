@@ -48,7 +48,7 @@ final class ViewerStart {
         requireScreen();
         Viewer viewer = open(scene, environment, warning);
         try {
-            viewer.firstPicture().await();
+            viewer.awaitPicture();
             if (viewer.awaitTables(LONGEST_WAIT_MILLISECONDS)) {
                 viewer.journal().reached(StartJournal.Stage.TABLES);
             }

@@ -34,7 +34,7 @@ final class ViewerLifeWindowTest extends ViewerInAWindow {
             made.start();
             return made;
         });
-        assertThatThrownBy(() -> blind.firstPicture().await()).hasMessageContaining("no OpenGL 3.3 here");
+        assertThatThrownBy(blind::awaitPicture).hasMessageContaining("no OpenGL 3.3 here");
         onEvents(() -> {
             JLabel label = (JLabel) blind.window().picture().getComponent(0);
             assertThat(label.isVisible()).isTrue();
