@@ -7,6 +7,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -43,6 +44,7 @@ class SharedReferenceTest {
     }
 
     /** All rows of the small patch, two of each large one, which take ten seconds a row. */
+    @Tag("thorough")
     @ParameterizedTest
     @CsvSource({"blaze, 8", "elaphe, 2", "xenopeltis, 2"})
     void coloursAreTheSame(String patch, int rows) throws Exception {

@@ -1,6 +1,7 @@
 package sunbeam.app.fuzz;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -23,6 +24,7 @@ final class FuzzRun {
 
     @Test
     void run() throws Exception {
+        assumeTrue(System.getProperty(FuzzTarget.READER) != null, "skipped: run ./sunbeam fuzz READER");
         FuzzedReader reader = FuzzedReader.of(System.getProperty(FuzzTarget.READER));
         double minutes = Double.parseDouble(System.getProperty("sunbeam.fuzz.minutes"));
         Path work = Path.of("target", "fuzz", reader.label());
