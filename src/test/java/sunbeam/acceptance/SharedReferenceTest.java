@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.io.TempDir;
@@ -30,7 +31,7 @@ class SharedReferenceTest {
     void everyPowerIsTheSame(String patch) throws Exception {
         CsvFile exact = SharedData.reference("power", patch);
 
-        CsvFile ours = reference(patch, exact);
+        CsvFile ours = reference(patch, exact, "--both-averages");
 
         for (int row = 0; row < exact.size(); row++) {
             for (String column : List.of("power", "power_ensemble", "rho", "brdf")) {
@@ -85,7 +86,9 @@ class SharedReferenceTest {
         }
     }
 
-    private static CsvFile reference(String patch, CsvFile directions) throws Exception {
-        return Reflectance.of(workplace, SharedData.patch(patch).toString(), directions, "--method", "reference");
+    private static CsvFile reference(String patch, CsvFile directions, String... options) throws Exception {
+        String[] all = Stream.concat(Stream.of("--method", "reference"), Stream.of(options))
+                .toArray(String[]::new);
+        return Reflectance.of(workplace, SharedData.patch(patch).toString(), directions, all);
     }
 }

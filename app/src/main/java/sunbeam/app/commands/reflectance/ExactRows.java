@@ -12,7 +12,7 @@ record ExactRows(ExactLight exact, DirectionList list) {
 
     TableCertifier certifier(List<double[]> results) {
         if (list.spectral()) {
-            // Columns power and power_ensemble.
+            // Coherent power, ensemble's power.
             int column = exact.ensemble() ? 1 : 0;
             return new TableCertifier(
                     row -> new double[] {results.get(row)[column]},

@@ -1,13 +1,16 @@
 package sunbeam.app.commands.reflectance;
 
+import static sunbeam.precompute.plan.MethodSettings.AVERAGE;
 import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
 
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
+import java.util.stream.DoubleStream;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -34,6 +37,7 @@ import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.method.ReferenceMethod;
 import sunbeam.precompute.method.TableMethod;
 import sunbeam.precompute.optics.RefractiveIndex;
+import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.Choices;
 
@@ -43,13 +47,11 @@ import sunbeam.precompute.setting.Choices;
         header = "Evaluate a list of directions: CSV in, CSV out.",
         description = "Evaluate a list of directions. The input is a CSV file with a header and the columns theta_i,"
                 + " phi_i, theta_r, phi_r in degrees and, for one wavelength a row, wavelength in nm; other columns are"
-                + " ignored. The output repeats these columns and adds power, power_ensemble, rho and brdf (1/sr,"
-                + " without mask); without wavelengths, X, Y, Z of power and the gain that turns them into rho."
+                + " ignored. The output repeats these columns and adds power of the chosen --average, the same under that"
+                + " average's name (power_coherent or power_ensemble), rho and brdf (1/sr, without mask); without"
+                + " wavelengths, X, Y, Z of power and the gain that turns them into rho."
                 + " See docs/conventions.md.")
 public final class ReflectanceCommand implements Callable<Integer> {
-    private static final List<String> SPECTRAL_RESULTS = List.of("power", "power_ensemble", "rho", "brdf");
-    private static final List<String> COLOUR_RESULTS = List.of("X", "Y", "Z", "gain");
-
     private final Environment environment;
 
     @Mixin
@@ -69,6 +71,9 @@ public final class ReflectanceCommand implements Callable<Integer> {
 
     @Option(names = "--directions", paramLabel = "IN.csv", required = true, description = "The directions.")
     private Path directions;
+
+    @Option(names = "--both-averages", description = "Write power_coherent and power_ensemble, whichever is chosen.")
+    private boolean bothAverages;
 
     @Option(names = "--output", paramLabel = "OUT.csv", required = true, description = "The results.")
     private Path output;
@@ -94,6 +99,10 @@ public final class ReflectanceCommand implements Callable<Integer> {
             // Before the surface is loaded and planned for.
             throw DiffractionSetup.withoutPower();
         }
+        if (bothAverages && !list.spectral()) {
+            throw new UsageException("--both-averages needs a power, which " + directions
+                    + " has not: give it the column wavelength, or leave the option out");
+        }
         RefractiveIndex material = material(list);
         AtomicFile.checkWritable(output, force.overwrite());
         PrintWriter err = specification.commandLine().getErr();
@@ -101,8 +110,13 @@ public final class ReflectanceCommand implements Callable<Integer> {
         DiffractionSetup setup = new DiffractionSetup(patchOptions, asked, environment, err);
         Choices choices = setup.seen(asked, err);
         Method method = Methods.of(choices);
+        ResultColumns columns =
+                new ResultColumns(list.spectral(), choices.get(AVERAGE) == Average.ENSEMBLE, bothAverages);
         if (method instanceof ReferenceMethod) {
-            write(list, of(material, setup, list, new ReferenceDirections(setup.exact(method)).evaluate(list)));
+            write(
+                    list,
+                    columns,
+                    of(material, setup, list, new ReferenceDirections(setup.exact(method)).evaluate(list)));
             out.println(StandardOutput.name(output));
             return ExitCode.OK.code();
         }
@@ -114,7 +128,7 @@ public final class ReflectanceCommand implements Callable<Integer> {
         Optional<Certificate> certificate = certify.certificate(count -> new ExactRows(setup.exact(method), list)
                 .certifier(results)
                 .certify(list.size(), count, choices.get(TOLERANCE)));
-        write(list, of(material, setup, list, results));
+        write(list, columns, of(material, setup, list, results));
         out.println(StandardOutput.name(output));
         return certificate
                 .map(stated -> CertifyOption.judge(stated, plan, choices, out, err))
@@ -137,18 +151,15 @@ public final class ReflectanceCommand implements Callable<Integer> {
         return new IndexedRows(material, setup.cie()).of(list, results);
     }
 
-    private void write(DirectionList list, List<double[]> results) {
+    private void write(DirectionList list, ResultColumns columns, List<double[]> results) {
         List<String> header = new ArrayList<>(list.columns());
-        header.addAll(list.spectral() ? SPECTRAL_RESULTS : COLOUR_RESULTS);
+        header.addAll(columns.names());
         AtomicFile.write(output, force.overwrite(), stream -> {
             try (CsvWriter writer = new CsvWriter(stream, header)) {
                 for (int row = 0; row < list.size(); row++) {
-                    double[] given = list.row(row);
-                    double[] computed = results.get(row);
-                    double[] cells = new double[given.length + computed.length];
-                    System.arraycopy(given, 0, cells, 0, given.length);
-                    System.arraycopy(computed, 0, cells, given.length, computed.length);
-                    writer.row(cells);
+                    writer.row(DoubleStream.concat(
+                                    Arrays.stream(list.row(row)), Arrays.stream(columns.of(results.get(row))))
+                            .toArray());
                 }
             }
         });
