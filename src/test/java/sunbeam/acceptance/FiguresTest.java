@@ -51,13 +51,13 @@ class FiguresTest {
 
         Complaint.assertThatIt(
                 workplace.command(DRAW.split(" ", -1)).run(),
-                Complaint.CANNOT_WRITE,
+                Complaint.OUTPUT_EXISTS,
                 "cannot write f/index.html: it exists and is no page of figures; add --force");
         Files.delete(folder.resolve("index.html"));
         Files.writeString(folder.resolve("5.5-blaze-full-0.png"), "mine");
         Complaint.assertThatIt(
                 workplace.command(DRAW.split(" ", -1)).run(),
-                Complaint.CANNOT_WRITE,
+                Complaint.OUTPUT_EXISTS,
                 "cannot write f/5.5-blaze-full-0.png: it exists, with other parameters; add --force");
         assertThat(folder.resolve("5.5-blaze-full-0.png")).hasContent("mine");
         assertThat(folder).isDirectoryNotContaining(file -> file.toString().endsWith(".part"));

@@ -71,6 +71,14 @@ public final class Sunbeam {
         return this;
     }
 
+    /**
+     * Lets SIGINT end it as it does from a terminal, also where these tests run in a shell that ignores the signal (nohup,
+     * cron), which processes inherit.
+     */
+    Sunbeam interruptible() {
+        return startedBy(List.of("env", "--default-signal=INT"));
+    }
+
     /** Sets an environment variable. */
     public Sunbeam with(String variable, String value) {
         environment.put(variable, value);

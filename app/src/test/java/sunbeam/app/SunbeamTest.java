@@ -149,7 +149,7 @@ final class SunbeamTest {
                 "--theta-i 30 brdf-map | option '--theta-i' has no command before it; give the command first, then",
                 "brdf-map --size 8x8   | option '--size': '8x8' is no whole number, such as 512; see sunbeam brdf-map --help",
                 "color --step 0,5      | option '--step': '0,5' is no number, such as 0.5; write a decimal point for the comma, \"0.5\"; see",
-                "brdf-map --patch blaze --theta-i 3,5 | --theta-i \"3,5\" is no angle; give degrees as in 30deg, or radians as in 0.5rad; write a decimal point",
+                "color --patch blaze --theta-i 3,5 | --theta-i \"3,5\" is no angle; give degrees as in 30deg, or radians as in 0.5rad; write a decimal point",
                 "brdf-map --patch nowhere --theta-i 95 | --theta-i 95 deg is out of range; give 0 deg to 89.9 deg",
                 "color --patch nowhere --theta-i 95    | --theta-i 95 deg is out of range; give 0 deg to 89.9 deg",
                 "brdf-map --tolerance 0,01 | --tolerance \"0,01\" is no number; write a decimal point for the comma, \"0.01\"",
@@ -228,7 +228,7 @@ final class SunbeamTest {
         assertThat(run("mesh", mesh.toString(), "--quiet", "--force", "--output", output))
                 .isZero();
         assertThat(err.toString()).isEmpty();
-        assertThat(run("mesh", mesh.toString(), "--quiet", "--output", output)).isEqualTo(6);
+        assertThat(run("mesh", mesh.toString(), "--quiet", "--output", output)).isEqualTo(8);
         assertThat(err.toString()).startsWith("sunbeam: cannot write ").hasLineCount(1);
     }
 }

@@ -16,6 +16,7 @@ public enum ExitCode {
     NO_GRAPHICS(5, "no usable graphics (display, OpenGL)"),
     CANNOT_WRITE(6, "output cannot be written"),
     SETUP_FAILED(7, "set-up or build failed (before the program starts)"),
+    OUTPUT_EXISTS(8, "output exists, and --force is not given"),
     INTERRUPTED(130, "interrupted (Ctrl-C)");
 
     private final int code;

@@ -7,26 +7,24 @@ import sunbeam.app.files.plot.MapAnnotation;
 import sunbeam.app.gpu.map.MapCaption;
 import sunbeam.precompute.method.Method;
 import sunbeam.precompute.method.ScanLimit;
-import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.setting.Choices;
 
 /**
  * Maps with captions.
  *
- * @param light towards the light
  * @param index refractive, for people; empty for the default
  * @param exposed the exposure, for people
  * @param asked before scans' sizes limited them
  */
-record AnnotatedMaps(Direction light, Optional<String> index, String exposed, Choices asked) {
+record AnnotatedMaps(Optional<String> index, String exposed, Choices asked) {
     private static final int WHITE = 0xffffffff;
 
     BufferedImage draw(MaterialMap.Drawn map, BufferedImage plain, Method method) {
         MapCaption.Remarks remarks =
                 new MapCaption.Remarks(index, ScanLimit.of(asked, map.patch()).limiting());
-        List<String> caption = MapCaption.of(map.patch(), light, map.coherenceLength(), method, remarks);
+        List<String> caption = MapCaption.of(map.patch(), map.light(), map.coherenceLength(), method, remarks);
         String white = burntOut(plain) ? "; white: brighter than this exposure shows" : "";
-        return new MapAnnotation(plain, light, MapCaption.with(caption, exposed + white)).draw();
+        return new MapAnnotation(plain, map.light(), MapCaption.with(caption, exposed + white)).draw();
     }
 
     /** Whether a direction is as bright as a screen can be; outside of the disc all is transparent. */

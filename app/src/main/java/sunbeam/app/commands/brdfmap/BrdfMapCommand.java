@@ -13,9 +13,11 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.concurrent.Callable;
 import java.util.function.Function;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import jrtr.RenderContext;
 import jrtr.gl.RenderContexts;
 import picocli.CommandLine.Command;
@@ -37,6 +39,7 @@ import sunbeam.app.gpu.map.DiscDirections;
 import sunbeam.app.gpu.picture.DisplayOptions;
 import sunbeam.app.gpu.picture.DoubtfulPicture;
 import sunbeam.app.gpu.picture.LinearPicture;
+import sunbeam.app.gpu.picture.ResumeOption;
 import sunbeam.app.measure.errors.Certificate;
 import sunbeam.app.measure.errors.Certifier;
 import sunbeam.app.measure.errors.CertifyOption;
@@ -76,7 +79,7 @@ public final class BrdfMapCommand implements Callable<Integer> {
     private PatchOptions patchOptions;
 
     @Mixin
-    private LightOptions light;
+    private final LightOptions light = LightOptions.several();
 
     @Mixin
     private MethodOptions methodOptions =
@@ -87,6 +90,9 @@ public final class BrdfMapCommand implements Callable<Integer> {
 
     @Mixin
     private ForceOption force;
+
+    @Mixin
+    private ResumeOption resume;
 
     @Option(
             names = "--size",
@@ -154,9 +160,9 @@ public final class BrdfMapCommand implements Callable<Integer> {
         certify.check(Methods.of(asked));
         RefractiveIndex material = material();
         // Before scans are read, as all that is wrong with the command line.
-        Direction lightDirection = light.direction();
-        AtomicFile.checkNamed(output, force.overwrite());
-        AtomicFile.checkNamed(linear, force.overwrite());
+        List<Direction> lights = light.directions();
+        AtomicFile.checkNamed(output, resume.early(force.overwrite()));
+        AtomicFile.checkNamed(linear, resume.early(force.overwrite()));
         PrintWriter err = specification.commandLine().getErr();
         List<DiffractionSetup> setups = compared.load(patchOptions, asked).stream()
                 .map(patch -> new DiffractionSetup(patch, environment, err))
@@ -165,26 +171,34 @@ public final class BrdfMapCommand implements Callable<Integer> {
         List<Choices> choices =
                 setups.stream().map(setup -> setup.seen(asked, err)).toList();
         Path picture = output != null ? output : Path.of("brdf-" + names(setups) + ".png");
-        AtomicFile.checkWritable(picture, force.overwrite(output));
         if (linear != null) {
             checkDifferent(picture);
         }
         PrintWriter out = StandardOutput.reports(specification.commandLine().getOut(), err, picture, linear);
-        List<MaterialMap> materials = planned(setups, choices, material);
+        List<Path> besides = linear == null ? List.of() : List.of(linear);
+        String identity =
+                resume.identity(setups.stream().map(DiffractionSetup::patch).toList());
+        OptionalInt finished = resume.finished(identity, picture, besides, err);
+        if (finished.isPresent()) {
+            Stream.concat(Stream.of(picture), besides.stream()).forEach(out::println);
+            return finished.getAsInt();
+        }
+        AtomicFile.checkWritable(picture, force.overwrite(resume.named(output, picture)));
+        AtomicFile.checkNamed(linear, force.overwrite());
+        List<MaterialMap> materials = planned(setups, choices, material, lights);
         Optional<Certificate> certificate;
         ExitCode doubt;
         Path written;
         try (RenderContext context = RenderContexts.offscreen()) {
-            List<MaterialMap.Drawn> maps = materials.stream()
-                    .map(one -> one.draw(context, lightDirection, size))
-                    .toList();
+            List<MaterialMap.Drawn> maps =
+                    materials.stream().map(one -> one.draw(context, size)).toList();
             maps.forEach(map -> methodOptions.printTrial(map.trial(), err));
             LinearPicture first = maps.get(0).picture();
             double factor =
                     exposed.of(maps.stream().map(MaterialMap.Drawn::picture).toList());
             certificate = certify.certificate(count -> new Certifier(
                             setups.get(0).exact(materials.get(0).method()),
-                            new DiscDirections(size, light.direction())::at,
+                            new DiscDirections(size, lights.get(0))::at,
                             materials.get(0)::overStandard)
                     .certify(first, count, CertifyOption.SEED, factor, asked.get(TOLERANCE)));
             Map<String, String> text = describe(materials.get(0), material, maps, factor, context);
@@ -192,9 +206,9 @@ public final class BrdfMapCommand implements Callable<Integer> {
             DisplayTransform display = new DisplayTransform(factor, tone);
             List<BufferedImage> plain =
                     maps.stream().map(map -> map.picture().shown(display)).toList();
-            doubt = judge(maps, plain, lightDirection, factor);
+            doubt = judge(maps, plain, factor);
+            ResumeOption.note(text, identity, doubt);
             AnnotatedMaps annotated = new AnnotatedMaps(
-                    light.direction(),
                     material.isStandard() ? Optional.empty() : Optional.of(index.describe(material)),
                     exposed(factor),
                     asked);
@@ -230,13 +244,21 @@ public final class BrdfMapCommand implements Callable<Integer> {
         if (size < 1 || size > LARGEST) {
             throw new UsageException("--size " + size + " is out of range; give 1 to " + LARGEST);
         }
+        if (resume.isAsked() && certify.count().isPresent()) {
+            throw new UsageException(
+                    "--resume leaves a map that exists as it is, --certify draws it; leave out one of them");
+        }
         Ending.PNG.require("--output", output);
         Ending.NPY.require("--linear", linear);
-        if (compared.areSeveral() && (linear != null || certify.count().isPresent())) {
-            throw new UsageException(
-                    (linear != null ? "--linear" : "--certify")
-                            + " is for one map; leave out --with, or draw the maps one by one, with --exposure FILE.png of the first");
+        if (areSeveral() && (linear != null || certify.count().isPresent())) {
+            throw new UsageException((linear != null ? "--linear" : "--certify")
+                    + " is for one map; leave out --with and give one --theta-i, or draw the maps one by one, with"
+                    + " --exposure FILE.png of the first");
         }
+    }
+
+    private boolean areSeveral() {
+        return compared.areSeveral() || light.directions().size() > 1;
     }
 
     private static String names(List<DiffractionSetup> setups) {
@@ -255,35 +277,37 @@ public final class BrdfMapCommand implements Callable<Integer> {
     }
 
     /** Plans are printed before anything is computed. */
-    private List<MaterialMap> planned(List<DiffractionSetup> setups, List<Choices> choices, RefractiveIndex material) {
+    private List<MaterialMap> planned(
+            List<DiffractionSetup> setups, List<Choices> choices, RefractiveIndex material, List<Direction> lights) {
         List<MaterialMap> materials = new ArrayList<>();
         for (int i = 0; i < setups.size(); i++) {
             Choices chosen = choices.get(i);
-            materials.add(new MaterialMap(setups.get(i), chosen, Methods.of(chosen), material, light.direction()));
             PrintWriter err = specification.commandLine().getErr();
-            if (setups.size() > 1) {
-                methodOptions.print(
-                        setups.get(i).patch().name(), materials.get(i).plan(), err);
-            } else {
-                methodOptions.print(materials.get(i).plan(), err);
+            for (Direction direction : lights) {
+                MaterialMap map = new MaterialMap(setups.get(i), chosen, Methods.of(chosen), material, direction);
+                materials.add(map);
+                if (setups.size() > 1) {
+                    methodOptions.print(setups.get(i).patch().name(), map.plan(), err);
+                } else {
+                    methodOptions.print(map.plan(), err);
+                }
             }
         }
         return materials;
     }
 
     /** Warns of maps that show nothing, or nothing but the mirror at an exposure that others asked for. */
-    private ExitCode judge(
-            List<MaterialMap.Drawn> maps, List<BufferedImage> plain, Direction lightDirection, double factor) {
+    private ExitCode judge(List<MaterialMap.Drawn> maps, List<BufferedImage> plain, double factor) {
         PrintWriter err = specification.commandLine().getErr();
-        DiscDirections directions = new DiscDirections(size, lightDirection);
         Optional<String> black = Optional.empty();
         for (int i = 0; i < maps.size(); i++) {
             MaterialMap.Drawn map = maps.get(i);
+            DiscDirections directions = new DiscDirections(size, map.light());
             CoherenceWindow window = CoherenceWindow.ofCoherenceLength(map.coherenceLength());
             if (DoubtfulPicture.isBlack(plain.get(i))) {
-                black = black.or(() -> Optional.of(
-                        compared.areSeveral() ? "the map of " + map.patch().name() : "the map"));
-            } else if (compared.areSeveral() && LostMap.is(map.picture(), directions, window, factor)) {
+                black = black.or(() ->
+                        Optional.of(areSeveral() ? "the map of " + map.patch().name() : "the map"));
+            } else if (areSeveral() && LostMap.is(map.picture(), directions, window, factor)) {
                 err.println(Messages.warning("the map of " + map.patch().name()
                         + " is black but for the mirror's light at the exposure that all maps share; draw it alone, with"
                         + " --exposure auto"));
@@ -299,7 +323,7 @@ public final class BrdfMapCommand implements Callable<Integer> {
     }
 
     private String exposed(double factor) {
-        String shared = compared.areSeveral() ? ", automatic, one for all" : ", automatic";
+        String shared = areSeveral() ? ", automatic, one for all" : ", automatic";
         return MapAnnotation.exposureText(factor) + (exposure.isAutomatic() ? shared : "");
     }
 
@@ -311,7 +335,7 @@ public final class BrdfMapCommand implements Callable<Integer> {
 
     /** Both files or none: neither appears before both are written. */
     private Path write(Path picture, AtomicFile.StreamContent png, LinearPicture map) {
-        try (AtomicFile image = AtomicFile.create(picture, force.overwrite(output));
+        try (AtomicFile image = AtomicFile.create(picture, force.overwrite(resume.named(output, picture)));
                 AtomicFile numbers = linear == null ? null : AtomicFile.create(linear, force.overwrite())) {
             image.fill(png);
             if (numbers != null) {
@@ -329,7 +353,8 @@ public final class BrdfMapCommand implements Callable<Integer> {
             double factor,
             RenderContext context) {
         Choices choices = first.choices();
-        List<Patch> patches = maps.stream().map(MaterialMap.Drawn::patch).toList();
+        List<Patch> patches =
+                maps.stream().map(MaterialMap.Drawn::patch).distinct().toList();
         Map<String, String> text = new LinkedHashMap<>();
         text.put("Title", "BRDF map of " + joined(patches, Patch::name, ", "));
         text.put("Patch", joined(patches, Patch::source, "; "));

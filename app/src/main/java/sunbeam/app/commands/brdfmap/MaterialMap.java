@@ -31,15 +31,18 @@ final class MaterialMap {
     private final Choices choices;
     private final Method method;
     private final RefractiveIndex index;
+    private final Direction light;
     private final List<ReflectionPart> parts;
     private final List<MethodPlan> plans = new ArrayList<>();
 
     /**
      * A map, and of what and how it is.
      *
+     * @param light towards the light
      * @param trial what was found of tables when they were tried, one for each part of the reflection; empty without them
      */
-    record Drawn(Patch patch, String plan, String trial, double coherenceLength, LinearPicture picture) {}
+    record Drawn(
+            Patch patch, Direction light, String plan, String trial, double coherenceLength, LinearPicture picture) {}
 
     /** @param choices that hold for the patch */
     MaterialMap(DiffractionSetup setup, Choices choices, Method method, RefractiveIndex index, Direction light) {
@@ -47,6 +50,7 @@ final class MaterialMap {
         this.choices = choices;
         this.method = method;
         this.index = index;
+        this.light = light;
         this.parts = ReflectionPart.of(index, setup.cie());
         for (ReflectionPart part : parts) {
             plans.add(method.plan(setup.surface().under(part.cie()), VisibleRange.of(light)));
@@ -70,7 +74,7 @@ final class MaterialMap {
         return parts.get(0).overStandard(pair);
     }
 
-    Drawn draw(RenderContext context, Direction light, int size) {
+    Drawn draw(RenderContext context, int size) {
         DiscDirections directions = new DiscDirections(size, light);
         float[] sum = new float[3 * size * size];
         double sigma = 0;
@@ -89,6 +93,7 @@ final class MaterialMap {
         }
         return new Drawn(
                 setup.patch(),
+                light,
                 plan().summary(),
                 String.join("; ", trials),
                 4 * sigma,

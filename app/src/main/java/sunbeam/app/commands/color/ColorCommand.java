@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.OptionalDouble;
+import java.util.OptionalInt;
 import java.util.concurrent.Callable;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
@@ -29,6 +30,7 @@ import sunbeam.app.files.output.StandardOutput;
 import sunbeam.app.gpu.picture.DisplayOptions;
 import sunbeam.app.gpu.picture.DoubtfulPicture;
 import sunbeam.app.gpu.picture.LinearPicture;
+import sunbeam.app.gpu.picture.ResumeOption;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.Messages;
@@ -116,6 +118,9 @@ public final class ColorCommand implements Callable<Integer> {
     @Mixin
     private ForceOption force;
 
+    @Mixin
+    private ResumeOption resume;
+
     @Option(
             names = "--output",
             paramLabel = "FILE.png",
@@ -145,21 +150,25 @@ public final class ColorCommand implements Callable<Integer> {
         exposure.tone(choices);
         Methods.of(choices);
         if (output != null) {
-            new ColorFiles(output, force.overwrite()).checkWritable();
+            new ColorFiles(output, resume.early(force.overwrite())).checkWritable();
         }
         PrintWriter err = specification.commandLine().getErr();
         Remarks remarks = new Remarks();
+        List<Patch> patches = compared.load(patchOptions, choices);
+        Path picture = output != null ? output : Path.of("color-" + names(patches) + ".png");
+        ColorFiles files = new ColorFiles(picture, force.overwrite(resume.named(output, picture)));
+        PrintWriter out = specification.commandLine().getOut();
+        String identity = resume.identity(patches);
+        OptionalInt finished = resume.finished(identity, picture, files.plainPaths(), err);
+        if (finished.isPresent()) {
+            files.plainPaths().forEach(out::println);
+            return finished.getAsInt();
+        }
+        files.checkWritable();
         List<StripColors> strips = new ArrayList<>();
-        for (Patch patch : compared.load(patchOptions, choices)) {
+        for (Patch patch : patches) {
             strips.add(planned(patch, choices, material, remarks));
         }
-        List<String> names =
-                strips.stream().map(strip -> strip.setup().patch().name()).toList();
-        Path picture = output != null
-                ? output
-                : Path.of("color-" + names.stream().limit(3).collect(Collectors.joining("-")) + ".png");
-        ColorFiles files = new ColorFiles(picture, force.overwrite(output));
-        files.checkWritable();
         remarks.print(methodOptions.explains(), err);
         if (methodOptions.explains()) {
             strips.forEach(strip -> methodOptions.print(strip.setup().patch().name(), strip.plan(), err));
@@ -171,14 +180,20 @@ public final class ColorCommand implements Callable<Integer> {
             reports = reports(context, strips, exposed, choices, material, cie, settings);
         }
         ExitCode judged = judge(reports, err);
-        List<Path> written = files.write(reports, settings, remarks.all(), new ColorSheet(reports, settings, cie));
-        PrintWriter out = specification.commandLine().getOut();
+        Map<String, String> note = new LinkedHashMap<>();
+        ResumeOption.note(note, identity, judged);
+        List<Path> written =
+                files.write(reports, settings, remarks.all(), new ColorSheet(reports, settings, cie), note);
         for (ColorReport report : reports) {
             String name = reports.size() > 1 ? Quoted.oneLine(report.patch().name()) + ": " : "";
             out.println(name + String.join(System.lineSeparator() + "  ", report.lines()));
         }
         written.forEach(file -> out.println(StandardOutput.name(file)));
         return judged.code();
+    }
+
+    private static String names(List<Patch> patches) {
+        return patches.stream().map(Patch::name).limit(3).collect(Collectors.joining("-"));
     }
 
     /** Draws, and notes what was drawn with. */

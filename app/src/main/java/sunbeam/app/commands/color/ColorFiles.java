@@ -37,19 +37,26 @@ final class ColorFiles {
         files.checkWritable();
     }
 
+    /** The files that it is, where no name gets a number: the picture and those beside it. */
+    List<Path> plainPaths() {
+        return files.plainPaths();
+    }
+
     /**
      * All files or none.
      *
+     * @param note what the picture's text says further
      * @param warnings about the surfaces, for JSON
      * @return where they are
      */
-    List<Path> write(List<ColorReport> reports, Map<String, Object> settings, List<String> warnings, ColorSheet sheet) {
+    List<Path> write(List<ColorReport> reports, Map<String, Object> settings, List<String> warnings, ColorSheet sheet, Map<String, String> note) {
         Map<String, String> text = new LinkedHashMap<>();
         text.put(
                 "Title", "Colors of " + joined(reports, report -> report.patch().name()));
         text.put("Patch", joined(reports, report -> report.patch().source()));
         settings.forEach((key, value) ->
                 text.put(key.substring(0, 1).toUpperCase(Locale.ROOT) + key.substring(1), value.toString()));
+        text.putAll(note);
         ObjectMapper json = new ObjectMapper().enable(SerializationFeature.INDENT_OUTPUT);
         Map<String, Object> tree = new LinkedHashMap<>(settings);
         tree.put("surfaces", reports.stream().map(ColorFiles::surface).toList());

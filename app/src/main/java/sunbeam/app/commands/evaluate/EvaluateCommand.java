@@ -8,6 +8,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.OptionalInt;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -21,6 +22,7 @@ import sunbeam.app.files.output.ForceOption;
 import sunbeam.app.files.output.PngWriter;
 import sunbeam.app.files.output.StandardOutput;
 import sunbeam.app.gpu.picture.DoubtfulPicture;
+import sunbeam.app.gpu.picture.ResumeOption;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.Messages;
@@ -58,6 +60,9 @@ public final class EvaluateCommand implements Callable<Integer> {
 
     @Mixin
     private ForceOption force;
+
+    @Mixin
+    private ResumeOption resume;
 
     @Option(
             names = "--method",
@@ -120,18 +125,32 @@ public final class EvaluateCommand implements Callable<Integer> {
             throw new UsageException("--positions " + positions + " is out of range; give 0 to " + MOST_POSITIONS);
         }
         if (output != null) {
-            new FileGroup(stem(output), endings(), force.overwrite()).checkWritable();
+            new FileGroup(stem(output), endings(), resume.early(force.overwrite())).checkWritable();
         }
         DiffractionSetup setup = new DiffractionSetup(
                 patchOptions, asked, environment, specification.commandLine().getErr());
         Path stem = output != null ? stem(output) : Path.of(setup.patch().name() + "-evaluate");
-        FileGroup files = new FileGroup(stem, endings(), force.overwrite(output));
+        FileGroup files = new FileGroup(stem, endings(), force.overwrite(resume.named(output, stem)));
+        String identity = resume.identity(List.of(setup.patch()));
+        OptionalInt finished = resume.finished(
+                identity,
+                files.plainPaths().get(0),
+                files.plainPaths(),
+                specification.commandLine().getErr());
+        if (finished.isPresent()) {
+            files.plainPaths().forEach(specification.commandLine().getOut()::println);
+            return finished.getAsInt();
+        }
         files.checkWritable();
         Choices choices =
                 setup.seen(method.in(asked), specification.commandLine().getErr());
-        boolean answered =
-                evaluate(setup, choices, files, specification.commandLine().getOut());
-        return answered ? DoubtfulPicture.ofPatches(List.of(setup.patch())).code() : ExitCode.UNUSABLE_INPUT.code();
+        return evaluate(
+                        setup,
+                        choices,
+                        files,
+                        identity,
+                        specification.commandLine().getOut())
+                .code();
     }
 
     /** What all files are called whose endings follow, also where one of the endings was given. */
@@ -152,8 +171,8 @@ public final class EvaluateCommand implements Callable<Integer> {
         return all;
     }
 
-    /** @return whether there is an answer */
-    private boolean evaluate(DiffractionSetup setup, Choices choices, FileGroup files, PrintWriter out) {
+    private ExitCode evaluate(
+            DiffractionSetup setup, Choices choices, FileGroup files, String identity, PrintWriter out) {
         PrintWriter err = specification.commandLine().getErr();
         Evaluation evaluation = Evaluation.of(
                 setup,
@@ -221,9 +240,11 @@ public final class EvaluateCommand implements Callable<Integer> {
                         new ObjectMapper().writerWithDefaultPrettyPrinter().writeValueAsBytes(report)));
         Map<String, String> text = text(setup, choices, title, method);
         evaluation.plan().ifPresent(plan -> text.put("Plan", plan));
+        ExitCode code = target.isSharp() ? DoubtfulPicture.ofPatches(List.of(setup.patch())) : ExitCode.UNUSABLE_INPUT;
+        ResumeOption.note(text, identity, code);
         contents.put(".png", stream -> PngWriter.write(stream, evaluation.plot(), text));
         files.write(contents).forEach(file -> out.println(StandardOutput.name(file)));
-        return target.isSharp();
+        return code;
     }
 
     private static List<String> periodLines(Evaluation evaluation) {

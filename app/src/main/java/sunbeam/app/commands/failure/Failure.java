@@ -8,6 +8,7 @@ import picocli.CommandLine.ParameterException;
 import sunbeam.app.commands.evaluate.NoPeriodException;
 import sunbeam.app.files.input.InputException;
 import sunbeam.app.files.output.OutputException;
+import sunbeam.app.files.output.OutputExistsException;
 import sunbeam.app.scene.mesh.MeshException;
 import sunbeam.app.terminal.CancelledException;
 import sunbeam.app.terminal.ExitCode;
@@ -41,6 +42,7 @@ public record Failure(ExitCode code, String message, Throwable cause) {
             Map.entry(NoPeriodException.class, ExitCode.UNUSABLE_INPUT),
             Map.entry(GraphicsException.class, ExitCode.NO_GRAPHICS),
             Map.entry(OutputException.class, ExitCode.CANNOT_WRITE),
+            Map.entry(OutputExistsException.class, ExitCode.OUTPUT_EXISTS),
             Map.entry(CancelledException.class, ExitCode.INTERRUPTED),
             Map.entry(InterruptedException.class, ExitCode.INTERRUPTED));
 

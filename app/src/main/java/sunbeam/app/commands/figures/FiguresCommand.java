@@ -20,6 +20,7 @@ import sunbeam.app.commands.evaluate.NoPeriodException;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.ForceOption;
 import sunbeam.app.files.output.OutputException;
+import sunbeam.app.files.output.OutputExistsException;
 import sunbeam.app.files.output.OutputFolder;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.terminal.Environment;
@@ -113,7 +114,7 @@ public final class FiguresCommand implements Callable<Integer> {
             if (overwrite == Overwrite.REFUSE
                     && Files.exists(page)
                     && !Files.readString(page).contains(FiguresPage.GENERATOR)) {
-                throw new OutputException(
+                throw new OutputExistsException(
                         "cannot write " + page
                                 + ": it exists and is no page of figures; add --force to replace it, or choose another --output");
             }

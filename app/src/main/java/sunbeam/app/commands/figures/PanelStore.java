@@ -7,6 +7,7 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
 import sunbeam.app.files.output.OutputException;
+import sunbeam.app.files.output.OutputExistsException;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.files.output.PngWriter;
 import sunbeam.app.gpu.picture.PictureParameters;
@@ -47,7 +48,7 @@ final class PanelStore {
     void requireFree(Panel panel) {
         Path file = panel.file(folder);
         if (overwrite == Overwrite.REFUSE && Files.exists(file)) {
-            throw new OutputException("cannot write " + file
+            throw new OutputExistsException("cannot write " + file
                     + ": it exists, with other parameters; add --force to replace it, or choose another --output");
         }
     }

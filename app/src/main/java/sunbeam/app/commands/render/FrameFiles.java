@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import sunbeam.app.files.output.OutputException;
+import sunbeam.app.files.output.OutputExistsException;
 import sunbeam.app.files.output.Overwrite;
 
 /** Where an animation's frames go: {@code frame-0001.png} and so on in one folder. */
@@ -65,7 +66,7 @@ final class FrameFiles {
 
     private static void requireFree(Path file, Overwrite overwrite, String remedy) {
         if (overwrite == Overwrite.REFUSE && Files.exists(file)) {
-            throw new OutputException("cannot write " + file + ": it exists" + remedy);
+            throw new OutputExistsException("cannot write " + file + ": it exists" + remedy);
         }
     }
 }

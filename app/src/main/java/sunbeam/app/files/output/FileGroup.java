@@ -40,6 +40,11 @@ public final class FileGroup {
         endings.forEach(ending -> AtomicFile.checkWritable(path(1, ending), overwrite));
     }
 
+    /** The files that it is, where no name gets a number. */
+    public List<Path> plainPaths() {
+        return endings.stream().map(ending -> path(1, ending)).toList();
+    }
+
     private Path path(int number, String ending) {
         Path stem = stems.name(number);
         return stem.resolveSibling(stem.getFileName() + ending);

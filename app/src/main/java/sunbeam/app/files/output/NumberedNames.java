@@ -37,7 +37,7 @@ final class NumberedNames {
 
     /** That there is none left. */
     OutputException exhausted() {
-        return new OutputException(
+        return new OutputExistsException(
                 "cannot write " + plain + ": " + MOST + " such files exist; name one with --output, or add --force");
     }
 }

@@ -8,7 +8,7 @@ import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 
 /** An output file that cannot be written; the message names the file, the reason and the remedy. */
-public final class OutputException extends RuntimeException {
+public class OutputException extends RuntimeException {
     public OutputException(String message) {
         super(message);
     }
@@ -19,7 +19,10 @@ public final class OutputException extends RuntimeException {
 
     /** The operating system's refusal to write the target, put into words. */
     public static OutputException of(Path target, IOException cause) {
-        return new OutputException("cannot write " + target + ": " + reasonAndRemedy(rootOf(cause)), cause);
+        String message = "cannot write " + target + ": " + reasonAndRemedy(rootOf(cause));
+        return rootOf(cause) instanceof FileAlreadyExistsException
+                ? new OutputExistsException(message, cause)
+                : new OutputException(message, cause);
     }
 
     /** The system's own words: image writers wrap them in "I/O error". */

@@ -11,6 +11,7 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.attribute.FileTime;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -83,6 +84,38 @@ class BrdfMapCommandTest {
         assertThat(image("all.png").getWidth())
                 .isGreaterThanOrEqualTo(2 * image("blaze.png").getWidth());
         assertThat(image("lamellar.png").getWidth()).as("not annotated").isEqualTo(24);
+    }
+
+    @Test
+    void aMapOfEachLightStandsBesideTheOthers() throws IOException {
+        double all = exposure("all.png", "--patch", "blaze", "--no-annotate", "--theta-i", "0,30deg,60");
+        exposure("one.png", "--patch", "blaze", "--no-annotate", "--theta-i", "30", "--exposure", Double.toString(all));
+
+        BufferedImage sheet = image("all.png");
+        BufferedImage one = image("one.png");
+        int start = (sheet.getWidth() - 24) / 2;
+        for (int y = 0; y < 24; y++) {
+            for (int x = 0; x < 24; x++) {
+                assertThat(sheet.getRGB(start + x, y)).as("%d, %d", x, y).isEqualTo(one.getRGB(x, y));
+            }
+        }
+        assertThat(PngText.read(folder.resolve("all.png"))).containsEntry("Light", "theta 0, 30, 60, phi 0 degrees");
+        assertThat(draw("bad.png", "--theta-i", "0,95")).isEqualTo(ExitCode.USAGE.code());
+        assertThat(draw("bad.png", "--theta-i", "0,,5")).isEqualTo(ExitCode.USAGE.code());
+    }
+
+    @Test
+    void resumeLeavesAMapThatWasMadeAlike() throws IOException {
+        String flat = grating("flat", 0).toString();
+        assertThat(draw("a.png", "--patch", flat, "--resume")).isEqualTo(ExitCode.TOLERANCE_MISSED.code());
+        FileTime made = FileTime.fromMillis(1_000_000);
+        Files.setLastModifiedTime(folder.resolve("a.png"), made);
+
+        assertThat(draw("a.png", "--patch", flat, "--resume"))
+                .as("the same verdict")
+                .isEqualTo(ExitCode.TOLERANCE_MISSED.code());
+        assertThat(draw("a.png", "--patch", "blaze", "--resume")).isEqualTo(ExitCode.OUTPUT_EXISTS.code());
+        assertThat(Files.getLastModifiedTime(folder.resolve("a.png"))).isEqualTo(made);
     }
 
     /** Waves of 100 and 2 nm: the powers of faint orders are as the squares, 1 in 1000. */

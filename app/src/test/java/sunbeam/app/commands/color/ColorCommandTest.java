@@ -11,6 +11,7 @@ import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.attribute.FileTime;
 import java.util.List;
 import java.util.Map;
 import java.util.SplittableRandom;
@@ -85,6 +86,22 @@ class ColorCommandTest {
         // The order's height falls with its wavelength, which shifts the maximum by part of its width.
         assertThat(spectrum.get("wavelength_nm").get(brightest).asDouble()).isCloseTo(expected, within(width / 2));
         assertThat(green.get("delta_e").asDouble()).as("tolerance 1e-3").isBetween(1e-3, 1.0);
+    }
+
+    @Test
+    void resumeLeavesWhatWasMadeAlike() throws IOException {
+        tell("--patch", "sinusoid");
+        Path picture = folder.resolve("c.png");
+        FileTime made = FileTime.fromMillis(1_000_000);
+        Files.setLastModifiedTime(picture, made);
+
+        tell("--patch", "sinusoid", "--resume");
+        assertThat(Files.getLastModifiedTime(picture)).isEqualTo(made);
+        Files.delete(folder.resolve("c.csv"));
+        tell("--patch", "sinusoid", "--resume");
+        assertThat(Files.getLastModifiedTime(picture))
+                .as("its table was missing")
+                .isNotEqualTo(made);
     }
 
     @Test

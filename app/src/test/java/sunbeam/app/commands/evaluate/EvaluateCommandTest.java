@@ -12,6 +12,7 @@ import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.attribute.FileTime;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -357,8 +358,20 @@ final class EvaluateCommandTest {
     @Test
     void filesThatExistStay() {
         assertThat(run("--patch", "blaze")).isZero();
-        assertThat(run("--patch", "blaze")).isEqualTo(6);
+        assertThat(run("--patch", "blaze")).isEqualTo(8);
         assertThat(err.toString()).contains("--force");
+    }
+
+    @Test
+    void resumeLeavesWhatWasMadeAlikeAndRefusesTheRest() throws IOException {
+        assertThat(run("--patch", "blaze", "--resume")).as(err.toString()).isZero();
+        Path picture = folder.resolve("result.png");
+        FileTime made = FileTime.fromMillis(1_000_000);
+        Files.setLastModifiedTime(picture, made);
+
+        assertThat(run("--patch", "blaze", "--resume")).as(err.toString()).isZero();
+        assertThat(Files.getLastModifiedTime(picture)).isEqualTo(made);
+        assertThat(run("--patch", "blaze", "--resume", "--theta-i", "60")).isEqualTo(8);
     }
 
     /** Three wavelengths, the longest at the horizon: "no ridge (the heights: 1e9 times above its surroundings, 100 are needed)". */

@@ -46,7 +46,7 @@ class MeshCommandTest {
     void aFileIsNotOverwrittenWithoutForce() throws IOException {
         Path file = Files.writeString(folder.resolve("x.obj"), "mine");
 
-        assertThat(run("mesh", "plane", "--output", file.toString())).isEqualTo(ExitCode.CANNOT_WRITE.code());
+        assertThat(run("mesh", "plane", "--output", file.toString())).isEqualTo(ExitCode.OUTPUT_EXISTS.code());
         assertThat(file).hasContent("mine");
         assertThat(run("mesh", "plane", "--output", file.toString(), "--force")).isZero();
         assertThat(MeshReader.read(file).mesh().triangles()).isPositive();

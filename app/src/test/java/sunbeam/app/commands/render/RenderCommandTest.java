@@ -75,7 +75,7 @@ class RenderCommandTest {
         assertThat(text).containsKeys("Scene", "Plan", "Exposure", "Parameters");
         assertThat(text.get("Scene")).contains("\"blaze\"");
         assertThat(linear).content(StandardCharsets.ISO_8859_1).as("its header").contains("'shape': (30, 40, 3)");
-        assertThat(render(picture)).isEqualTo(ExitCode.CANNOT_WRITE.code());
+        assertThat(render(picture)).isEqualTo(ExitCode.OUTPUT_EXISTS.code());
         assertThat(render(picture, "--force")).isZero();
     }
 
@@ -112,7 +112,7 @@ class RenderCommandTest {
         FileTime old = FileTime.fromMillis(1_000_000);
         Files.setLastModifiedTime(first, old);
 
-        assertThat(render(frames, "--turntable", "3")).as("without --resume").isEqualTo(ExitCode.CANNOT_WRITE.code());
+        assertThat(render(frames, "--turntable", "3")).as("without --resume").isEqualTo(ExitCode.OUTPUT_EXISTS.code());
         assertThat(render(frames, "--turntable", "3", "--resume"))
                 .as(err.toString())
                 .isZero();
@@ -121,7 +121,7 @@ class RenderCommandTest {
 
         assertThat(render(frames, "--turntable", "3", "--resume", "--texture-weight", "0.3"))
                 .as("other parameters")
-                .isEqualTo(ExitCode.CANNOT_WRITE.code());
+                .isEqualTo(ExitCode.OUTPUT_EXISTS.code());
         assertThat(err.toString()).contains("frame-0001.png", "other parameters", "--force");
     }
 

@@ -1,0 +1,133 @@
+package sunbeam.app.gpu.picture;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.PrintWriter;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalInt;
+import java.util.Set;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Model.OptionSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
+import sunbeam.app.files.output.Overwrite;
+import sunbeam.app.terminal.ExitCode;
+import sunbeam.app.terminal.Messages;
+import sunbeam.app.terminal.Version;
+import sunbeam.precompute.files.Sha256;
+import sunbeam.precompute.patch.Patch;
+
+/**
+ * The option {@code --resume} of commands that write a picture, with or without other files; to be used as a picocli mixin. The
+ * picture's text holds a hash of the version, the surfaces, the options and the files that they name, and the exit code.
+ */
+public final class ResumeOption {
+    private static final String EXIT_CODE = "Exit code";
+    /** They change nothing of what is written. */
+    private static final Set<String> OF_NO_ACCOUNT = Set.of("--resume", "--force", "--explain", "--output");
+
+    private static final int BLOCK_BYTES = 1 << 16;
+
+    @Option(
+            names = "--resume",
+            description = "Leave files as they are which exist and were made of the same surface with the same options,"
+                    + " and draw the others.")
+    private boolean resume;
+
+    @Spec(Spec.Target.MIXEE)
+    private CommandSpec command;
+
+    /** Whether it is given. */
+    public boolean isAsked() {
+        return resume;
+    }
+
+    /** What may be replaced, as far as that can be told before the surfaces are known. */
+    public Overwrite early(Overwrite overwrite) {
+        return resume ? Overwrite.REPLACE : overwrite;
+    }
+
+    /** The name that counts as the user's: whoever goes on with files means those that are there. */
+    public Path named(Path byUser, Path chosen) {
+        return resume ? chosen : byUser;
+    }
+
+    /** The hash of all that determines what is written. */
+    public String identity(List<Patch> patches) {
+        Sha256 hash = new Sha256().add(Version.number()).add(command.qualifiedName());
+        patches.forEach(patch -> hash.add("|" + patch.digest()));
+        for (OptionSpec option : command.options()) {
+            if (!OF_NO_ACCOUNT.contains(option.longestName())) {
+                addOption(hash, option);
+            }
+        }
+        return hash.hex();
+    }
+
+    private void addOption(Sha256 hash, OptionSpec option) {
+        List<String> values = option.originalStringValues();
+        if (values.isEmpty() && option.defaultValue() != null) {
+            values = List.of(option.defaultValue());
+        }
+        hash.add("|" + option.longestName());
+        for (String value : values) {
+            hash.add("=" + value);
+            addFile(hash, value);
+        }
+    }
+
+    private static void addFile(Sha256 hash, String name) {
+        try {
+            Path file = Path.of(name);
+            if (Files.isRegularFile(file)) {
+                try (InputStream stream = Files.newInputStream(file)) {
+                    for (byte[] block = stream.readNBytes(BLOCK_BYTES);
+                            block.length > 0;
+                            block = stream.readNBytes(BLOCK_BYTES)) {
+                        hash.add(block);
+                    }
+                }
+            }
+        } catch (InvalidPathException noFile) {
+            return;
+        } catch (IOException failure) {
+            // It was read a moment ago.
+            throw new UncheckedIOException(name, failure);
+        }
+    }
+
+    /** Notes in a picture's text what {@link #finished} looks for. */
+    public static void note(Map<String, String> text, String identity, ExitCode code) {
+        text.put(PictureParameters.KEYWORD, identity);
+        text.put(EXIT_CODE, Integer.toString(code.code()));
+    }
+
+    /**
+     * The exit code of the run that made the files; nothing where one is missing or was made otherwise, or without
+     * {@code --resume}.
+     *
+     * @param beside files that belong to the picture
+     * @param err told that nothing is done
+     */
+    public OptionalInt finished(String identity, Path picture, List<Path> beside, PrintWriter err) {
+        if (!resume || !beside.stream().allMatch(Files::exists)) {
+            return OptionalInt.empty();
+        }
+        Optional<Integer> code = PictureParameters.find(picture, identity)
+                .map(text -> text.getOrDefault(EXIT_CODE, ""))
+                .filter(number -> number.matches("\\d{1,3}"))
+                .map(Integer::valueOf);
+        if (code.isEmpty()) {
+            return OptionalInt.empty();
+        }
+        err.println(Messages.note(picture + " is there, made with the same options: left as it is"));
+        err.flush();
+        return OptionalInt.of(code.get());
+    }
+}
