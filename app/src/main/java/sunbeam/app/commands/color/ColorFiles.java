@@ -49,7 +49,12 @@ final class ColorFiles {
      * @param warnings about the surfaces, for JSON
      * @return where they are
      */
-    List<Path> write(List<ColorReport> reports, Map<String, Object> settings, List<String> warnings, ColorSheet sheet, Map<String, String> note) {
+    List<Path> write(
+            List<ColorReport> reports,
+            Map<String, Object> settings,
+            List<String> warnings,
+            ColorSheet sheet,
+            Map<String, String> note) {
         Map<String, String> text = new LinkedHashMap<>();
         text.put(
                 "Title", "Colors of " + joined(reports, report -> report.patch().name()));

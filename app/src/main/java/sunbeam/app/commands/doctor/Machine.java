@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import sunbeam.app.files.cache.CacheFolder;
+import sunbeam.app.terminal.ByteSize;
 import sunbeam.app.terminal.Environment;
 
 /** What can be said of the machine without opening graphics. */
@@ -69,7 +70,10 @@ final class Machine {
         String place = cache.path().toString();
         try {
             if (cache.open(warnings::add).isPresent()) {
-                return Check.ok("Cache folder", place + ", " + size(cache.sizeInBytes() / MEBIBYTE) + ", writable");
+                String used = ByteSize.format(cache.sizeInBytes()) + " used of "
+                        + ByteSize.format(cache.limit(warnings::add)) + " allowed, "
+                        + ByteSize.format(cache.path().toFile().getUsableSpace()) + " free on the disk";
+                return Check.ok("Cache folder", place + ", " + used);
             }
             return Check.failed("Cache folder", place, warnings.get(0));
         } catch (UncheckedIOException failure) {

@@ -25,6 +25,20 @@ public record CacheEntry(Path file, long bytes, Instant lastUsed) {
     /** Of colours that are made as pictures look at them. */
     static final String PAGES = "pages";
 
+    private static final int SURFACE_DIGITS = 12;
+    private static final int KEY_DIGITS = 32;
+
+    /** The name of a surface's file. */
+    static String name(String surfaceDigest, String keyHash, String ending) {
+        return surfaceDigest.substring(0, SURFACE_DIGITS) + "-" + keyHash.substring(0, KEY_DIGITS) + "." + ending;
+    }
+
+    /** What files of one surface have in common; those without such a name belong together. */
+    String surface() {
+        String name = file.getFileName().toString();
+        return name.indexOf('-') == SURFACE_DIGITS ? name.substring(0, SURFACE_DIGITS) : "";
+    }
+
     /** Whether a file's name is one of a table. */
     static boolean isOne(Path file) {
         String name = file.getFileName().toString();

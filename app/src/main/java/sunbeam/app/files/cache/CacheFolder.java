@@ -7,11 +7,14 @@ import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.nio.file.attribute.BasicFileAttributes;
 import java.nio.file.attribute.FileTime;
+import java.nio.file.attribute.PosixFilePermissions;
 import java.time.Instant;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.Comparator;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
@@ -58,6 +61,7 @@ public final class CacheFolder {
     public Optional<Path> open(Consumer<String> warning) {
         try {
             Files.createDirectories(path);
+            keepPrivate();
             // Sweeps away what killed processes left, too.
             AtomicFile.checkWritable(path.resolve("probe"), Overwrite.REPLACE);
             return Optional.of(path);
@@ -65,6 +69,13 @@ public final class CacheFolder {
             warning.accept("no cache, so tables are computed anew each time: cannot write to " + path + " ("
                     + failure.getMessage() + "); set XDG_CACHE_HOME to a folder that takes files");
             return Optional.empty();
+        }
+    }
+
+    /** Nobody else reads what was measured, or puts anything there. */
+    private void keepPrivate() throws IOException {
+        if (Files.getFileStore(path).supportsFileAttributeView("posix") && Files.isWritable(path)) {
+            Files.setPosixFilePermissions(path, PosixFilePermissions.fromString("rwx------"));
         }
     }
 
@@ -138,25 +149,27 @@ public final class CacheFolder {
     }
 
     /**
-     * Deletes tables, so that the rest is no larger than a limit: those that were used last stay, as far as they fit. Whoever has one open
-     * goes on reading it. A table that cannot be deleted stays.
+     * Deletes tables, so that the rest is no larger than a limit, and those of one surface no larger than its share: those
+     * that were used last stay, as far as they fit. Whoever has one open goes on reading it. A table that cannot be deleted
+     * stays.
      *
-     * @param kept stays in any case; nothing else does
+     * @param inUse counts as used last
      * @return those that were deleted, the one used longest ago first
      */
-    public List<CacheEntry> shrink(long limitBytes, Optional<Path> kept) {
+    public List<CacheEntry> shrink(long limitBytes, Optional<Path> inUse) {
         List<CacheEntry> newestFirst = new ArrayList<>(entries());
-        // As if it had been used last.
-        newestFirst.sort(Comparator.comparing(entry -> !kept.equals(Optional.of(entry.file()))));
+        newestFirst.sort(Comparator.comparing(entry -> !inUse.equals(Optional.of(entry.file()))));
         long left = limitBytes;
+        Map<String, Long> leftOfSurface = new HashMap<>();
         List<CacheEntry> deleted = new ArrayList<>();
         for (CacheEntry entry : newestFirst) {
-            boolean stays = entry.bytes() <= left || kept.equals(Optional.of(entry.file()));
-            if (!stays && entry.file().toFile().delete()) {
+            long share = leftOfSurface.getOrDefault(entry.surface(), CacheLimit.share(limitBytes));
+            boolean fits = entry.bytes() <= Math.min(left, share);
+            if (!fits && entry.file().toFile().delete()) {
                 deleted.add(entry);
-            } else if (entry.bytes() <= limitBytes) {
-                // One that is larger stays until the next one comes; the others have the limit for themselves.
+            } else if (fits) {
                 left -= entry.bytes();
+                leftOfSurface.put(entry.surface(), share - entry.bytes());
             }
         }
         Collections.reverse(deleted);

@@ -13,8 +13,11 @@ import sunbeam.app.terminal.ByteSize;
 
 /** How large a cache folder may become: its file {@code limit} says it, in bytes. */
 final class CacheLimit {
-    /** Room for a dozen surfaces. Tables of one that any pair of directions may see take some hundred megabytes. */
-    static final long STANDARD = 8L << 30;
+    /** Room for a dozen surfaces. */
+    static final long STANDARD = 2_000_000_000;
+
+    /** Of the standard limit, 150 MB: pages of colours of a scan of 1024 x 1024 samples and what they are made of. */
+    private static final double SHARE = 0.075;
 
     private static final String NAME = "limit";
     private static final Pattern NUMBER = Pattern.compile("\\d{1,18}");
@@ -43,6 +46,11 @@ final class CacheLimit {
             warning.accept(unusable(file, failure.getMessage()));
         }
         return STANDARD;
+    }
+
+    /** Bytes that one surface's tables may take of a limit: 150 MB at least, more of a limit above the standard one. */
+    static long share(long limit) {
+        return Math.min(limit, Math.max((long) (SHARE * STANDARD), (long) (SHARE * limit)));
     }
 
     private static String unusable(Path file, String why) {

@@ -280,7 +280,6 @@ public final class PageFile implements KeptPages {
         int count = (int) Math.min(pages.length, Math.max(0, (mostBytes - at) / recordBytes));
         if (count < pages.length) {
             writable = false;
-            warn("no more colours are kept: they take as much as the cache may ('sunbeam cache --limit')");
         }
         ByteBuffer bytes = ByteBuffer.allocate(count * recordBytes);
         IntStream.range(0, count)

@@ -88,6 +88,10 @@ public final class TableStore {
         if (file.isEmpty()) {
             return freshTables(plan, use, colours).preceded(progress);
         }
+        if (plan.memory().textureBytes() > CacheLimit.share(folder.limit(warning))) {
+            // Larger than what is kept of a surface: what it is made of is not, and takes most of the time.
+            return made(plan, use, colours, this::table).preceded(progress);
+        }
         Function<Path, ShaderTables> reader = path -> ShaderTablesFile.read(path, key);
         return keptOr(file.get(), reader, () -> {
             TableLabel label = label(plan);
@@ -141,8 +145,16 @@ public final class TableStore {
         }
         Path path = file.get();
         long most = folder.limit(warning);
+        // The rest of the surface's share is for what they are made of.
+        long mostOfPages = CacheLimit.share(most) * 2 / 3;
         KeptPages pages = PageFile.of(
-                path, key, plan.levels().numbers(), label, most, warning, () -> folder.shrink(most, Optional.of(path)));
+                path,
+                key,
+                plan.levels().numbers(),
+                label,
+                mostOfPages,
+                warning,
+                () -> folder.shrink(most, Optional.of(path)));
         folder.used(path);
         folder.shrink(most, file);
         return pages;
@@ -162,10 +174,15 @@ public final class TableStore {
 
     /** What a method's shader reads, made now. */
     public ShaderTables freshTables(MethodPlan plan, MethodUse use, ColourSources colours) {
+        return made(plan, use, colours, this::freshTable);
+    }
+
+    private ShaderTables made(
+            MethodPlan plan, MethodUse use, ColourSources colours, Function<Plan, FourierTable> fourier) {
         return plan.tables(use, new TableSources() {
             @Override
             public FourierTable fourier(Plan needed) {
-                return freshTable(needed);
+                return fourier.apply(needed);
             }
 
             @Override
@@ -233,7 +250,7 @@ public final class TableStore {
     }
 
     private Optional<Path> file(String key, String ending) {
-        String name = Sha256.of(key).substring(0, 32) + "." + ending;
+        String name = CacheEntry.name(surface.identity().digest(), Sha256.of(key), ending);
         return folder.open(warning).map(path -> path.resolve(name));
     }
 

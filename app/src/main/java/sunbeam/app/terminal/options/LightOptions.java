@@ -53,7 +53,7 @@ public final class LightOptions extends SettingOptions {
 
     private LightOptions(Setting<?> theta, Map<Setting<?>, String> told) {
         super(List.of(theta, PHI_I), told);
-        several = theta == SEVERAL_THETA_I;
+        several = theta.equals(SEVERAL_THETA_I);
     }
 
     /** Options of a command that takes several lights. */

@@ -84,7 +84,7 @@ final class CacheCommandTest {
         assertThat(out.toString()).contains("of at most 9.0 kB");
         assertThat(run("cache", "--limit", "0 B")).isZero();
         assertThat(run("cache", "--limit", "default")).isZero();
-        assertThat(out.toString()).contains("at most 8.6 GB");
+        assertThat(out.toString()).contains("at most 2.0 GB");
         assertThat(run("cache", "--limit", "3GB")).isZero();
         assertThat(out.toString()).contains("left 0 tables");
     }
@@ -114,7 +114,7 @@ final class CacheCommandTest {
     void aMissingFolderIsAnEmptyCache() throws IOException {
         Files.delete(folder);
         assertThat(run("cache")).isZero();
-        assertThat(out.toString()).isEqualTo(folder + ": 0 tables, 0 B of at most 8.6 GB\n");
+        assertThat(out.toString()).isEqualTo(folder + ": 0 tables, 0 B of at most 2.0 GB\n");
         assertThat(run("cache", "--clear")).isZero();
         assertThat(folder).doesNotExist();
     }
@@ -135,7 +135,7 @@ final class CacheCommandTest {
     void aDamagedLimitIsToldAndTheUsualOneHolds() throws IOException {
         Files.writeString(folder.resolve("limit"), "lots");
         assertThat(run("cache")).isZero();
-        assertThat(out.toString()).contains("of at most 8.6 GB");
+        assertThat(out.toString()).contains("of at most 2.0 GB");
         assertThat(err.toString().lines()).hasSize(1);
         assertThat(err.toString()).contains(folder.resolve("limit").toString(), "cache --limit");
         assertThat(run("cache", "--limit", "1MB")).isZero();

@@ -41,7 +41,9 @@ final class DoctorCommandTest {
         assertThat(run(Map.of("DISPLAY", ":99"), this::working)).isZero();
         assertThat(out.toString())
                 .contains("Java", "Cores", "Heap", "Free memory", ":99", "GL renderer", "llvmpipe")
-                .contains(home.resolve(".cache").resolve("sunbeam").toString());
+                .contains(
+                        home.resolve(".cache").resolve("sunbeam") + ", 0 B used of 2.0 GB allowed, ",
+                        " free on the disk");
         assertThat(out.toString().lines()).allMatch(line -> line.startsWith("ok    "));
     }
 

@@ -3,9 +3,11 @@ package sunbeam.app.files.cache;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
+import java.io.RandomAccessFile;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.FileTime;
+import java.nio.file.attribute.PosixFilePermissions;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -60,12 +62,7 @@ final class CacheFolderTest {
         assertThat(cache.shrink(250, Optional.of(path.resolve("3.tables"))))
                 .extracting(entry -> entry.file().getFileName().toString())
                 .containsExactly("1.tables", "2.tables");
-        assertThat(cache.shrink(50, Optional.of(path.resolve("3.tables")))).hasSize(1);
-        assertThat(cache.entries())
-                .as("the newest stays")
-                .extracting(CacheEntry::file)
-                .containsExactly(path.resolve("3.tables"));
-        assertThat(path.toFile().list()).hasSize(5);
+        assertThat(path.toFile().list()).hasSize(6);
     }
 
     @Test
@@ -82,22 +79,37 @@ final class CacheFolderTest {
         assertThat(cache.sizeInBytes()).isEqualTo(200);
     }
 
+    /** Sparse files: the folder says how long they are, and takes no room. */
     @Test
-    void aNewOneThatIsLargerThanTheLimitTakesNoSmallerOnesWithItEither() throws IOException {
+    void oneSurfaceTakesItsShareOnly() throws IOException {
         CacheFolder cache = cache(Map.of());
         Path path = cache.open(warnings::add).orElseThrow();
-        Path pages = Files.write(path.resolve("1.pages"), new byte[200]);
-        Path large = Files.write(path.resolve("2.tables"), new byte[1000]);
-        assertThat(cache.shrink(250, Optional.of(large))).isEmpty();
-        assertThat(cache.shrink(250, Optional.of(pages)))
-                .extracting(CacheEntry::file)
-                .containsExactly(large);
-        assertThat(cache.sizeInBytes()).isEqualTo(200);
+        String[] names = {"0123456789ab-1.h5", "0123456789ab-2.pages", "0123456789ab-3.tables", "ba9876543210-1.h5"};
+        for (int i = 0; i < names.length; i++) {
+            try (RandomAccessFile file =
+                    new RandomAccessFile(path.resolve(names[i]).toFile(), "rw")) {
+                file.setLength(i == 2 ? 160_000_000 : 80_000_000);
+            }
+            Files.setLastModifiedTime(path.resolve(names[i]), FileTime.fromMillis(1_000_000L + 1000L * i));
+        }
+
+        assertThat(cache.shrink(CacheFolder.STANDARD_LIMIT, Optional.empty()))
+                .as("150 MB of a surface: the one that is larger than that, and the one used longest ago")
+                .extracting(entry -> entry.file().getFileName().toString())
+                .containsExactly("0123456789ab-1.h5", "0123456789ab-3.tables");
+        assertThat(cache.shrink(4 * CacheFolder.STANDARD_LIMIT, Optional.empty()))
+                .isEmpty();
+    }
+
+    @Test
+    void nobodyElseReadsIt() throws IOException {
+        Path path = cache(Map.of()).open(warnings::add).orElseThrow();
+        assertThat(Files.getPosixFilePermissions(path)).isEqualTo(PosixFilePermissions.fromString("rwx------"));
     }
 
     @Test
     void theLimitStaysForTheNextProcess() {
-        assertThat(cache(Map.of()).limit(warnings::add)).isEqualTo(8L << 30);
+        assertThat(cache(Map.of()).limit(warnings::add)).isEqualTo(2_000_000_000);
         cache(Map.of()).setLimit(12_345);
         assertThat(cache(Map.of()).limit(warnings::add)).isEqualTo(12_345);
         assertThat(warnings).isEmpty();

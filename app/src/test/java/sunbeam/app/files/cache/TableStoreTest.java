@@ -152,15 +152,16 @@ class TableStoreTest {
     }
 
     @Test
-    void aNewTableStaysHoweverSmallTheLimit() throws Exception {
+    void aTableThatTheLimitLeavesNoRoomForIsMadeEachTime() throws Exception {
         store("a").tables(new Counted("plan"), MethodUse.COLOUR, NO_COLOURS);
         CacheFolder.of(new Environment(Map.of(), home)).setLimit(0);
         Counted other = new Counted("other");
-        assertThat(numbers(store("a").tables(other, MethodUse.COLOUR, NO_COLOURS)))
-                .containsExactly(1, 2, 3);
-        store("a").tables(other, MethodUse.COLOUR, NO_COLOURS);
-        assertThat(other.made).isOne();
-        assertThat(CacheFolder.of(new Environment(Map.of(), home)).entries()).hasSize(1);
+        for (int run = 0; run < 2; run++) {
+            assertThat(numbers(store("a").tables(other, MethodUse.COLOUR, NO_COLOURS)))
+                    .containsExactly(1, 2, 3);
+        }
+        assertThat(other.made).isEqualTo(2);
+        assertThat(CacheFolder.of(new Environment(Map.of(), home)).entries()).isEmpty();
         assertThat(warnings).isEmpty();
     }
 
