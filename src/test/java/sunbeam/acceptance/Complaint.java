@@ -11,13 +11,14 @@ public final class Complaint {
     public static final int UNUSABLE_INPUT = 4;
     public static final int NO_GRAPHICS = 5;
     public static final int CANNOT_WRITE = 6;
+    public static final int OUTPUT_EXISTS = 8;
     public static final int INTERRUPTED = 130;
 
     private Complaint() {}
 
     /** Fails unless the program refused to overwrite a file, in one line that names it and the remedy. */
     public static void assertThatItExists(SunbeamResult result, String file) {
-        assertThat(result.exitCode()).as("%s", result).isGreaterThan(3);
+        assertThat(result.exitCode()).as("%s", result).isEqualTo(OUTPUT_EXISTS);
         assertThatIt(result, result.exitCode(), "cannot write " + file + ": it exists; add --force");
     }
 
