@@ -101,7 +101,8 @@ public final class Sunbeam {
         root.addSubcommand(new ReflectanceCommand(environment));
         root.addSubcommand(new InspectCommand());
         root.addSubcommand(new EvaluateCommand(environment));
-        root.addSubcommand(new FiguresCommand(environment));
+        root.addSubcommand(new FiguresCommand(
+                (stdout, stderr, arguments) -> new Sunbeam(environment, stdout, stderr).run(arguments)));
         root.addSubcommand(new PrecomputeCommand(environment));
         root.addSubcommand(new BenchmarkCommand(environment));
         root.addSubcommand(new RenderCommand(environment));

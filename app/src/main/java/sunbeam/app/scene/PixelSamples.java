@@ -25,15 +25,6 @@ public final class PixelSamples {
         if (method.type() != TableMethod.TYPE) {
             return 1;
         }
-        return (int) Math.max(2, Math.min(MOST, Math.round(wished(width, height))));
-    }
-
-    /** Whether so few pixels see so much of a mesh that the most samples are fewer than they should be. */
-    public static boolean areTooFew(int samples, int width, int height) {
-        return samples == MOST && wished(width, height) > 1.5 * MOST;
-    }
-
-    private static double wished(int width, int height) {
-        return Math.sqrt(IN_ALL / ((double) width * height));
+        return (int) Math.max(2, Math.min(MOST, Math.round(Math.sqrt(IN_ALL / ((double) width * height)))));
     }
 }

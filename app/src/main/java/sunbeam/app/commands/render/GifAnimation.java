@@ -1,7 +1,6 @@
 package sunbeam.app.commands.render;
 
 import java.awt.image.BufferedImage;
-import java.awt.image.IndexColorModel;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.file.Path;
@@ -17,31 +16,25 @@ import sunbeam.app.files.input.InputException;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.Overwrite;
 
-/** Animated GIF that runs for ever, with one palette for all frames. */
+/** Animated GIF that runs for ever; each frame has the 256 colors that ImageIO's writer chooses for it. */
 final class GifAnimation {
     private static final String FRAME_FORMAT = "javax_imageio_gif_image_1.0";
 
     private GifAnimation() {}
 
-    /** Writes the frames, read back one by one, twice: first for their colours. */
+    /** Writes the frames, read back one by one. */
     static void write(Path target, Overwrite overwrite, List<Path> frames, double framesPerSecond) {
-        Palette palette = new Palette();
-        frames.forEach(frame -> palette.add(read(frame)));
-        IndexColorModel colors = palette.choose();
         int hundredths = (int) Math.max(2, Math.round(100 / framesPerSecond));
-        AtomicFile.write(target, overwrite, stream -> write(stream, frames, palette, colors, hundredths));
+        AtomicFile.write(target, overwrite, stream -> write(stream, frames, hundredths));
     }
 
-    private static void write(
-            OutputStream stream, List<Path> frames, Palette palette, IndexColorModel colors, int hundredths)
-            throws IOException {
+    private static void write(OutputStream stream, List<Path> frames, int hundredths) throws IOException {
         ImageWriter writer = ImageIO.getImageWritersByFormatName("gif").next();
         try (MemoryCacheImageOutputStream output = new MemoryCacheImageOutputStream(stream)) {
             writer.setOutput(output);
             writer.prepareWriteSequence(null);
             for (int i = 0; i < frames.size(); i++) {
-                BufferedImage image = palette.apply(read(frames.get(i)), colors);
-                // Not createFromRenderedImage, which takes Java's standard colours for those of any indexed image.
+                BufferedImage image = read(frames.get(i));
                 IIOMetadata metadata =
                         writer.getDefaultImageMetadata(new ImageTypeSpecifier(image), writer.getDefaultWriteParam());
                 describe(metadata, hundredths, i == 0);

@@ -6,6 +6,7 @@ import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import sunbeam.app.files.output.AtomicFile;
@@ -20,6 +21,13 @@ import sunbeam.precompute.text.Quoted;
 /** MP4 (H.264) by the program ffmpeg. */
 final class Mp4Animation {
     private static final String PROGRAM = "ffmpeg";
+    private static final String INPUT = "-nostdin -loglevel error -y -start_number 1";
+    // Even sides, as 4:2:0 sampling needs them; colors by the standard of high definition, and said to be, so that
+    // players do
+    // not guess.
+    private static final String ENCODING = "-vf pad=ceil(iw/2)*2:ceil(ih/2)*2,scale=out_color_matrix=bt709:out_range=tv"
+            + " -c:v libx264 -crf 18 -pix_fmt yuv420p -colorspace bt709 -color_primaries bt709 -color_trc iec61966-2-1"
+            + " -color_range tv -f mp4";
 
     private Mp4Animation() {}
 
@@ -38,41 +46,13 @@ final class Mp4Animation {
     static void write(Path target, Overwrite overwrite, List<Path> frames, double framesPerSecond) {
         Path pattern = frames.get(0).resolveSibling("frame-%04d.png");
         AtomicFile.writeFile(target, overwrite, file -> {
-            // Even sides, as 4:2:0 sampling needs them; colours by the standard of high definition, and said to be, so
-            // that players do not guess.
-            ProcessBuilder builder = new ProcessBuilder(
-                    PROGRAM,
-                    "-nostdin",
-                    "-loglevel",
-                    "error",
-                    "-y",
-                    "-framerate",
-                    String.format(Locale.ROOT, "%.3f", framesPerSecond),
-                    "-start_number",
-                    "1",
-                    "-i",
-                    pattern.toString(),
-                    "-frames:v",
-                    Integer.toString(frames.size()),
-                    "-vf",
-                    "pad=ceil(iw/2)*2:ceil(ih/2)*2,scale=out_color_matrix=bt709:out_range=tv",
-                    "-c:v",
-                    "libx264",
-                    "-crf",
-                    "18",
-                    "-pix_fmt",
-                    "yuv420p",
-                    "-colorspace",
-                    "bt709",
-                    "-color_primaries",
-                    "bt709",
-                    "-color_trc",
-                    "iec61966-2-1",
-                    "-color_range",
-                    "tv",
-                    "-f",
-                    "mp4",
-                    file.toString());
+            List<String> words = new ArrayList<>(List.of(PROGRAM));
+            words.addAll(List.of(INPUT.split(" ", -1)));
+            words.addAll(List.of("-framerate", String.format(Locale.ROOT, "%.3f", framesPerSecond)));
+            words.addAll(List.of("-i", pattern.toString(), "-frames:v", Integer.toString(frames.size())));
+            words.addAll(List.of(ENCODING.split(" ", -1)));
+            words.add(file.toString());
+            ProcessBuilder builder = new ProcessBuilder(words);
             run(builder.redirectErrorStream(true), target);
         });
     }

@@ -10,10 +10,8 @@ import jrtr.RenderContext;
 import picocli.CommandLine.Option;
 import sunbeam.app.measure.errors.CrawlCertificate;
 import sunbeam.app.measure.errors.SceneCertificate;
-import sunbeam.app.scene.PixelSamples;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneData;
-import sunbeam.app.scene.texture.BodyTextures;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.UsageException;
@@ -39,10 +37,6 @@ final class PixelCertificate {
                             + " pixels of each two frames that follow one another, and by how much they change; exit code 3 also when"
                             + " that is a tenth more than their means do: such an animation crawls. By full and table.")
     private Integer certify;
-
-    boolean isAsked() {
-        return certify != null;
-    }
 
     /** Before anything is loaded. */
     void check(List<Scene> frames) {
@@ -101,20 +95,12 @@ final class PixelCertificate {
         if (scenes.size() == 1) {
             SceneCertificate certificate = drawn.certify(context, points, certify);
             return certificate.missed()
-                    ? missed(
-                            certificate.summary(),
-                            certificate.complaint() + remedy(scenes.get(0), drawn.supersample()),
-                            out,
-                            err)
+                    ? missed(certificate.summary(), certificate.complaint(), out, err)
                     : kept(certificate.summary(), certificate, out);
         }
         CrawlCertificate certificate = drawn.certify(context, points, scenes, certify);
         return certificate.missed()
-                ? missed(
-                        certificate.summary(),
-                        certificate.complaint() + remedy(scenes.get(0), drawn.supersample()),
-                        out,
-                        err)
+                ? missed(certificate.summary(), certificate.complaint(), out, err)
                 : kept(certificate.summary(), certificate.frames(), out);
     }
 
@@ -122,27 +108,6 @@ final class PixelCertificate {
     private static Scene points(Scene scene) {
         return scene.withMethod(scene.method()
                 .with(Choices.none().with(Methods.METHOD, FullMethod.TYPE).with(TOLERANCE, CERTIFYING)));
-    }
-
-    /**
-     * What may help a picture that differs from the means.
-     *
-     * @param samples along a pixel's side
-     */
-    static String remedy(Scene scene, int samples) {
-        boolean byTable = scene.method().type() == TableMethod.TYPE;
-        if (samples == PixelSamples.MOST && byTable) {
-            return "; no more samples can be had: a larger --size has pixels that see less, a finer --tolerance knows colours where orders"
-                    + " vanish";
-        }
-        String remedy = "; a larger --supersample helps";
-        if (!byTable) {
-            return remedy + ", or --method table, by which pixels have the mean of what they see of colours";
-        }
-        return scene.texture().equals(BodyTextures.NONE)
-                ? remedy
-                : remedy + "; the texture " + scene.texture()
-                        + " is drawn in points, too: where it is much finer than pixels, it alone may be what differs";
     }
 
     private static ExitCode kept(String summary, SceneCertificate pixels, PrintWriter out) {
@@ -157,7 +122,7 @@ final class PixelCertificate {
     private static ExitCode missed(String summary, String complaint, PrintWriter out, PrintWriter err) {
         out.println("certificate: " + summary);
         out.flush();
-        err.println(Messages.error(complaint));
+        err.println(Messages.error(complaint + "; a larger --supersample or --size, or --method table, may help"));
         err.flush();
         return ExitCode.TOLERANCE_MISSED;
     }

@@ -121,12 +121,6 @@ public final class RenderCommand implements Callable<Integer> {
         int samples = samples(scene);
         err.println("plan: " + data.method().summary() + "; " + samples * samples
                 + (samples == 1 ? " sample a pixel" : " samples a pixel (--supersample " + samples + ")"));
-        if (supersample == null
-                && !certificate.isAsked()
-                && PixelSamples.areTooFew(samples, size.width(), size.height())) {
-            err.println(Messages.note("of so few pixels each sees much of the mesh: " + samples * samples
-                    + " samples may not be enough where colours change fast; --certify 60 measures it"));
-        }
         err.flush();
         try (RenderContext context = RenderContexts.offscreen();
                 FrameSequence frames = new FrameSequence(context, parts, size, samples)) {

@@ -6,6 +6,7 @@ import java.io.ByteArrayOutputStream;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
+import java.util.Optional;
 import java.util.concurrent.atomic.AtomicLong;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -54,7 +55,7 @@ final class ProgressTest {
             // Last: the bar is drawn by a thread of its own, too, and the first line that is due stays.
             nanoseconds.set(Pace.INTERVAL.toNanos());
         }
-        assertThat(text()).startsWith("sunbeam: rendering: 50 %, ").hasLineCount(1);
+        assertThat(text()).startsWith("sunbeam: rendering: 50 %").hasLineCount(1);
     }
 
     @Test
@@ -122,28 +123,34 @@ final class ProgressTest {
         assertThat(text()).isEmpty();
     }
 
-    @Test
-    void theTimeLeftFollowsFromTheTimeTaken() {
-        assertThat(TimeLeftRenderer.render("x", 0.25, Duration.ofSeconds(10), 40))
-                .isEqualTo("x [====>              ]  25 %, 30 s left")
-                .hasSizeLessThanOrEqualTo(40);
-        assertThat(TimeLeftRenderer.render("x", 0.5, Duration.ofSeconds(90), 40))
-                .endsWith(" 1:30 min left");
-        assertThat(TimeLeftRenderer.render("x", 0.1, Duration.ofHours(1), 40)).endsWith(" 9:00 h left");
-        assertThat(TimeLeftRenderer.render("x", 0, Duration.ofSeconds(3), 40)).endsWith("time left unknown");
-        // Shaders were compiled for 3 s, and one place of ten thousand is done.
-        assertThat(TimeLeftRenderer.render("x", 1e-4, Duration.ofSeconds(3), 40))
-                .endsWith("time left unknown");
-        assertThat(TimeLeftRenderer.render("x", 5e-3, Duration.ofSeconds(18), 40))
-                .endsWith(" 59:42 min left");
-        assertThat(TimeLeftRenderer.render("Colours of a scan of a very long name", 0.25, Duration.ofSeconds(10), 40))
-                .isEqualTo("Colours of a scan of ..  25 %, 30 s left");
-        assertThat(TimeLeftRenderer.render("x", 1, Duration.ofSeconds(3), 40)).contains("=] 100 %");
+    private static Optional<Duration> seconds(long seconds) {
+        return Optional.of(Duration.ofSeconds(seconds));
     }
 
     @Test
-    void aPlainLineHasNoBar() {
-        assertThat(TimeLeftRenderer.plain("x", 0.25, Duration.ofSeconds(10))).isEqualTo("x: 25 %, 30 s left");
+    void theLineHasAsMuchAsFits() {
+        assertThat(TimeLeftRenderer.render("x", 0.25, seconds(30), 40))
+                .isEqualTo("x [====>              ]  25 %, 30 s left")
+                .hasSizeLessThanOrEqualTo(40);
+        assertThat(TimeLeftRenderer.render("x", 0.5, seconds(90), 40)).endsWith(" 1:30 min left");
+        assertThat(TimeLeftRenderer.render("x", 0.1, seconds(9 * 3600), 40)).endsWith(" 9:00 h left");
+        assertThat(TimeLeftRenderer.render("x", 0.01, Optional.empty(), 40)).endsWith("]   1 %");
+        assertThat(TimeLeftRenderer.render("Colors of a scan of a very long name", 0.25, seconds(30), 40))
+                .isEqualTo("Colors of a scan of a..  25 %, 30 s left");
+        assertThat(TimeLeftRenderer.render("x", 1, seconds(0), 40)).contains("=] 100 %");
+        assertThat(TimeLeftRenderer.plain("x", 0.25, seconds(30))).isEqualTo("x: 25 %, 30 s left");
+    }
+
+    /** Of a task that takes 20 s before its first step and then a second for each hundredth. */
+    @Test
+    void theTimeLeftFollowsFromTheStepsAndNotFromWhatComesBeforeThem() {
+        TimeLeft left = new TimeLeft();
+        assertThat(left.at(0, Duration.ofSeconds(15))).isEmpty();
+        assertThat(left.at(0.01, Duration.ofSeconds(21))).isEmpty();
+        assertThat(left.at(0.04, Duration.ofSeconds(24))).isEmpty();
+        assertThat(left.at(0.11, Duration.ofSeconds(31))).isEqualTo(seconds(89));
+        assertThat(left.at(0.61, Duration.ofSeconds(81))).isEqualTo(seconds(39));
+        assertThat(left.at(1, Duration.ofMinutes(2))).isEqualTo(seconds(0));
     }
 
     @Test

@@ -1,0 +1,137 @@
+package sunbeam.app.commands.figures;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Stream;
+import javax.imageio.ImageIO;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import picocli.CommandLine;
+import sunbeam.app.terminal.UsageException;
+
+class FiguresCommandTest {
+    @TempDir
+    private Path folder;
+
+    private final List<List<String>> runs = new ArrayList<>();
+    private final StringWriter err = new StringWriter();
+
+    /** A program whose maps are grey, those of 40 nm darker, and which cannot draw those of 20 nm. */
+    private int draw(PrintWriter out, PrintWriter complaints, String... arguments) {
+        List<String> words = List.of(arguments);
+        runs.add(words);
+        if (words.contains("20nm")) {
+            complaints.println("sunbeam: no memory");
+            return 4;
+        }
+        BufferedImage image = new BufferedImage(4, 4, BufferedImage.TYPE_INT_RGB);
+        for (int i = 0; i < 16; i++) {
+            image.setRGB(i % 4, i / 4, words.contains("40nm") ? 0x404040 : 0x808080);
+        }
+        try {
+            ImageIO.write(
+                    image,
+                    "png",
+                    Path.of(words.get(words.indexOf("--output") + 1)).toFile());
+        } catch (IOException failure) {
+            throw new UncheckedIOException(failure);
+        }
+        out.println("a verdict");
+        return 0;
+    }
+
+    private int figures(String... more) {
+        CommandLine command = new CommandLine(new FiguresCommand(this::draw));
+        command.setOut(new PrintWriter(new StringWriter()));
+        command.setErr(new PrintWriter(err));
+        command.setExecutionExceptionHandler((failure, line, parsed) -> {
+            err.append(failure.getMessage());
+            return 6;
+        });
+        List<String> all = new ArrayList<>(List.of("--output", folder.toString()));
+        all.addAll(List.of(more));
+        return command.execute(all.toArray(String[]::new));
+    }
+
+    @Test
+    void theManifestHasTheThesissFiguresInOrderEachPictureWithItsFile() {
+        List<Figure> all = Figure.all();
+        assertThat(all)
+                .extracting(Figure::number)
+                .containsExactly(
+                        "4.9", "4.10", "4.11", "5.3", "5.4", "5.5", "5.6", "5.7", "5.8", "5.9", "5.10", "5.11", "5.12",
+                        "5.13");
+        List<String> files = all.stream()
+                .flatMap(figure -> figure.patches().stream()
+                        .flatMap(patch -> figure.pictures().stream().map(picture -> figure.file(patch, picture))))
+                .toList();
+        assertThat(files).hasSize(96).doesNotHaveDuplicates();
+        assertThat(Figure.select(List.of("5.10", "4.9")))
+                .extracting(Figure::number)
+                .containsExactly("4.9", "5.10");
+        assertThatThrownBy(() -> Figure.select(List.of("5.99")))
+                .isInstanceOf(UsageException.class)
+                .hasMessageStartingWith("--only 5.99: no such figure; choose from 4.9, 4.10");
+    }
+
+    @Test
+    void whatIsDrawnIsKeptAndWhatFailedIsTriedAgain() throws IOException {
+        assertThat(figures("--only", "5.5", "--size", "24")).isEqualTo(4);
+        assertThat(err.toString()).contains("figure 5.5-blaze-20nm.png: no memory");
+        assertThat(runs).hasSize(6);
+        assertThat(runs.get(2))
+                .startsWith("brdf-map", "--average", "coherent", "--wavelength-step", "5nm", "--no-annotate")
+                .containsSequence("--size", "24")
+                .containsSequence(
+                        "--exposure", folder.resolve("5.5-blaze-full-0.png").toString())
+                .containsSequence("--patch", "blaze");
+        String page = Files.readString(folder.resolve("index.html"));
+        assertThat(page).contains("Figure 5.5", "5.5-blaze-10nm.png", "--wavelength-step 10nm");
+        assertThat(page).as("what was not drawn").doesNotContain("5.5-blaze-20nm.png", "Figure 5.6");
+        // Of equal pictures, and of greys that lie 26 apart in lightness.
+        assertThat(page).contains("CIEDE2000 0.0 (median)").containsPattern("CIEDE2000 2[0-9] \\(median\\)");
+
+        runs.clear();
+        assertThat(figures("--only", "5.5", "--size", "24")).isEqualTo(4);
+        assertThat(runs).hasSize(1);
+        runs.clear();
+        assertThat(figures("--only", "4.9")).isZero();
+        assertThat(runs.get(0)).startsWith("evaluate", "--theta-i", "75");
+        assertThat(Files.readString(folder.resolve("index.html"))).contains("a verdict", "Figure 4.9", "Figure 5.5");
+    }
+
+    @Test
+    void whatOthersWroteStays() throws IOException {
+        Path picture = Files.writeString(folder.resolve("5.5-blaze-5nm.png"), "mine");
+        assertThat(figures("--only", "5.5")).isEqualTo(6);
+        assertThat(err.toString()).contains("5.5-blaze-5nm.png: it exists, with other parameters");
+        assertThat(picture).hasContent("mine");
+        Files.delete(picture);
+        Files.writeString(folder.resolve("index.html"), "mine");
+        assertThat(figures("--only", "5.5")).isEqualTo(6);
+        assertThat(err.toString()).contains("it exists and is no page of figures");
+        assertThat(runs).isEmpty();
+    }
+
+    @Test
+    void aDamagedRecordIsNoRecord() throws IOException {
+        for (String record : new String[] {"{", "[]", "{\"5.5-blaze-5nm.png\": {}, \"\\u0000\": null}"}) {
+            Files.writeString(folder.resolve("figures.json"), record);
+            assertThat(figures("--only", "4.9", "--force")).as(record).isZero();
+        }
+        try (Stream<Path> files = Files.list(folder)) {
+            assertThat(files.map(file -> file.getFileName().toString()))
+                    .containsExactlyInAnyOrder("4.9-blaze-response.png", "figures.json", "index.html");
+        }
+    }
+}
