@@ -141,12 +141,32 @@ class EvaluateTest {
 
     /** Elaphe: along the horizontal; Xenopeltis: rows one above the other, near the vertical. */
     @ParameterizedTest
-    @CsvSource({"elaphe, in direction -0.1", "xenopeltis, in direction 87.4 +- "})
-    void scansAreInspected(String patch, String strongest) throws Exception {
+    @CsvSource({"elaphe, across (0|180) degrees: first-order colors at 2", "xenopeltis, across 8[5-9] degrees"})
+    void scansAreInspected(String patch, String verdict) throws Exception {
         SunbeamResult result =
                 workplace.succeed("inspect", SharedData.patch(patch).toString(), "--output", patch + ".png");
 
-        assertThat(result.stdout()).contains(" nm, 95 % interval ", strongest, "fine enough for light of 380 nm");
+        assertThat(result.stdout())
+                .startsWith("A grating of 1.")
+                .containsPattern(verdict)
+                .contains(" nm, 95 % interval ");
+        assertThat(result.stdout().lines().count()).isLessThanOrEqualTo(9);
+        assertThat(result.stderr()
+                        .lines()
+                        .filter(line -> line.contains("warning"))
+                        .count())
+                .isLessThanOrEqualTo(1);
         assertThat(workplace.files()).contains(patch + ".png");
+    }
+
+    /** At 97 degrees it was said that too few periods fit. */
+    @ParameterizedTest
+    @CsvSource({"96", "97", "97.4", "98", "100"})
+    void xenopeltisAnswersAlongEveryAzimuthOfItsRows(String azimuth) throws Exception {
+        JsonNode report = evaluate("xenopeltis", "380:780:40", "--azimuth", azimuth);
+
+        // The rows are 1.5 um apart, by eye and by the thesis.
+        assertThat(report.at("/period/low_nm").doubleValue()).isBetween(1300.0, 1510.0);
+        assertThat(report.at("/period/high_nm").doubleValue()).isBetween(1510.0, 1700.0);
     }
 }

@@ -87,9 +87,8 @@ public record PrincipalDirection(double azimuthDegrees, OptionalDouble halfWidth
         double squares = Arrays.stream(across)
                 .map(value -> (value - mean) * (value - mean))
                 .sum();
-        double error =
-                new TDistribution(count - 1).inverseCumulativeProbability(0.5 + 0.5 * PeriodEstimator.PROBABILITY)
-                        * Math.sqrt(squares / count / (count - 1));
+        double error = new TDistribution(count - 1).inverseCumulativeProbability(0.5 + 0.5 * GratingPeriod.PROBABILITY)
+                * Math.sqrt(squares / count / (count - 1));
         double degrees = Math.toDegrees(0.5 * (error + Math.abs(mean)) / along);
         return along > 0 ? Math.min(ANY, Math.hypot(degrees, OVERTONES)) : ANY;
     }

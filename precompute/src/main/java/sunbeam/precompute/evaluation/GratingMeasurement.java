@@ -11,14 +11,9 @@ import java.util.Optional;
  * @param interpolated the period from peaks between samples: the better estimate
  * @param sampled the period from peaks on the grid's samples, as the thesis takes them; its variance grows with the
  *     square of the angles' step
- * @param fittedFrequency u / lambda = +-1 / d of the curve that fits the interpolated peaks best, cycles per metre
  */
 public record GratingMeasurement(
-        List<RidgeSearch.Candidate> candidates,
-        Ridge ridge,
-        PeriodStatistics interpolated,
-        PeriodStatistics sampled,
-        double fittedFrequency) {
+        List<RidgeSearch.Candidate> candidates, Ridge ridge, PeriodStatistics interpolated, PeriodStatistics sampled) {
     // A variance of fewer says nothing.
     private static final int FEWEST = 3;
 
@@ -43,20 +38,11 @@ public record GratingMeasurement(
             return Optional.empty();
         }
         return Optional.of(new GratingMeasurement(
-                candidates,
-                ridge,
-                PeriodStatistics.of(ridge.periods()),
-                PeriodStatistics.of(ridge.sampledPeriods()),
-                ridge.fittedFrequency()));
-    }
-
-    /** The period of the curve that fits best, metres. */
-    public double fittedPeriod() {
-        return 1 / Math.abs(fittedFrequency);
+                candidates, ridge, PeriodStatistics.of(ridge.periods()), PeriodStatistics.of(ridge.sampledPeriods())));
     }
 
     /** +1 or -1, the sign of u: -1 on the side of the mirror towards the normal for a light at grazing angles. */
     public int order() {
-        return fittedFrequency < 0 ? -1 : 1;
+        return candidates.get(0).frequency() < 0 ? -1 : 1;
     }
 }

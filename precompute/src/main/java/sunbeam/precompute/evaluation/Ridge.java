@@ -1,6 +1,5 @@
 package sunbeam.precompute.evaluation;
 
-import java.util.Arrays;
 import java.util.stream.IntStream;
 
 /**
@@ -35,27 +34,6 @@ public record Ridge(GratingPlane plane, double[] wavelengths, double[] peakAngle
     private double[] periods(double[] angles) {
         return IntStream.range(0, size())
                 .mapToDouble(i -> wavelengths[i] / Math.abs(plane.u(angles[i])))
-                .toArray();
-    }
-
-    /**
-     * The frequency u / lambda = +-1 / d whose curve |u| = lambda / d fits the interpolated peaks best, in least squares
-     * of u; cycles per metre.
-     */
-    public double fittedFrequency() {
-        double product = 0;
-        double square = 0;
-        for (int i = 0; i < size(); i++) {
-            product += plane.u(peakAngles[i]) * wavelengths[i];
-            square += wavelengths[i] * wavelengths[i];
-        }
-        return product / square;
-    }
-
-    /** The grating equation's angles for a frequency, at the ridge's wavelengths, radians; NaN beyond the horizon. */
-    public double[] angles(double frequency) {
-        return Arrays.stream(wavelengths)
-                .map(wavelength -> plane.thetaR(frequency * wavelength))
                 .toArray();
     }
 }

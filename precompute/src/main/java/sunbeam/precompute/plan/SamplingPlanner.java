@@ -23,10 +23,8 @@ final class SamplingPlanner {
     // per tolerance.
     private static final double CORNER_LENGTH = 4e-6;
     // Interpolating both axes costs as many taps more as the kernel has: of |u|, |v| so much bears it. The columns that
-    // this takes let rays that meet them more steeply than at 45 degrees take longer steps, too. Half as many columns
-    // take half of the memory.
-    private static final double LARGEST_CENTRE = 0.12;
-    private static final double LARGEST_COMPACT_CENTRE = 0.25;
+    // this takes let rays that meet them more steeply than at 45 degrees take longer steps, too.
+    private static final double LARGEST_CENTRE = 0.2;
     // Steps of the wavelength per period of the interference between top and bottom of the relief.
     private static final double NODES_PER_FRINGE = 6;
     // Where the window's spectrum is narrower, in bins, its flanks lie bare between orders. Interpolation errs by a
@@ -61,8 +59,8 @@ final class SamplingPlanner {
         if (neighbour < 1e-3 * budget.tolerance()) {
             return List.of(orders());
         }
-        Sampling fast = grid(budget.interpolation(average), LARGEST_CENTRE);
-        Sampling compact = grid(budget.compactInterpolation(average), LARGEST_COMPACT_CENTRE);
+        Sampling fast = grid(budget.interpolation(average));
+        Sampling compact = grid(budget.compactInterpolation(average));
         Sampling bins = OrderSampling.overlapping(bins(), band(fewestNodes()));
         // Where orders are resolved along an axis, a grid fine enough for them is larger than the bins.
         return interpolates(map, window) ? List.of(fast, compact, bins) : List.of(bins, fast, compact);
@@ -103,7 +101,7 @@ final class SamplingPlanner {
                 band(4 * fewestNodes()));
     }
 
-    private GridSampling grid(InterpolationDesign design, double largestCentre) {
+    private GridSampling grid(InterpolationDesign design) {
         // Columns are crossed at up to sqrt(2) of their distance. The power of a lone order along the ray is a Gaussian
         // of deviation sigma / sqrt(2), for which the trapezoid rule errs by 2 exp(-2 (pi deviation / step)^2).
         double perStep = Math.sqrt(2 / (Math.PI * Math.PI) * Math.log(2 / budget.wavelengths()));
@@ -114,7 +112,7 @@ final class SamplingPlanner {
         BandRule band = rough ? band(fewestNodes()).evenlyTo(uncut) : band(fewestNodes());
         double longest = Math.sqrt(2) * step;
         GridSampling coarse = new GridSampling(design, step, longest, fewestNodes(), band, single(band), budget);
-        return coarse.withColumnsCloser((int) Math.ceil(coarse.centreReach() / largestCentre));
+        return coarse.withColumnsCloser((int) Math.ceil(coarse.centreReach() / LARGEST_CENTRE));
     }
 
     /** For single wavelengths: all bins that count, exactly, where they are not too many, as time is no matter there. */

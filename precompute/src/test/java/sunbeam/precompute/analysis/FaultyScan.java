@@ -61,20 +61,17 @@ record FaultyScan(HeightMap map, double[] truths, boolean anyBetween, String wor
     private static final double SMOOTH = 0.05;
 
     /** What the program answers: nothing of rows that are no measurement, nor where it refuses what it found. */
-    Optional<PeriodEstimate> estimate() {
+    Optional<GratingPeriod> estimate() {
         HeightField field = new HeightField(map.columns(), map.rows(), map.pitchX(), map.pitchY(), map.toArray());
         List<PatchFault> faults = ScanFaults.in(field, Optional.empty()).stream()
                 .map(fault -> new PatchFault(fault.words(), "", fault.unmeasured()))
                 .toList();
-        return new PeriodFinder(map, false)
-                .all().peaks().stream()
-                        .findFirst()
-                        .flatMap(peak -> PeriodEstimator.estimate(map, peak)
-                                .filter(told -> PeriodJudgement.refusal(faults, Optional.of(told), peak)
-                                        .isEmpty()));
+        return PeriodModel.of(map, wave -> true)
+                .map(told -> told.unlessUnmeasured(faults))
+                .filter(GratingPeriod::isTold);
     }
 
-    boolean holdsTruth(PeriodEstimate estimate) {
+    boolean holdsTruth(GratingPeriod estimate) {
         if (anyBetween) {
             return estimate.low() <= Arrays.stream(truths).max().orElseThrow()
                     && estimate.high() >= Arrays.stream(truths).min().orElseThrow();

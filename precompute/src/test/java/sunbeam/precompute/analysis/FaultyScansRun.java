@@ -29,7 +29,7 @@ class FaultyScansRun {
         int missed = 0;
         for (long seed = FIRST_SEED; seed < FIRST_SEED + DRAWS; seed++) {
             FaultyScan scan = FaultyScan.draw(kind, seed);
-            Optional<PeriodEstimate> told = scan.estimate();
+            Optional<GratingPeriod> told = scan.estimate();
             if (told.filter(scan::holdsTruth).isPresent()) {
                 held++;
             } else if (told.isPresent()) {

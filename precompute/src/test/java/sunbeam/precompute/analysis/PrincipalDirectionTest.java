@@ -59,31 +59,6 @@ class PrincipalDirectionTest {
                 .isEqualTo("11.3 degrees");
     }
 
-    /** Rows that jump spread light along y, where the surface has nothing. */
-    @Test
-    void levellingTurnsTheDirectionOfRowsThatJump() {
-        SplittableRandom random = new SplittableRandom(2);
-        double[] offsets = random.doubles(128, -40e-9, 40e-9).toArray();
-        HeightMap lines = Surfaces.of(
-                128, 128, 100e-9, (x, y) -> 10e-9 * Math.sin(2 * Math.PI * x / 1.1e-6) + 1e-9 * random.nextGaussian());
-        double[] heights = lines.toArray();
-        for (int i = 0; i < heights.length; i++) {
-            heights[i] += offsets[i / 128];
-        }
-        HeightMap jumping = new HeightMap(128, 128, 100e-9, 100e-9, heights);
-        assertThat(LevelledDirection.of(lines)).isEmpty();
-        LevelledDirection levelled = LevelledDirection.of(jumping).orElseThrow();
-        assertThat(levelled.levelling()).isEqualTo(Levelling.MEDIAN_ROWS);
-        assertThat(levelled.direction().azimuthDegrees()).isCloseTo(0, within(2.0));
-        // A grating along y is the surface's own, though levelling by rows takes it away.
-        HeightMap alongY = Surfaces.of(
-                128,
-                128,
-                100e-9,
-                (x, y) -> 10e-9 * Math.sin(2 * Math.PI * y / 1.1e-6) + 3e-9 * Math.sin(2 * Math.PI * x / 0.9e-6));
-        assertThat(LevelledDirection.of(alongY)).isEmpty();
-    }
-
     @Test
     void aFlatSurfaceHasNone() {
         assertThat(PrincipalDirection.azimuthDegrees(Surfaces.of(8, 8, 100e-9, (x, y) -> 0)))

@@ -35,35 +35,25 @@ record SimulatedGrating(HeightMap map, Kind kind, double[] truths, double azimut
         ROWS
     }
 
-    /** What the program answers, where it does not doubt it. */
-    Optional<PeriodEstimate> estimate() {
-        return new PeriodFinder(map)
-                .all().peaks().stream()
-                        .findFirst()
-                        .flatMap(peak -> PeriodEstimator.estimate(map, peak))
-                        .filter(told -> told.doubt() == PeriodEstimate.Doubt.NONE);
-    }
-
-    /** The direction that is told with a period. */
-    Optional<WaveDirection> direction(PeriodEstimate estimate) {
-        return new PeriodFinder(map)
-                .all().peaks().stream().findFirst().flatMap(peak -> WaveDirection.of(map, peak, estimate.period()));
+    /** What the program answers, where it does not refuse. */
+    Optional<GratingPeriod> estimate() {
+        return PeriodModel.of(map, wave -> true).filter(GratingPeriod::isTold);
     }
 
     /** Radians; a direction and its opposite are one. */
-    double directionError(WaveDirection direction) {
-        return Math.abs(Math.IEEEremainder(direction.radians() - azimuth, Math.PI));
+    double directionError(GratingPeriod estimate) {
+        return Math.abs(Math.IEEEremainder(estimate.azimuth() - azimuth, Math.PI));
     }
 
     /** Of the answer, relative to the truth that it is nearer to. */
-    double error(PeriodEstimate estimate) {
+    double error(GratingPeriod estimate) {
         return Arrays.stream(truths)
                 .map(truth -> Math.abs(estimate.period() / truth - 1))
                 .min()
                 .orElseThrow();
     }
 
-    boolean holdsTruth(PeriodEstimate estimate) {
+    boolean holdsTruth(GratingPeriod estimate) {
         return Arrays.stream(truths).anyMatch(truth -> truth >= estimate.low() && truth <= estimate.high());
     }
 

@@ -48,10 +48,10 @@ class SimulatedGratingsRun {
         Directions directions = new Directions();
         for (long seed = FIRST_SEED; seed < FIRST_SEED + DRAWS; seed++) {
             SimulatedGrating grating = SimulatedGrating.draw(kind, seed);
-            Optional<PeriodEstimate> found = grating.estimate();
+            Optional<GratingPeriod> found = grating.estimate();
             if (found.isPresent()) {
-                PeriodEstimate estimate = found.get();
-                halfWidths.add(100 * estimate.halfWidth() / estimate.period());
+                GratingPeriod estimate = found.get();
+                halfWidths.add(50 * (estimate.high() - estimate.low()) / estimate.period());
                 errors.add(100 * grating.error(estimate));
                 directions.add(grating, estimate);
                 if (grating.holdsTruth(estimate)) {
@@ -79,13 +79,11 @@ class SimulatedGratingsRun {
         private final List<Double> halfWidths = new ArrayList<>();
         private final List<Double> errors = new ArrayList<>();
 
-        void add(SimulatedGrating grating, PeriodEstimate estimate) {
-            grating.direction(estimate).ifPresent(direction -> {
-                double error = grating.directionError(direction);
-                held += error <= direction.halfWidth() ? 1 : 0;
-                halfWidths.add(Math.toDegrees(direction.halfWidth()));
-                errors.add(Math.toDegrees(error));
-            });
+        void add(SimulatedGrating grating, GratingPeriod estimate) {
+            double error = grating.directionError(estimate);
+            held += error <= estimate.azimuthHalfWidth() ? 1 : 0;
+            halfWidths.add(Math.toDegrees(estimate.azimuthHalfWidth()));
+            errors.add(Math.toDegrees(error));
         }
 
         String words() {

@@ -2,13 +2,8 @@ package sunbeam.app.commands.color;
 
 import java.util.Locale;
 import java.util.Optional;
-import sunbeam.precompute.analysis.HeightSpectrum;
-import sunbeam.precompute.analysis.PeriodEstimate;
-import sunbeam.precompute.analysis.PeriodEstimator;
-import sunbeam.precompute.analysis.PeriodFinder;
-import sunbeam.precompute.analysis.Periodicity;
+import sunbeam.precompute.analysis.GratingPeriod;
 import sunbeam.precompute.analysis.PrincipalDirection;
-import sunbeam.precompute.analysis.SpectrumPeak;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.patch.Patch;
 
@@ -62,24 +57,18 @@ record SurfaceOrder(PrincipalDirection plane, boolean found, Optional<Grating> g
         if (patch.isMirror()) {
             return new SurfaceOrder(plane, false, Optional.empty());
         }
-        Periodicity all = new PeriodFinder(patch.scan(), patch.repetition() != Patch.Repetition.NONE).all();
-        Optional<Grating> grating = all.peaks().stream().findFirst().flatMap(peak -> grating(patch, all, peak, plane));
-        return new SurfaceOrder(plane, all.found(), grating);
-    }
-
-    private static Optional<Grating> grating(
-            Patch patch, Periodicity all, SpectrumPeak peak, PrincipalDirection plane) {
-        Optional<PeriodEstimate> told = all.edges() == HeightSpectrum.Edges.PERIODIC
-                ? Optional.of(PeriodEstimate.exact(peak.period(), 1))
-                : PeriodEstimator.estimate(patch.scan(), peak);
-        return told.filter(estimate -> estimate.doubt() == PeriodEstimate.Doubt.NONE)
-                .map(estimate -> new Grating(estimate.period(), estimate.low(), estimate.high(), towards(plane, peak)));
+        GratingPeriod period = GratingPeriod.of(patch);
+        Optional<Grating> grating = period.isTold()
+                ? Optional.of(new Grating(period.period(), period.low(), period.high(), towards(plane, period)))
+                : Optional.empty();
+        return new SurfaceOrder(plane, period.hasOrder(), grating);
     }
 
     /** Of the two azimuths across the lines, degrees, the one on the plane's side. */
-    private static double towards(PrincipalDirection plane, SpectrumPeak peak) {
-        double azimuth = Math.toDegrees(peak.direction());
-        return Math.cos(peak.direction() - Math.toRadians(plane.azimuthDegrees())) < 0 ? azimuth - 180 : azimuth;
+    private static double towards(PrincipalDirection plane, GratingPeriod period) {
+        double azimuth = Math.toDegrees(period.azimuth());
+        double turn = period.azimuth() - Math.toRadians(plane.azimuthDegrees());
+        return Math.cos(turn) >= 0 ? azimuth : azimuth > 0 ? azimuth - 180 : azimuth + 180;
     }
 
     /** The plane's azimuth, and whether the surface knows it. */

@@ -26,12 +26,17 @@ import sunbeam.app.gpu.picture.ResumeOption;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.Messages;
+import sunbeam.app.terminal.OptionOrigin;
+import sunbeam.app.terminal.ScanWarnings;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.app.terminal.Version;
 import sunbeam.app.terminal.options.MethodOptions;
 import sunbeam.app.terminal.options.PatchOptions;
+import sunbeam.precompute.analysis.Verdict;
 import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.method.Methods;
+import sunbeam.precompute.method.ScanLimit;
+import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.setting.Choices;
 
@@ -127,8 +132,11 @@ public final class EvaluateCommand implements Callable<Integer> {
         if (output != null) {
             new FileGroup(stem(output), endings(), resume.early(force.overwrite())).checkWritable();
         }
-        DiffractionSetup setup = new DiffractionSetup(
-                patchOptions, asked, environment, specification.commandLine().getErr());
+        PrintWriter err = specification.commandLine().getErr();
+        Patch patch = patchOptions.load(asked);
+        ScanLimit limit = ScanLimit.of(method.in(asked), patch);
+        warn(patch, limit, err);
+        DiffractionSetup setup = new DiffractionSetup(patch, environment, warning -> warn(warning, err));
         Path stem = output != null ? stem(output) : Path.of(setup.patch().name() + "-evaluate");
         FileGroup files = new FileGroup(stem, endings(), force.overwrite(resume.named(output, stem)));
         String identity = resume.identity(List.of(setup.patch()));
@@ -142,15 +150,31 @@ public final class EvaluateCommand implements Callable<Integer> {
             return finished.getAsInt();
         }
         files.checkWritable();
-        Choices choices =
-                setup.seen(method.in(asked), specification.commandLine().getErr());
         return evaluate(
                         setup,
-                        choices,
+                        limit.choices(),
                         files,
                         identity,
                         specification.commandLine().getOut())
                 .code();
+    }
+
+    /** Notes, and all warnings in one line. */
+    private void warn(Patch patch, ScanLimit limit, PrintWriter err) {
+        patch.notes().forEach(note -> err.println(Messages.note(patch.name() + ": " + note)));
+        List<String> warnings = new ArrayList<>(patch.warnings());
+        limit.line().ifPresent(line -> warnings.add(line.in(OptionOrigin.INSTANCE)));
+        if (methodOptions.explains()) {
+            warnings.forEach(warning -> err.println(Messages.warning(patch.name() + ": " + warning)));
+        } else {
+            ScanWarnings.line(patch.name(), warnings, "--explain").ifPresent(err::println);
+        }
+        err.flush();
+    }
+
+    private static void warn(String warning, PrintWriter err) {
+        err.println(Messages.warning(warning));
+        err.flush();
     }
 
     /** What all files are called whose endings follow, also where one of the endings was given. */
@@ -180,34 +204,37 @@ public final class EvaluateCommand implements Callable<Integer> {
                 choices,
                 method,
                 quantity,
-                planned -> methodOptions.print(planned, err),
+                planned -> {
+                    if (methodOptions.explains()) {
+                        methodOptions.print(planned, err);
+                    }
+                },
                 line -> {
                     err.println(Messages.note(line));
                     err.flush();
                 });
         GratingTarget target = evaluation.target();
         Map<String, Object> report = describe(setup, choices, evaluation);
-        report.put(
-                "period",
-                evaluation
-                        .answer()
-                        .map(answer -> PeriodReport.tree(answer, target))
-                        .orElse(null));
+        String verdict = Verdict.of(setup.patch(), target.heights());
+        report.put("verdict", verdict);
+        report.put("period", target.told().map(EvaluationReport::tree).orElse(null));
         report.put("period_not_told", target.doubt().isEmpty() ? null : target.doubt());
         report.put("ridge_left_out", evaluation.noRidge().orElse(null));
         evaluation.measurement().map(EvaluationReport::tree).ifPresent(report::putAll);
         String title = evaluation.title();
+        out.println(verdict);
         out.println(title);
-        out.println(String.join(System.lineSeparator(), periodLines(evaluation)));
+        out.println(EvaluationReport.line(target));
         String area = Evaluation.area(choices);
+        out.println(evaluation
+                .measurement()
+                .map(found -> EvaluationReport.ridgeLine(found, target.told().isPresent(), area))
+                .orElseGet(() -> "ridge       left out: " + evaluation.noRidge().orElseThrow()));
         evaluation
                 .measurement()
-                .map(found -> target.isSharp()
-                        ? EvaluationReport.lines(found, area)
-                        : EvaluationReport.roughLines(found, area))
-                .orElseGet(() -> List.of(
-                        "ridge                left out: " + evaluation.noRidge().orElseThrow()))
-                .forEach(out::println);
+                .filter(found -> methodOptions.explains())
+                .map(EvaluationReport::lines)
+                .ifPresent(lines -> lines.forEach(out::println));
         out.flush();
         Map<String, AtomicFile.StreamContent> contents = new LinkedHashMap<>();
         if (positions > 0 && evaluation.measurement().isPresent()) {
@@ -240,19 +267,12 @@ public final class EvaluateCommand implements Callable<Integer> {
                         new ObjectMapper().writerWithDefaultPrettyPrinter().writeValueAsBytes(report)));
         Map<String, String> text = text(setup, choices, title, method);
         evaluation.plan().ifPresent(plan -> text.put("Plan", plan));
-        ExitCode code = target.isSharp() ? DoubtfulPicture.ofPatches(List.of(setup.patch())) : ExitCode.UNUSABLE_INPUT;
+        ExitCode code =
+                target.told().isPresent() ? DoubtfulPicture.ofPatches(List.of(setup.patch())) : ExitCode.UNUSABLE_INPUT;
         ResumeOption.note(text, identity, code);
         contents.put(".png", stream -> PngWriter.write(stream, evaluation.plot(), text));
         files.write(contents).forEach(file -> out.println(StandardOutput.name(file)));
         return code;
-    }
-
-    private static List<String> periodLines(Evaluation evaluation) {
-        return evaluation
-                .answer()
-                .map(answer -> PeriodReport.lines(answer, evaluation.target()))
-                .orElseGet(() -> List.of(
-                        "period               not told: " + evaluation.target().doubt()));
     }
 
     private Map<String, Object> describe(DiffractionSetup setup, Choices choices, Evaluation evaluation) {
@@ -269,7 +289,6 @@ public final class EvaluateCommand implements Callable<Integer> {
         report.put("window_origin", area.origin().name().toLowerCase(Locale.ROOT));
         report.put("coherence_length_m", area.window().coherenceLength());
         report.putAll(EvaluationReport.tree(evaluation.grid()));
-        report.put("heights", EvaluationReport.tree(evaluation.target()));
         return report;
     }
 

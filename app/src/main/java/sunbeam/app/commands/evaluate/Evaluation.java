@@ -4,17 +4,11 @@ import java.awt.Font;
 import java.awt.image.BufferedImage;
 import java.util.Locale;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import java.util.function.Consumer;
 import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.files.plot.FittedNames;
-import sunbeam.app.terminal.progress.Progress;
-import sunbeam.precompute.analysis.PeriodEstimate;
-import sunbeam.precompute.evaluation.FadedRidge;
-import sunbeam.precompute.evaluation.FirstOrder;
+import sunbeam.precompute.analysis.GratingPeriod;
 import sunbeam.precompute.evaluation.GratingMeasurement;
-import sunbeam.precompute.evaluation.GratingPlane;
-import sunbeam.precompute.evaluation.PeriodAnswer;
 import sunbeam.precompute.evaluation.ResponseGrid;
 import sunbeam.precompute.evaluation.ResponseMatrix;
 import sunbeam.precompute.method.MethodPlan;
@@ -37,7 +31,6 @@ public final class Evaluation {
     private final Optional<GratingMeasurement> measurement;
     private final Optional<String> noRidge;
     private final String name;
-    private final Optional<PeriodAnswer> answer;
 
     private Evaluation(
             GratingTarget target,
@@ -46,8 +39,7 @@ public final class Evaluation {
             ResponseMatrix response,
             Optional<GratingMeasurement> measurement,
             Optional<String> noRidge,
-            String name,
-            Optional<PeriodAnswer> answer) {
+            String name) {
         this.target = target;
         this.responses = responses;
         this.quantity = quantity;
@@ -55,7 +47,6 @@ public final class Evaluation {
         this.measurement = measurement;
         this.noRidge = noRidge;
         this.name = name;
-        this.answer = answer;
     }
 
     /**
@@ -81,15 +72,12 @@ public final class Evaluation {
             Consumer<MethodPlan> planned,
             Consumer<String> remark) {
         CoherenceWindow window = GaussianArea.windowOf(choices);
-        double sigmaFrequency = window.sigmaFrequency();
-        GratingTarget target = GratingTarget.of(setup.patch(), grating, sigmaFrequency);
         Patch patch = setup.patch();
+        GratingTarget target = GratingTarget.of(patch, grating);
         DirectionBudget budget =
                 new DirectionBudget(patch.heights().width(), patch.heights().height(), window);
         OrdersApart orders = new OrdersApart(
-                target.estimate()
-                        .map(PeriodEstimate::period)
-                        .orElse(target.order().middle()),
+                target.told().map(GratingPeriod::period).orElse(target.order().middle()),
                 window,
                 patch.repetition() == Patch.Repetition.NONE ? patch.shorterSide() : Double.POSITIVE_INFINITY);
         ResponseGrid grid = grating.grid(target.plane(), target.order(), budget);
@@ -97,63 +85,16 @@ public final class Evaluation {
         grating.unseen(target.plane(), target.order()).ifPresent(remark);
         Responses responses = new Responses(setup, method, choices, grid, planned, remark);
         ResponseMatrix response = quantity.of(responses.power());
-        Optional<GratingMeasurement> measurement =
-                orders.areTold() ? target.measure(response, sigmaFrequency) : Optional.empty();
+        Optional<GratingMeasurement> measurement = orders.areTold()
+                ? GratingMeasurement.of(response, target.order(), window.sigmaFrequency())
+                : Optional.empty();
+        if (orders.areTold() && measurement.isEmpty() && target.told().isEmpty()) {
+            throw new NoPeriodException(
+                    patch.name() + ": " + target.noRidge() + ", or --period (" + target.doubt() + ")");
+        }
         Optional<String> noRidge =
                 measurement.isPresent() ? Optional.empty() : orders.shortfall().or(() -> Optional.of(target.noRidge()));
-        Optional<PeriodAnswer> answer =
-                target.estimate().map(told -> answer(told, setup, grating, responses, budget, orders));
-        return new Evaluation(
-                target,
-                responses,
-                quantity,
-                response,
-                measurement,
-                noRidge,
-                setup.patch().name(),
-                answer);
-    }
-
-    /**
-     * What the light shows near what the heights tell, metres: for a sharp line the scan alone, faded to zero at its border,
-     * so that no repetition draws it aside; for a broad one the mean power over all positions of the window, of few
-     * wavelengths, which agree.
-     */
-    private static PeriodAnswer answer(
-            PeriodEstimate told,
-            DiffractionSetup setup,
-            GratingRequest grating,
-            Responses responses,
-            DirectionBudget budget,
-            OrdersApart orders) {
-        if (told.isInPieces()) {
-            return new PeriodAnswer(told, OptionalDouble.empty(), PeriodAnswer.Light.DRAWN_BY_SLIPS);
-        }
-        GratingPlane plane = responses.grid().plane();
-        FirstOrder order = GratingTarget.near(told);
-        ResponseGrid grid = grating.fewWavelengths(plane, order, budget);
-        boolean repeats = setup.patch().repetition() == Patch.Repetition.PERIODIC;
-        if (!repeats && FadedRidge.isSharp(told, setup.patch().scan(), plane)) {
-            OptionalDouble alone = alone(told, setup.patch(), plane, grid.wavelengths());
-            if (alone.isPresent()) {
-                return new PeriodAnswer(told, alone, PeriodAnswer.Light.SCAN_ALONE);
-            }
-        }
-        if (!orders.areTold()) {
-            return new PeriodAnswer(told, OptionalDouble.empty(), PeriodAnswer.Light.NOT_TOLD_APART);
-        }
-        OptionalDouble mean = GratingMeasurement.of(
-                        responses.mean(grid), order, budget.window().sigmaFrequency())
-                .map(found -> OptionalDouble.of(found.interpolated().mean()))
-                .orElse(OptionalDouble.empty());
-        return new PeriodAnswer(told, mean, PeriodAnswer.Light.ALL_POSITIONS);
-    }
-
-    private static OptionalDouble alone(PeriodEstimate told, Patch patch, GratingPlane plane, double[] wavelengths) {
-        FadedRidge ridge = new FadedRidge(patch.scan(), plane);
-        try (Progress progress = Progress.start("Light of " + patch.name() + " alone", ridge.mostSums())) {
-            return ridge.period(told, wavelengths, () -> progress.step(1));
-        }
+        return new Evaluation(target, responses, quantity, response, measurement, noRidge, patch.name());
     }
 
     /** What of the surface the ridge belongs to, in words. */
@@ -161,11 +102,6 @@ public final class Evaluation {
         return GaussianArea.of(choices).average() == Average.ENSEMBLE
                 ? "the mean over all positions of the window"
                 : "one coherence area";
-    }
-
-    /** The period and how well it is known; empty where the user looked for one that the heights do not show. */
-    public Optional<PeriodAnswer> answer() {
-        return answer;
     }
 
     /** The patch, the light and the azimuth. */
@@ -204,7 +140,7 @@ public final class Evaluation {
 
     /** The thesis's figures 4.9 to 4.11: the response in colour, its followed peaks, and the period by the grating equation. */
     public BufferedImage plot() {
-        return ResponsePlot.draw(figureTitle(), quantity.label(), response, measurement, answer);
+        return ResponsePlot.draw(figureTitle(), quantity.label(), response, measurement, target.told());
     }
 
     GratingTarget target() {

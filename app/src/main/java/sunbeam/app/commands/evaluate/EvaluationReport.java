@@ -5,7 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import sunbeam.precompute.analysis.Periodicity;
+import sunbeam.precompute.analysis.GratingPeriod;
 import sunbeam.precompute.evaluation.GratingMeasurement;
 import sunbeam.precompute.evaluation.PeriodStatistics;
 import sunbeam.precompute.evaluation.ResponseGrid;
@@ -16,6 +16,7 @@ import sunbeam.precompute.units.Lengths;
 final class EvaluationReport {
     // Other ridges, beside the strongest, that are told of.
     private static final int RIDGES = 8;
+    private static final int RIDGE_DIGITS = 5;
     private static final double NANOMETRES = 1e9;
 
     private EvaluationReport() {}
@@ -26,7 +27,6 @@ final class EvaluationReport {
         tree.put("order", measurement.order());
         tree.put("peaks_interpolated", statistics(measurement.interpolated()));
         tree.put("peaks_on_samples", statistics(measurement.sampled()));
-        tree.put("grating_equation_fit_nm", measurement.fittedPeriod() * NANOMETRES);
         List<Map<String, Object>> ridges = new ArrayList<>();
         for (RidgeSearch.Candidate candidate : firstRidges(measurement)) {
             Map<String, Object> ridge = new LinkedHashMap<>();
@@ -71,18 +71,32 @@ final class EvaluationReport {
         return tree;
     }
 
-    /** What the heights show: the period that is told, and the peak of the spectrum, which is rough. */
-    static Map<String, Object> tree(GratingTarget target) {
-        Periodicity heights = target.heights();
-        Double peak = heights.found() ? heights.peaks().get(0).period() * NANOMETRES : null;
+    /** The period that the heights tell. */
+    static Map<String, Object> tree(GratingPeriod period) {
         Map<String, Object> tree = new LinkedHashMap<>();
-        tree.put(
-                "period_nm",
-                target.estimate().map(told -> told.period() * NANOMETRES).orElse(null));
-        tree.put("spectrum_peak_nm", peak);
-        tree.put("figure", heights.figure());
-        tree.put("threshold", heights.threshold());
+        tree.put("nm", period.period() * NANOMETRES);
+        tree.put("low_nm", period.low() * NANOMETRES);
+        tree.put("high_nm", period.high() * NANOMETRES);
+        tree.put("probability", GratingPeriod.PROBABILITY);
+        tree.put("direction_degrees", Math.toDegrees(period.azimuth()));
+        tree.put("direction_half_width_degrees", Math.toDegrees(period.azimuthHalfWidth()));
+        tree.put("periods_in_the_scan", period.isExact() ? null : period.periods());
+        tree.put("share_of_variance", period.share());
         return tree;
+    }
+
+    /** For people: what the heights tell, or why they do not. */
+    static String line(GratingTarget target) {
+        return target.told()
+                .map(told -> "period      " + told.describe() + ", of the heights: "
+                        + (told.isExact()
+                                ? "the patch repeats"
+                                : String.format(
+                                        Locale.ROOT,
+                                        "it is seen %.1f times and explains %.0f %% of their variance",
+                                        told.periods(),
+                                        100 * told.share())))
+                .orElseGet(() -> "period      not told: " + target.doubt());
     }
 
     static Map<String, Object> tree(Positions positions, long seed) {
@@ -107,31 +121,27 @@ final class EvaluationReport {
         return Double.isFinite(metres) ? metres * NANOMETRES : null;
     }
 
-    /** Of a ridge that belongs to no period that is told: where it is, without digits that nobody should quote. */
-    static List<String> roughLines(GratingMeasurement measurement, String area) {
-        return List.of(String.format(
+    /**
+     * Where the brightest ridge is: without digits that nobody should quote where no period is told.
+     *
+     * @param area whose ridge it is
+     */
+    static String ridgeLine(GratingMeasurement measurement, boolean told, String area) {
+        return String.format(
                 Locale.ROOT,
-                "The brightest ridge of %s lies where a period of about %s has its order %d: where light goes, not how well a period is known",
+                "ridge       %s, the brightest of %s over %d wavelengths, order %d: where light goes, not how well the period is known",
+                Lengths.rounded(measurement.interpolated().mean(), told ? RIDGE_DIGITS : 2),
                 area,
-                Lengths.rounded(measurement.interpolated().mean(), 2),
-                measurement.order()));
+                measurement.interpolated().count(),
+                measurement.order());
     }
 
-    /** @param area whose ridge it is */
-    static List<String> lines(GratingMeasurement measurement, String area) {
+    /** The thesis's figures of Table 4.1, and other ridges. */
+    static List<String> lines(GratingMeasurement measurement) {
         List<String> lines = new ArrayList<>();
-        lines.add(
-                "The ridge of " + area
-                        + ", wavelength by wavelength; the standard error says how straight it is, not how well the period is known:");
         lines.add("                        mean d     variance  standard error  wavelengths");
         lines.add(line("peaks interpolated", measurement.interpolated()));
         lines.add(line("peaks on samples", measurement.sampled()));
-        lines.add(String.format(
-                Locale.ROOT,
-                "%-20s %9.2f nm (order %d)",
-                "grating equation",
-                measurement.fittedPeriod() * NANOMETRES,
-                measurement.order()));
         List<RidgeSearch.Candidate> ridges = firstRidges(measurement);
         if (ridges.size() > 1) {
             StringBuilder others = new StringBuilder("weaker ridges at");

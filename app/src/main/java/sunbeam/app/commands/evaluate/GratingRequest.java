@@ -32,14 +32,11 @@ public record GratingRequest(
         Range wavelengths,
         boolean all,
         OptionalDouble period) {
-    private static final int FEW = 21;
     // A period's variance needs as many.
     private static final int FEWEST = 3;
     private static final int DIGITS = 3;
     // Angles that are taken where none are given, as many as the thesis takes.
     private static final int MOST_ANGLES = 1500;
-    // Sums in double precision reach twice as far along each axis.
-    private static final long SHARE_OF_BINS = 4;
     // 160 MB of doubles.
     private static final long MOST_DIRECTIONS = 20_000_000;
     // A ridge is 1.7 deviations wide at half its height; three samples must lie on its top.
@@ -210,25 +207,6 @@ public record GratingRequest(
                                 * angles.map(Range::count).orElse(MOST_ANGLES)
                                 / taken
                                 / grid.angles().length));
-    }
-
-    /** Few of the wavelengths, and all angles at which they show an order: enough for one period. */
-    ResponseGrid fewWavelengths(GratingPlane plane, FirstOrder order, DirectionBudget budget) {
-        double[] all = seen(plane, order, wavelengths);
-        double[] few = new double[Math.min(FEW, all.length)];
-        for (int i = 0; i < few.length; i++) {
-            few[i] = all[(int) Math.round(i * (all.length - 1.0) / (few.length - 1))];
-        }
-        ResponseGrid grid = new ResponseGrid(plane, few, angles(plane, order, few, MOST_ANGLES));
-        for (DirectionBudget.Rung rung : DirectionBudget.LADDER) {
-            ResponseGrid thinner = new ResponseGrid(plane, few, angles(plane, order, few, rung.angles()));
-            boolean enough = budget.holds(SHARE_OF_BINS * few.length * grid.angles().length);
-            if (enough || !isFine(thinner, budget.window())) {
-                return grid;
-            }
-            grid = thinner;
-        }
-        return grid;
     }
 
     private double[] angles(GratingPlane plane, FirstOrder order, double[] lambdas, int count) {

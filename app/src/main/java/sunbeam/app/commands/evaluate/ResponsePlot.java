@@ -7,8 +7,8 @@ import java.util.Optional;
 import sunbeam.app.files.plot.ColorMap;
 import sunbeam.app.files.plot.HeatMap;
 import sunbeam.app.files.plot.Plot;
+import sunbeam.precompute.analysis.GratingPeriod;
 import sunbeam.precompute.evaluation.GratingMeasurement;
-import sunbeam.precompute.evaluation.PeriodAnswer;
 import sunbeam.precompute.evaluation.ResponseGrid;
 import sunbeam.precompute.evaluation.ResponseMatrix;
 import sunbeam.precompute.evaluation.Ridge;
@@ -33,7 +33,7 @@ final class ResponsePlot {
             String quantity,
             ResponseMatrix response,
             Optional<GratingMeasurement> measurement,
-            Optional<PeriodAnswer> answer) {
+            Optional<GratingPeriod> answer) {
         ResponseGrid grid = response.grid();
         double largest = Arrays.stream(response.values())
                 .flatMapToDouble(Arrays::stream)
@@ -54,7 +54,7 @@ final class ResponsePlot {
                         colors,
                         HeatMap.Reduction.LARGEST));
         double away = answer.map(told -> sideAwayFromTheLight(told, grid)).orElse(-1.0);
-        double sign = measurement.map(GratingMeasurement::fittedFrequency).orElse(away);
+        double sign = measurement.map(found -> (double) found.order()).orElse(away);
         answer.ifPresent(told -> draw(told, Math.signum(sign), grid, map));
         measurement.ifPresent(found -> draw(found, map));
         return map.draw();
@@ -63,17 +63,19 @@ final class ResponsePlot {
     private static void draw(GratingMeasurement measurement, HeatMap map) {
         Ridge ridge = measurement.ridge();
         String peaks = String.format(
-                Locale.ROOT, "brightest angle at each wavelength (as of %.1f nm)", measurement.fittedPeriod() * 1e9);
+                Locale.ROOT,
+                "brightest angle at each wavelength (mean %.1f nm)",
+                measurement.interpolated().mean() * 1e9);
         map.curve(peaks, nanometres(ridge.wavelengths()), degrees(ridge.peakAngles()), PEAKS, true);
     }
 
     /** -1 where the order on that side of the mirror is above the horizon, else 1. */
-    private static double sideAwayFromTheLight(PeriodAnswer answer, ResponseGrid grid) {
+    private static double sideAwayFromTheLight(GratingPeriod answer, ResponseGrid grid) {
         return Double.isNaN(grid.plane().thetaR(-grid.wavelengths()[0] / answer.period())) ? 1 : -1;
     }
 
     /** The grating equation for the period and both ends of its interval. */
-    private static void draw(PeriodAnswer answer, double sign, ResponseGrid grid, HeatMap map) {
+    private static void draw(GratingPeriod answer, double sign, ResponseGrid grid, HeatMap map) {
         double[] periods = {answer.period(), answer.low(), answer.high()};
         double[][] angles = Arrays.stream(periods)
                 .mapToObj(period -> Arrays.stream(grid.wavelengths())
@@ -81,8 +83,7 @@ final class ResponsePlot {
                         .map(Math::toDegrees)
                         .toArray())
                 .toArray(double[][]::new);
-        String name =
-                "the period, " + PeriodReport.figures(answer).replace(", 95 % interval", "; dotted: 95 % interval");
+        String name = "the period, " + answer.describe().replace(", 95 % interval", "; dotted: 95 % interval");
         map.interval(name, nanometres(grid.wavelengths()), angles[0], angles[1], angles[2], EQUATION);
     }
 

@@ -119,31 +119,15 @@ final class Responses {
 
     /** Sums over bins for any position of the window. */
     BinSums binSums() {
-        return binSums(grid);
-    }
-
-    private BinSums binSums(ResponseGrid other) {
         String name = setup.surface().identity().name();
         try (Progress progress = Progress.start("Fourier tables of " + name, PER_CENT)) {
             int[] done = {0};
-            return BinSums.of(setup.surface().identity(), setup.surface().levels(), area.window(), other, share -> {
+            return BinSums.of(setup.surface().identity(), setup.surface().levels(), area.window(), grid, share -> {
                 int now = (int) (PER_CENT * share);
                 progress.step(now - done[0]);
                 done[0] = now;
             });
         }
-    }
-
-    /** The mean over all positions of the window, for other directions. */
-    ResponseMatrix mean(ResponseGrid other) {
-        BinSums sums = binSums(other);
-        try (Progress progress = Progress.start("Mean response", other.wavelengths().length)) {
-            return sums.ensemble(progress::step);
-        }
-    }
-
-    ResponseGrid grid() {
-        return grid;
     }
 
     private ResponseMatrix onGpu() {

@@ -2,6 +2,7 @@ package sunbeam.app.commands.inspect;
 
 import java.io.PrintWriter;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -20,6 +21,7 @@ import sunbeam.app.files.output.StandardOutput;
 import sunbeam.app.gpu.picture.DoubtfulPicture;
 import sunbeam.app.terminal.JsonOption;
 import sunbeam.app.terminal.Messages;
+import sunbeam.app.terminal.ScanWarnings;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.app.terminal.options.PatchOptions;
 import sunbeam.precompute.patch.Patch;
@@ -27,10 +29,10 @@ import sunbeam.precompute.patch.Patch;
 /** {@code sunbeam inspect}: what a patch shows before any light meets it. */
 @Command(
         name = "inspect",
-        header = "Look at a height map: relief, slopes, periods, plan.",
-        description = "Look at a patch before rendering it: size, relief, roughness, slopes, histogram, power spectrum"
-                + " with its dominant periods and directions, whether the sampling is fine enough, and the plan for"
-                + " the default tolerance; as text and as one picture.")
+        header = "Look at a height map: verdict, relief, slopes, period.",
+        description =
+                "Look at a patch before rendering it: first what it is in one sentence, then size, relief, roughness,"
+                        + " slopes and its period; as text and as one picture with histogram and power spectrum.")
 public final class InspectCommand implements Callable<Integer> {
     private static final String PATCH_OPTION = "--patch";
 
@@ -55,6 +57,12 @@ public final class InspectCommand implements Callable<Integer> {
     @Mixin
     private JsonOption json;
 
+    @Option(
+            names = "--explain",
+            description =
+                    "Say more: source, channels, faults, warnings in full, the model's error, the plan and its cost.")
+    private boolean explain;
+
     @Spec
     private CommandSpec specification;
 
@@ -69,24 +77,28 @@ public final class InspectCommand implements Callable<Integer> {
         AtomicFile.checkNamed(output, force.overwrite());
         Patch loaded = load();
         loaded.notes().forEach(note -> err.println(Messages.note(loaded.name() + ": " + note)));
-        // One line beside the report, which has the others.
-        loaded.warnings().stream()
-                .limit(1)
-                .forEach(warning -> err.println(Messages.warning(loaded.name() + ": " + warning)));
+        if (explain) {
+            loaded.warnings().forEach(warning -> err.println(Messages.warning(loaded.name() + ": " + warning)));
+        } else {
+            ScanWarnings.line(loaded.name(), loaded.warnings(), "--explain").ifPresent(err::println);
+        }
         err.flush();
         Path picture = output != null ? output : Path.of("inspect-" + loaded.name() + ".png");
         AtomicFile.checkWritable(picture, force.overwrite(output));
-        Inspection inspection = Inspection.of(loaded);
-        List<String> lines = inspection.lines();
+        Inspection inspection = Inspection.of(loaded, explain || json.isAsked());
+        List<String> lines = new ArrayList<>(inspection.lines());
+        if (explain) {
+            lines.addAll(inspection.explanation());
+        }
         if (!json.isAsked()) {
             lines.forEach(out::println);
-            loaded.warnings().stream().skip(1).forEach(warning -> out.println("also: " + warning));
             out.flush();
         }
         Map<String, String> text = new LinkedHashMap<>();
         text.put("Title", "Inspection of " + loaded.name());
         text.put("Patch", loaded.source());
-        text.put("Plan", inspection.drawing().summary());
+        text.put("Verdict", inspection.verdict());
+        inspection.drawing().ifPresent(plan -> text.put("Plan", plan.summary()));
         Path place =
                 PngWriter.write(picture, force.overwrite(output), new InspectionSheet(inspection, lines).draw(), text);
         if (json.isAsked()) {

@@ -14,10 +14,9 @@ import sunbeam.app.files.plot.FittedNames;
 import sunbeam.app.files.plot.HeatMap;
 import sunbeam.app.files.plot.Plot;
 import sunbeam.app.work.Meanwhile;
+import sunbeam.precompute.analysis.GratingPeriod;
 import sunbeam.precompute.analysis.HeightSpectrum;
 import sunbeam.precompute.analysis.Histogram;
-import sunbeam.precompute.analysis.PeriodEstimate;
-import sunbeam.precompute.analysis.SpectrumPeak;
 import sunbeam.precompute.patch.HeightMap;
 import sunbeam.precompute.units.Lengths;
 
@@ -139,10 +138,9 @@ final class InspectionSheet {
 
     private BufferedImage spectrum() {
         HeightSpectrum spectrum = inspection.spectrum();
+        GratingPeriod period = inspection.period();
         double shown = LEAST_SHOWN;
-        for (SpectrumPeak peak : inspection.peaks()) {
-            shown = Math.max(shown, SHOWN_PER_PERIOD * peak.frequency());
-        }
+        shown = Math.max(shown, SHOWN_PER_PERIOD * period.wave().length());
         int reachX = (int) Math.min(spectrum.bandX().last(), Math.ceil(shown * spectrum.width()));
         int reachY = (int) Math.min(spectrum.bandY().last(), Math.ceil(shown * spectrum.height()));
         double[][] rows = new double[2 * reachY + 1][2 * reachX + 1];
@@ -173,21 +171,11 @@ final class InspectionSheet {
                         new double[] {-halfY, halfY},
                         colors,
                         HeatMap.Reduction.LARGEST));
-        for (SpectrumPeak peak : inspection.peaks()) {
-            String label = Lengths.rounded(period(peak), 3);
-            picture.mark(label, peak.frequencyX() / MICROMETRES, peak.frequencyY() / MICROMETRES);
+        if (period.hasWave()) {
+            String label = Lengths.rounded(period.period(), 3);
+            picture.mark(label, period.wave().x() / MICROMETRES, period.wave().y() / MICROMETRES);
         }
         return picture.draw();
-    }
-
-    /** What is told of a peak's period, metres: the first peak's has an interval, whose middle need not be the peak's. */
-    private double period(SpectrumPeak peak) {
-        boolean first = peak.equals(inspection.peaks().get(0));
-        return inspection
-                .estimate()
-                .filter(told -> first)
-                .map(PeriodEstimate::period)
-                .orElse(peak.period());
     }
 
     private BufferedImage histogram() {
@@ -202,10 +190,10 @@ final class InspectionSheet {
     }
 
     private BufferedImage profile() {
-        boolean periodic = inspection.periodicity().found();
+        GratingPeriod period = inspection.period();
         boolean column = map.columns() == 1;
-        double direction = periodic ? inspection.peaks().get(0).direction() : column ? 0.5 * Math.PI : 0;
-        double longest = periodic ? PROFILE_PERIODS * inspection.peaks().get(0).period() : Double.POSITIVE_INFINITY;
+        double direction = period.hasWave() ? period.azimuth() : column ? 0.5 * Math.PI : 0;
+        double longest = period.hasWave() ? PROFILE_PERIODS * period.period() : Double.POSITIVE_INFINITY;
         Profile profile = Profile.through(map, direction, longest);
         String title = String.format(
                 Locale.ROOT, "Profile through the centre, direction %.1f degrees", Math.toDegrees(direction));

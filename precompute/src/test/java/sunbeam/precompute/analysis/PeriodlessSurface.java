@@ -1,4 +1,4 @@
-package sunbeam.app.commands.inspect;
+package sunbeam.precompute.analysis;
 
 import java.util.Arrays;
 import java.util.SplittableRandom;

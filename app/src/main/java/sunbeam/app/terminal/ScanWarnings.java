@@ -1,0 +1,36 @@
+package sunbeam.app.terminal;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Collectors;
+
+/** What is wrong with a scan in one line; each warning by itself is longer than most people read. */
+public final class ScanWarnings {
+    // Characters of a line that is read.
+    private static final int LONGEST = 200;
+
+    private ScanWarnings() {}
+
+    /**
+     * The whole of a short one; of others their beginnings, up to the first colon.
+     *
+     * @param name of the scan
+     * @param remedy the option that tells all of it
+     */
+    public static Optional<String> line(String name, List<String> warnings, String remedy) {
+        if (warnings.isEmpty()) {
+            return Optional.empty();
+        }
+        boolean whole = warnings.size() == 1 && warnings.get(0).length() <= LONGEST;
+        String heads = whole
+                ? warnings.get(0)
+                : warnings.stream().map(ScanWarnings::head).collect(Collectors.joining("; ")) + " (" + remedy
+                        + " tells more)";
+        return Optional.of(Messages.warning(name + ": " + heads));
+    }
+
+    private static String head(String warning) {
+        int colon = warning.indexOf(": ");
+        return colon < 0 ? warning : warning.substring(0, colon);
+    }
+}

@@ -1,0 +1,63 @@
+package sunbeam.precompute.analysis;
+
+import java.util.Locale;
+import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.patch.Patch;
+import sunbeam.precompute.units.Decimals;
+
+/** What a surface's period means for its color, in one sentence for people: the first line of every command that looks for it. */
+public final class Verdict {
+    private static final double MICROMETRES = 1e6;
+    private static final int DIGITS = 3;
+    private static final int HALF_TURN = 180;
+
+    private Verdict() {}
+
+    /**
+     * "A grating of 1.08 um (1.03 to 1.13) across 87 degrees: first-order colors at 20 to 45 degrees".
+     *
+     * @param period of the same patch
+     */
+    public static String of(Patch patch, GratingPeriod period) {
+        if (patch.isMirror()) {
+            return "A mirror: the relief is far below a wavelength, so that it has no color";
+        }
+        if (!period.isTold()) {
+            String why = period.refusal().orElseThrow();
+            return why.substring(0, 1).toUpperCase(Locale.ROOT) + why.substring(1);
+        }
+        long degrees = Math.round(Math.toDegrees(period.azimuth()));
+        return (period.isExact() ? "A repeated patch with a period of " : "A grating of ")
+                + length(period)
+                + String.format(Locale.ROOT, " across %d degrees: ", Math.floorMod(degrees, HALF_TURN))
+                + colors(period.period());
+    }
+
+    private static String length(GratingPeriod period) {
+        double middle = MICROMETRES * period.period();
+        double low = MICROMETRES * period.low();
+        double high = MICROMETRES * period.high();
+        double uncertainty = 0.5 * (high - low);
+        return period.isExact()
+                ? Decimals.rounded(middle, DIGITS) + " um"
+                : Decimals.within(middle, uncertainty) + " um (" + Decimals.within(low, uncertainty) + " to "
+                        + Decimals.within(high, uncertainty) + ")";
+    }
+
+    /** Where the first order of light from above goes: sin theta = lambda / d. */
+    private static String colors(double period) {
+        double blue = CieTable.MINIMUM_WAVELENGTH / period;
+        double red = CieTable.MAXIMUM_WAVELENGTH / period;
+        if (blue >= 1) {
+            return "finer than light, so that light from above has no first-order colors";
+        }
+        String angles = red < 1
+                ? String.format(Locale.ROOT, "at %.0f to %.0f degrees", degrees(blue), degrees(red))
+                : String.format(Locale.ROOT, "from %.0f degrees on", degrees(blue));
+        return "first-order colors " + angles + " under light from above";
+    }
+
+    private static double degrees(double sine) {
+        return Math.toDegrees(Math.asin(sine));
+    }
+}

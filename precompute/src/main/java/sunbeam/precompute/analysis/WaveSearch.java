@@ -1,0 +1,114 @@
+package sunbeam.precompute.analysis;
+
+import java.util.Optional;
+import java.util.function.Predicate;
+import sunbeam.precompute.numerics.LogParabola;
+import sunbeam.precompute.patch.HeightMap;
+
+/** Lines of the spectrum of a piece of a surface: the strongest, how broad it is, and what it explains. */
+final class WaveSearch {
+    // Bins of the scan within which power belongs to a line: a Hann window's line is 2 wide on either side.
+    private static final double LINE = 3;
+    // Of a frequency: a grown surface's line is as broad.
+    private static final double BREADTH = 0.15;
+    private static final int OVERTONES = 5;
+    // Of a wave's frequency: what is coarser is waviness.
+    private static final double COARSEST = 0.5;
+
+    private final HeightSpectrum spectrum;
+    private final Predicate<SpatialFrequency> which;
+    private final double binX;
+    private final double binY;
+
+    /** @param which waves are looked at */
+    WaveSearch(HeightMap scan, Predicate<SpatialFrequency> which) {
+        this.spectrum = HeightSpectrum.of(scan, HeightSpectrum.Edges.TAPERED);
+        this.which = which;
+        this.binX = 1 / scan.width();
+        this.binY = 1 / scan.height();
+    }
+
+    /** The highest of the waves that are looked at, by parabolas through its bins; empty where there are none. */
+    Optional<SpatialFrequency> strongest(Predicate<SpatialFrequency> also) {
+        double[] power = spectrum.power();
+        int best = -1;
+        for (int i = power.length / 2 + 1; i < power.length; i++) {
+            if (power[i] > (best < 0 ? 0 : power[best])) {
+                SpatialFrequency frequency = spectrum.frequency(i);
+                best = which.test(frequency) && also.test(frequency) ? i : best;
+            }
+        }
+        return best < 0 ? Optional.empty() : Optional.of(refined(best));
+    }
+
+    private SpatialFrequency refined(int place) {
+        int jx = spectrum.bandX().first() + place % spectrum.bandX().count();
+        int jy = spectrum.bandY().first() + place / spectrum.bandX().count();
+        double here = spectrum.at(jx, jy);
+        double x = jx + LogParabola.top(spectrum.at(jx - 1, jy), here, spectrum.at(jx + 1, jy));
+        double y = jy + LogParabola.top(spectrum.at(jx, jy - 1), here, spectrum.at(jx, jy + 1));
+        return new SpatialFrequency(x / spectrum.width(), y / spectrum.height());
+    }
+
+    /** Power, and power times frequency. */
+    private record Moments(double power, double x, double y) {
+        SpatialFrequency centroid() {
+            return new SpatialFrequency(x / power, y / power);
+        }
+    }
+
+    /** Of the bins around a frequency: so many of the scan's, and at least a part of the frequency. */
+    private Moments around(SpatialFrequency center, double bins, double part, Predicate<SpatialFrequency> counted) {
+        double reachX = Math.max(bins * binX, part * center.length());
+        double reachY = Math.max(bins * binY, part * center.length());
+        int left = (int) Math.ceil((center.x() - reachX) * spectrum.width());
+        int right = (int) Math.floor((center.x() + reachX) * spectrum.width());
+        int bottom = (int) Math.ceil((center.y() - reachY) * spectrum.height());
+        int top = (int) Math.floor((center.y() + reachY) * spectrum.height());
+        Moments sum = new Moments(0, 0, 0);
+        for (int jy = bottom; jy <= top; jy++) {
+            for (int jx = left; jx <= right; jx++) {
+                SpatialFrequency frequency = new SpatialFrequency(jx / spectrum.width(), jy / spectrum.height());
+                double distance =
+                        Math.hypot((frequency.x() - center.x()) / reachX, (frequency.y() - center.y()) / reachY);
+                double power = spectrum.at(jx, jy);
+                if (distance <= 1 && power > 0 && counted.test(frequency)) {
+                    sum = new Moments(sum.power + power, sum.x + power * frequency.x(), sum.y + power * frequency.y());
+                }
+            }
+        }
+        return sum;
+    }
+
+    /** 0..1: of the power in a grown surface's breadth around a line, what a sharp line's bins hold. */
+    double sharpness(SpatialFrequency wave) {
+        Predicate<SpatialFrequency> all = frequency -> true;
+        double power = around(wave, LINE, BREADTH, all).power();
+        return power > 0 ? around(wave, LINE, 0, all).power() / power : 0;
+    }
+
+    /** The middle of the power around a wave. */
+    SpatialFrequency centroid(SpatialFrequency wave) {
+        SpatialFrequency result = wave;
+        for (int i = 0; i < 3; i++) {
+            Moments moments = around(result, LINE, BREADTH, which);
+            result = moments.power() > 0 ? moments.centroid() : result;
+        }
+        return result;
+    }
+
+    /** 0..1: the part of the variance of the waves that are looked at, less waviness, that one and its overtones hold. */
+    double share(SpatialFrequency wave) {
+        double all = 0;
+        double[] power = spectrum.power();
+        for (int i = power.length / 2 + 1; i < power.length; i++) {
+            SpatialFrequency frequency = spectrum.frequency(i);
+            all += frequency.length() > COARSEST * wave.length() && which.test(frequency) ? power[i] : 0;
+        }
+        double explained = 0;
+        for (int k = 1; k <= OVERTONES; k++) {
+            explained += around(wave.times(k), LINE, BREADTH / k, which).power();
+        }
+        return all > 0 ? Math.min(1, explained / all) : 0;
+    }
+}
