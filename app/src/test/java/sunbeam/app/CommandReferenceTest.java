@@ -17,16 +17,26 @@ import sunbeam.app.terminal.Environment;
 class CommandReferenceTest {
     private static final Path PAGE = Path.of("..", "docs", "reference", "commands.md");
     private static final List<String> COMMANDS = List.of(
-            "brdf-map", "render", "view", "inspect", "color", "evaluate", "reflectance", "precompute", "figures",
-            "benchmark", "mesh", "cache", "doctor");
+            "brdf-map",
+            "render",
+            "view",
+            "inspect",
+            "color",
+            "evaluate",
+            "reflectance",
+            "precompute",
+            "figures",
+            "benchmark",
+            "mesh",
+            "cache",
+            "doctor");
 
     @TempDir
     private Path cache;
 
     private String help(String... arguments) {
         StringWriter out = new StringWriter();
-        int code = new Sunbeam(
-                        new Environment(Map.of(), cache), new PrintWriter(out, true), new PrintWriter(out, true))
+        int code = new Sunbeam(new Environment(Map.of(), cache), new PrintWriter(out, true), new PrintWriter(out, true))
                 .run(arguments);
         assertThat(code).isZero();
         return out.toString().strip();
