@@ -10,24 +10,19 @@ import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.util.Optional;
-import java.util.concurrent.TimeUnit;
-import java.util.concurrent.locks.LockSupport;
 import sunbeam.app.terminal.CancelledException;
 import sunbeam.app.terminal.ShutdownHook;
 
 /**
  * An output file that appears whole or not at all. It is written beside its target under a temporary name, forced to
  * the disk and renamed; a failure, {@link #close} without {@link #commit}, or the end of the process (Ctrl-C) removes
- * it. A file that it replaces gives it its mode. A target that is a device or a pipe ({@code /dev/null}) is written
- * directly; {@code -} is standard output, which gets the whole content at once.
+ * it. A symbolic link in the target's place is replaced; the file that it stands for stays. A target that is a device or a pipe
+ * ({@code /dev/null}) is written directly; {@code -} is standard output, which gets the whole content at once.
  */
 public final class AtomicFile implements AutoCloseable {
     private static final int BUFFER_BYTES = 1 << 16;
     /** One block of usual file systems: a full disk refuses it. */
     private static final int PROBE_BYTES = 4096;
-
-    /** Ten milliseconds apart: libraries open a file at once. */
-    private static final int LOOKS_AT_THE_END = 20;
 
     private enum State {
         OPEN,
@@ -41,11 +36,8 @@ public final class AtomicFile implements AutoCloseable {
     private final boolean direct;
     private final ShutdownHook hook;
     private Path written;
-    private Optional<FileAttributes> replaced = Optional.empty();
     private Optional<Placement.Held> held = Optional.empty();
     private State state = State.OPEN;
-    /** Whether somebody else may open the file by its name, and thereby make it again. */
-    private volatile boolean beingOpened;
 
     private AtomicFile(Path target, Overwrite overwrite) {
         this.target = target;
@@ -53,7 +45,7 @@ public final class AtomicFile implements AutoCloseable {
         this.standardOutput = StandardOutput.isMeant(target);
         this.direct = !standardOutput && Targets.isDevice(target);
         this.written = target;
-        hook = new ShutdownHook(this::discardAtTheEnd);
+        hook = new ShutdownHook(this::discard);
     }
 
     /** Writes a file's bytes to a stream. */
@@ -77,7 +69,7 @@ public final class AtomicFile implements AutoCloseable {
     public static void checkWritable(Path target, Overwrite overwrite) {
         try (AtomicFile probe = create(target, overwrite)) {
             if (!probe.direct && !probe.standardOutput) {
-                AbandonedFiles.sweep(Targets.folderOf(probe.written));
+                TemporaryFiles.sweep(Targets.folderOf(probe.written));
                 probe.fill(stream -> stream.write(new byte[PROBE_BYTES]));
             }
         }
@@ -109,7 +101,7 @@ public final class AtomicFile implements AutoCloseable {
     /** As {@link #write}, for libraries that open the file themselves. */
     public static Path writeFile(Path target, Overwrite overwrite, FileContent content) {
         try (AtomicFile file = create(target, overwrite)) {
-            file.fillByName(content);
+            content.writeTo(file.path());
             return file.commit();
         } catch (IOException failure) {
             throw OutputException.of(target, failure);
@@ -127,7 +119,7 @@ public final class AtomicFile implements AutoCloseable {
     public static AtomicFile create(Path target, Overwrite overwrite) {
         Targets.check(target, overwrite);
         try {
-            AtomicFile file = new AtomicFile(Targets.resolveLink(target), overwrite);
+            AtomicFile file = new AtomicFile(target, overwrite);
             file.begin();
             return file;
         } catch (IOException failure) {
@@ -145,26 +137,14 @@ public final class AtomicFile implements AutoCloseable {
         }
         boolean begun = false;
         try {
-            takePlace();
+            written = standardOutput
+                    ? Files.createTempFile("sunbeam-", ".part")
+                    : TemporaryFiles.create(Targets.folderOf(target));
             begun = true;
         } finally {
             if (!begun) {
                 close();
             }
-        }
-    }
-
-    private void takePlace() throws IOException {
-        if (standardOutput) {
-            written = Files.createTempFile("sunbeam-", ".part");
-            return;
-        }
-        written = AbandonedFiles.create(Targets.folderOf(target));
-        if (overwrite == Overwrite.REPLACE && Files.isRegularFile(target)) {
-            replaced = FileAttributes.of(target);
-        }
-        if (replaced.isPresent()) {
-            FileAttributes.hide(written);
         }
     }
 
@@ -194,18 +174,6 @@ public final class AtomicFile implements AutoCloseable {
                 throw cancelled;
             }
             throw removed;
-        }
-    }
-
-    private void fillByName(FileContent content) throws IOException {
-        beingOpened = true;
-        try {
-            if (isClosed()) {
-                throw new CancelledException();
-            }
-            content.writeTo(path());
-        } finally {
-            beingOpened = false;
         }
     }
 
@@ -249,9 +217,6 @@ public final class AtomicFile implements AutoCloseable {
             StandardOutput.copy(written);
             Files.delete(written);
             return target;
-        }
-        if (replaced.isPresent()) {
-            replaced.get().giveTo(written);
         }
         Durable.force(written);
         Path place = Placement.place(written, target, overwrite);
@@ -303,25 +268,6 @@ public final class AtomicFile implements AutoCloseable {
             discard();
         } finally {
             hook.close();
-        }
-    }
-
-    /** No other output takes the temporary name meanwhile: while the process ends none begins. */
-    private void discardAtTheEnd() {
-        discard();
-        for (int look = 0; beingOpened && look < LOOKS_AT_THE_END; look++) {
-            LockSupport.parkNanos(TimeUnit.MILLISECONDS.toNanos(10));
-            removeAgain();
-        }
-    }
-
-    private synchronized void removeAgain() {
-        if (state == State.CLOSED && !written.equals(target)) {
-            try {
-                Files.deleteIfExists(written);
-            } catch (IOException stillHeld) {
-                return;
-            }
         }
     }
 

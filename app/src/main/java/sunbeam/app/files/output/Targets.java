@@ -39,12 +39,6 @@ final class Targets {
         }
     }
 
-    /** Renaming onto a symbolic link would replace the link: go to the file that it stands for. */
-    static Path resolveLink(Path target) throws IOException {
-        boolean link = Files.isSymbolicLink(target) && Files.isRegularFile(target) && !StandardOutput.isMeant(target);
-        return link ? target.toRealPath() : target;
-    }
-
     /** One look, whose failure is told: a file that is taken for a device would be written over in place. */
     static boolean isDevice(Path target) {
         try {

@@ -8,15 +8,16 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.attribute.FileTime;
 import java.nio.file.attribute.PosixFilePermission;
-import java.nio.file.attribute.PosixFilePermissions;
+import java.time.Duration;
+import java.time.Instant;
 import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
-import org.junit.jupiter.params.provider.ValueSource;
 
 final class AtomicFileTest {
     private static final byte[] NEW = "new".getBytes(StandardCharsets.UTF_8);
@@ -52,41 +53,6 @@ final class AtomicFileTest {
         Path target = folder.resolve("out.txt");
         write(target, Overwrite.REFUSE);
         assertThat(Files.getPosixFilePermissions(target)).isEqualTo(Files.getPosixFilePermissions(plain));
-    }
-
-    @ParameterizedTest
-    @ValueSource(strings = {"rw-------", "rw-r-----", "rwxrwxrwx"})
-    void aFileThatIsReplacedKeepsItsMode(String mode) throws IOException {
-        Path target = Files.writeString(folder.resolve("out.txt"), "old");
-        Files.setPosixFilePermissions(target, PosixFilePermissions.fromString(mode));
-        write(target, Overwrite.REPLACE);
-        assertThat(target).hasBinaryContent(NEW);
-        assertThat(PosixFilePermissions.toString(Files.getPosixFilePermissions(target)))
-                .isEqualTo(mode);
-    }
-
-    @Test
-    void nobodyElseReadsASecretWhileItIsWritten() throws IOException {
-        Path target = Files.writeString(folder.resolve("out.txt"), "old");
-        Files.setPosixFilePermissions(target, PosixFilePermissions.fromString("rw-------"));
-        try (AtomicFile file = AtomicFile.create(target, Overwrite.REPLACE)) {
-            assertThat(PosixFilePermissions.toString(Files.getPosixFilePermissions(file.path())))
-                    .isEqualTo("rw-------");
-        }
-    }
-
-    @Test
-    void aFileThatIsReplacedKeepsItsOwnerWhereThisUserMayGiveIt() throws IOException {
-        Path target = Files.writeString(folder.resolve("out.txt"), "old");
-        try {
-            Files.setAttribute(target, "unix:uid", 12345);
-            Files.setAttribute(target, "unix:gid", 12345);
-        } catch (IOException refused) {
-            assumeTrue(false, "skipped: only the superuser gives files away");
-        }
-        write(target, Overwrite.REPLACE);
-        assertThat(Files.getAttribute(target, "unix:uid")).isEqualTo(12345);
-        assertThat(Files.getAttribute(target, "unix:gid")).isEqualTo(12345);
     }
 
     @Test
@@ -206,12 +172,30 @@ final class AtomicFileTest {
     }
 
     @Test
-    void aLinkKeepsPointingToTheFileThatIsReplaced() throws IOException {
+    void aLinkIsReplacedAndNotFollowed() throws IOException {
         Path target = Files.writeString(folder.resolve("target.txt"), "old");
         Path link = Files.createSymbolicLink(folder.resolve("link.txt"), target);
+        assertThatThrownBy(() -> write(link, Overwrite.REFUSE)).isInstanceOf(OutputExistsException.class);
         write(link, Overwrite.REPLACE);
-        assertThat(link).isSymbolicLink();
-        assertThat(target).hasBinaryContent(NEW);
+        assertThat(link).isRegularFile().hasBinaryContent(NEW);
+        assertThat(Files.isSymbolicLink(link)).isFalse();
+        assertThat(target).hasContent("old");
+    }
+
+    /** Its process was killed; others may still write theirs. */
+    @Test
+    void aTemporaryFileThatNobodyWroteToForADayGoes() throws IOException {
+        Path old = Files.createFile(folder.resolve(".sunbeam-99999999-0.part"));
+        Files.setLastModifiedTime(old, FileTime.from(Instant.now().minus(Duration.ofHours(25))));
+        Path young = Files.createFile(folder.resolve(".sunbeam-99999999-1.part"));
+        Path other = Files.createFile(folder.resolve(".sunbeam-notes.part"));
+        Files.setLastModifiedTime(other, FileTime.fromMillis(0));
+
+        AtomicFile.checkWritable(folder.resolve("out.txt"), Overwrite.REFUSE);
+
+        assertThat(old).doesNotExist();
+        assertThat(young).exists();
+        assertThat(other).exists();
     }
 
     @Test
