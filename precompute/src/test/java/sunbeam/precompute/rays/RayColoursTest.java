@@ -124,7 +124,8 @@ class RayColoursTest {
         double[] errors = errors(map, area, spectrum(map, area, tolerance), places, 0.0029);
         // Measured 6e-5, 3e-6 and 6e-7; one place a step errs by 1.5e-5, 2e-6 and 6e-7.
         assertThat(errors[errors.length / 2]).isLessThan(tolerance / 10);
-        // Dark places between orders, 1e-6 of them and less, where terms of the power that are left out count (7.8 at 5e-3):
+        // Dark places between orders, 1e-6 of them and less, where terms of the power that are left out count (7.8 at
+        // 5e-3):
         // as much
         // with one place a step, to four digits.
         assertThat(errors[errors.length * 95 / 100]).isLessThan(9 * tolerance);
