@@ -4,8 +4,8 @@
 #include "include/geometry.glsl"
 #include "include/look.glsl"
 
-// How each pixel of a skin looks into levels of colours (method/table_levels.glsl) under the first light: what of (u, v, w) it
-// sees, by the differences to its neighbours, in which level, and in how many places.
+// How each pixel of a skin looks into levels of colors (method/table_levels.glsl) under the first light: what of (u, v, w) it
+// sees, by the differences to its neighbors, in which level, and in how many places.
 
 // Number of the texel of geometry.frag's images that each pixel lights, counted row by row; negative for none.
 uniform sampler2D sources;

@@ -7,7 +7,7 @@
 #include "include/packed_surface.glsl"
 #include "include/radiance.glsl"
 
-// A skin that moves, as a screen shows it, under the first light, by those levels of colours that exist: each pixel looks in a few
+// A skin that moves, as a screen shows it, under the first light, by those levels of colors that exist: each pixel looks in a few
 // places of the finest of them that is fine enough.
 
 // moving_geometry.frag's.
@@ -25,7 +25,7 @@ vec3 inside(vec3 change, float coverageChange) {
 
 // Along the wide side of what the pixel sees, in a level and in PLACES places at most.
 vec3 alongXyz(Look look, float level) {
-    vec4 grid = textureLod(colourLevels, vec2((level + 0.5) / (float(levels) + pointLevels), 0.5), 0.0);
+    vec4 grid = textureLod(colorLevels, vec2((level + 0.5) / (float(levels) + pointLevels), 0.5), 0.0);
 #if PLACES == 1
     return roughXyz(look.place.xyz, level, grid);
 #else

@@ -9,7 +9,7 @@
 // Number of the texel of geometry.frag's images that each pixel lights, counted row by row; negative for none.
 uniform sampler2D sources;
 
-// Linear XYZ; alpha 1, the skin's coverage, or -1 where a colour was missing (sunbeam.app.scene.SkinLooks).
+// Linear XYZ; alpha 1, the skin's coverage, or -1 where a color was missing (sunbeam.app.scene.SkinLooks).
 layout(location = 0) out vec4 radiance;
 
 // Where light or viewer lies in or below the tangent plane, as relief in the normals can have it, nothing is diffracted.
@@ -38,5 +38,5 @@ void main() {
         // Lights are white, so that their luminance says all.
         sum += lightRadiances[light].y * blended(diffractedTowards(wi, wr), albedo, wi.z);
     }
-    radiance = vec4(sum, colourIsMissing ? -1.0 : 1.0);
+    radiance = vec4(sum, colorIsMissing ? -1.0 : 1.0);
 }

@@ -25,7 +25,7 @@ def rule(table, picture):
     strong = column("strong_error")
     print(f"{len(rows)} gratings; most energy in one polarisation {column('energy').max():.3f} (1 for a mirror)")
     figure, axes = plt.subplots(1, 4, figsize=(18, 5), sharey=False)
-    colours = {"blazed": "#0072B2", "sinusoidal": "#D55E00", "lamellar": "#009E73"}
+    colors = {"blazed": "#0072B2", "sinusoidal": "#D55E00", "lamellar": "#009E73"}
     markers = {"dielectric": "o", "metal": "^"}
     everything = np.full(len(rows), np.nan)
     for axis, (low, high) in zip(axes, RANGES):
@@ -41,10 +41,10 @@ def rule(table, picture):
               f" 80 % within {q[0]:.2f} to {q[1]:.2f} of it; brightness of strong orders"
               f" {np.median(strong[fitted] / error[fitted]):.2f} of it; medians: unpolarised {np.median(error[fitted]):.3f},"
               f" s {both[0]:.3f}, p {both[1]:.3f}")
-        for profile, colour in colours.items():
+        for profile, color in colors.items():
             for material, marker in markers.items():
                 these = chosen & np.array([r["profile"] == profile and r["material"] == material for r in rows])
-                axis.loglog(slope[these], error[these], marker, color=colour, ms=3.5, alpha=0.7, mew=0,
+                axis.loglog(slope[these], error[these], marker, color=color, ms=3.5, alpha=0.7, mew=0,
                             label=f"{profile}, {material}")
         line = np.array([0.02, STEEPEST])
         axis.loglog(line, np.exp(a) * line**b, "k-", lw=2)

@@ -1,5 +1,5 @@
 // The averages of power over the places of the coherence window: what each method says of one wavelength, and which of them
-// (AVERAGE) its colours are made of. A method defines those that it has.
+// (AVERAGE) its colors are made of. A method defines those that it has.
 
 #ifdef SPECTRAL
 // The direction's frequency in DFT bins of the patch, from double precision: the nearest bin, and how far beyond it the

@@ -1,6 +1,6 @@
 #include "include/srgb.glsl"
 
-// Diffracted light and body colour on one skin (thesis algorithm 3.4), in linear XYZ with white at Y = 1.
+// Diffracted light and body color on one skin (thesis algorithm 3.4), in linear XYZ with white at Y = 1.
 
 // Factor of the diffracted light, factor of the texture, shares of Lambert and ambient light.
 uniform float diffractionWeight;

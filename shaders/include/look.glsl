@@ -1,4 +1,4 @@
-// What of (u, v, w) a pixel sees, in which level of colours (method/table_levels.glsl), and in how many places.
+// What of (u, v, w) a pixel sees, in which level of colors (method/table_levels.glsl), and in how many places.
 
 // Variance in (u, v) of what the finest level shows of a sharp order, and one over it; each further level's is twice as large.
 uniform float finestVariance;

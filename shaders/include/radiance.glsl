@@ -1,7 +1,7 @@
 #include "include/gain.glsl"
 
-// Whether a method had to do without a colour that it was not given: what it draws then is nothing to look at.
-bool colourIsMissing = false;
+// Whether a method had to do without a color that it was not given: what it draws then is nothing to look at.
+bool colorIsMissing = false;
 
 #include "method/{METHOD}.glsl"
 #include "include/loops.glsl"

@@ -1,6 +1,6 @@
 #include "include/row.glsl"
 
-// CIE 1931 colour matching functions times D65 at any wavelength, normalised so that their integral over wavelength is the
+// CIE 1931 color matching functions times D65 at any wavelength, normalised so that their integral over wavelength is the
 // white of D65 with Y = 1.
 
 // Eight texels per nanometre from 380 to 780 nm (sunbeam.precompute.shader.ColorArrays): a row without the corners that the

@@ -18,7 +18,7 @@ uniform int gridFewestNodes;
 uniform float gridLongestStep;
 
 // Each average has tables of its own: a grid for any place (Point), and one for columns, whose layers for columns along x
-// are followed by as many for rows along y (Rays). Colours have those of their average alone, wavelengths have none of these.
+// are followed by as many for rows along y (Rays). Colors have those of their average alone, wavelengths have none of these.
 
 #if COHERENT_TEXELS > 0
 // Two complex terms a texel.

@@ -1,5 +1,5 @@
 #include "include/average.glsl"
-#include "method/neighbourhood.glsl"
+#include "method/neighborhood.glsl"
 
 // For small and periodic patches, of which few bins count: each bin is a diffraction order of the repeated patch.
 //
@@ -21,7 +21,7 @@ uniform float windowSigmaFrequency;
 
 // Deviations of an order's power at which it is 1e-9 of its maximum: nothing that anybody sees.
 const float FLANK_REACH = 6.5;
-// Standard deviation of an order, metres, below which it sees the corners of the colour tables (SmoothCieWeights).
+// Standard deviation of an order, metres, below which it sees the corners of the color tables (SmoothCieWeights).
 const float NARROW_ORDER = 0.4e-9;
 
 struct Ray {

@@ -3,7 +3,7 @@
 
 // For comparison only: an ideal grating of parallel lines, of which nothing but the spacing is known (Stam, "Simulating
 // Diffraction", GPU Gems, 2004, chapter 8). Light leaves in direction u at all wavelengths spacing |u| / n; each order adds
-// its rainbow colour. No surface, no efficiency of orders, no cut-off along the lines, no spectrum.
+// its rainbow color. No surface, no efficiency of orders, no cut-off along the lines, no spectrum.
 
 // Distance of the lines, which run along y, in metres.
 uniform float gemSpacing;

@@ -25,7 +25,7 @@ Taps tapsAround(float position, float origin) {
 }
 
 // Where a grid is looked at: on one of its columns, interpolated along y only, or anywhere, along both axes. Columns are rows
-// of texels: neighbouring pixels share them.
+// of texels: neighboring pixels share them.
 struct Place {
     bool onColumn;
     int column;

@@ -1,7 +1,7 @@
 #include "include/constants.glsl"
 #include "include/spectrum.glsl"
 #include "include/wavelengths.glsl"
-#include "method/neighbourhood.glsl"
+#include "method/neighborhood.glsl"
 
 // Only the wavelengths at which the look-up meets a DFT bin, one per order (thesis section 3.5.1), each with the width of its
 // order as weight.
@@ -14,7 +14,7 @@
 //     W(s_j, width) = int S xbar exp(-((1 / lambda - s_j) / width)^2) dlambda,
 //
 // and W of a narrow order is sqrt(pi) lambda_j^2 width S xbar(lambda_j): the order's width in wavelength, which the thesis
-// leaves out. Towards u = v = 0 orders grow wider than the colour matching functions; where they do, all wavelengths count.
+// leaves out. Towards u = v = 0 orders grow wider than the color matching functions; where they do, all wavelengths count.
 
 // W over 1 / lambda (columns) and width (rows), over width; the map gives offset and scale of both texture coordinates.
 uniform sampler2D orderWeights;

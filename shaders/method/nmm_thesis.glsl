@@ -1,7 +1,7 @@
 #include "include/spectrum.glsl"
 // Not used here, but the application sets its uniforms for both forms of nmm alike.
 #include "include/wavelengths.glsl"
-#include "method/neighbourhood.glsl"
+#include "method/neighborhood.glsl"
 
 // The thesis's own form of nmm (section 3.5.1, algorithm 3.4): wavelengths L |u| / n and L |v| / n, all with the weight of one
 // step of wavelength, as if every order were equally wide. Blue orders, which are narrower, get too much: a purple cast.

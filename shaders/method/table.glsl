@@ -1,43 +1,43 @@
 #define FEW_LOOP_STEPS
-#include "include/colour_spline.glsl"
+#include "include/color_spline.glsl"
 
-// Colours of power, tabulated over (u, v) and slices of w (sunbeam.precompute.colourtable): a cubic B-spline in (u, v) through
+// Colors of power, tabulated over (u, v) and slices of w (sunbeam.precompute.colortable): a cubic B-spline in (u, v) through
 // square roots of X, Y, Z, a cubic polynomial through four slices. Under one light w follows from u and v: one slice has all.
 
 // First texel of each page in the layer of any slice; z is 1 for those that exist.
-uniform sampler2D colourPages;
+uniform sampler2D colorPages;
 // Place of the grid's first texel, texels per unit, and texels along a page's side.
-uniform vec2 colourOrigin;
-uniform float colourTexelsPerUnit;
-uniform float colourPageSide;
+uniform vec2 colorOrigin;
+uniform float colorTexelsPerUnit;
+uniform float colorPageSide;
 
-#if COLOUR_SLICES == 1
+#if COLOR_SLICES == 1
 // Towards the light.
-uniform vec3 colourLight;
+uniform vec3 colorLight;
 
 // The view at the angle theta to the normal lies at (sin(theta) + 2 sin(theta / 2)) / 2 from the middle.
-vec2 colourPlace(vec3 uvw) {
-    vec3 wr = -uvw - colourLight;
+vec2 colorPlace(vec3 uvw) {
+    vec3 wr = -uvw - colorLight;
     return wr.xy * (0.5 + sqrt(0.5) * inversesqrt(1.0 + wr.z));
 }
 #else
-vec2 colourPlace(vec3 uvw) {
+vec2 colorPlace(vec3 uvw) {
     return uvw.xy;
 }
 #endif
 
 vec3 diffractedXyz(vec3 uvw) {
-    vec2 texel = (colourPlace(uvw) - colourOrigin) * colourTexelsPerUnit;
-    vec2 page = floor(texel / colourPageSide);
+    vec2 texel = (colorPlace(uvw) - colorOrigin) * colorTexelsPerUnit;
+    vec2 page = floor(texel / colorPageSide);
     // The nearest texel: software renderers take longer to fetch one by its number.
-    vec2 first = textureLod(colourPages, (page + 0.5) / vec2(textureSize(colourPages, 0)), 0.0).xy;
+    vec2 first = textureLod(colorPages, (page + 0.5) / vec2(textureSize(colorPages, 0)), 0.0).xy;
     // A page begins a texel before its own.
-    vec2 inTexels = first + 1.0 + texel - page * colourPageSide;
-    SplinePlace place = splinePlace(inTexels, 1.0 / vec2(textureSize(colourTexels, 0).xy));
-#if COLOUR_SLICES == 1
+    vec2 inTexels = first + 1.0 + texel - page * colorPageSide;
+    SplinePlace place = splinePlace(inTexels, 1.0 / vec2(textureSize(colorTexels, 0).xy));
+#if COLOR_SLICES == 1
     return splineXyz(place, 0.0);
 #else
-    SlicePlace slices = slicePlace(uvw.z, COLOUR_SLICES);
+    SlicePlace slices = slicePlace(uvw.z, COLOR_SLICES);
     vec3 xyz = vec3(0.0);
     for (int i = 0; i < 4; ++i) {
         xyz += slices.weights[i] * splineXyz(place, float(slices.first + i));

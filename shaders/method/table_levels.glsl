@@ -1,6 +1,6 @@
-#include "include/colour_spline.glsl"
+#include "include/color_spline.glsl"
 
-// Colours of power, tabulated over (u, v) and slices of w in levels of ever wider averages, page by page as pixels need them; for
+// Colors of power, tabulated over (u, v) and slices of w in levels of ever wider averages, page by page as pixels need them; for
 // pixels that see more than a point (docs/color-tables.md).
 
 // How the pixel of each fragment looks into them (looks.frag): (u, v, w) in the middle, and the level, or -1 where nothing is
@@ -11,19 +11,19 @@ uniform sampler2D lookNarrow;
 
 // Number of each page's cell among the texels, plus one; 0 for those that do not exist; and that of the same page of the next slice, as
 // look-ups want both. Slices of one level, then of the next.
-uniform sampler2DArray colourPages;
+uniform sampler2DArray colorPages;
 // One texel a level: u and v of its first coefficient, texels per unit, pages across, and what its power counts.
-uniform sampler2D colourLevels;
+uniform sampler2D colorLevels;
 // Texels along a page's side between which look-ups of its own fall, and cells along a layer's side.
-uniform float colourPageSide;
-uniform int colourCellsAcross;
+uniform float colorPageSide;
+uniform int colorCellsAcross;
 // One over that side, over the pages across the list, over the texels of a layer's side, over the cells across it.
-uniform float perColourPageSide;
-uniform float perColourPages;
-uniform float perColourLayerSide;
-uniform float perColourCellsAcross;
+uniform float perColorPageSide;
+uniform float perColorPages;
+uniform float perColorLayerSide;
+uniform float perColorCellsAcross;
 
-// What is looked up between texels is rounded to this share of one, so that a sum with a page's place is exact, and a colour the same
+// What is looked up between texels is rounded to this share of one, so that a sum with a page's place is exact, and a color the same
 // wherever its page lies; layers' sides are powers of two.
 const float GRAINS = 8192.0;
 
@@ -32,33 +32,33 @@ const float MISSING = 1e30;
 
 // Texels of a level from its first one on; what lies beyond all pages is looked up at their edge.
 vec2 levelTexel(vec2 uv, vec4 grid) {
-    return clamp((uv - grid.x) * grid.y, colourPageSide, colourPageSide * (grid.z - 1.0) - 0.01);
+    return clamp((uv - grid.x) * grid.y, colorPageSide, colorPageSide * (grid.z - 1.0) - 0.01);
 }
 
 // The cells of a page and of the next slice's; below 0 where the page does not exist.
 vec2 pageCells(vec2 page, int layer) {
-    return texelFetch(colourPages, ivec3(ivec2(page), layer), 0).rg - 1.0;
+    return texelFetch(colorPages, ivec3(ivec2(page), layer), 0).rg - 1.0;
 }
 
 // First texel and layer of a cell. In floats: whole numbers below 2^24 are exact, and software renderers divide integers one by one.
 vec3 cellPlace(float cell) {
-    float across = float(colourCellsAcross);
-    float row = floor((cell + 0.5) * perColourCellsAcross);
-    float layer = floor((row + 0.5) * perColourCellsAcross);
-    return vec3((colourPageSide + 3.0) * vec2(cell - row * across, row - layer * across), layer);
+    float across = float(colorCellsAcross);
+    float row = floor((cell + 0.5) * perColorCellsAcross);
+    float layer = floor((row + 0.5) * perColorCellsAcross);
+    return vec3((colorPageSide + 3.0) * vec2(cell - row * across, row - layer * across), layer);
 }
 
 // X, Y, Z at a place of a level that is interpolated by cubic B-splines.
 vec3 cubicXyz(vec3 uvw, int level, vec4 grid) {
     vec2 texel = levelTexel(uvw.xy, grid);
-    vec2 page = floor(texel / colourPageSide);
-    vec2 inPage = texel - page * colourPageSide;
-    vec2 size = vec2(textureSize(colourTexels, 0).xy);
+    vec2 page = floor(texel / colorPageSide);
+    vec2 inPage = texel - page * colorPageSide;
+    vec2 size = vec2(textureSize(colorTexels, 0).xy);
     SplinePlace place = splinePlace(inPage, vec2(1.0));
     vec4 corners = round(place.corners * GRAINS) / GRAINS;
-    SlicePlace slices = slicePlace(uvw.z, COLOUR_SLICES);
+    SlicePlace slices = slicePlace(uvw.z, COLOR_SLICES);
     vec3 xyz = vec3(0.0);
-    int layer = level * COLOUR_SLICES + slices.first;
+    int layer = level * COLOR_SLICES + slices.first;
     vec4 cells = vec4(pageCells(page, layer), pageCells(page, layer + 2));
     if (any(lessThan(cells, vec4(0.0)))) {
         return vec3(MISSING);
@@ -76,12 +76,12 @@ vec3 cubicXyz(vec3 uvw, int level, vec4 grid) {
 // renderers are quicker to sample the nearest than to fetch by number, which asks each pixel for its mipmap.
 vec3 linesXyz(vec3 uvw, int level, vec4 grid) {
     vec2 texel = levelTexel(uvw.xy, grid);
-    vec2 page = floor(texel * perColourPageSide);
-    vec2 inTexels = round((texel - page * colourPageSide) * GRAINS) / GRAINS + 1.5;
-    SlicePlace slices = slicePlace(uvw.z, COLOUR_SLICES);
-    vec3 pagePlace = vec3((page + 0.5) * perColourPages, float(level * COLOUR_SLICES + slices.first));
+    vec2 page = floor(texel * perColorPageSide);
+    vec2 inTexels = round((texel - page * colorPageSide) * GRAINS) / GRAINS + 1.5;
+    SlicePlace slices = slicePlace(uvw.z, COLOR_SLICES);
+    vec3 pagePlace = vec3((page + 0.5) * perColorPages, float(level * COLOR_SLICES + slices.first));
     vec4 cells = vec4(
-            textureLod(colourPages, pagePlace, 0.0).rg, textureLod(colourPages, pagePlace + vec3(0.0, 0.0, 2.0), 0.0).rg);
+            textureLod(colorPages, pagePlace, 0.0).rg, textureLod(colorPages, pagePlace + vec3(0.0, 0.0, 2.0), 0.0).rg);
     cells -= 1.0;
     if (any(lessThan(cells, vec4(0.0)))) {
         return vec3(MISSING);
@@ -89,8 +89,8 @@ vec3 linesXyz(vec3 uvw, int level, vec4 grid) {
     vec3 xyz = vec3(0.0);
     for (int i = 0; i < 4; ++i) {
         vec3 stored = cellPlace(cells[i]);
-        vec3 place = vec3((inTexels + stored.xy) * perColourLayerSide, stored.z);
-        vec3 root = textureLod(colourTexels, place, 0.0).rgb;
+        vec3 place = vec3((inTexels + stored.xy) * perColorLayerSide, stored.z);
+        vec3 root = textureLod(colorTexels, place, 0.0).rgb;
         xyz += slices.weights[i] * (root * root);
     }
     return xyz;
@@ -100,23 +100,23 @@ vec3 linesXyz(vec3 uvw, int level, vec4 grid) {
 // as they are, software renderers are quicker to sample the nearest than to fetch by number, which asks each pixel for its mipmap.
 vec3 roughXyz(vec3 uvw, float level, vec4 grid) {
     vec2 texel = levelTexel(uvw.xy, grid);
-    vec2 page = floor(texel * perColourPageSide);
-    vec2 inTexels = texel - page * colourPageSide + 1.5;
-    float at = clamp(-uvw.z * colourSlicesPerUnit, 0.0, float(COLOUR_SLICES) - 1.001);
+    vec2 page = floor(texel * perColorPageSide);
+    vec2 inTexels = texel - page * colorPageSide + 1.5;
+    float at = clamp(-uvw.z * colorSlicesPerUnit, 0.0, float(COLOR_SLICES) - 1.001);
     float below = floor(at);
-    vec3 pagePlace = vec3((page + 0.5) * perColourPages, level * float(COLOUR_SLICES) + below);
-    vec2 cells = textureLod(colourPages, pagePlace, 0.0).rg - 1.0;
+    vec3 pagePlace = vec3((page + 0.5) * perColorPages, level * float(COLOR_SLICES) + below);
+    vec2 cells = textureLod(colorPages, pagePlace, 0.0).rg - 1.0;
     if (min(cells.x, cells.y) < 0.0) {
         return vec3(MISSING);
     }
     vec3 stored = cellPlace(cells.x);
-    vec3 root = textureLod(colourTexels, vec3((inTexels + stored.xy) * perColourLayerSide, stored.z), 0.0).rgb;
+    vec3 root = textureLod(colorTexels, vec3((inTexels + stored.xy) * perColorLayerSide, stored.z), 0.0).rgb;
     stored = cellPlace(cells.y);
-    vec3 next = textureLod(colourTexels, vec3((inTexels + stored.xy) * perColourLayerSide, stored.z), 0.0).rgb;
+    vec3 next = textureLod(colorTexels, vec3((inTexels + stored.xy) * perColorLayerSide, stored.z), 0.0).rgb;
     return grid.w * mix(root * root, next * next, at - below);
 }
 
-#if COLOUR_POINT_LEVELS == 1
+#if COLOR_POINT_LEVELS == 1
 #define meanXyz linesXyz
 #else
 #define meanXyz cubicXyz
@@ -124,7 +124,7 @@ vec3 roughXyz(vec3 uvw, float level, vec4 grid) {
 
 // The mean over what the pixel of this fragment sees, in a level.
 vec3 seenXyz(int level, vec3 middle, vec4 wide, vec4 narrow) {
-    vec4 grid = texelFetch(colourLevels, ivec2(level, 0), 0);
+    vec4 grid = texelFetch(colorLevels, ivec2(level, 0), 0);
     float rows = floor(narrow.w);
     // A trapezoid's density falls from the end of its shorter edge to that of the longer one; these are halves of a length of 1.
     float shorter = 0.5 * min((narrow.w - rows) / 0.9, 0.999);
@@ -137,7 +137,7 @@ vec3 seenXyz(int level, vec3 middle, vec4 wide, vec4 narrow) {
         for (float j = 0.5; j < rows; j += 1.0) {
             vec3 xyz = meanXyz(middle + t * wide.xyz + (j / rows - 0.5) * narrow.xyz, level, grid);
             if (xyz.y == MISSING) {
-                colourIsMissing = true;
+                colorIsMissing = true;
                 return vec3(0.0);
             }
             sum += weight * xyz;
@@ -149,10 +149,10 @@ vec3 seenXyz(int level, vec3 middle, vec4 wide, vec4 narrow) {
 
 // At a point, in the level that is for points.
 vec3 pointXyz(vec3 uvw) {
-    vec4 grid = texelFetch(colourLevels, ivec2(0, 0), 0);
+    vec4 grid = texelFetch(colorLevels, ivec2(0, 0), 0);
     vec3 xyz = cubicXyz(uvw, 0, grid);
     if (xyz.y == MISSING) {
-        colourIsMissing = true;
+        colorIsMissing = true;
         return vec3(0.0);
     }
     return max(grid.w * xyz, vec3(0.0));
@@ -167,7 +167,7 @@ vec3 diffractedXyz(vec3 uvw) {
     vec4 wide = texelFetch(lookWide, slot, 0);
     vec4 narrow = texelFetch(lookNarrow, slot, 0);
     int level = int(place.w);
-#if COLOUR_POINT_LEVELS == 1
+#if COLOR_POINT_LEVELS == 1
     vec3 xyz = vec3(0.0);
     // Loops, of no more than one turn: renderers that take pixels together go through what any of them may do, but leave a loop that none
     // is in.

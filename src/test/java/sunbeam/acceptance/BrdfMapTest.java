@@ -40,7 +40,7 @@ class BrdfMapTest {
     }
 
     @Test
-    void thePictureSaysHowItWasMadeAndTheLinearColoursKnowNoExposure() throws Exception {
+    void thePictureSaysHowItWasMadeAndTheLinearColorsKnowNoExposure() throws Exception {
         blaze("--size", "9", "--theta-i", "20", "--exposure", "2.5", "--output", "dim.png", "--linear", "dim.npy");
         blaze("--size", "9", "--theta-i", "20", "--exposure", "1e6", "--output", "lit.png", "--linear", "lit.npy");
 

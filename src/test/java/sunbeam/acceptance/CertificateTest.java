@@ -61,7 +61,7 @@ final class CertificateTest {
     }
 
     @Test
-    void coloursWithoutAScaleAreNotCertified() throws Exception {
+    void colorsWithoutAScaleAreNotCertified() throws Exception {
         SunbeamResult result = map("--method", "gem");
         assertThat(result.exitCode()).as(result::toString).isEqualTo(2);
         assertThat(result.stderr()).contains("--certify").contains("gem").contains("leave out --certify");
@@ -121,7 +121,7 @@ final class CertificateTest {
         SunbeamResult result = reflectance("--method", "table");
         assertThat(result.exitCode()).as(result::toString).isEqualTo(2);
         assertThat(result.stderr())
-                .contains("--method table has colours, but no power")
+                .contains("--method table has colors, but no power")
                 .doesNotContain("plan:");
     }
 

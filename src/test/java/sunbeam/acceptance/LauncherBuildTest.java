@@ -46,7 +46,7 @@ class LauncherBuildTest {
                 "precompute/src/main/java/Precompute.java",
                 "jrtr/src/main/java/New.java",
                 "shaders/full.frag",
-                "data/colour.csv"
+                "data/color.csv"
             })
     void buildsAgainAfterAChangeOfWhatTheBuildReads(String source) throws Exception {
         sandbox.command("inspect").run();
@@ -142,7 +142,7 @@ class LauncherBuildTest {
 
     @Test
     void aFailedBuildIsOneLineWithItsReasonAndTheLog() throws Exception {
-        sandbox.installProgram("mvn", "echo '[INFO] so far'", "echo '[ERROR] App.java:[3,1] no such colour'", "exit 1");
+        sandbox.installProgram("mvn", "echo '[INFO] so far'", "echo '[ERROR] App.java:[3,1] no such color'", "exit 1");
 
         SunbeamResult result = sandbox.command("inspect").run();
 
@@ -150,7 +150,7 @@ class LauncherBuildTest {
         assertThat(result.exitCode()).isEqualTo(SET_UP_FAILED);
         assertThat(result.stdout()).isEmpty();
         assertThat(result.stderr().lines().skip(1))
-                .containsExactly("sunbeam: the build failed: App.java:[3,1] no such colour; Maven's own words: " + log);
+                .containsExactly("sunbeam: the build failed: App.java:[3,1] no such color; Maven's own words: " + log);
         assertThat(log).content().contains("[INFO] so far");
     }
 

@@ -55,7 +55,7 @@ final class LauncherSandbox {
                 "app/pom.xml",
                 "app/src/main/java/App.java",
                 "shaders/full.frag",
-                "data/colour.csv")) {
+                "data/color.csv")) {
             sandbox.write(sandbox.repository().resolve(source), "");
         }
         Files.copy(Sunbeam.repository().resolve("sunbeam"), sandbox.launcher());

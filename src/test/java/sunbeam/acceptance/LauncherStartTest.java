@@ -72,10 +72,10 @@ class LauncherStartTest {
     @Test
     void theUsersJavaOptionsComeAfterTheDefaultsAndSoWin() throws Exception {
         SunbeamResult result = sandbox.command("inspect")
-                .with("SUNBEAM_JAVA_OPTIONS", "-Xmx3g -Dcolour=red")
+                .with("SUNBEAM_JAVA_OPTIONS", "-Xmx3g -Dcolor=red")
                 .run();
 
-        assertThat(result.stdout().lines()).containsSubsequence("-XX:MaxRAMPercentage=50", "-Xmx3g", "-Dcolour=red");
+        assertThat(result.stdout().lines()).containsSubsequence("-XX:MaxRAMPercentage=50", "-Xmx3g", "-Dcolor=red");
     }
 
     /** Java refuses two collectors, and a heap as small as what new objects may take has no room for others. */

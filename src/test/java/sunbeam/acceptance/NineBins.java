@@ -7,7 +7,7 @@ import java.util.stream.IntStream;
 import javax.imageio.ImageIO;
 
 /**
- * What the thesis's neighbourhood makes of a measured patch, by the definition: nine DFT bins of exp(i k w h), the one at
+ * What the thesis's neighborhood makes of a measured patch, by the definition: nine DFT bins of exp(i k w h), the one at
  * or below the frequency in their middle, times the window's spectrum, added, squared. No expansion, double precision.
  */
 final class NineBins {

@@ -48,7 +48,7 @@ class SharedReferenceTest {
     @Tag("thorough")
     @ParameterizedTest
     @CsvSource({"blaze, 8", "elaphe, 2", "xenopeltis, 2"})
-    void coloursAreTheSame(String patch, int rows) throws Exception {
+    void colorsAreTheSame(String patch, int rows) throws Exception {
         CsvFile exact = SharedData.reference("xyz", patch).head(rows);
 
         CsvFile ours = reference(patch, exact);
@@ -67,7 +67,7 @@ class SharedReferenceTest {
     /** Against Gauss-Legendre quadratures of the linear 1 nm tables: both are exact, to a share of the largest of the three. */
     @ParameterizedTest
     @ValueSource(strings = {"xyz_nonsq", "xyz_8x1um"})
-    void coloursOfSharpOrdersAreExact(String name) throws Exception {
+    void colorsOfSharpOrdersAreExact(String name) throws Exception {
         CsvFile exact = CsvFile.read(SharedData.present("hard-cases/" + name + "/in.csv"))
                 .head(20);
         Path patch = SharedData.present("hard-cases/" + name + "/p.json");

@@ -36,12 +36,12 @@ class ThesisPresetTest {
     }
 
     /**
-     * The floor-anchored 3 x 3 neighbourhood misses what lies more than one bin above the frequency: 4 to 16 % are
+     * The floor-anchored 3 x 3 neighborhood misses what lies more than one bin above the frequency: 4 to 16 % are
      * predicted. Measured medians: 6.8 % (Elaphe), 5.9 % (Xenopeltis).
      */
     @ParameterizedTest
     @ValueSource(strings = {"elaphe", "xenopeltis"})
-    void itsColoursAreOffByFourToSixteenPercent(String patch) throws Exception {
+    void itsColorsAreOffByFourToSixteenPercent(String patch) throws Exception {
         CsvFile exact = SharedData.reference("xyz", patch);
 
         CsvFile ours = reflectance(patch, exact, "--preset", "thesis", "--window-origin", "centre");
@@ -61,7 +61,7 @@ class ThesisPresetTest {
      */
     @ParameterizedTest
     @CsvSource({"elaphe, 0.10, 0.20, 0.005, 0.02", "xenopeltis, 0.13, 0.25, 0.01, 0.04"})
-    void atOneWavelengthItsErrorIsThatOfTheNeighbourhood(
+    void atOneWavelengthItsErrorIsThatOfTheNeighborhood(
             String patch, double least, double most, double leastEnsemble, double mostEnsemble) throws Exception {
         CsvFile exact = SharedData.reference("power", patch);
 
@@ -90,7 +90,7 @@ class ThesisPresetTest {
     /** With the nearest bin in the middle of seven by seven and enough terms nothing but float32 is left. */
     @ParameterizedTest
     @CsvSource({"blaze, coherent", "elaphe, ensemble"})
-    void withAWiderNeighbourhoodTheErrorIsGone(String patch, String average) throws Exception {
+    void withAWiderNeighborhoodTheErrorIsGone(String patch, String average) throws Exception {
         CsvFile exact = SharedData.reference("power", patch);
         String options =
                 "--window-origin centre --radius 3 --anchor nearest --expansion taylor --terms 50 --both-averages --average ";

@@ -22,7 +22,7 @@ import sunbeam.app.terminal.Version;
         commandListHeading = "%nCommands:%n")
 final class RootCommand implements Callable<Integer> {
     static final String[] DESCRIPTION = {
-        "Sunbeam renders the colours that a nanostructured surface, such as a snake's skin or a compact disc,"
+        "Sunbeam renders the colors that a nanostructured surface, such as a snake's skin or a compact disc,"
                 + " makes by diffraction. It reads a height map measured by an atomic force microscope, precomputes"
                 + " Fourier tables of it, and evaluates the diffraction BRDF for each pixel on the graphics card."
     };

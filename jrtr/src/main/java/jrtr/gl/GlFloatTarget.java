@@ -94,7 +94,7 @@ final class GlFloatTarget extends GlResource implements FloatTarget {
             gl.glTexParameteri(GL3.GL_TEXTURE_2D, GL3.GL_TEXTURE_MAX_LEVEL, 0);
             long pixels = (long) spec.width() * spec.height();
             if (spec.format() == FloatTargetSpec.Format.RGBA8) {
-                // In the order in which colours are read back: a copy then, without a look at each.
+                // In the order in which colors are read back: a copy then, without a look at each.
                 memory.allocate(
                         gl,
                         GL3.GL_RGBA8,

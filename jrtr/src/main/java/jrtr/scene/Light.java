@@ -8,7 +8,7 @@ import org.joml.Vector3fc;
  * A directional light: parallel rays, as from the sun.
  *
  * @param towards unit vector from the scene to the light; given in any length above 0, kept in length 1
- * @param radiance linear colour, in the unit that the application's shaders agree on; copied
+ * @param radiance linear color, in the unit that the application's shaders agree on; copied
  */
 public record Light(Vector3fc towards, Vector3fc radiance) {
 

@@ -111,7 +111,7 @@ class BadOutputTest {
         assertThat(workplace.files()).containsExactly(taken);
     }
 
-    /** The system refuses to let a file grow beyond 8 MB: the picture fits, the 12 MB of linear colours do not. */
+    /** The system refuses to let a file grow beyond 8 MB: the picture fits, the 12 MB of linear colors do not. */
     @Test
     void aDiskThatFillsUpWhileTheSecondFileIsWritten() throws Exception {
         Path launcher = root.resolve("limited");

@@ -115,7 +115,7 @@ class ListTest {
         }
     }
 
-    /** A flat mirror, seen where it reflects: relative radiance 1, the colour of D65, and brdf = R(0) 4 pi sigma^2/lambda^2. */
+    /** A flat mirror, seen where it reflects: relative radiance 1, the color of D65, and brdf = R(0) 4 pi sigma^2/lambda^2. */
     @ParameterizedTest
     @CsvSource({"reference, 1e-6", "full, 1e-4"})
     void aFlatMirrorIsWhite(String method, double tolerance) throws Exception {
@@ -127,7 +127,7 @@ class ListTest {
 
         CsvFile spectral =
                 reflectance("flat.png", new CsvFile(SPECTRAL, List.of(new double[] {0, 0, 0, 0, WAVELENGTH_NM})), flat);
-        CsvFile colour =
+        CsvFile color =
                 reflectance("flat.png", new CsvFile(SPECTRAL.subList(0, 4), List.of(new double[] {0, 0, 0, 0})), flat);
 
         assertThat(spectral.at(0, "power")).isCloseTo(1, allowed);
@@ -135,10 +135,10 @@ class ListTest {
         assertThat(spectral.at(0, "brdf"))
                 .isCloseTo(fresnel * 4 * Math.PI * WINDOW_SIGMA * WINDOW_SIGMA / (wavelength * wavelength), allowed);
         // D65's white by CIE 15 (tables in steps of 5 nm, four digits); here steps of 1 nm from 380 to 780 nm.
-        assertThat(colour.at(0, "X")).isCloseTo(0.9505, within(3e-4));
-        assertThat(colour.at(0, "Y")).isCloseTo(1, allowed);
-        assertThat(colour.at(0, "Z")).isCloseTo(1.0888, within(3e-4));
-        assertThat(colour.at(0, "gain")).isCloseTo(1, allowed);
+        assertThat(color.at(0, "X")).isCloseTo(0.9505, within(3e-4));
+        assertThat(color.at(0, "Y")).isCloseTo(1, allowed);
+        assertThat(color.at(0, "Z")).isCloseTo(1.0888, within(3e-4));
+        assertThat(color.at(0, "gain")).isCloseTo(1, allowed);
     }
 
     @Test

@@ -43,18 +43,18 @@ class MapPatternTest {
                 .isGreaterThan(0.99 * (left + right));
     }
 
-    /** The fingers of Elaphe stand in rows along x (design and thesis: colours along the horizontal). */
+    /** The fingers of Elaphe stand in rows along x (design and thesis: colors along the horizontal). */
     @ParameterizedTest
     @ValueSource(strings = {"elaphe-like"})
-    void elapheHasItsColoursAlongTheHorizontal(String patch) throws Exception {
+    void elapheHasItsColorsAlongTheHorizontal(String patch) throws Exception {
         // 0.79 and 0.82 measured; light without a preferred azimuth would have 0.17.
         assertThat(share(map(patch), 0, 15)).isGreaterThan(0.6);
     }
 
-    /** The rows of Xenopeltis lie densely above each other (design and thesis: colours above and below). */
+    /** The rows of Xenopeltis lie densely above each other (design and thesis: colors above and below). */
     @ParameterizedTest
     @ValueSource(strings = {"shared xenopeltis"})
-    void xenopeltisHasMostOfItsColoursNearTheVertical(String patch) throws Exception {
+    void xenopeltisHasMostOfItsColorsNearTheVertical(String patch) throws Exception {
         NpyImage map = map(patch);
 
         // 0.38 and 0.40 measured; light without a preferred azimuth would have 0.17.

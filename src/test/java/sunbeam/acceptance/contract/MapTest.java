@@ -46,7 +46,7 @@ class MapTest {
         return NpyImage.read(workplace.resolve(name + ".npy"), side);
     }
 
-    /** The directions of a map's pixels in the disc, row by row, and their colours as {@code reflectance} has them. */
+    /** The directions of a map's pixels in the disc, row by row, and their colors as {@code reflectance} has them. */
     private static CsvFile exact(NpyImage map, String patch, String... more) throws Exception {
         List<double[]> directions = new ArrayList<>();
         for (int row = 0; row < map.side(); row++) {
@@ -68,7 +68,7 @@ class MapTest {
 
     @ParameterizedTest
     @CsvSource({"full, coherent", "full, ensemble", "table, coherent", "table, ensemble"})
-    void coloursAreTheReferencesWithinTheTolerance(String method, String average) throws Exception {
+    void colorsAreTheReferencesWithinTheTolerance(String method, String average) throws Exception {
         double tolerance = 1e-2;
         String surface = "--periodic --width 4um --max-height 150nm --coherence-length 8um --average " + average;
         String[] same = surface.split(" ", -1);

@@ -15,7 +15,7 @@ import sunbeam.acceptance.NpyImage;
 import sunbeam.acceptance.SunbeamResult;
 import sunbeam.acceptance.Workplace;
 
-/** Pictures of scenes: the linear colours by two methods, what makes them brighter, and their certificate. */
+/** Pictures of scenes: the linear colors by two methods, what makes them brighter, and their certificate. */
 class PictureTest {
     private static final int SIDE = 24;
     private static final String SCENE = """

@@ -50,10 +50,10 @@ class PromiseTest {
                 tolerance);
     }
 
-    /** At the default tolerance: where orders are sharp the independent colours are good to 1e-4 only. */
+    /** At the default tolerance: where orders are sharp the independent colors are good to 1e-4 only. */
     @ParameterizedTest
     @ValueSource(strings = {"blaze", "elaphe"})
-    void colourKeepsTheTolerance(String patch) throws Exception {
+    void colorKeepsTheTolerance(String patch) throws Exception {
         double tolerance = 1e-3;
         CsvFile exact = SharedData.reference("xyz", patch);
 

@@ -8,7 +8,7 @@ import static sunbeam.app.scene.SceneSettings.TEXTURE_WEIGHT;
 import sunbeam.precompute.setting.Choices;
 
 /**
- * Weights of the blend of diffracted light and body colour (thesis algorithm 3.4; shaders/include/blend.glsl).
+ * Weights of the blend of diffracted light and body color (thesis algorithm 3.4; shaders/include/blend.glsl).
  *
  * @param diffraction factor of the diffracted light; the thesis's gain. The model's relative radiance is 1 for a flat
  *     mirror, and a skin spreads the same light over the hemisphere, so that factors well above 1 are usual

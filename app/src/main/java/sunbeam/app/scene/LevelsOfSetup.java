@@ -2,20 +2,20 @@ package sunbeam.app.scene;
 
 import java.util.function.LongConsumer;
 import sunbeam.app.files.cache.DiffractionSetup;
-import sunbeam.app.gpu.colours.GpuColours;
-import sunbeam.app.gpu.colours.LevelSources;
+import sunbeam.app.gpu.colors.GpuColors;
+import sunbeam.app.gpu.colors.LevelSources;
 import sunbeam.precompute.color.CieTable;
-import sunbeam.precompute.colourtable.ColourSource;
-import sunbeam.precompute.colourtable.KeptPages;
-import sunbeam.precompute.colourtable.TableLevels;
+import sunbeam.precompute.colortable.ColorSource;
+import sunbeam.precompute.colortable.KeptPages;
+import sunbeam.precompute.colortable.TableLevels;
 import sunbeam.precompute.method.LevelledPlan;
 import sunbeam.precompute.plan.Plan;
-import sunbeam.precompute.rays.RayColours;
+import sunbeam.precompute.rays.RayColors;
 import sunbeam.precompute.rays.RaySpectrum;
 import sunbeam.precompute.shader.MethodUse;
 
 /**
- * What levels of colours are made by: ensemble averages all by one spectrum, along rays; others by the shader of their
+ * What levels of colors are made by: ensemble averages all by one spectrum, along rays; others by the shader of their
  * method. What that needs is made, or read from the cache, when the first level is asked for.
  */
 final class LevelsOfSetup implements LevelSources {
@@ -44,14 +44,14 @@ final class LevelsOfSetup implements LevelSources {
     }
 
     @Override
-    public ColourSource open(int level, LongConsumer done) {
+    public ColorSource open(int level, LongConsumer done) {
         if (plan.spectrum().isEmpty()) {
-            return GpuColours.of(setup.tables(plan.source(level), MethodUse.COLOUR, GpuColours::of), done);
+            return GpuColors.of(setup.tables(plan.source(level), MethodUse.COLOR, GpuColors::of), done);
         }
         TableLevels.Level wanted = plan.levels().levels().get(level);
         RaySpectrum terms = spectrum(plan.spectrum().get());
         boolean fine = wanted.area().equals(plan.levels().area());
-        return new RayColours(terms, wanted.area(), wanted.design().step(), fine, done);
+        return new RayColors(terms, wanted.area(), wanted.design().step(), fine, done);
     }
 
     @Override

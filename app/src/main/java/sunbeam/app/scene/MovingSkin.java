@@ -16,8 +16,8 @@ import sunbeam.app.gpu.KeptTarget;
 import sunbeam.app.gpu.UploadedTables;
 
 /**
- * Draws a skin that moves, by those levels of its colours that exist (shaders/moving.frag): a few looks a pixel, and nothing comes
- * back from the graphics card but the colours of the screen.
+ * Draws a skin that moves, by those levels of its colors that exist (shaders/moving.frag): a few looks a pixel, and nothing comes
+ * back from the graphics card but the colors of the screen.
  */
 final class MovingSkin implements AutoCloseable {
     // Along the wide side of what a pixel sees; a still picture has up to 32. Software renderers have no time for a

@@ -13,7 +13,7 @@ import sunbeam.app.gpu.CutLoops;
 /** Runs the costly shader for the pixels that show skin and for no other, packed (see {@link Packing}). */
 final class PackedShading implements AutoCloseable {
     private static final int CHANNELS = 4;
-    // Side of the squares in which pixels are taken up, so that neighbours stay neighbours.
+    // Side of the squares in which pixels are taken up, so that neighbors stay neighbors.
     private static final int SQUARE = 4;
 
     private final RenderContext context;
@@ -35,9 +35,9 @@ final class PackedShading implements AutoCloseable {
     }
 
     /**
-     * Lights a part of a block. Where the skin's colours are made as they are looked at, those that are missing are.
+     * Lights a part of a block. Where the skin's colors are made as they are looked at, those that are missing are.
      *
-     * @param buffer the block, with that part drawn, and its neighbours for what its pixels see of colours
+     * @param buffer the block, with that part drawn, and its neighbors for what its pixels see of colors
      * @param part counted from the block's corner
      * @param samplesAcross of the mesh along a side of a pixel
      * @return linear XYZ and coverage, 4 values a pixel, the part's top row first; zeros where there is no skin
@@ -76,7 +76,7 @@ final class PackedShading implements AutoCloseable {
         looks.make();
         float[] drawn = drawn(skin, scene, buffer, packing, used);
         if (SkinLooks.isMissing(drawn)) {
-            throw new IllegalStateException("a pixel looks into colours that were not noted for it");
+            throw new IllegalStateException("a pixel looks into colors that were not noted for it");
         }
         return drawn;
     }
@@ -110,7 +110,7 @@ final class PackedShading implements AutoCloseable {
         return new Tile(0, Packing.ROWS - packing.rows(), packing.columns(), packing.rows());
     }
 
-    /** Numbers of the pixels that show skin, counted row by row from the part's top left; neighbours together. */
+    /** Numbers of the pixels that show skin, counted row by row from the part's top left; neighbors together. */
     static int[] covered(float[] views, Tile part) {
         int[] pixels = new int[Math.toIntExact(part.pixels())];
         int count = 0;

@@ -28,7 +28,7 @@ import sunbeam.precompute.setting.Choices;
  * @param view from where
  * @param orientation turns the mesh about the centre of its bounding sphere; unit length
  * @param light the light
- * @param texture the body's colours: a built-in texture, {@code "none"} or an absolute image file
+ * @param texture the body's colors: a built-in texture, {@code "none"} or an absolute image file
  * @param method how diffraction is computed
  * @param rotatePatch turns the nanostructure in the tangent plane, radians, counter-clockwise seen from outside
  * @param exposure factor of the linear picture, above 0; empty to choose it from the picture

@@ -6,7 +6,7 @@ import sunbeam.precompute.color.Srgb;
 import sunbeam.precompute.text.Quoted;
 
 /**
- * An opaque colour, 8 bits a channel, sRGB.
+ * An opaque color, 8 bits a channel, sRGB.
  *
  * @param rgb 0xRRGGBB
  */
@@ -16,7 +16,7 @@ public record SceneColor(int rgb) {
     /** Rejects what does not fit in 24 bits. */
     public SceneColor {
         if (rgb < 0 || rgb > 0xffffff) {
-            throw new IllegalArgumentException("not a colour of 24 bits: " + rgb);
+            throw new IllegalArgumentException("not a color of 24 bits: " + rgb);
         }
     }
 
@@ -27,12 +27,12 @@ public record SceneColor(int rgb) {
      */
     public static SceneColor parse(String text) {
         if (!HEXADECIMAL.matcher(text.strip()).matches()) {
-            throw new IllegalArgumentException(Quoted.of(text) + " is no colour; write it as #rrggbb, such as #101418");
+            throw new IllegalArgumentException(Quoted.of(text) + " is no color; write it as #rrggbb, such as #101418");
         }
         return new SceneColor(Integer.parseInt(text.strip().substring(1), 16));
     }
 
-    /** Linear sRGB of the colour, three values from 0 to 1. */
+    /** Linear sRGB of the color, three values from 0 to 1. */
     public double[] light() {
         return new double[] {Srgb.linear(rgb >> 16), Srgb.linear(rgb >> 8 & 0xff), Srgb.linear(rgb & 0xff)};
     }

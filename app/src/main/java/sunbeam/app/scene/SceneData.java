@@ -1,7 +1,7 @@
 package sunbeam.app.scene;
 
 import java.util.Optional;
-import sunbeam.app.gpu.colours.LevelSources;
+import sunbeam.app.gpu.colors.LevelSources;
 import sunbeam.app.scene.mesh.Mesh;
 import sunbeam.app.scene.texture.BodyTexture;
 import sunbeam.precompute.method.MethodPlan;
@@ -17,7 +17,7 @@ import sunbeam.precompute.shader.ShaderTables;
  * @param patch its nanostructure
  * @param method how that is evaluated, for every pair of directions
  * @param tables what its shader reads
- * @param levels by what its colours are made as pixels look into them, where the method's are
+ * @param levels by what its colors are made as pixels look into them, where the method's are
  * @param body its texture
  * @param part of the skin's light that method and tables are for; all of it where the index is the same at all wavelengths
  */

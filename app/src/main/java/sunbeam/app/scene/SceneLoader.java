@@ -11,8 +11,8 @@ import java.util.function.DoubleConsumer;
 import java.util.function.Supplier;
 import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.files.input.IndexFile;
-import sunbeam.app.gpu.colours.GpuColours;
-import sunbeam.app.gpu.colours.LevelSources;
+import sunbeam.app.gpu.colors.GpuColors;
+import sunbeam.app.gpu.colors.LevelSources;
 import sunbeam.app.scene.mesh.Mesh;
 import sunbeam.app.scene.mesh.MeshSource;
 import sunbeam.app.scene.mesh.ReadMesh;
@@ -201,8 +201,8 @@ public final class SceneLoader {
         DoubleConsumer ofTables = share -> progress.accept(PLANNED + (1 - PLANNED) * share);
         Optional<LevelSources> levels = method.levelled().map(plan -> new LevelsOfSetup(setup, plan, surface.cie()));
         ShaderTables tables = levels.isPresent()
-                ? setup.freshTables(method, MethodUse.COLOUR, GpuColours::of)
-                : setup.tables(method, MethodUse.COLOUR, GpuColours::of, ofTables);
+                ? setup.freshTables(method, MethodUse.COLOR, GpuColors::of)
+                : setup.tables(method, MethodUse.COLOR, GpuColors::of, ofTables);
         return new SceneData(scene, mesh, patch, method, tables, levels, body.get(), part);
     }
 }

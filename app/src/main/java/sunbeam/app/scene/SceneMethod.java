@@ -22,7 +22,7 @@ import sunbeam.precompute.setting.Origin;
 import sunbeam.precompute.setting.Setting;
 
 /**
- * How a scene's diffraction is computed. On a mesh the standard is colours from tables, for a pixel sees more than a point, and the
+ * How a scene's diffraction is computed. On a mesh the standard is colors from tables, for a pixel sees more than a point, and the
  * ensemble average, for it sees many coherence areas.
  *
  * @param choices of {@link Methods#SETTINGS}; those that another method has, but this one does not look at, are kept for it

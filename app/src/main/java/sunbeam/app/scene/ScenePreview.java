@@ -27,7 +27,7 @@ public record ScenePreview(
      * @param light the same scene without body
      * @param intensity of the light
      * @param white luminance that is white on screen; what is brighter is cut there, or else a glint would fill the
-     *     pixels between it and its neighbours
+     *     pixels between it and its neighbors
      */
     static ScenePicture composed(ScenePicture body, ScenePicture light, double intensity, double white) {
         ScenePicture diffracted = cut(light, white);

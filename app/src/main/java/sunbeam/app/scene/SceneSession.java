@@ -12,7 +12,7 @@ import jrtr.scene.PictureArea;
 import jrtr.scene.SceneRenderer;
 import jrtr.scene.ViewRays;
 import sunbeam.app.gpu.UploadedTables;
-import sunbeam.app.gpu.colours.LevelPages;
+import sunbeam.app.gpu.colors.LevelPages;
 
 /**
  * A scene in graphics memory, drawn in parts of any size. A pixel depends on the scene, the picture's size and its place
@@ -154,7 +154,7 @@ public final class SceneSession implements AutoCloseable {
     }
 
     /**
-     * Makes all that parts of a picture look into, where the method's colours are made so: at once for all of them, which is
+     * Makes all that parts of a picture look into, where the method's colors are made so: at once for all of them, which is
      * faster than when they are drawn. Without effect otherwise.
      *
      * @param width pixels per row of the whole picture
@@ -194,7 +194,7 @@ public final class SceneSession implements AutoCloseable {
     }
 
     /**
-     * From now on makes colours in the background, where the method's are made as they are looked at.
+     * From now on makes colors in the background, where the method's are made as they are looked at.
      *
      * @param forAnyLight whether what {@link #canMove} asks for is begun at once, and not after what is requested
      * @param arrived told, by another thread, that there are more; {@link #takeBaked} takes them
@@ -228,7 +228,7 @@ public final class SceneSession implements AutoCloseable {
         if (uploaded.skin().looks().isEmpty()) {
             return OptionalDouble.of(1);
         }
-        // Colours for what moves are begun while it is found where the picture's pixels look; nearly all of them are
+        // Colors for what moves are begun while it is found where the picture's pixels look; nearly all of them are
         // the picture's, too.
         if (!requestMoving(width, height, interrupted)) {
             return OptionalDouble.empty();
@@ -243,7 +243,7 @@ public final class SceneSession implements AutoCloseable {
         return OptionalDouble.of(share);
     }
 
-    /** Has the driver make ready what the picture that was requested will be drawn with, while its colours are being made. */
+    /** Has the driver make ready what the picture that was requested will be drawn with, while its colors are being made. */
     public void prepareDrawing(int width, int height) {
         int columns = samplesAcross * width;
         int rows = samplesAcross * height;
@@ -303,12 +303,12 @@ public final class SceneSession implements AutoCloseable {
         return new ScenePreview(picture, split, meshNanoseconds - meshBefore, pixelNanoseconds - pixelsBefore);
     }
 
-    /** Whether {@link #moving} can draw: where the method's colours are made as they are looked at, and coarse ones are there. */
+    /** Whether {@link #moving} can draw: where the method's colors are made as they are looked at, and coarse ones are there. */
     public boolean canMove() {
         return uploaded.skin().looks().map(looks -> looks.pages().hasResident()).orElse(false);
     }
 
-    /** As {@link #canMove()}, if only by the coarsest colours. */
+    /** As {@link #canMove()}, if only by the coarsest colors. */
     public boolean canMoveCoarsely() {
         return uploaded.skin().looks().map(looks -> looks.pages().hasCoarsest()).orElse(false);
     }
@@ -322,7 +322,7 @@ public final class SceneSession implements AutoCloseable {
     }
 
     /**
-     * Draws a picture by those colours that are there, with few looks a pixel; nothing is made for it. Fewer pixels see more each,
+     * Draws a picture by those colors that are there, with few looks a pixel; nothing is made for it. Fewer pixels see more each,
      * and have the mean of that.
      *
      * @param fullWidth pixels per row of the whole picture

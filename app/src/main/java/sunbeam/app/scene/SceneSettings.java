@@ -25,9 +25,9 @@ public final class SceneSettings {
     public static final Setting<String> MESH =
             new Setting<>("mesh", Kinds.text("MESH"), "snake, plane, sphere, cylinder, or an OBJ file.");
 
-    /** The body's colours. */
+    /** The body's colors. */
     public static final Setting<String> TEXTURE = new Setting<>(
-            "texture", Kinds.text("TEXTURE"), "Colours of the body: elaphe, xenopeltis, none, or an image file.");
+            "texture", Kinds.text("TEXTURE"), "Colors of the body: elaphe, xenopeltis, none, or an image file.");
 
     /** Radians, counter-clockwise seen from outside. */
     public static final Setting<Double> ROTATE_PATCH = new Setting<>(
@@ -36,9 +36,9 @@ public final class SceneSettings {
                     "Turn of the nanostructure in the tangent plane in degrees, counter-clockwise from outside.")
             .withStandard(0.0);
 
-    /** Factor of the linear colours; empty to choose it from the picture. */
+    /** Factor of the linear colors; empty to choose it from the picture. */
     public static final Setting<OptionalDouble> EXPOSURE = new Setting<>(
-                    "exposure", exposure(), "Factor for the linear colours, or auto.")
+                    "exposure", exposure(), "Factor for the linear colors, or auto.")
             .withStandard(OptionalDouble.empty());
 
     /** What becomes of highlights; where nobody says, they are compressed, and by the thesis's preset clipped. */
@@ -84,7 +84,7 @@ public final class SceneSettings {
                             UnaryOperator.identity(),
                             SceneColor::toString,
                             "#rrggbb"),
-                    "Colour behind the mesh, not exposed.")
+                    "Color behind the mesh, not exposed.")
             .withStandard(new SceneColor(0));
 
     /** Angle between the picture's bottom and top, radians. */

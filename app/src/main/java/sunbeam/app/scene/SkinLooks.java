@@ -11,11 +11,11 @@ import jrtr.ShaderProgram;
 import jrtr.Tile;
 import jrtr.scene.LightUniforms;
 import sunbeam.app.gpu.Shaders;
-import sunbeam.app.gpu.colours.LevelPages;
-import sunbeam.app.gpu.colours.LevelSources;
-import sunbeam.precompute.colourtable.LevelGrid;
+import sunbeam.app.gpu.colors.LevelPages;
+import sunbeam.app.gpu.colors.LevelSources;
+import sunbeam.precompute.colortable.LevelGrid;
 
-/** How a skin's pixels look into levels of colours (shaders/looks.frag), and the pages that they look into. */
+/** How a skin's pixels look into levels of colors (shaders/looks.frag), and the pages that they look into. */
 final class SkinLooks implements AutoCloseable {
     private static final List<String> SAMPLERS = List.of("lookPlaces", "lookWide", "lookNarrow");
     private static final int CHANNELS = 4;
@@ -111,11 +111,11 @@ final class SkinLooks implements AutoCloseable {
 
     /** Tells the program that lights the skin how texels lie. */
     void prepare(ShaderProgram skin) {
-        skin.set("colourCellsAcross", pages.cellsAcross());
-        skin.set("perColourCellsAcross", 1f / pages.cellsAcross());
-        skin.set("perColourLayerSide", 1f / pages.layerSide());
-        skin.set("perColourPages", 1f / pages.columns());
-        skin.set("perColourPageSide", 1f / LevelGrid.SIDE);
+        skin.set("colorCellsAcross", pages.cellsAcross());
+        skin.set("perColorCellsAcross", 1f / pages.cellsAcross());
+        skin.set("perColorLayerSide", 1f / pages.layerSide());
+        skin.set("perColorPages", 1f / pages.columns());
+        skin.set("perColorPageSide", 1f / LevelGrid.SIDE);
     }
 
     @Override

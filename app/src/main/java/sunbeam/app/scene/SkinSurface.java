@@ -51,7 +51,7 @@ final class SkinSurface implements AutoCloseable {
         return method;
     }
 
-    /** Where its colours are made as pixels look into them: how they do. */
+    /** Where its colors are made as pixels look into them: how they do. */
     Optional<SkinLooks> looks() {
         return looks;
     }
@@ -81,7 +81,7 @@ final class SkinSurface implements AutoCloseable {
     /**
      * Draws a block of a picture of what moves (see {@link MovingSkin}).
      *
-     * @throws java.util.NoSuchElementException unless its colours are made as pixels look into them
+     * @throws java.util.NoSuchElementException unless its colors are made as pixels look into them
      */
     int[] move(RenderContext context, Scene scene, GeometryBuffer buffer, ViewRays rays, double exposure) {
         if (moving == null) {

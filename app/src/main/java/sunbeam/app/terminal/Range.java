@@ -8,7 +8,7 @@ import java.util.stream.IntStream;
  * @param minimum first value, finite
  * @param maximum bound of the last value, finite, at least the minimum; a value within 1e-9 steps above it belongs to
  *     the range, so that 0:1:0.1 ends at 1
- * @param step distance of neighbouring values, positive and finite
+ * @param step distance of neighboring values, positive and finite
  */
 public record Range(double minimum, double maximum, double step) {
     private static final int MOST_VALUES = 1_000_000;

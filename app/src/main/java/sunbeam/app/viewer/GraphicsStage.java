@@ -141,7 +141,7 @@ class GraphicsStage implements AutoCloseable {
     }
 
     /**
-     * From now on makes colours in the background, where a method's are made as they are looked at.
+     * From now on makes colors in the background, where a method's are made as they are looked at.
      *
      * @param arrived told, by another thread, that there are more
      */
@@ -208,7 +208,7 @@ class GraphicsStage implements AutoCloseable {
 
     /** Whether {@link #moving(int, int, int, double)} can draw the state. */
     boolean canMove() {
-        // Of a scene that has no other picture yet, coarse colours are more than none.
+        // Of a scene that has no other picture yet, coarse colors are more than none.
         return moving.isPresent()
                 ? moving.get().canMove()
                 : mover().map(SceneSession::canMoveCoarsely).orElse(false);
@@ -283,7 +283,7 @@ class GraphicsStage implements AutoCloseable {
         return map.draw(mapped().orElse(fine.get(0).method()), light, size, interrupted);
     }
 
-    /** What a scene's tables of colours are made of: those of a mesh's pixels have no map themselves. */
+    /** What a scene's tables of colors are made of: those of a mesh's pixels have no map themselves. */
     private Optional<UploadedTables> mapped() {
         Optional<ShaderTables> tables = state.mapped().map(SceneData::tables);
         if (!tables.equals(uploadedOf)) {

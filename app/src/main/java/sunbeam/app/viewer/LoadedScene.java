@@ -23,9 +23,9 @@ import sunbeam.precompute.setting.SettingException;
  *
  * @param parts with the scene's own plan, of each part of the skin's light
  * @param coarse with {@link PreviewPlan}'s
- * @param moving with tables of colours, for pictures of what moves, where the scene's own method has none; the method
- *     must be one whose colours can be averaged over what a pixel sees
- * @param mapped of a scene with tables of colours, with what they tabulate: for its BRDF maps
+ * @param moving with tables of colors, for pictures of what moves, where the scene's own method has none; the method
+ *     must be one whose colors can be averaged over what a pixel sees
+ * @param mapped of a scene with tables of colors, with what they tabulate: for its BRDF maps
  * @param isWhole whether nothing has been left for the next load
  */
 record LoadedScene(
@@ -113,7 +113,7 @@ record LoadedScene(
                 .orElseGet(() -> loader.preview(scene, fine, share -> {}));
     }
 
-    /** The scene with the method whose colours its own method tabulates, if it does. */
+    /** The scene with the method whose colors its own method tabulates, if it does. */
     private static Optional<Scene> tabulated(Scene scene, Patch patch) {
         return Optional.of(tabulated(scene.method().seeing(patch)))
                 .filter(method -> scene.method().type() == TableMethod.TYPE)
@@ -131,7 +131,7 @@ record LoadedScene(
         return parts.get(0);
     }
 
-    /** Whether what moves will be drawn by tables, once colours for that have been made. */
+    /** Whether what moves will be drawn by tables, once colors for that have been made. */
     boolean willMove() {
         return moving.isPresent() || (parts.size() == 1 && fine().levels().isPresent());
     }
@@ -145,7 +145,7 @@ record LoadedScene(
                 isWhole);
     }
 
-    /** Whether coarse colours come so soon that nothing else need be drawn by: those of an ensemble average have levels. */
+    /** Whether coarse colors come so soon that nothing else need be drawn by: those of an ensemble average have levels. */
     private static boolean isLookedUp(List<SceneData> parts) {
         return parts.size() == 1
                 && parts.get(0)
@@ -154,8 +154,8 @@ record LoadedScene(
                         .isPresent();
     }
 
-    /** Whether nothing but the body is drawn before there are colours. */
-    boolean waitsForColours() {
+    /** Whether nothing but the body is drawn before there are colors. */
+    boolean waitsForColors() {
         return isLookedUp(parts);
     }
 

@@ -27,7 +27,7 @@ final class MapView extends JComponent {
     MapView() {
         setPreferredSize(new Dimension(240, 196 + CAPTION));
         setName("map");
-        setToolTipText("BRDF map: the colour towards each direction, x and y of unit vectors, no unit; the ring marks"
+        setToolTipText("BRDF map: the color towards each direction, x and y of unit vectors, no unit; the ring marks"
                 + " the picked pixel's direction to the viewer");
     }
 

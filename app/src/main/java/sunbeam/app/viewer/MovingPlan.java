@@ -11,11 +11,11 @@ import sunbeam.precompute.method.TableMethod;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.plan.Average;
 
-/** By which tables of colours pictures of what moves are drawn: those of the ensemble average by {@code full}. */
+/** By which tables of colors pictures of what moves are drawn: those of the ensemble average by {@code full}. */
 final class MovingPlan {
     // Nothing that moves is looked at more closely.
     private static final double FINEST_TOLERANCE = 0.02;
-    // Square metres: 100 um x 100 um have a million DFT bins, some 400 MB of heap, that colours are summed over.
+    // Square metres: 100 um x 100 um have a million DFT bins, some 400 MB of heap, that colors are summed over.
     private static final double LARGEST_AREA = 1e-8;
 
     private MovingPlan() {}

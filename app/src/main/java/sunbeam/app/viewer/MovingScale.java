@@ -3,7 +3,7 @@ package sunbeam.app.viewer;
 import java.util.Arrays;
 
 /**
- * At what resolution what moves is drawn by tables of colours: in full wherever its frames take {@link #BUDGET_NANOSECONDS}, else the
+ * At what resolution what moves is drawn by tables of colors: in full wherever its frames take {@link #BUDGET_NANOSECONDS}, else the
  * finest that does. Each scale's time is remembered, and a finer scale that took too long is tried again once that is a while ago.
  * What part of a frame does not depend on the number of pixels shows when the scale changes: fewer pixels are no remedy for a
  * mesh that takes longer than the budget by itself. Belongs to the render thread.

@@ -10,9 +10,9 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JTextArea;
 
-/** Frame, angles, colour and spectrum of the picked point. */
+/** Frame, angles, color and spectrum of the picked point. */
 final class PickPanel extends JPanel {
-    private static final String HINT = "Double-click the skin to see its\nframe, angles, colour and spectrum.";
+    private static final String HINT = "Double-click the skin to see its\nframe, angles, color and spectrum.";
 
     private final JTextArea text = new JTextArea(HINT, 7, 32);
     private final JLabel color = new JLabel(" ");
@@ -28,7 +28,7 @@ final class PickPanel extends JPanel {
         text.setToolTipText("Vectors in world space, no unit; angles to the normal and around it in degrees");
         color.setOpaque(false);
         color.setPreferredSize(new Dimension(100, 22));
-        color.setToolTipText("Colour on screen, sRGB 0 to 255");
+        color.setToolTipText("Color on screen, sRGB 0 to 255");
         add(text, BorderLayout.NORTH);
         add(color);
         add(plot, BorderLayout.SOUTH);

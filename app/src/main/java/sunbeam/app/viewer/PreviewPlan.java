@@ -18,13 +18,13 @@ import sunbeam.precompute.method.PqMethod;
 import sunbeam.precompute.setting.Choices;
 
 /**
- * The method of moving pictures: the same surface, planned for what keeps the colours (the sources of error that the
+ * The method of moving pictures: the same surface, planned for what keeps the colors (the sources of error that the
  * tolerance bounds stay well below it, and below what the low resolution hides), and a coherence length of half the
- * scene's, which needs half the wavelengths. It blurs colours by no more than a preview's pixels do.
+ * scene's, which needs half the wavelengths. It blurs colors by no more than a preview's pixels do.
  */
 final class PreviewPlan {
     private static final double TOLERANCE_OF_PREVIEWS = 0.4;
-    // Shorter ones blur colours by more than 2 degrees: as wide as a preview's pixel on a curved skin, and seen.
+    // Shorter ones blur colors by more than 2 degrees: as wide as a preview's pixel on a curved skin, and seen.
     private static final double SHORTEST_COHERENCE_LENGTH = 20e-6;
     // Of pq, whose planned step is that of its sharp fringes: hundreds of wavelengths for a scan. Metres.
     private static final double REPLICAS_STEP = 20e-9;

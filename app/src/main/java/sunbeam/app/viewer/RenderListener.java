@@ -20,7 +20,7 @@ interface RenderListener {
      *
      * @param state what it shows
      * @param divisor its diffracted light has a divisor-th of the columns and rows
-     * @param tables whether it is by tables of colours, so that pixels have the mean of what they see
+     * @param tables whether it is by tables of colors, so that pixels have the mean of what they see
      * @param exposure factor that was applied
      * @param nanoseconds that it took
      */
@@ -35,7 +35,7 @@ interface RenderListener {
      */
     void complete(ViewState state, BufferedImage image, double exposure, long nanoseconds);
 
-    /** The final picture waits for colours that are being made, of which so large a share is there. */
+    /** The final picture waits for colors that are being made, of which so large a share is there. */
     void waiting(double share);
 
     /** A part of the final picture. */

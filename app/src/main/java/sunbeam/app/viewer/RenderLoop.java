@@ -34,7 +34,7 @@ final class RenderLoop implements AutoCloseable {
     private MethodPlan measured;
     private final KeptExposure exposures = new KeptExposure();
     private Optional<Finished> finished = Optional.empty();
-    // Waits for colours that are being made.
+    // Waits for colors that are being made.
     private Optional<ViewState> unfinished = Optional.empty();
     // Whether it is known where its pixels look.
     private boolean isRequested;
@@ -96,7 +96,7 @@ final class RenderLoop implements AutoCloseable {
         }
     }
 
-    /** Colours have come that a picture which stands still may have waited for. */
+    /** Colors have come that a picture which stands still may have waited for. */
     private void goOn(GraphicsStage stage) {
         if (stage.takeBaked() && unfinished.isPresent() && !inbox.isInterrupted()) {
             ViewState state = unfinished.get();
@@ -155,7 +155,7 @@ final class RenderLoop implements AutoCloseable {
         }
     }
 
-    /** Colours that an earlier run has kept are read sooner than the body alone is drawn. */
+    /** Colors that an earlier run has kept are read sooner than the body alone is drawn. */
     private void awaitKept(GraphicsStage stage) {
         long end = System.nanoTime() + KEPT_MILLISECONDS * 1_000_000;
         try {
@@ -168,7 +168,7 @@ final class RenderLoop implements AutoCloseable {
         }
     }
 
-    /** Refines what stands still, as far as its colours have been made; the rest is taken up when they come. */
+    /** Refines what stands still, as far as its colors have been made; the rest is taken up when they come. */
     private void finish(GraphicsStage stage, ViewState state) {
         if (state.isBare()) {
             // Before it is found where all pixels look, which takes seconds.
@@ -195,14 +195,14 @@ final class RenderLoop implements AutoCloseable {
         refineWhole(stage, state);
     }
 
-    /** Refines what all colours are there for. */
+    /** Refines what all colors are there for. */
     private void refineWhole(GraphicsStage stage, ViewState state) {
         unfinished = Optional.empty();
         check(map(stage, state, false) && refine(stage, state));
         guarded(() -> stage.requestMoving(state.width(), state.height(), inbox::isInterrupted));
     }
 
-    /** Shows what there is while colours are being made. */
+    /** Shows what there is while colors are being made. */
     private void await(GraphicsStage stage, ViewState state, double share) {
         if (stage.canMove()) {
             moving(stage, state, 1, exposures.of(state.fine(), stage::previewExposure));
@@ -232,11 +232,11 @@ final class RenderLoop implements AutoCloseable {
         }
     }
 
-    /** Shows what moves, as large as there is time for: by tables where colours for that are there, else by the preview's plan. */
+    /** Shows what moves, as large as there is time for: by tables where colors for that are there, else by the preview's plan. */
     private void preview(GraphicsStage stage, ViewState state) {
         OptionalDouble known = exposures.known(state.fine());
         if (known.isPresent() && state.isBare() && !stage.canMove()) {
-            // The body alone, by what will draw its colours.
+            // The body alone, by what will draw its colors.
             moving(stage, state, 1, known.getAsDouble());
         } else if (stage.canMove()) {
             double exposure = exposures.of(state.fine(), stage::previewExposure);
@@ -252,10 +252,10 @@ final class RenderLoop implements AutoCloseable {
 
     private void moving(GraphicsStage stage, ViewState state, int divisor, double exposure) {
         long start = System.nanoTime();
-        boolean colours = stage.canMove();
+        boolean colors = stage.canMove();
         BufferedImage image = stage.moving(state.width(), state.height(), divisor, exposure);
         long taken = System.nanoTime() - start;
-        tell(to -> to.preview(state, image, divisor, colours, exposure, taken));
+        tell(to -> to.preview(state, image, divisor, colors, exposure, taken));
     }
 
     private void reduced(GraphicsStage stage, ViewState state) {
@@ -309,7 +309,7 @@ final class RenderLoop implements AutoCloseable {
                     return false;
                 }
                 if (state.isBare()) {
-                    // All of its colours are there: what the background makes is for other pictures.
+                    // All of its colors are there: what the background makes is for other pictures.
                     stage.holdBaking();
                 }
                 long begun = System.nanoTime() - stage.meshNanoseconds();

@@ -17,8 +17,8 @@ final class StartJournal {
         CONTEXT("OpenGL"),
         BODY("body"),
         FIRST("first picture"),
-        COLOURS("first anti-aliased picture"),
-        TABLES("tables of colours for what moves"),
+        COLORS("first anti-aliased picture"),
+        TABLES("tables of colors for what moves"),
         FINAL("final picture");
 
         private final String words;

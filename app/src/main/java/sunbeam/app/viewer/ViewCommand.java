@@ -19,9 +19,9 @@ import sunbeam.app.terminal.UsageException;
         name = "view",
         header = "Open the interactive viewer.",
         description = "Show a scene in a window: drag to turn the model, drag with the right button to move the light."
-                + " What moves is drawn by coarse colours or in few pixels, as the method allows; once still, it is refined to what"
+                + " What moves is drawn by coarse colors or in few pixels, as the method allows; once still, it is refined to what"
                 + " 'render' writes."
-                + " A scene that names no method is drawn by table at tolerance 0.01, whose colours are made the first time and kept;"
+                + " A scene that names no method is drawn by table at tolerance 0.01, whose colors are made the first time and kept;"
                 + " plan.method full in its file, or full in the panel, draws without them."
                 + " F1 lists the mouse and the keys; see also docs/viewer.md.")
 public final class ViewCommand implements Callable<Integer> {

@@ -30,7 +30,7 @@ record ViewState(
         return parts.get(0);
     }
 
-    /** Whether what is coarse shows the body alone, until there are colours. */
+    /** Whether what is coarse shows the body alone, until there are colors. */
     boolean isBare() {
         return coarse.scene().blend().diffraction() == 0
                 && fine().scene().blend().diffraction() > 0;

@@ -175,7 +175,7 @@ final class Viewer {
     }
 
     /**
-     * Waits until what moves is drawn by tables of colours, if it will be. Not on the event thread.
+     * Waits until what moves is drawn by tables of colors, if it will be. Not on the event thread.
      *
      * @param patience milliseconds
      * @return whether it is
@@ -190,7 +190,7 @@ final class Viewer {
             CompletableFuture<Boolean> moves = new CompletableFuture<>();
             loop.submit(stage -> moves.complete(stage.canMove()));
             try {
-                if (moves.get(patience, TimeUnit.MILLISECONDS) && journal.has(StartJournal.Stage.COLOURS)) {
+                if (moves.get(patience, TimeUnit.MILLISECONDS) && journal.has(StartJournal.Stage.COLORS)) {
                     return true;
                 }
             } catch (ExecutionException | TimeoutException noAnswer) {
@@ -202,7 +202,7 @@ final class Viewer {
     }
 
     /**
-     * Waits for the first final picture of a scene by tables of colours, which is all that its light needs of them; not for those
+     * Waits for the first final picture of a scene by tables of colors, which is all that its light needs of them; not for those
      * of other methods. Not on the event thread.
      *
      * @param patience milliseconds
@@ -451,7 +451,7 @@ final class Viewer {
             if (!state.isBare()) {
                 return StartJournal.Stage.FIRST;
             }
-            return tables ? StartJournal.Stage.COLOURS : StartJournal.Stage.BODY;
+            return tables ? StartJournal.Stage.COLORS : StartJournal.Stage.BODY;
         }
 
         private void show(

@@ -146,7 +146,7 @@ final class ViewerModel {
         loaded = result.with(withPartsOf(wanted, result.fine().scene()));
         endOpenings(number);
         listener.changed();
-        if (!loaded.isWhole() && !loaded.waitsForColours()) {
+        if (!loaded.isWhole() && !loaded.waitsForColors()) {
             load();
         }
     }

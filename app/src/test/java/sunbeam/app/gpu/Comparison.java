@@ -52,7 +52,7 @@ final class Comparison {
     }
 
     /** X, Y, Z of power and the gain of each direction, from the shaders. */
-    List<float[]> colours(List<DirectionPair> pairs) {
+    List<float[]> colors(List<DirectionPair> pairs) {
         return evaluate(pairs.stream().map(g -> new Query(g, 0)).toList(), false);
     }
 
@@ -63,7 +63,7 @@ final class Comparison {
                 "test", map.columns(), map.rows(), map.pitchX(), map.pitchY(), HeightDigest.sha256(map));
         FourierTable table =
                 new TableBuilder(identity, heights, done -> {}).build(plan.expansion(), plan.bandX(), plan.bandY());
-        MethodUse use = spectral ? MethodUse.SPECTRAL : MethodUse.COLOUR;
+        MethodUse use = spectral ? MethodUse.SPECTRAL : MethodUse.COLOR;
         try (UploadedTables method =
                         UploadedTables.upload(context, plan.sampling().tables(plan, table, use, cie));
                 DirectionsRenderer renderer = new DirectionsRenderer(context, method, spectral)) {
@@ -88,9 +88,9 @@ final class Comparison {
         return Errors.of(errors);
     }
 
-    /** Errors of the colours as vectors, where there is any power. */
-    Errors colourErrors(List<DirectionPair> pairs) {
-        List<float[]> computed = colours(pairs);
+    /** Errors of the colors as vectors, where there is any power. */
+    Errors colorErrors(List<DirectionPair> pairs) {
+        List<float[]> computed = colors(pairs);
         ReferenceColor color =
                 new ReferenceColor(reference, full.area().window(), cie, ReferenceColor.Quadrature.INTEGRATED);
         double[] errors = IntStream.range(0, pairs.size())

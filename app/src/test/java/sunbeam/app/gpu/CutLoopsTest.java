@@ -22,7 +22,7 @@ import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.BandRule;
 import sunbeam.precompute.plan.GaussianArea;
-import sunbeam.precompute.plan.Neighbourhood;
+import sunbeam.precompute.plan.Neighborhood;
 import sunbeam.precompute.plan.OrderSampling;
 import sunbeam.precompute.plan.Plan;
 import sunbeam.precompute.plan.TableChoices;
@@ -68,7 +68,7 @@ class CutLoopsTest {
                         AREA,
                         VisibleRange.of(List.of(ASKED.get(0).pair())));
         OrderSampling sampling = new OrderSampling(
-                new Neighbourhood(radius, Neighbourhood.Anchor.NEAREST),
+                new Neighborhood(radius, Neighborhood.Anchor.NEAREST),
                 Optional.empty(),
                 new BandRule(100, 0.1, 5e3, 50e3));
         Plan plan = new Plan(
@@ -85,7 +85,7 @@ class CutLoopsTest {
                 plan,
                 new TableBuilder(surface.identity(), surface.levels(), done -> {})
                         .build(plan.expansion(), plan.bandX(), plan.bandY()),
-                MethodUse.COLOUR,
+                MethodUse.COLOR,
                 surface.cie());
         try (UploadedTables method = UploadedTables.upload(context, tables);
                 DirectionsRenderer renderer = new DirectionsRenderer(context, method, false)) {

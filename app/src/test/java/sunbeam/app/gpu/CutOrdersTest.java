@@ -12,7 +12,7 @@ import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.patch.HeightMap;
 import sunbeam.precompute.plan.Average;
 
-/** Colours in the plane of a grating: near the specular direction orders are wide, and 380 and 780 nm cut them. */
+/** Colors in the plane of a grating: near the specular direction orders are wide, and 380 and 780 nm cut them. */
 @NeedsDisplay
 class CutOrdersTest extends InAContext {
     private static final double PERIOD = 2.5e-6;
@@ -27,7 +27,7 @@ class CutOrdersTest extends InAContext {
                 .toList();
 
         Errors errors =
-                new Comparison(context, BLAZE, Requests.of(coherenceLength, Average.COHERENT)).colourErrors(plane);
+                new Comparison(context, BLAZE, Requests.of(coherenceLength, Average.COHERENT)).colorErrors(plane);
 
         errors.assertWithin(TOLERANCE, "XYZ");
         // A direction that sees nothing but the flank of an order outside the band is no exception.

@@ -17,7 +17,7 @@ import sunbeam.precompute.plan.Average;
 @NeedsDisplay
 class GratingsOnGpuTest extends InAContext {
     private static final double PERIOD = 2.5e-6;
-    // Ten periods: an order's neighbour is exp(-0.5 (1 / 0.064)^2) of it, nothing.
+    // Ten periods: an order's neighbor is exp(-0.5 (1 / 0.064)^2) of it, nothing.
     private static final double WINDOW = 10 * PERIOD;
 
     /** Middles of the orders -3 to 3 at five wavelengths. */

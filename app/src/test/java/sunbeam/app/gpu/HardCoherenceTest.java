@@ -54,9 +54,9 @@ class HardCoherenceTest extends InAContext {
 
     @ParameterizedTest
     @CsvSource({"1e-6", "3e-6", "10e-6", "30e-6", "65e-6"})
-    void colours(double coherenceLength) {
+    void colors(double coherenceLength) {
         new Comparison(context, NOISE, Requests.of(coherenceLength, Average.COHERENT))
-                .colourErrors(new Directions(8).anywhere(20))
+                .colorErrors(new Directions(8).anywhere(20))
                 .assertWithin(TOLERANCE, "XYZ");
     }
 

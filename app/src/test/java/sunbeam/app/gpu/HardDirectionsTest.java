@@ -38,7 +38,7 @@ class HardDirectionsTest extends InAContext {
         Comparison comparison = comparison(coherenceLength);
 
         comparison.powerErrors(queries).assertWithin(TOLERANCE, "power");
-        comparison.colourErrors(queries.stream().map(Query::pair).toList()).assertWithin(TOLERANCE, "XYZ");
+        comparison.colorErrors(queries.stream().map(Query::pair).toList()).assertWithin(TOLERANCE, "XYZ");
     }
 
     @Test

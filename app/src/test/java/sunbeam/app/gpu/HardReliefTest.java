@@ -41,11 +41,11 @@ class HardReliefTest extends InAContext {
 
     @ParameterizedTest
     @ValueSource(doubles = {819e-9, 2e-6, 5e-6})
-    void coloursOfReliefOfManyWavelengths(double relief) {
+    void colorsOfReliefOfManyWavelengths(double relief) {
         HeightMap map = Surface.noise(64, 64, PITCH, relief, 4);
 
         new Comparison(context, map, Requests.of(WINDOW, Average.COHERENT))
-                .colourErrors(new Directions(2).anywhere(10))
+                .colorErrors(new Directions(2).anywhere(10))
                 .assertWithin(TOLERANCE, "XYZ");
     }
 

@@ -81,7 +81,7 @@ class TruthsOnGpuTest extends InAContext {
         // CIE 15, D65 and the 2 degree observer.
         double[] white = {0.95047, 1, 1.08883};
 
-        for (float[] xyz : flat(SUNLIGHT).colours(specular)) {
+        for (float[] xyz : flat(SUNLIGHT).colors(specular)) {
             for (int c = 0; c < 3; c++) {
                 assertThat((double) xyz[c]).isCloseTo(white[c], within(TOLERANCE * white[c]));
             }

@@ -9,14 +9,14 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
-import sunbeam.precompute.colourtable.LevelBaking;
-import sunbeam.precompute.colourtable.NumberFormat;
+import sunbeam.precompute.colortable.LevelBaking;
+import sunbeam.precompute.colortable.NumberFormat;
 
 /** The records of a file of pages in the cache (sunbeam.app.files.cache.PageFile). */
 final class KeptPageRecords {
     private static final int TEXTS = 4;
     private static final int BYTES_OF_A_PAGE = LevelBaking.PAGE_NUMBERS * NumberFormat.HALF.bytes();
-    /** Level, page, checksum, colours. */
+    /** Level, page, checksum, colors. */
     private static final int BYTES_OF_A_RECORD = 16 + BYTES_OF_A_PAGE;
 
     private KeptPageRecords() {}
@@ -25,7 +25,7 @@ final class KeptPageRecords {
         return CachedFiles.find(cache, ".pages");
     }
 
-    /** Whole records by level and page, with checksum and a hash of the colours; one that was made twice stands there twice. */
+    /** Whole records by level and page, with checksum and a hash of the colors; one that was made twice stands there twice. */
     static Map<String, String> of(Path file) {
         Map<String, String> records = new TreeMap<>();
         try (DataInputStream in = new DataInputStream(new ByteArrayInputStream(Files.readAllBytes(file)))) {

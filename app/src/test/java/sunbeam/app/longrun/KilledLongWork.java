@@ -139,7 +139,7 @@ final class KilledLongWork {
         builder.environment().put("XDG_CACHE_HOME", work.cache(place).toString());
         int before = work.finished(place);
         Process process = builder.start();
-        try (UnfinishedColours.Watch watch = work.watch(place)) {
+        try (UnfinishedColors.Watch watch = work.watch(place)) {
             long start = System.nanoTime();
             boolean ended = false;
             boolean killed = false;

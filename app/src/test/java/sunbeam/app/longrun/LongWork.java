@@ -57,7 +57,7 @@ enum LongWork {
             return files(place.folder().resolve("out"), name -> name.startsWith("frame-"), LongWork::identity);
         }
     },
-    /** A table of colours and a map from it; a part is a batch of colours. Each has a cache of its own. */
+    /** A table of colors and a map from it; a part is a batch of colors. Each has a cache of its own. */
     TABLE {
         @Override
         List<String> command(Place place) {
@@ -80,18 +80,18 @@ enum LongWork {
         @Override
         Map<String, String> parts(Place place) {
             Map<String, String> parts = new TreeMap<>();
-            UnfinishedColours.find(cache(place)).forEach(file -> parts.putAll(UnfinishedColours.batches(file)));
+            UnfinishedColors.find(cache(place)).forEach(file -> parts.putAll(UnfinishedColors.batches(file)));
             return parts;
         }
 
         @Override
         int finished(Place place) {
-            return UnfinishedColours.count(cache(place));
+            return UnfinishedColors.count(cache(place));
         }
 
         @Override
-        UnfinishedColours.Watch watch(Place place) {
-            return UnfinishedColours.watch(cache(place));
+        UnfinishedColors.Watch watch(Place place) {
+            return UnfinishedColors.watch(cache(place));
         }
 
         @Override
@@ -101,7 +101,7 @@ enum LongWork {
             return result;
         }
     },
-    /** Pages of a scene's colours and a picture of them; a part is a page. Each has a cache of its own. */
+    /** Pages of a scene's colors and a picture of them; a part is a page. Each has a cache of its own. */
     PAGES {
         @Override
         List<String> command(Place place) {
@@ -170,8 +170,8 @@ enum LongWork {
     }
 
     /** Looks on while a run goes on; this one at nothing. */
-    UnfinishedColours.Watch watch(Place place) {
-        return UnfinishedColours.nothing();
+    UnfinishedColors.Watch watch(Place place) {
+        return UnfinishedColors.nothing();
     }
 
     /** The files that a run leaves in the end, save for times. */

@@ -147,7 +147,7 @@ record RandomCase(
     private List<float[]> evaluate(RenderContext context, Surface surface, Plan plan) {
         FourierTable table = new TableBuilder(surface.identity(), surface.levels(), done -> {})
                 .build(plan.expansion(), plan.bandX(), plan.bandY());
-        MethodUse use = colors ? MethodUse.COLOUR : MethodUse.SPECTRAL;
+        MethodUse use = colors ? MethodUse.COLOR : MethodUse.SPECTRAL;
         try (UploadedTables method =
                         UploadedTables.upload(context, plan.sampling().tables(plan, table, use, surface.cie()));
                 DirectionsRenderer renderer = new DirectionsRenderer(context, method, !colors)) {

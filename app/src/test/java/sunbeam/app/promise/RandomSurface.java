@@ -104,7 +104,7 @@ enum RandomSurface {
         });
     }
 
-    /** Means of neighbours, again and again; periodic. */
+    /** Means of neighbors, again and again; periodic. */
     static HeightMap smoothed(HeightMap map, int times) {
         int columns = map.columns();
         int rows = map.rows();

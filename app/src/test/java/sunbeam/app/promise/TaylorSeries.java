@@ -15,7 +15,7 @@ import sunbeam.precompute.patch.HeightLevels;
 import sunbeam.precompute.plan.VisibleRange;
 
 /**
- * The colour of coherent power as a polynomial in w, after D. Dhillon, J. Teyssier, M. Single, I. Gaponenko, M. Milinkovitch
+ * The color of coherent power as a polynomial in w, after D. Dhillon, J. Teyssier, M. Single, I. Gaponenko, M. Milinkovitch
  * and M. Zwicker, "Interactive Diffraction from Biological Nanostructures", Computer Graphics Forum 33 (2014): with exp(i k w h) = sum_n
  * (i k w h)^n / n!,
  *

@@ -14,10 +14,10 @@ import picocli.CommandLine;
 import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.options.PatchOptions;
-import sunbeam.precompute.colourtable.ColourSource;
-import sunbeam.precompute.colourtable.LevelBaking;
-import sunbeam.precompute.colourtable.LevelGrid;
-import sunbeam.precompute.colourtable.TableLevels;
+import sunbeam.precompute.colortable.ColorSource;
+import sunbeam.precompute.colortable.LevelBaking;
+import sunbeam.precompute.colortable.LevelGrid;
+import sunbeam.precompute.colortable.TableLevels;
 import sunbeam.precompute.method.LevelledPlan;
 import sunbeam.precompute.method.TableMethod;
 import sunbeam.precompute.patch.Patch;
@@ -26,7 +26,7 @@ import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.VisibleRange;
 
 /**
- * How long all colours of a surface take, for whatever light and mesh: makes the numbers of docs/color-tables.md. Not among the tests:
+ * How long all colors of a surface take, for whatever light and mesh: makes the numbers of docs/color-tables.md. Not among the tests:
  * {@code ./sunbeam test -Dtest=AllLightsRun -Dsurefire.failIfNoSpecifiedTests=false}, with {@code -Dsunbeam.patch=NAME} and {@code
  * -Dsunbeam.tolerance=T}. Nothing is read from the cache and nothing kept.
  */
@@ -81,7 +81,7 @@ class AllLightsRun {
         BitSet reachable = grid.reachable();
         long places = baking.missing(reachable);
         int[] pages = grid.bySide(reachable).toArray();
-        try (ColourSource source = sources.open(level, done -> {})) {
+        try (ColorSource source = sources.open(level, done -> {})) {
             for (int from = 0; from < pages.length; from += PAGES_TOGETHER) {
                 BitSet some = new BitSet();
                 IntStream.range(from, Math.min(pages.length, from + PAGES_TOGETHER))

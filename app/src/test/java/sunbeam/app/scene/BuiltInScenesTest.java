@@ -26,7 +26,7 @@ class BuiltInScenesTest {
     private Path folder;
 
     @Test
-    void allAreDrawnInColours() throws IOException {
+    void allAreDrawnInColors() throws IOException {
         // No cache: tables of gigabytes would be written and read again.
         Path noFolder = Files.createFile(folder.resolve("file"));
         Map<String, String> variables = Map.of("XDG_CACHE_HOME", noFolder.toString());
@@ -44,7 +44,7 @@ class BuiltInScenesTest {
                 data = loader.load(scene, data);
                 session.update(data);
                 float[] pixels = session.draw(24, 18).rgba();
-                assertThat(isColoured(pixels)).as(scene.title()).isTrue();
+                assertThat(isColored(pixels)).as(scene.title()).isTrue();
             }
         }
     }
@@ -55,7 +55,7 @@ class BuiltInScenesTest {
     }
 
     /** Whether some pixel is far from the white of daylight. */
-    private static boolean isColoured(float[] pixels) {
+    private static boolean isColored(float[] pixels) {
         for (int i = 0; i < pixels.length; i += 4) {
             float sum = pixels[i] + pixels[i + 1] + pixels[i + 2];
             // White has x = 0.313 and z = 0.358.

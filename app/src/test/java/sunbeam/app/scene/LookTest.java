@@ -21,7 +21,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import sunbeam.app.gpu.NeedsDisplay;
 import sunbeam.app.gpu.Shaders;
 
-/** How pixels look into levels of colours (shaders/include/look.glsl), by the variance of what they look at. */
+/** How pixels look into levels of colors (shaders/include/look.glsl), by the variance of what they look at. */
 @NeedsDisplay
 class LookTest {
     private static final double SIGMA = 1e-3;

@@ -58,7 +58,7 @@ class MovingPictureTest {
         }
     }
 
-    private static void awaitColours(SceneSession session) throws InterruptedException {
+    private static void awaitColors(SceneSession session) throws InterruptedException {
         session.bakeInBackground(true, () -> {});
         long end = System.nanoTime() + MOST_SECONDS * 1_000_000_000L;
         session.requestMoving(WIDTH, HEIGHT, () -> false);
@@ -74,7 +74,7 @@ class MovingPictureTest {
                 SceneSession session = new SceneSession(
                         context, PlaneScenes.load(scene.withMethod(method(TableMethod.TYPE)), folder))) {
             if (scene.blend().diffraction() > 0) {
-                awaitColours(session);
+                awaitColors(session);
             }
             return session.moving(WIDTH, HEIGHT, 1, scene.exposure().orElseThrow());
         }

@@ -29,7 +29,7 @@ class PackingTest {
     }
 
     @Test
-    void sixteenNeighboursShareASmallSquare() {
+    void sixteenNeighborsShareASmallSquare() {
         Packing packing = new Packing(5000);
         for (int pixel = 0; pixel < 5000; pixel++) {
             assertThat(packing.column(pixel) / 4).isEqualTo(packing.column(pixel / 16 * 16) / 4);

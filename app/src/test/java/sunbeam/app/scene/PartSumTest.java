@@ -104,7 +104,7 @@ class PartSumTest {
     }
 
     @Test
-    void anIndexByWavelengthHasTheExactColours() throws IOException {
+    void anIndexByWavelengthHasTheExactColors() throws IOException {
         // More reflected in the red than in the blue, as by copper.
         Scene scene =
                 PlaneScenes.blaze().withIndex(file("wl,n,k\n0.38,1.2,2.2\n0.55,1.0,2.6\n0.6,0.3,3.3\n0.8,0.25,5\n"));

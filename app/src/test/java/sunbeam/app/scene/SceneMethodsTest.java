@@ -88,7 +88,7 @@ class SceneMethodsTest {
     }
 
     @Test
-    void pqHasTheExactColourOfItsReplicas() {
+    void pqHasTheExactColorOfItsReplicas() {
         int replicas = 3;
         Choices method = Choices.none().with(METHOD, PqMethod.TYPE).with(REPLICAS, replicas);
         SceneData data = PlaneScenes.load(with(method), folder);

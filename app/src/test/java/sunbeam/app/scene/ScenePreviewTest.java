@@ -70,7 +70,7 @@ class ScenePreviewTest {
         assertThat(Arrays.copyOf(faint, 4)).containsExactly(0.5f + 0.75f * 0.3f, 0.65f, 0.325f, 1);
         float[] glaring =
                 ScenePreview.composed(body, filled(2, 2, 900, 300, 600), 1, 1).rgba();
-        // Cut at white, in its colour; the body is not seen.
+        // Cut at white, in its color; the body is not seen.
         assertThat(Arrays.copyOf(glaring, 4)).containsExactly(3, 1, 2, 1);
     }
 

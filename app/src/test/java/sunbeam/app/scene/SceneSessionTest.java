@@ -88,7 +88,7 @@ class SceneSessionTest {
     }
 
     @Test
-    void aPixelHasTheExactColourOfItsDirection() {
+    void aPixelHasTheExactColorOfItsDirection() {
         ScenePicture picture = session.draw(WIDTH, HEIGHT);
         SceneData data = session.data();
         ReferenceColor reference = new ReferenceColor(
@@ -216,7 +216,7 @@ class SceneSessionTest {
     }
 
     @Test
-    void anotherLightChangesColoursAndNotTheOutline() {
+    void anotherLightChangesColorsAndNotTheOutline() {
         Scene scene = PlaneScenes.blaze();
         ScenePicture before = draw(scene);
         ScenePicture after = draw(scene.withLight(new SceneLight(new Vector3f(0.3f, 0.1f, 0.9f), 1)));

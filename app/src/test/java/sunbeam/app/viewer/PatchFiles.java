@@ -12,7 +12,7 @@ final class PatchFiles {
 
     private PatchFiles() {}
 
-    /** One period of a cosine, 2 um wide and 300 nm deep: other colours and another plan than blaze's. */
+    /** One period of a cosine, 2 um wide and 300 nm deep: other colors and another plan than blaze's. */
     static Path descriptor(Path folder, String name) throws IOException {
         image(folder, name + ".png");
         Path file = folder.resolve(name + ".json");

@@ -9,7 +9,7 @@ import java.awt.image.BufferedImage;
 final class Pictures {
     private Pictures() {}
 
-    /** Pixels that differ, in colour or in whether they show the background. */
+    /** Pixels that differ, in color or in whether they show the background. */
     static int different(BufferedImage one, BufferedImage other, boolean silhouette) {
         assertThat(other.getWidth()).isEqualTo(one.getWidth());
         assertThat(other.getHeight()).isEqualTo(one.getHeight());
@@ -26,7 +26,7 @@ final class Pictures {
         return count;
     }
 
-    /** Pixels of a colour that no grey light has. */
+    /** Pixels of a color that no grey light has. */
     static int spectralPixels(BufferedImage image) {
         int count = 0;
         for (int y = 0; y < image.getHeight(); y++) {

@@ -35,7 +35,7 @@ class PreviewBrightnessTest {
 
     /** A shorter coherence length spreads the same light over a wider angle; on a curved skin its sum stays. */
     @Test
-    void previewsAreAsBrightAndAsColouredAsFinalPictures() {
+    void previewsAreAsBrightAndAsColoredAsFinalPictures() {
         Scene scales = Scenes.load("elaphe-scales")
                 .with(Choices.none().with(METHOD, FullMethod.TYPE).with(TOLERANCE, 0.02));
         Scene scene = scales.withBlend(new Blend(scales.blend().diffraction(), 0, 0, 0));

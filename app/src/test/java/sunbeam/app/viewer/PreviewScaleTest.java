@@ -62,7 +62,7 @@ final class PreviewScaleTest {
         for (double full = 1e6; full < 1e12; full *= 1.3) {
             PreviewScale scale = settled(5e6, full);
             int next = scale.after(frame(scale, 5e6, full), 5_000_000).divisor();
-            // Neighbouring divisors are at most a factor of 2 apart, from 1 to 2.
+            // Neighboring divisors are at most a factor of 2 apart, from 1 to 2.
             assertThat(next).as("full picture of %s ns", full).isBetween(scale.divisor() / 2, 2 * scale.divisor());
         }
     }

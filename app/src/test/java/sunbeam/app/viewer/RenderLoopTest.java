@@ -217,7 +217,7 @@ class RenderLoopTest {
     }
 
     @Test
-    void coloursThatAPictureLacksAreMadeInTheBackgroundUntilItIsWhole() throws InterruptedException {
+    void colorsThatAPictureLacksAreMadeInTheBackgroundUntilItIsWhole() throws InterruptedException {
         SceneLoader loader = new SceneLoader(new Environment(Map.of(), folder), warning -> {});
         Scene scene = ViewerInAWindow.scene();
         Choices table = Choices.none().with(Methods.METHOD, TableMethod.TYPE);
@@ -234,12 +234,12 @@ class RenderLoopTest {
             waited |= said.equals("waiting");
             said = next();
         }
-        assertThat(waited).as("says that colours are being made").isTrue();
+        assertThat(waited).as("says that colors are being made").isTrue();
         assertThat(said).isEqualTo("complete");
         assertThat(next()).isEqualTo("final map");
         assertShownAsRendered(loaded);
 
-        // Its colours are there: what moves is drawn by them, in full size where there is time, and is nearly what
+        // Its colors are there: what moves is drawn by them, in full size where there is time, and is nearly what
         // stands still.
         SceneLight light = new SceneLight(new Vector3f(0.32f, -0.62f, -0.4f), 1);
         LoadedScene moved = loaded.with(tabulated.withLight(light));
@@ -258,8 +258,8 @@ class RenderLoopTest {
         for (int i = 0; i < still.length; i++) {
             sum += Math.abs((moving[i] >> 8 & 0xff) - (still[i] >> 8 & 0xff));
         }
-        // Of 255: fewer pixels, fewer looks into colours as coarse as they are there, and at the silhouette no
-        // neighbours.
+        // Of 255: fewer pixels, fewer looks into colors as coarse as they are there, and at the silhouette no
+        // neighbors.
         assertThat(sum / still.length).isLessThan(6);
     }
 

@@ -15,7 +15,7 @@ final class StartJournalTest {
         journal.reached(StartJournal.Stage.WINDOW);
         now.set(start.plusMillis(3400));
         journal.reached(StartJournal.Stage.WINDOW);
-        journal.reached(StartJournal.Stage.COLOURS);
+        journal.reached(StartJournal.Stage.COLORS);
         assertThat(journal.report())
                 .isEqualTo("since the process began: window 1.2 s, first anti-aliased picture 3.4 s");
     }

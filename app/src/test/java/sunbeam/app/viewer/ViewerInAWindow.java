@@ -87,7 +87,7 @@ abstract class ViewerInAWindow {
         awaitFinal();
     }
 
-    /** A cylinder with the colours of a coarse grating: a silhouette that turns, and a method that takes milliseconds. */
+    /** A cylinder with the colors of a coarse grating: a silhouette that turns, and a method that takes milliseconds. */
     static Scene scene() {
         Scene elaphe = Scenes.load("elaphe");
         Camera camera = new Camera(new Vector3f(0, -EYE, 0.7f * EYE), new Vector3f(0, 0, 0.1f), new Vector3f(0, 0, 1));

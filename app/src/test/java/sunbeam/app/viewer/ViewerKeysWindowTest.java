@@ -42,7 +42,7 @@ final class ViewerKeysWindowTest extends ViewerInAWindow {
         assertThat(up.x).isCloseTo(right.x, within((float) ROUNDING));
         awaitFinal();
         assertThat(different(before, picture(), false))
-                .as("pixels of another colour")
+                .as("pixels of another color")
                 .isPositive();
         assertThat(different(before, picture(), true))
                 .as("pixels of another silhouette")

@@ -36,7 +36,7 @@ final class ViewerPatchWindowTest extends ViewerInAWindow {
         awaitPatch(file.toString());
         awaitFinal();
         assertThat(different(before, picture(), false))
-                .as("pixels of another colour")
+                .as("pixels of another color")
                 .isGreaterThan(500);
         assertThat(different(before, picture(), true))
                 .as("pixels of another silhouette")

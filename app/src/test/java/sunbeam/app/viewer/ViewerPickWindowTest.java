@@ -48,7 +48,7 @@ final class ViewerPickWindowTest extends ViewerInAWindow {
     }
 
     @Test
-    void thePanelShowsFrameAnglesColourAndSpectrumAndFollowsTheLight() throws Exception {
+    void thePanelShowsFrameAnglesColorAndSpectrumAndFollowsTheLight() throws Exception {
         assertThat(curvePixels()).as("no spectrum yet").isZero();
         Pick pick = doubleClick();
         String text = panelText();

@@ -15,7 +15,7 @@ import sunbeam.app.scene.Pick;
 /** The viewer in a real window, under a robot's hands. */
 final class ViewerWindowTest extends ViewerInAWindow {
     @Test
-    void rightDragMovesTheLightColoursChangeAndGeometryDoesNot() throws Exception {
+    void rightDragMovesTheLightColorsChangeAndGeometryDoesNot() throws Exception {
         BufferedImage before = picture();
         drag(InputEvent.BUTTON3_DOWN_MASK);
         awaitFinal();
@@ -23,9 +23,9 @@ final class ViewerWindowTest extends ViewerInAWindow {
         assertThat(shownPixels(before))
                 .as("pixels of the model")
                 .isBetween(100, before.getWidth() * before.getHeight() - 100);
-        assertThat(spectralPixels(before)).as("pixels in diffraction colours").isGreaterThan(500);
+        assertThat(spectralPixels(before)).as("pixels in diffraction colors").isGreaterThan(500);
         assertThat(different(before, after, false))
-                .as("pixels of another colour")
+                .as("pixels of another color")
                 .isGreaterThan(500);
         assertThat(different(before, after, true))
                 .as("pixels of another silhouette")

@@ -22,7 +22,7 @@ final class DemodulatedPhase {
 
     // Steps from one Hann window to the next are smaller than a random walk's own, by 0.8 in the square, or by half
     // where
-    // neighbouring gaps deviate alike.
+    // neighboring gaps deviate alike.
     private static final double SMOOTHED = 1.4;
 
     private final double[] places;

@@ -54,7 +54,7 @@ public record HeightStatistics(double relief, double rms, double largestSlope, d
         return Math.sqrt(sum / heights.length);
     }
 
-    /** |gradient|^2 between the neighbours of a row and the next, inside the patch: its seam is no slope of the surface. */
+    /** |gradient|^2 between the neighbors of a row and the next, inside the patch: its seam is no slope of the surface. */
     private record Slopes(double sum, double largest, int steeper) {
         static Slopes of(HeightMap map, int row, int columns) {
             double steep = Math.pow(Math.tan(Math.toRadians(STEEP_DEGREES)), 2);

@@ -8,7 +8,7 @@ import sunbeam.precompute.patch.HeightMap;
 import sunbeam.precompute.prepare.Crop;
 
 /**
- * The direction in which a surface spreads most of its colours: across the lines of a grating.
+ * The direction in which a surface spreads most of its colors: across the lines of a grating.
  *
  * @param azimuthDegrees counter-clockwise from +x, above -90 to 90; 0 where no direction stands out
  * @param halfWidthDegrees 0 where it is exact; else of the interval that holds the direction of a larger scan of the same surface with a probability of
@@ -16,7 +16,7 @@ import sunbeam.precompute.prepare.Crop;
  * @param strength 0..1: 0 where all directions are alike, 1 where there is only one
  */
 public record PrincipalDirection(double azimuthDegrees, OptionalDouble halfWidthDegrees, double strength) {
-    // Coarser waves send light beside the mirror direction, where it has no colour.
+    // Coarser waves send light beside the mirror direction, where it has no color.
     private static final double COARSEST_PERIOD = 5e-6;
     // Finer ones send light along the normal nowhere.
     private static final double FINEST_PERIOD = 380e-9;

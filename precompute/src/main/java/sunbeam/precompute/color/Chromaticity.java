@@ -32,7 +32,7 @@ public record Chromaticity(double x, double y) {
      * A hue by its wavelength.
      *
      * @param nanometres dominant wavelength; for purples minus the complementary one; NaN for white, grey and black
-     * @param purity excitation purity, 0 for white to 1 for a spectral colour or the purest purple; may exceed 1 by rounding
+     * @param purity excitation purity, 0 for white to 1 for a spectral color or the purest purple; may exceed 1 by rounding
      */
     public record Hue(double nanometres, double purity) {}
 

@@ -1,7 +1,7 @@
 package sunbeam.precompute.color;
 
 /**
- * A colour in CIE 1976 L*a*b* (ISO/CIE 11664-4) against the white of D65.
+ * A color in CIE 1976 L*a*b* (ISO/CIE 11664-4) against the white of D65.
  *
  * @param lightness L*, 100 for white; more for what is brighter
  * @param a a*, green to red

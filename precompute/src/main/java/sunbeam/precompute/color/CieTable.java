@@ -12,7 +12,7 @@ import java.util.stream.Stream;
 import sunbeam.precompute.files.Sha256;
 
 /**
- * CIE 1931 2-degree colour matching functions (CIE 018:2019) times the relative power of illuminant D65 (ISO/CIE
+ * CIE 1931 2-degree color matching functions (CIE 018:2019) times the relative power of illuminant D65 (ISO/CIE
  * 11664-2), tabulated every nanometre from 380 to 780 nm and linear between.
  */
 public final class CieTable {

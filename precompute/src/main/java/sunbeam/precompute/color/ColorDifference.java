@@ -10,7 +10,7 @@ public final class ColorDifference {
 
     private ColorDifference() {}
 
-    /** The difference of two colours, at least 0, the same in both directions. */
+    /** The difference of two colors, at least 0, the same in both directions. */
     public static double ciede2000(CieLab first, CieLab second) {
         double stretch = stretch(0.5 * (first.chroma() + second.chroma()));
         double a1 = stretch * first.a();

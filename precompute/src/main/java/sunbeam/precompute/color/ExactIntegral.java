@@ -3,7 +3,7 @@ package sunbeam.precompute.color;
 import java.util.function.DoubleUnaryOperator;
 
 /**
- * X, Y, Z of any power over 380..780 nm, with steps of 1 / lambda that are halved until nothing changes: what the colour
+ * X, Y, Z of any power over 380..780 nm, with steps of 1 / lambda that are halved until nothing changes: what the color
  * tables, linear between whole nanometres, define, to nine digits.
  */
 public final class ExactIntegral {

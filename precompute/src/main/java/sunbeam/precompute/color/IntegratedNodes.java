@@ -8,8 +8,8 @@ import org.apache.commons.math3.analysis.integration.gauss.GaussIntegratorFactor
 
 /**
  * Wavelengths at equal steps of 1 / lambda, along which diffraction orders are equally wide, or of its logarithm, with weights that integrate
- * the tabulated colour matching functions, linear between whole nanometres, exactly against the polynomial of degree 11
- * through neighbouring powers. Sampling these functions at the nodes instead errs by up to 1e-3 for a narrow blue order
+ * the tabulated color matching functions, linear between whole nanometres, exactly against the polynomial of degree 11
+ * through neighboring powers. Sampling these functions at the nodes instead errs by up to 1e-3 for a narrow blue order
  * even in steps of 1 nm, because where they grow exponentially the chord lies above the curve.
  */
 public final class IntegratedNodes {

@@ -3,7 +3,7 @@ package sunbeam.precompute.color;
 import java.util.stream.IntStream;
 
 /**
- * Colour weights of diffraction orders, which are Gaussians of 1 / lambda:
+ * Color weights of diffraction orders, which are Gaussians of 1 / lambda:
  *
  * <pre>W(s, width) = int S xbar exp(-((1 / lambda - s) / width)^2) dlambda / int S ybar dlambda</pre>
  *
@@ -26,7 +26,7 @@ public record OrderWeights(
         int rows,
         float[] values) {
 
-    // 0.7 nm at 500 nm: the colour matching functions bend over tens of nanometres. The table's own grid is 1 nm.
+    // 0.7 nm at 500 nm: the color matching functions bend over tens of nanometres. The table's own grid is 1 nm.
     /** Places that are tabulated. */
     public static final int COLUMNS = 768;
 

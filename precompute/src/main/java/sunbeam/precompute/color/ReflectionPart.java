@@ -7,7 +7,7 @@ import sunbeam.precompute.optics.RefractiveIndex;
 
 /**
  * A part of the light that a material reflects, in which wavelength and direction separate. Schlick's reflectance is R0 (1 -
- * s) + s with s = (1 - cos theta_d)^5 and R0 of the wavelength; colours need it under the integral over wavelengths. So they
+ * s) + s with s = (1 - cos theta_d)^5 and R0 of the wavelength; colors need it under the integral over wavelengths. So they
  * are the sum of two integrals, one with R0 as a factor of the light's spectrum; of one where R0 is constant.
  *
  * @param cie observer and light with this part's spectral factor
@@ -25,19 +25,19 @@ public record ReflectionPart(CieTable cie, double constant, double schlick) {
         if (index.isConstant()) {
             return List.of(new ReflectionPart(cie, 1, (1 - mirror) / mirror));
         }
-        return List.of(new ReflectionPart(coloured(index, cie, mirror), 1, -1), new ReflectionPart(cie, 0, 1 / mirror));
+        return List.of(new ReflectionPart(colored(index, cie, mirror), 1, -1), new ReflectionPart(cie, 0, 1 / mirror));
     }
 
     /**
-     * All light of a material as one part: the colour is that along the normal in all directions, the luminance of light
+     * All light of a material as one part: the color is that along the normal in all directions, the luminance of light
      * that is the same at all wavelengths is right in all.
      */
     public static ReflectionPart approximately(RefractiveIndex index, CieTable cie) {
         double mirror = mirror(index, cie);
-        return new ReflectionPart(coloured(index, cie, mirror), 1, (1 - mirror) / mirror);
+        return new ReflectionPart(colored(index, cie, mirror), 1, (1 - mirror) / mirror);
     }
 
-    private static CieTable coloured(RefractiveIndex index, CieTable cie, double mirror) {
+    private static CieTable colored(RefractiveIndex index, CieTable cie, double mirror) {
         return cie.times(wavelength -> index.reflectance(wavelength) / mirror);
     }
 

@@ -2,7 +2,7 @@ package sunbeam.precompute.color;
 
 /**
  * The CIE weights without the corners of their table. Linear interpolation between whole nanometres lies up to 1.5e-3
- * above a function that grows as fast as the flanks of the colour matching functions; nodes a nanometre or more apart do not
+ * above a function that grows as fast as the flanks of the color matching functions; nodes a nanometre or more apart do not
  * average that as an integral does. A smooth function with the same spectrum at the wavelengths that matter takes its place:
  * the table low-passed as its chords are, (w[i-1] + 10 w[i] + w[i+1]) / 12, and a cubic between (Catmull and Rom 1974).
  */

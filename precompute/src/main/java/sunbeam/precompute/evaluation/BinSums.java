@@ -19,12 +19,12 @@ import sunbeam.precompute.table.TableBuilder;
  * computes on the GPU, with bins of float32 but sums in double precision. The bins around a direction are summed once
  * for any number of window positions, because a position only turns the bins' phases.
  *
- * <p>Relative error of the power about 1e-6 / sqrt(power): the expansion's remainder, bins beyond the neighbourhood and
+ * <p>Relative error of the power about 1e-6 / sqrt(power): the expansion's remainder, bins beyond the neighborhood and
  * the rounding of the bins are each below 1e-7 of the mirror's amplitude. Immutable and safe for use by several threads.
  */
 public final class BinSums {
     private static final double EXPANSION_TOLERANCE = 1e-7;
-    // Half width of the neighbourhood in standard deviations: what lies outside is exp(-6^2 / 2) = 1.5e-8.
+    // Half width of the neighborhood in standard deviations: what lies outside is exp(-6^2 / 2) = 1.5e-8.
     private static final double REACH = 6;
 
     private final ResponseGrid grid;

@@ -45,7 +45,7 @@ public final class RidgeSearch {
         for (int sign = -1; sign <= 1; sign += 2) {
             double before = 0;
             double here = 0;
-            // One step beyond both ends, so that a ridge at an end has neighbours.
+            // One step beyond both ends, so that a ridge at an end has neighbors.
             for (int i = -1; i <= count + 1; i++) {
                 double after = strength(response, sign * (1 / longest + i * step));
                 if (i > 0 && here > before && here >= after) {

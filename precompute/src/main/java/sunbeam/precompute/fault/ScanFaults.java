@@ -13,7 +13,7 @@ import sunbeam.precompute.prepare.Levelling;
 import sunbeam.precompute.units.Lengths;
 
 /**
- * Finds rows of a scan that were not measured, and rows that lie higher or lower as a whole than their neighbours. The offset of a row
+ * Finds rows of a scan that were not measured, and rows that lie higher or lower as a whole than their neighbors. The offset of a row
  * against the one before is the median over the columns of the difference; how far columns stray from it (1.4826 times the median
  * distance) says what the surface does by itself. A surface with lines along the rows has offsets, too, but smoothly, at equal distances, or
  * up and down again.
@@ -34,7 +34,7 @@ public final class ScanFaults {
     private static final int MOST_JUMPS = 3;
     // Offsets of all rows, over what columns stray by: less is chance.
     private static final double LEAST_OFFSET = 0.5;
-    // Correlation of neighbouring offsets: -0.5 where each row has one of its own, 0 for a walk, near 1 for a smooth
+    // Correlation of neighboring offsets: -0.5 where each row has one of its own, 0 for a walk, near 1 for a smooth
     // surface.
     private static final double LARGEST_WITH_NEXT = 0.3;
     // With farther ones: near 1 for a grating, up to three deviations by chance.
@@ -136,7 +136,7 @@ public final class ScanFaults {
         if (deviation >= LEAST_OFFSET * spread && areIndependent(others)) {
             faults.add(levelled(String.format(
                     Locale.ROOT,
-                    "rows lie higher or lower than their neighbours by %s rms, each by itself",
+                    "rows lie higher or lower than their neighbors by %s rms, each by itself",
                     Lengths.rounded(deviation, 2))));
         }
         return faults;

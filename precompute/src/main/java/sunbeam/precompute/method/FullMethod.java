@@ -17,7 +17,7 @@ import sunbeam.precompute.patch.HeightMap;
 import sunbeam.precompute.plan.Accuracy;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.MemoryNeed;
-import sunbeam.precompute.plan.Neighbourhood;
+import sunbeam.precompute.plan.Neighborhood;
 import sunbeam.precompute.plan.Plan;
 import sunbeam.precompute.plan.PlanReport;
 import sunbeam.precompute.plan.TableChoices;
@@ -72,8 +72,8 @@ public record FullMethod(TableChoices table, GaussianArea area) implements Metho
         return new FullMethod(other, area);
     }
 
-    /** The same with a neighbourhood of bins. */
-    public FullMethod with(Neighbourhood other) {
+    /** The same with a neighborhood of bins. */
+    public FullMethod with(Neighborhood other) {
         return new FullMethod(table.with(other), area);
     }
 

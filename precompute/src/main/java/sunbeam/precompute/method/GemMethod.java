@@ -24,7 +24,7 @@ import sunbeam.precompute.units.Lengths;
  * @param window the Gaussian coherence window
  */
 public record GemMethod(OptionalDouble spacing, CoherenceWindow window) implements Method {
-    // Beyond, a patch is no single period of a grating whose colours can be seen.
+    // Beyond, a patch is no single period of a grating whose colors can be seen.
     private static final double WIDEST_PERIOD = 10e-6;
 
     /** Its name and settings. */
@@ -90,10 +90,10 @@ public record GemMethod(OptionalDouble spacing, CoherenceWindow window) implemen
             return MemoryNeed.of(0, List.of());
         }
 
-        /** It has colours, but no power at a wavelength. */
+        /** It has colors, but no power at a wavelength. */
         @Override
         public boolean answers(MethodUse use) {
-            return use == MethodUse.COLOUR;
+            return use == MethodUse.COLOR;
         }
 
         @Override

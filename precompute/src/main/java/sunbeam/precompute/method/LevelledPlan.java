@@ -1,7 +1,7 @@
 package sunbeam.precompute.method;
 
 import java.util.Optional;
-import sunbeam.precompute.colourtable.TableLevels;
+import sunbeam.precompute.colortable.TableLevels;
 import sunbeam.precompute.plan.Plan;
 
 /** A plan whose tables are made page by page, as far as a picture's pixels look, and for pixels of any size. */
@@ -11,7 +11,7 @@ public interface LevelledPlan extends MethodPlan {
     TableLevels levels();
 
     /**
-     * By what a level's colours are evaluated, for all (u, v, w).
+     * By what a level's colors are evaluated, for all (u, v, w).
      *
      * @param level its number in {@link #levels()}
      */
@@ -20,6 +20,6 @@ public interface LevelledPlan extends MethodPlan {
     /** The plan of the bins by which all levels of an ensemble average are evaluated; empty for a coherent one. */
     Optional<Plan> spectrum();
 
-    /** Relative error that evaluated colours may have. */
+    /** Relative error that evaluated colors may have. */
     double tolerance();
 }

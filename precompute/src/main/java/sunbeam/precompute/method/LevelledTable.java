@@ -6,8 +6,8 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.IntStream;
 import sunbeam.precompute.color.CieTable;
-import sunbeam.precompute.colourtable.LevelGrid;
-import sunbeam.precompute.colourtable.TableLevels;
+import sunbeam.precompute.colortable.LevelGrid;
+import sunbeam.precompute.colortable.TableLevels;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.MemoryNeed;
 import sunbeam.precompute.plan.Plan;
@@ -153,7 +153,7 @@ final class LevelledTable implements LevelledPlan {
 
     @Override
     public boolean answers(MethodUse use) {
-        return use == MethodUse.COLOUR;
+        return use == MethodUse.COLOR;
     }
 
     @Override
@@ -177,11 +177,11 @@ final class LevelledTable implements LevelledPlan {
         });
         double slicesPerUnit = 1 / levels.levels().get(0).design().sliceStep();
         return new ShaderTables.Builder("table_levels")
-                .array(TableArray.of(ArrayLayout.flat("colourLevels", count, 1, CHANNELS), texels))
-                .define("COLOUR_SLICES", levels.slices())
-                .define("COLOUR_POINT_LEVELS", levels.ofPoints())
-                .reals("colourSlicesPerUnit", slicesPerUnit)
-                .reals("colourPageSide", LevelGrid.SIDE)
+                .array(TableArray.of(ArrayLayout.flat("colorLevels", count, 1, CHANNELS), texels))
+                .define("COLOR_SLICES", levels.slices())
+                .define("COLOR_POINT_LEVELS", levels.ofPoints())
+                .reals("colorSlicesPerUnit", slicesPerUnit)
+                .reals("colorPageSide", LevelGrid.SIDE)
                 .build(
                         levels.area().window().sigmaMetres(),
                         levels.area().window().specularReach(CieTable.MAXIMUM_WAVELENGTH));

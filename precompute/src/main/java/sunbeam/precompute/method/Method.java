@@ -33,12 +33,12 @@ public interface Method {
         return Optional.empty();
     }
 
-    /** What its colours relate to. */
+    /** What its colors relate to. */
     default Brightness brightness() {
         return Brightness.OF_A_MIRROR;
     }
 
-    /** What colours relate to. */
+    /** What colors relate to. */
     enum Brightness {
         /** Power 1 is a flat mirror's in specular direction. */
         OF_A_MIRROR,

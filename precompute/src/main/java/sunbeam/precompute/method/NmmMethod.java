@@ -34,13 +34,13 @@ public record NmmMethod(TableChoices table, GaussianArea area) implements Method
 
     // Widest order that one wavelength stands for, in 1 / metre of 1 / lambda: at 500 nm a deviation of 12 nm, a third
     // of
-    // the narrowest colour matching function's. At 380 nm a deviation of 7 nm, which steps of 5 nm still resolve.
+    // the narrowest color matching function's. At 380 nm a deviation of 7 nm, which steps of 5 nm still resolve.
     private static final double WIDEST_ORDER = 7e4;
     // Largest |(u, v)|: grazing light, grazing view.
     private static final double LARGEST_UV = 2;
     // Of an order farther from the ray less than this is seen.
     private static final double FAINTEST = 1e-3;
-    // exp(-1 / (4 sigma^2)) of interference between neighbouring bins that are sigma deviations apart: 2e-3.
+    // exp(-1 / (4 sigma^2)) of interference between neighboring bins that are sigma deviations apart: 2e-3.
     private static final double OVERLAP_SIGMA_BINS = 0.2;
 
     /** Its name and settings. */

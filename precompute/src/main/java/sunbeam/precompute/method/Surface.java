@@ -8,7 +8,7 @@ import sunbeam.precompute.plan.Planner;
 import sunbeam.precompute.table.PatchIdentity;
 
 /**
- * A surface and the light that colours it: all that a method is planned for but the directions.
+ * A surface and the light that colors it: all that a method is planned for but the directions.
  *
  * @param map heights without missing samples
  * @param levels the same, by distinct height

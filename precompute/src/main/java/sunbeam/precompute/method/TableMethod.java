@@ -9,13 +9,13 @@ import java.nio.ByteBuffer;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import sunbeam.precompute.colourtable.LevelGrid;
-import sunbeam.precompute.colourtable.TableBaking;
-import sunbeam.precompute.colourtable.TableDesign;
-import sunbeam.precompute.colourtable.TableLevels;
-import sunbeam.precompute.colourtable.TablePages;
-import sunbeam.precompute.colourtable.TableSpace;
-import sunbeam.precompute.colourtable.TriedTable;
+import sunbeam.precompute.colortable.LevelGrid;
+import sunbeam.precompute.colortable.TableBaking;
+import sunbeam.precompute.colortable.TableDesign;
+import sunbeam.precompute.colortable.TableLevels;
+import sunbeam.precompute.colortable.TablePages;
+import sunbeam.precompute.colortable.TableSpace;
+import sunbeam.precompute.colortable.TriedTable;
 import sunbeam.precompute.files.Sha256;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
@@ -35,10 +35,10 @@ import sunbeam.precompute.shader.MethodUse;
 import sunbeam.precompute.shader.ShaderTables;
 
 /**
- * Colours of the power that {@link FullMethod} diffracts, tabulated over (u, v, w) beforehand: a few look-ups a pixel
+ * Colors of the power that {@link FullMethod} diffracts, tabulated over (u, v, w) beforehand: a few look-ups a pixel
  * (docs/color-tables.md).
  *
- * @param tolerance relative error of colours
+ * @param tolerance relative error of colors
  * @param area the window and its average
  */
 public record TableMethod(double tolerance, GaussianArea area) implements Method {
@@ -48,7 +48,7 @@ public record TableMethod(double tolerance, GaussianArea area) implements Method
     /** Its name and settings. */
     public static final MethodType TYPE = new MethodType(
             "table",
-            "colours of full, tabulated beforehand: the fastest where many pixels look into one table; for a single small map or a short list full is.",
+            "colors of full, tabulated beforehand: the fastest where many pixels look into one table; for a single small map or a short list full is.",
             List.of(TOLERANCE, WINDOW_ORIGIN, COHERENCE_LENGTH, AVERAGE),
             TableMethod::of);
 
@@ -104,7 +104,7 @@ public record TableMethod(double tolerance, GaussianArea area) implements Method
                     tolerance,
                     String.format(
                             Locale.ROOT,
-                            "and a table of colours in steps of %.2g in (u, v) %s; give a coarser ",
+                            "and a table of colors in steps of %.2g in (u, v) %s; give a coarser ",
                             design.step(),
                             excess),
                     TOLERANCE,
@@ -126,7 +126,7 @@ public record TableMethod(double tolerance, GaussianArea area) implements Method
         throw new IllegalArgumentException("pages of " + reach);
     }
 
-    /** Its pages are the coarsest; where colours need it, they become finer as they are made. */
+    /** Its pages are the coarsest; where colors need it, they become finer as they are made. */
     private record Planned(
             Surface surface, TableMethod method, Reach reach, TablePages pages, TableBaking baking, MethodPlan source)
             implements MethodPlan {
@@ -183,7 +183,7 @@ public record TableMethod(double tolerance, GaussianArea area) implements Method
 
         @Override
         public boolean answers(MethodUse use) {
-            return use == MethodUse.COLOUR;
+            return use == MethodUse.COLOR;
         }
 
         @Override
@@ -222,7 +222,7 @@ public record TableMethod(double tolerance, GaussianArea area) implements Method
                     reach,
                     pages.design(),
                     design -> TableMethod.pages(design, reach),
-                    places -> sources.colours(evaluated, places),
+                    places -> sources.colors(evaluated, places),
                     finer -> surface.planner()
                             .excess(new TableBaking(finer).memory())
                             .isEmpty(),
@@ -230,19 +230,19 @@ public record TableMethod(double tolerance, GaussianArea area) implements Method
                     sources.told());
             tables.trial(made.trial()).array(made.texels()).array(made.baking().pageList());
             area(tables, made.pages());
-            return tables.define("COLOUR_SLICES", made.pages().slices())
-                    .reals("colourOrigin", made.pages().originX(), made.pages().originY())
-                    .reals("colourTexelsPerUnit", 1 / made.pages().design().step())
-                    .reals("colourPageSide", made.pages().side())
+            return tables.define("COLOR_SLICES", made.pages().slices())
+                    .reals("colorOrigin", made.pages().originX(), made.pages().originY())
+                    .reals("colorTexelsPerUnit", 1 / made.pages().design().step())
+                    .reals("colorPageSide", made.pages().side())
                     .build(evaluated.windowSigma(), evaluated.specularReach());
         }
 
         private static void area(ShaderTables.Builder tables, TablePages pages) {
             if (pages.space() instanceof TableSpace.OneLight one) {
                 Direction light = one.light();
-                tables.reals("colourLight", light.x(), light.y(), light.z());
+                tables.reals("colorLight", light.x(), light.y(), light.z());
             } else {
-                tables.reals("colourSlicesPerUnit", 1 / pages.design().sliceStep());
+                tables.reals("colorSlicesPerUnit", 1 / pages.design().sliceStep());
             }
         }
     }

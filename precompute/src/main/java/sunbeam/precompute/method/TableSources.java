@@ -1,7 +1,7 @@
 package sunbeam.precompute.method;
 
-import sunbeam.precompute.colourtable.ColourSource;
-import sunbeam.precompute.colourtable.TriedTable;
+import sunbeam.precompute.colortable.ColorSource;
+import sunbeam.precompute.colortable.TriedTable;
 import sunbeam.precompute.plan.Plan;
 import sunbeam.precompute.shader.ShaderTables;
 import sunbeam.precompute.table.FourierTable;
@@ -13,12 +13,12 @@ public interface TableSources {
     FourierTable fourier(Plan plan);
 
     /**
-     * Colours of the surface by another method's shader, to be closed by the caller.
+     * Colors of the surface by another method's shader, to be closed by the caller.
      *
      * @param tables what that shader reads
      * @param places that will be asked for in all
      */
-    ColourSource colours(ShaderTables tables, long places);
+    ColorSource colors(ShaderTables tables, long places);
 
     /** Takes lines about what is done otherwise than planned. */
     TriedTable.Told told();

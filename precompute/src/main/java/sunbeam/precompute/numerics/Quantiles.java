@@ -7,11 +7,11 @@ import org.apache.commons.math3.stat.descriptive.rank.Percentile.EstimationType;
 import org.apache.commons.math3.stat.ranking.NaNStrategy;
 
 /**
- * Quantiles of samples, linear between neighbours in order of size, so that the extremes are quantiles 0 and 1 (type 7 of
+ * Quantiles of samples, linear between neighbors in order of size, so that the extremes are quantiles 0 and 1 (type 7 of
  * Hyndman and Fan, "Sample Quantiles in Statistical Packages", 1996).
  */
 public final class Quantiles {
-    // Differences of infinite neighbours would be NaN. Between this and any number of use, even a share of 1e-16 is
+    // Differences of infinite neighbors would be NaN. Between this and any number of use, even a share of 1e-16 is
     // large.
     private static final double IN_PLACE_OF_INFINITY = 1e300;
     private static final double INFINITE_FROM = 1e280;

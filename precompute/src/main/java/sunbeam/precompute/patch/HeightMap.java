@@ -29,8 +29,8 @@ public final class HeightMap {
     /**
      * @param columns number of samples along x, at least 1
      * @param rows number of samples along y, at least 1
-     * @param pitchX distance of neighbouring columns in metres, positive and finite
-     * @param pitchY distance of neighbouring rows in metres, positive and finite
+     * @param pitchX distance of neighboring columns in metres, positive and finite
+     * @param pitchY distance of neighboring rows in metres, positive and finite
      * @param heights {@code rows * columns} heights in metres, row by row from the top; copied
      * @throws IllegalArgumentException when a size, pitch or the array's length does not fit
      */
@@ -94,12 +94,12 @@ public final class HeightMap {
         return rows;
     }
 
-    /** Distance of neighbouring columns, metres. */
+    /** Distance of neighboring columns, metres. */
     public double pitchX() {
         return pitchX;
     }
 
-    /** Distance of neighbouring rows, metres. */
+    /** Distance of neighboring rows, metres. */
     public double pitchY() {
         return pitchY;
     }

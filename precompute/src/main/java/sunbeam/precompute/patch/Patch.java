@@ -108,7 +108,7 @@ public record Patch(
         return Math.min(alongX, alongY);
     }
 
-    /** Whether neighbours along an axis differ by more than a ten-thousandth of the relief anywhere. */
+    /** Whether neighbors along an axis differ by more than a ten-thousandth of the relief anywhere. */
     private boolean changes(int columns, int rows) {
         double least = SAME * scan.relief();
         for (int row = 0; row + rows < scan.rows(); row++) {

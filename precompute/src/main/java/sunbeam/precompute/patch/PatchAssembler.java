@@ -36,7 +36,7 @@ import sunbeam.precompute.units.Lengths;
 record PatchAssembler(String name, String file, Choices choices, Kind kind) {
     // Of the heights' variance, in their plane: less is no tilt that anybody sees.
     private static final double TILTED = 0.1;
-    // How many times larger the step at the border is than between neighbours, before its streaks are seen.
+    // How many times larger the step at the border is than between neighbors, before its streaks are seen.
     private static final double TORN = 4;
 
     /** Where heights come from. */
@@ -75,7 +75,7 @@ record PatchAssembler(String name, String file, Choices choices, Kind kind) {
         if (prepared.missing() > 0) {
             warnings.add(String.format(
                     Locale.ROOT,
-                    "%d of %d samples are missing and were filled from their neighbours",
+                    "%d of %d samples are missing and were filled from their neighbors",
                     prepared.missing(),
                     (long) scan.columns() * scan.rows()));
         }
@@ -182,7 +182,7 @@ record PatchAssembler(String name, String file, Choices choices, Kind kind) {
         }
         return Optional.of(String.format(
                 Locale.ROOT,
-                "the scan's repetition has a step that draws a cross: opposite borders differ by %s rms (neighbours by"
+                "the scan's repetition has a step that draws a cross: opposite borders differ by %s rms (neighbors by"
                         + " %s); %s",
                 Lengths.rounded(seam.jump(), 2),
                 Lengths.rounded(seam.inside(), 2),

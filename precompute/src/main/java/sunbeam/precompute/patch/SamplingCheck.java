@@ -38,7 +38,7 @@ public final class SamplingCheck {
         }
         return Optional.of(String.format(
                 Locale.ROOT,
-                "sampling too coarse: samples are %s apart along %s, but light of %s sees structure down to %s, and lines closer than %s show as lines farther apart; use a finer scan or expect wrong colours far from the specular direction, and periods that are none",
+                "sampling too coarse: samples are %s apart along %s, but light of %s sees structure down to %s, and lines closer than %s show as lines farther apart; use a finer scan or expect wrong colors far from the specular direction, and periods that are none",
                 Lengths.format(coarsest),
                 pitchX >= pitchY ? "x" : "y",
                 Lengths.format(SHORTEST_WAVELENGTH),

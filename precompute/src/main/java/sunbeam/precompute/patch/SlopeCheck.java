@@ -40,7 +40,7 @@ public final class SlopeCheck {
         return share <= LARGEST_SHARE ? Optional.empty() : Optional.of(warning(share, ModelError.of(map)));
     }
 
-    /** The slope between a sample and its right and lower neighbours. */
+    /** The slope between a sample and its right and lower neighbors. */
     static double slope(HeightMap map, int column, int row) {
         double here = map.at(column, row);
         double alongX = map.columns() > 1 ? (map.at(column + 1, row) - here) / map.pitchX() : 0;

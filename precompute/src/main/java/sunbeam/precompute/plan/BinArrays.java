@@ -15,7 +15,7 @@ import sunbeam.precompute.shader.TableArray;
 import sunbeam.precompute.table.FourierTable;
 import sunbeam.precompute.table.WindowPhase;
 
-/** DFT bins as shaders/method/neighbourhood.glsl reads them. */
+/** DFT bins as shaders/method/neighborhood.glsl reads them. */
 final class BinArrays {
     private static final String TERMS = "tableTerms";
     private static final String COEFFICIENTS = "expansionCoefficients";
@@ -39,16 +39,16 @@ final class BinArrays {
     }
 
     /** Everything but the wavelengths. */
-    static ShaderTables.Builder tables(String shader, Plan plan, FourierTable table, Neighbourhood neighbourhood) {
+    static ShaderTables.Builder tables(String shader, Plan plan, FourierTable table, Neighborhood neighborhood) {
         ShaderTables.Builder tables = new ShaderTables.Builder(shader);
         plan.average().defineIn(tables);
         addTerms(tables, plan, table);
         addExpansion(tables, table);
-        boolean floor = neighbourhood.anchor() == Neighbourhood.Anchor.FLOOR;
+        boolean floor = neighborhood.anchor() == Neighborhood.Anchor.FLOOR;
         tables.define("ANCHOR_FLOOR", 0)
                 .define("ANCHOR_NEAREST", 1)
                 .define("ANCHOR", floor ? "ANCHOR_FLOOR" : "ANCHOR_NEAREST")
-                .integers("tableRadius", neighbourhood.radiusX(), neighbourhood.radiusY());
+                .integers("tableRadius", neighborhood.radiusX(), neighborhood.radiusY());
         double sigma = plan.window().sigmaFrequency();
         double width = table.patch().width();
         double height = table.patch().height();

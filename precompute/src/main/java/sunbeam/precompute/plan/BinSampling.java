@@ -22,15 +22,15 @@ import sunbeam.precompute.table.FourierTable;
 import sunbeam.precompute.units.Lengths;
 
 /**
- * Sums a neighbourhood of bins at fixed wavelengths: the thesis's way (shaders/method/full_bins.glsl).
+ * Sums a neighborhood of bins at fixed wavelengths: the thesis's way (shaders/method/full_bins.glsl).
  *
- * @param neighbourhood the bins
+ * @param neighborhood the bins
  * @param wavelengths in equal steps
  */
-public record BinSampling(Neighbourhood neighbourhood, WavelengthNodes wavelengths) implements Sampling {
-    private static final Neighbourhood THESIS_NEIGHBOURHOOD = new Neighbourhood(1, Neighbourhood.Anchor.FLOOR);
+public record BinSampling(Neighborhood neighborhood, WavelengthNodes wavelengths) implements Sampling {
+    private static final Neighborhood THESIS_NEIGHBORHOOD = new Neighborhood(1, Neighborhood.Anchor.FLOOR);
     private static final double THESIS_WAVELENGTH_STEP = 5e-9;
-    // Metres: fine enough for the colour matching functions, and for textures' longest side.
+    // Metres: fine enough for the color matching functions, and for textures' longest side.
     private static final double COARSEST_WAVELENGTH_STEP = 1e-9;
     private static final double FINEST_WAVELENGTH_STEP = 0.05e-9;
 
@@ -42,16 +42,15 @@ public record BinSampling(Neighbourhood neighbourhood, WavelengthNodes wavelengt
                 ? THESIS_WAVELENGTH_STEP
                 : Math.max(FINEST_WAVELENGTH_STEP, Math.min(COARSEST_WAVELENGTH_STEP, planned));
         return new BinSampling(
-                table.neighbourhood()
-                        .orElseGet(() -> thesis ? THESIS_NEIGHBOURHOOD : neighbourhood(table, window, map)),
+                table.neighborhood().orElseGet(() -> thesis ? THESIS_NEIGHBORHOOD : neighborhood(table, window, map)),
                 WavelengthNodes.uniform(cie, table.wavelengthStep().orElse(step)));
     }
 
-    private static Neighbourhood neighbourhood(TableChoices table, CoherenceWindow window, HeightMap map) {
+    private static Neighborhood neighborhood(TableChoices table, CoherenceWindow window, HeightMap map) {
         double sigmaBins = sigmaBins(window, map);
-        int radius = new ErrorBudget(table.tolerance()).neighbourhoodRadius(sigmaBins);
+        int radius = new ErrorBudget(table.tolerance()).neighborhoodRadius(sigmaBins);
         PlanChecks.checkRadius(radius, window, sigmaBins);
-        return new Neighbourhood(radius, Neighbourhood.Anchor.NEAREST);
+        return new Neighborhood(radius, Neighborhood.Anchor.NEAREST);
     }
 
     private static double sigmaBins(CoherenceWindow window, HeightMap map) {
@@ -65,7 +64,7 @@ public record BinSampling(Neighbourhood neighbourhood, WavelengthNodes wavelengt
 
     @Override
     public String summary(VisibleRange range) {
-        return neighbourhood.summary() + " at " + wavelengths.count() + " wavelengths";
+        return neighborhood.summary() + " at " + wavelengths.count() + " wavelengths";
     }
 
     @Override
@@ -83,13 +82,13 @@ public record BinSampling(Neighbourhood neighbourhood, WavelengthNodes wavelengt
 
     private void checkRadius(Plan plan, double tolerance, HeightMap map, List<Sentence> lines) {
         double sigmaBins = sigmaBins(plan.window(), map);
-        int needed = new ErrorBudget(tolerance).neighbourhoodRadius(sigmaBins);
-        if (neighbourhood.radiusX() < needed) {
+        int needed = new ErrorBudget(tolerance).neighborhoodRadius(sigmaBins);
+        if (neighborhood.radiusX() < needed) {
             lines.add(Sentence.of(
                     String.format(
                             Locale.ROOT,
                             "radius %d cuts the window's spectrum, which is %.2f DFT bins wide; the tolerance %s takes ",
-                            neighbourhood.radiusX(),
+                            neighborhood.radiusX(),
                             sigmaBins,
                             tolerance),
                     RADIUS,
@@ -134,17 +133,17 @@ public record BinSampling(Neighbourhood neighbourhood, WavelengthNodes wavelengt
 
     @Override
     public int marginX(CoherenceWindow window, double width) {
-        return neighbourhood.marginX();
+        return neighborhood.marginX();
     }
 
     @Override
     public int marginY(CoherenceWindow window, double height) {
-        return neighbourhood.marginY();
+        return neighborhood.marginY();
     }
 
     @Override
     public long loopSteps(Plan plan) {
-        return wavelengths.count() * neighbourhood.loopSteps();
+        return wavelengths.count() * neighborhood.loopSteps();
     }
 
     @Override
@@ -156,7 +155,7 @@ public record BinSampling(Neighbourhood neighbourhood, WavelengthNodes wavelengt
 
     @Override
     public ShaderTables tables(Plan plan, FourierTable table, MethodUse use, CieTable cie) {
-        return BinArrays.tables("full_bins", plan, table, neighbourhood)
+        return BinArrays.tables("full_bins", plan, table, neighborhood)
                 .array(ColorArrays.wavelengths(wavelengths))
                 .integers("wavelengthCount", wavelengths.count())
                 .build(plan.window().sigmaMetres(), plan.specularReach());
@@ -165,6 +164,6 @@ public record BinSampling(Neighbourhood neighbourhood, WavelengthNodes wavelengt
     /** For keys: the wavelengths follow from their number. */
     @Override
     public String toString() {
-        return "BinSampling[" + neighbourhood + ", " + wavelengths.count() + " wavelengths]";
+        return "BinSampling[" + neighborhood + ", " + wavelengths.count() + " wavelengths]";
     }
 }

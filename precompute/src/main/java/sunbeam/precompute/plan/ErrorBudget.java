@@ -12,7 +12,7 @@ import sunbeam.precompute.resample.InterpolationDesign;
  * Interpolation errs by a share of what it interpolates: a skirt of a bright order is a Gaussian, and a design's error is the
  * largest difference relative to the Gaussian <i>there</i>, down to the darkest amplitude, 4.6 deviations from the middle.
  *
- * <p>On a rough patch, whose light goes everywhere, no dark skirt is seen beside it, and a colour sums dozens of wavelengths
+ * <p>On a rough patch, whose light goes everywhere, no dark skirt is seen beside it, and a color sums dozens of wavelengths
  * over dozens of orders, whose errors are independent there. What may then be left out is beside the dark directions'
  * amplitude, and interpolation and the trapezoid rule may err several times as much. These factors are measured, not derived:
  * directions on the skirt of one bright order above a rough ground see that order alone, and keep the promise, too.
@@ -88,7 +88,7 @@ public record ErrorBudget(double tolerance, Roughness roughness) {
     }
 
     /** Bins on each side of the nearest that matter: the first that is left out is half a bin farther away. */
-    public int neighbourhoodRadius(double sigmaBins) {
+    public int neighborhoodRadius(double sigmaBins) {
         return (int) Math.max(0, Math.ceil(sigmaBins * windowReach() - 0.5));
     }
 

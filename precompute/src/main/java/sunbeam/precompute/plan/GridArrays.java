@@ -65,7 +65,7 @@ final class GridArrays {
                 SpectrumArrays.coefficientsLayout(name + "Coefficients", samples, functions, CHANNELS);
         List<ArrayLayout> layouts =
                 new ArrayList<>(List.of(coefficients, pointLayout(texels, use).array()));
-        if (use == MethodUse.COLOUR) {
+        if (use == MethodUse.COLOR) {
             layouts.add(raysLayout(texels).array());
         }
         return layouts;
@@ -91,7 +91,7 @@ final class GridArrays {
                 2);
     }
 
-    /** Where both axes are interpolated: everywhere for single wavelengths, near the specular direction for colours. */
+    /** Where both axes are interpolated: everywhere for single wavelengths, near the specular direction for colors. */
     private VisibleRange pointRange(MethodUse use) {
         VisibleRange range = plan.range();
         if (use == MethodUse.SPECTRAL) {
@@ -129,7 +129,7 @@ final class GridArrays {
                 .reals(name + "PhaseMap", SpectrumArrays.phaseMap(coefficients))
                 .reals(name + "Scale", 1 / step);
         addPoint(tables, table, fields, point, use);
-        if (use == MethodUse.COLOUR) {
+        if (use == MethodUse.COLOR) {
             TermsLayout rays = raysLayout(texels);
             tables.define(prefix + "_RAYS_TOGETHER", rays.together())
                     .define(prefix + "_RAYS_LAYERS", rays.layersPerGrid());
@@ -153,7 +153,7 @@ final class GridArrays {
 
     /**
      * The grids whose columns (along x) and rows (along y) the rays cross. Each of these lies in one piece, whose samples
-     * neighbouring pixels share, as a row of the texture.
+     * neighboring pixels share, as a row of the texture.
      */
     private void addRays(ShaderTables.Builder tables, FourierTable table, Fields fields, TermsLayout layout) {
         double patchWidth = table.patch().width();

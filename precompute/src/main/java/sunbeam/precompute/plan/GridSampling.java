@@ -152,7 +152,7 @@ public record GridSampling(
 
     /** What serves a use: single wavelengths have no columns. */
     public Sampling serving(MethodUse use) {
-        if (use == MethodUse.COLOUR) {
+        if (use == MethodUse.COLOR) {
             return this;
         }
         return single.<Sampling>map(bins -> bins)
@@ -212,7 +212,7 @@ public record GridSampling(
             new GridArrays(this, plan, average).addTo(tables, table, fields(average, plan, table), use);
         }
         tables.array(ColorArrays.cieWeights(cie));
-        if (use == MethodUse.COLOUR) {
+        if (use == MethodUse.COLOR) {
             band.addTo(tables);
             tables.reals("gridNodeStep", nodeStep)
                     .reals("gridLongestStep", longestStep / nodeStep * (1 + 1e-6))

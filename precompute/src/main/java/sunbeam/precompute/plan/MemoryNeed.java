@@ -46,14 +46,14 @@ public record MemoryNeed(long heapBytes, long textureBytes, long largestTextureB
         // A band of two real terms is transformed as one that is symmetric, up to twice as wide each way.
         long lines = (long) rows + bandY.symmetric().count();
         long transform = COMPLEX_BYTES * lines * bandX.symmetric().count();
-        MemoryNeed colour = of(0, plan.sampling().layouts(plan, MethodUse.COLOUR));
+        MemoryNeed color = of(0, plan.sampling().layouts(plan, MethodUse.COLOR));
         MemoryNeed spectral = of(0, plan.sampling().layouts(plan, MethodUse.SPECTRAL));
         return new MemoryNeed(
                 table + Math.max(transform, plan.sampling().workBytes(plan)),
-                Math.max(colour.textureBytes, spectral.textureBytes),
-                Math.max(colour.largestTextureBytes, spectral.largestTextureBytes),
-                Math.max(colour.longestSide, spectral.longestSide),
-                Math.max(colour.layers, spectral.layers));
+                Math.max(color.textureBytes, spectral.textureBytes),
+                Math.max(color.largestTextureBytes, spectral.largestTextureBytes),
+                Math.max(color.longestSide, spectral.longestSide),
+                Math.max(color.layers, spectral.layers));
     }
 
     /**

@@ -39,7 +39,7 @@ public final class MethodSettings {
                                     "finer than float32 can reach, which is %s; give that or more, or evaluate directions by"
                                             + " method reference",
                                     Decimals.format(ErrorBudget.FINEST))),
-                    "Relative error of power and colour that the plan is made for, 1e-5 to 1. Below 2e-5 float32 keeps it"
+                    "Relative error of power and color that the plan is made for, 1e-5 to 1. Below 2e-5 float32 keeps it"
                             + " in the median, but not three times it at the 95th percentile; method reference goes"
                             + " further. Settings below override parts of the plan.")
             .withStandard(ErrorBudget.STANDARD);
@@ -54,16 +54,16 @@ public final class MethodSettings {
     public static final Setting<Integer> TERMS =
             new Setting<>("terms", Kinds.integer("N", 1, MOST_TERMS), "Number of its terms.");
 
-    /** Of the neighbourhood of bins. */
+    /** Of the neighborhood of bins. */
     public static final Setting<Integer> RADIUS = new Setting<>(
             "radius",
-            Kinds.integer("R", 0, Neighbourhood.MAXIMUM_RADIUS),
+            Kinds.integer("R", 0, Neighborhood.MAXIMUM_RADIUS),
             "Sum (2 R + 1) x (2 R + 1) DFT bins around each frequency.");
 
-    /** The neighbourhood's middle. */
-    public static final Setting<Neighbourhood.Anchor> ANCHOR = new Setting<>(
+    /** The neighborhood's middle. */
+    public static final Setting<Neighborhood.Anchor> ANCHOR = new Setting<>(
             "anchor",
-            Kinds.word("BIN", Neighbourhood.Anchor.class),
+            Kinds.word("BIN", Neighborhood.Anchor.class),
             "The bin in their middle: floor (thesis) or nearest.");
 
     /** Metres. */

@@ -17,11 +17,11 @@ import sunbeam.precompute.units.Lengths;
  * ray f = (u, v) / lambda: for small and periodic patches, of which few bins count (shaders/method/full_orders.glsl). Where
  * the window resolves all orders, each is integrated by itself, around its own middle.
  *
- * @param neighbourhood the bins that count
+ * @param neighborhood the bins that count
  * @param resolved wavelengths around the middle of each order; empty where orders overlap
  * @param band wavelengths of the whole band: where orders overlap, and within the specular order, which has no middle
  */
-public record OrderSampling(Neighbourhood neighbourhood, Optional<OrderNodes> resolved, BandRule band)
+public record OrderSampling(Neighborhood neighborhood, Optional<OrderNodes> resolved, BandRule band)
         implements Sampling {
 
     /**
@@ -31,7 +31,7 @@ public record OrderSampling(Neighbourhood neighbourhood, Optional<OrderNodes> re
      * @param spacing their distance, likewise
      * @param panel of Gauss's rule on orders that the visible band cuts, likewise
      * @param largestStep their largest distance in metres: orders near the specular one are broader than the structure of
-     *     the colour matching functions and D65
+     *     the color matching functions and D65
      * @param cornerLength square of a step over the order's deviation, metres: at most this, so that a corner of D65's table
      *     within the order is resolved
      */
@@ -43,12 +43,12 @@ public record OrderSampling(Neighbourhood neighbourhood, Optional<OrderNodes> re
 
     /** Of a patch so small that the window resolves every order: the nearest bin is all there is. */
     static OrderSampling resolved(OrderNodes nodes, BandRule band) {
-        return new OrderSampling(new Neighbourhood(0, Neighbourhood.Anchor.NEAREST), Optional.of(nodes), band);
+        return new OrderSampling(new Neighborhood(0, Neighborhood.Anchor.NEAREST), Optional.of(nodes), band);
     }
 
     /** Of overlapping orders. */
-    static OrderSampling overlapping(Neighbourhood neighbourhood, BandRule band) {
-        return new OrderSampling(neighbourhood, Optional.empty(), band);
+    static OrderSampling overlapping(Neighborhood neighborhood, BandRule band) {
+        return new OrderSampling(neighborhood, Optional.empty(), band);
     }
 
     private int mostNodes(VisibleRange range) {
@@ -64,7 +64,7 @@ public record OrderSampling(Neighbourhood neighbourhood, Optional<OrderNodes> re
     @Override
     public String summary(VisibleRange range) {
         return resolved.map(nodes -> "single orders with " + nodes.fewest() + " wavelengths each or more")
-                .orElseGet(() -> neighbourhood.summary() + " at " + Sampling.count(band.fewestNodes(), mostNodes(range))
+                .orElseGet(() -> neighborhood.summary() + " at " + Sampling.count(band.fewestNodes(), mostNodes(range))
                         + " wavelengths");
     }
 
@@ -82,18 +82,18 @@ public record OrderSampling(Neighbourhood neighbourhood, Optional<OrderNodes> re
                                 band.fewestNodes())))
                 .orElseGet(() -> List.of(
                         "spectrum: the window's is so narrow that its flanks lie bare between orders, or a grid would not"
-                                + " fit into memory; " + neighbourhood.summary() + " are summed",
+                                + " fit into memory; " + neighborhood.summary() + " are summed",
                         "wavelengths: " + band.inWords()));
     }
 
     @Override
     public int marginX(CoherenceWindow window, double width) {
-        return neighbourhood.marginX();
+        return neighborhood.marginX();
     }
 
     @Override
     public int marginY(CoherenceWindow window, double height) {
-        return neighbourhood.marginY();
+        return neighborhood.marginY();
     }
 
     /** Wavelengths of the pixel that takes most. */
@@ -105,7 +105,7 @@ public record OrderSampling(Neighbourhood neighbourhood, Optional<OrderNodes> re
 
     @Override
     public long loopSteps(Plan plan) {
-        return resolved.isPresent() ? nodes(plan) : nodes(plan) * neighbourhood.loopSteps();
+        return resolved.isPresent() ? nodes(plan) : nodes(plan) * neighborhood.loopSteps();
     }
 
     @Override
@@ -117,7 +117,7 @@ public record OrderSampling(Neighbourhood neighbourhood, Optional<OrderNodes> re
 
     @Override
     public ShaderTables tables(Plan plan, FourierTable table, MethodUse use, CieTable cie) {
-        ShaderTables.Builder tables = BinArrays.tables("full_orders", plan, table, neighbourhood);
+        ShaderTables.Builder tables = BinArrays.tables("full_orders", plan, table, neighborhood);
         band.addTo(tables);
         tables.array(ColorArrays.cieWeights(cie))
                 .reals("cieWhite", ColorArrays.cieWhite(cie))

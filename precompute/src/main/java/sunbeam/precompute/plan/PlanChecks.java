@@ -53,17 +53,17 @@ final class PlanChecks {
 
     /** A radius that was planned must not be cut short; one that was given is small enough already. */
     static void checkRadius(int radius, CoherenceWindow window, double sigmaBins) {
-        if (radius > Neighbourhood.MAXIMUM_RADIUS) {
+        if (radius > Neighborhood.MAXIMUM_RADIUS) {
             throw SettingException.of(
                     COHERENCE_LENGTH,
                     window.coherenceLength(),
                     String.format(
                             Locale.ROOT,
-                            "has a spectrum %.1f DFT bins wide, which takes a neighbourhood of radius %d, but at most %d"
+                            "has a spectrum %.1f DFT bins wide, which takes a neighborhood of radius %d, but at most %d"
                                     + " can be summed; leave out ",
                             sigmaBins,
                             radius,
-                            Neighbourhood.MAXIMUM_RADIUS),
+                            Neighborhood.MAXIMUM_RADIUS),
                     WAVELENGTH_STEP,
                     " (the plan then interpolates a grid), give a larger ",
                     COHERENCE_LENGTH,

@@ -35,7 +35,7 @@ public final class PlanReport {
         return tolerance.isPresent()
                 ? String.format(
                         Locale.ROOT,
-                        "colours planned to %s %% (95 %% of directions to %s %%)",
+                        "colors planned to %s %% (95 %% of directions to %s %%)",
                         percent(tolerance.getAsDouble()),
                         percent(3 * tolerance.getAsDouble()))
                 : "as in the thesis";

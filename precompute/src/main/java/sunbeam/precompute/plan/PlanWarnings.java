@@ -21,7 +21,7 @@ final class PlanWarnings {
     // counts.
     private static final int MOST_REPLICAS = 1000;
 
-    // Units in the last place: a fifth of the bound, as measured for colours of orders at 65 um.
+    // Units in the last place: a fifth of the bound, as measured for colors of orders at 65 um.
     private static final double TYPICAL_ROUNDING = 0.1;
 
     private final Plan plan;
@@ -88,7 +88,7 @@ final class PlanWarnings {
         double reachable = 6 * TYPICAL_ROUNDING * Math.ulp(1f) * farthest / sigma;
         if (reachable > tolerance) {
             lines.add(Sentence.of(format(
-                    "colours on flanks of orders far from the specular direction reach only %.0e, not the tolerance %s: the spectrum of a coherence"
+                    "colors on flanks of orders far from the specular direction reach only %.0e, not the tolerance %s: the spectrum of a coherence"
                             + " length of %s is narrower than float32 tells frequencies apart; give a shorter one, or"
                             + " a wavelength each ('reflectance'), whose frequencies are found in double precision",
                     reachable, shown(tolerance), Lengths.format(plan.window().coherenceLength()))));
@@ -102,7 +102,7 @@ final class PlanWarnings {
         if (plan.average() == Average.COHERENT && error > tolerance) {
             double pitch = Math.max(map.pitchX(), map.pitchY());
             lines.add(Sentence.of(format(
-                    "coherent power and its colours are %.1e too large, more than the tolerance %s: a coherence length of %s"
+                    "coherent power and its colors are %.1e too large, more than the tolerance %s: a coherence length of %s"
                             + " has too few samples, which are %s apart; give %s or more, a finer scan, or evaluate"
                             + " directions by method reference",
                     error,

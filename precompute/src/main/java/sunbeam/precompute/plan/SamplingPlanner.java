@@ -13,7 +13,7 @@ final class SamplingPlanner {
     /** Where the window's spectrum ends, in standard deviations of its amplitude: exp(-7.5^2 / 2) = 6e-13. */
     static final double GAUSS_REACH = 7.5;
 
-    // Fewer equal steps would not resolve the colour matching functions and D65: 40 steps of 1 / lambda are 5 nm in the
+    // Fewer equal steps would not resolve the color matching functions and D65: 40 steps of 1 / lambda are 5 nm in the
     // blue, 8 nm in the green. Finer tolerances resolve the 5 nm of D65's table; found by measurement.
     private static final int FEWEST_NODES = 40;
     private static final int NODES_AT_STANDARD = 60;
@@ -55,8 +55,8 @@ final class SamplingPlanner {
         // The next order is at least half a bin away. Its amplitude there must be lost in the nearest one's, and in the
         // valley between orders nothing is left to see.
         double sigmaBins = window.sigmaFrequency() * Math.max(map.width(), map.height());
-        double neighbour = Math.exp(-0.5 * Math.pow(0.5 / sigmaBins, 2));
-        if (neighbour < 1e-3 * budget.tolerance()) {
+        double neighbor = Math.exp(-0.5 * Math.pow(0.5 / sigmaBins, 2));
+        if (neighbor < 1e-3 * budget.tolerance()) {
             return List.of(orders());
         }
         Sampling fast = grid(budget.interpolation(average));
@@ -67,12 +67,12 @@ final class SamplingPlanner {
     }
 
     /** All that count; half way between two orders both count alike. */
-    private Neighbourhood bins() {
-        return new Neighbourhood(radius(map.width()), radius(map.height()), Neighbourhood.Anchor.NEAREST);
+    private Neighborhood bins() {
+        return new Neighborhood(radius(map.width()), radius(map.height()), Neighborhood.Anchor.NEAREST);
     }
 
     private int radius(double period) {
-        return Math.max(1, budget.neighbourhoodRadius(window.sigmaFrequency() * period));
+        return Math.max(1, budget.neighborhoodRadius(window.sigmaFrequency() * period));
     }
 
     /** An order's power is narrower than its amplitude by sqrt(2). */
@@ -88,7 +88,7 @@ final class SamplingPlanner {
 
     private Sampling orders() {
         // Trapezoid rule for a Gaussian of deviation 1: error 2 exp(-2 (pi / step)^2); the rest is for the slope of the
-        // colour matching functions.
+        // color matching functions.
         double spacing = Math.min(1, Math.PI * Math.sqrt(2 / Math.log(2 / (0.01 * budget.tolerance()))));
         double reach = Math.max(3, Math.sqrt(2 * Math.log(1 / (0.1 * budget.tolerance()))));
         return OrderSampling.resolved(

@@ -20,16 +20,16 @@ import sunbeam.precompute.setting.Setting;
  * @param accuracy what it chooses for
  * @param expansion kind of expansion
  * @param terms number of its terms
- * @param neighbourhood of bins that are summed around each frequency
+ * @param neighborhood of bins that are summed around each frequency
  * @param wavelengthStep of equal steps, metres
  */
 public record TableChoices(
         Accuracy accuracy,
         Optional<ExpansionKind> expansion,
         OptionalInt terms,
-        Optional<Neighbourhood> neighbourhood,
+        Optional<Neighborhood> neighborhood,
         OptionalDouble wavelengthStep) {
-    /** The settings that these come from, but for the neighbourhood's, which not all methods have. */
+    /** The settings that these come from, but for the neighborhood's, which not all methods have. */
     public static final List<Setting<?>> SETTINGS =
             List.of(MethodSettings.PRESET, MethodSettings.TOLERANCE, EXPANSION, TERMS, WAVELENGTH_STEP);
 
@@ -62,32 +62,32 @@ public record TableChoices(
                 accuracy,
                 choices.find(EXPANSION),
                 choices.find(TERMS).map(OptionalInt::of).orElseGet(OptionalInt::empty),
-                neighbourhood(choices, accuracy.isThesis()),
+                neighborhood(choices, accuracy.isThesis()),
                 choices.find(WAVELENGTH_STEP).map(OptionalDouble::of).orElseGet(OptionalDouble::empty));
     }
 
     /** Where anything of it was chosen. An anchor by itself has the thesis's radius or none. */
-    private static Optional<Neighbourhood> neighbourhood(Choices choices, boolean thesis) {
+    private static Optional<Neighborhood> neighborhood(Choices choices, boolean thesis) {
         if (!choices.has(RADIUS) && !choices.has(ANCHOR)) {
             return Optional.empty();
         }
         if (!choices.has(RADIUS) && !thesis) {
             throw choices.complaint(
                     ANCHOR,
-                    "is the middle of a neighbourhood of bins, but no radius is given; add for example ",
+                    "is the middle of a neighborhood of bins, but no radius is given; add for example ",
                     RADIUS,
                     " 3, or leave ",
                     ANCHOR,
                     " out");
         }
-        return Optional.of(new Neighbourhood(
+        return Optional.of(new Neighborhood(
                 choices.get(RADIUS, THESIS_RADIUS),
-                choices.get(ANCHOR, thesis ? Neighbourhood.Anchor.FLOOR : Neighbourhood.Anchor.NEAREST)));
+                choices.get(ANCHOR, thesis ? Neighborhood.Anchor.FLOOR : Neighborhood.Anchor.NEAREST)));
     }
 
-    /** Whether equal steps of the wavelength and a neighbourhood of bins take the place of a planned sampling. */
+    /** Whether equal steps of the wavelength and a neighborhood of bins take the place of a planned sampling. */
     public boolean fixesBins() {
-        return accuracy.isThesis() || neighbourhood.isPresent() || wavelengthStep.isPresent();
+        return accuracy.isThesis() || neighborhood.isPresent() || wavelengthStep.isPresent();
     }
 
     /** The tolerance; the standard one where the thesis's choices stand in, for what a user leaves open beside them. */
@@ -97,16 +97,16 @@ public record TableChoices(
 
     /** The same with an expansion of so many terms. */
     public TableChoices withExpansion(ExpansionKind kind, int count) {
-        return new TableChoices(accuracy, Optional.of(kind), OptionalInt.of(count), neighbourhood, wavelengthStep);
+        return new TableChoices(accuracy, Optional.of(kind), OptionalInt.of(count), neighborhood, wavelengthStep);
     }
 
-    /** The same with a neighbourhood of bins. */
-    public TableChoices with(Neighbourhood other) {
+    /** The same with a neighborhood of bins. */
+    public TableChoices with(Neighborhood other) {
         return new TableChoices(accuracy, expansion, terms, Optional.of(other), wavelengthStep);
     }
 
     /** The same at wavelengths so far apart, metres. */
     public TableChoices withWavelengthStep(double metres) {
-        return new TableChoices(accuracy, expansion, terms, neighbourhood, OptionalDouble.of(metres));
+        return new TableChoices(accuracy, expansion, terms, neighborhood, OptionalDouble.of(metres));
     }
 }

@@ -5,7 +5,7 @@ import java.util.stream.IntStream;
 
 /**
  * Fills missing samples (NaN or infinite) from their surroundings: ring by ring from the edge of each hole inwards,
- * every sample becomes the average of those of its up to eight neighbours that are known already. Samples of one ring
+ * every sample becomes the average of those of its up to eight neighbors that are known already. Samples of one ring
  * do not see each other, so the result does not depend on the order of the scan. Linear in the number of samples.
  */
 public final class MissingHeights {
@@ -61,7 +61,7 @@ public final class MissingHeights {
 
     private void fillRings() {
         int[] ring = IntStream.range(0, state.length)
-                .filter(i -> state[i] == MISSING && neighbours(i, KNOWN).length > 0)
+                .filter(i -> state[i] == MISSING && neighbors(i, KNOWN).length > 0)
                 .toArray();
         while (ring.length > 0) {
             double[] averages =
@@ -70,9 +70,9 @@ public final class MissingHeights {
                 heights[ring[i]] = averages[i];
                 state[ring[i]] = KNOWN;
             }
-            // A sample that two of the ring have for a neighbour is queued once.
+            // A sample that two of the ring have for a neighbor is queued once.
             ring = Arrays.stream(ring)
-                    .flatMap(i -> Arrays.stream(neighbours(i, MISSING)))
+                    .flatMap(i -> Arrays.stream(neighbors(i, MISSING)))
                     .filter(this::queue)
                     .toArray();
         }
@@ -85,23 +85,23 @@ public final class MissingHeights {
     }
 
     private double averageOfKnown(int index) {
-        int[] known = neighbours(index, KNOWN);
+        int[] known = neighbors(index, KNOWN);
         double first = heights[known[0]];
         // Relative to one of them, so that a large common offset costs no digits.
         return first + Arrays.stream(known).mapToDouble(i -> heights[i] - first).sum() / known.length;
     }
 
-    /** Indices of the up to eight neighbours in the given state; the patch's edge is not wrapped: scans do not tile. */
-    private int[] neighbours(int index, byte wanted) {
+    /** Indices of the up to eight neighbors in the given state; the patch's edge is not wrapped: scans do not tile. */
+    private int[] neighbors(int index, byte wanted) {
         int row = index / columns;
         int column = index % columns;
         int[] found = new int[8];
         int length = 0;
         for (int r = Math.max(0, row - 1); r <= Math.min(rows - 1, row + 1); r++) {
             for (int c = Math.max(0, column - 1); c <= Math.min(columns - 1, column + 1); c++) {
-                int neighbour = r * columns + c;
-                if (neighbour != index && state[neighbour] == wanted) {
-                    found[length++] = neighbour;
+                int neighbor = r * columns + c;
+                if (neighbor != index && state[neighbor] == wanted) {
+                    found[length++] = neighbor;
                 }
             }
         }

@@ -4,13 +4,13 @@ package sunbeam.precompute.prepare;
  * How opposite borders of a scan fit together where it repeats, along the axis along which they fit worse.
  *
  * @param jump root mean square of the step from one border to the opposite one, metres
- * @param inside the same between neighbours inside the scan
- * @param steepest the same between the two neighbouring columns, or rows, that differ most
+ * @param inside the same between neighbors inside the scan
+ * @param steepest the same between the two neighboring columns, or rows, that differ most
  */
 public record Seam(double jump, double inside, double steepest) {
     // Metres: a thousandth of the least relief that is read; heights are rounded to less.
     private static final double ROUNDING = 1e-15;
-    // Neighbours inside differ by chance less or more than their mean.
+    // Neighbors inside differ by chance less or more than their mean.
     private static final double FITTING = 2;
     // A grating's walls are alike.
     private static final double ALIKE = 1.1;
@@ -47,7 +47,7 @@ public record Seam(double jump, double inside, double steepest) {
                 : new Seam(Math.sqrt(squares[inside]), Math.sqrt(sum / inside), Math.sqrt(steepest));
     }
 
-    /** The step over that between neighbours; 0 where there is none. */
+    /** The step over that between neighbors; 0 where there is none. */
     public double ratio() {
         return jump <= ROUNDING ? 0 : jump / inside;
     }

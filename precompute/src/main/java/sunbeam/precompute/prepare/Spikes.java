@@ -6,8 +6,8 @@ import java.util.stream.IntStream;
 
 /**
  * Samples that stand alone, far above or below all around them: dust, a slipping tip. A spike differs from the median of its
- * 5 x 5 neighbourhood by more than eight robust deviations (1.4826 times the median of all such differences), and fewer than
- * a quarter of that neighbourhood go even half as far: the corner of a line has a third on its side.
+ * 5 x 5 neighborhood by more than eight robust deviations (1.4826 times the median of all such differences), and fewer than
+ * a quarter of that neighborhood go even half as far: the corner of a line has a third on its side.
  *
  * @param field heights with the medians in place of spikes
  * @param count how many samples were replaced

@@ -2,10 +2,10 @@ package sunbeam.precompute.rays;
 
 import java.util.Arrays;
 import java.util.stream.IntStream;
-import sunbeam.precompute.colourtable.ColourColumns;
+import sunbeam.precompute.colortable.ColorColumns;
 
 /** Places one after the other, as columns; those that follow each other with one (u, v) are one column. */
-final class PlaceColumns implements ColourColumns {
+final class PlaceColumns implements ColorColumns {
     private static final int CHANNELS = 3;
     private static final int MOST_SLICES = 2048;
 

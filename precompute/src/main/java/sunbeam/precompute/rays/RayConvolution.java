@@ -7,16 +7,16 @@ import org.apache.commons.math3.transform.TransformType;
 import sunbeam.precompute.color.WavelengthNodes;
 
 /**
- * Colours along a ray of (u, v) at equal steps of ln |(u, v)|, in several slices of w. A wavelength sees the frequency (u, v) /
+ * Colors along a ray of (u, v) at equal steps of ln |(u, v)|, in several slices of w. A wavelength sees the frequency (u, v) /
  * lambda, and ln |f| = ln |(u, v)| - ln lambda: for each term of the power the integral over wavelengths is a convolution
- * of its values along the ray with the colour matching functions times the term's coefficient, which Fourier transforms do
+ * of its values along the ray with the color matching functions times the term's coefficient, which Fourier transforms do
  * for all places and wavelengths at once. In double precision; its error is that of {@link StridedSpline}, which is nothing where no
  * order shines.
  *
  * <p>Immutable; each thread takes a {@link Line} of its own.
  */
 final class RayConvolution {
-    private static final int COLOURS = 3;
+    private static final int COLORS = 3;
 
     private final int count;
     private final StridedSpline splines;
@@ -95,13 +95,13 @@ final class RayConvolution {
 
     /** Coefficients of a result's B-splines for a term, and zeros. */
     private double[] kernel(int result, int term, double[][][] atNodes, WavelengthNodes wavelengths) {
-        int slice = result / COLOURS;
+        int slice = result / COLORS;
         if (slice >= slices) {
             return new double[padded];
         }
         double[] values = new double[wavelengths.count()];
         for (int i = 0; i < values.length; i++) {
-            values[i] = atNodes[slice][i][term] * wavelengths.weights()[i][result % COLOURS];
+            values[i] = atNodes[slice][i][term] * wavelengths.weights()[i][result % COLORS];
         }
         return Arrays.copyOf(splines.coefficients(values), padded);
     }
@@ -111,13 +111,13 @@ final class RayConvolution {
         return slices + (slices + 1) / 2;
     }
 
-    /** Results of a pair: slice times three plus colour; beyond the last slice there is none. */
+    /** Results of a pair: slice times three plus color; beyond the last slice there is none. */
     private int[] parts(int pair) {
         if (pair < slices) {
-            return new int[] {COLOURS * pair, COLOURS * pair + 1};
+            return new int[] {COLORS * pair, COLORS * pair + 1};
         }
         int slice = 2 * (pair - slices);
-        return new int[] {COLOURS * slice + 2, COLOURS * (slice + 1) + 2};
+        return new int[] {COLORS * slice + 2, COLORS * (slice + 1) + 2};
     }
 
     /** Memory that the kernels take. */
@@ -163,12 +163,12 @@ final class RayConvolution {
         }
 
         /**
-         * Colours along a ray.
+         * Colors along a ray.
          *
          * @param fan that the ray is one of
-         * @param target takes them: {@code [slice * 3 + colour][first + place]}; null where they are not wanted
+         * @param target takes them: {@code [slice * 3 + color][first + place]}; null where they are not wanted
          */
-        void colours(RayFan fan, double angle, float[][] target, int first) {
+        void colors(RayFan fan, double angle, float[][] target, int first) {
             fan.averages(angle, averages);
             transformTerms();
             for (int pair = 0; pair < pairs(); pair++) {

@@ -7,7 +7,7 @@ import java.util.Arrays;
  * the lines that the rays cross, once for all of them; where a ray crosses a line only the bins along that are left to be summed. What
  * it finds there makes the averages, by the trapezoid rule in a coordinate in which the lines are equally far apart. At three quarters
  * of their width it errs by 2 exp(-(pi / 0.75)^2) = 5e-8 of Gaussians. A B-spline that is no wider than some steps has an error of its own, but sums of
- * them that change slower, as those with the colour matching functions' coefficients do, have none. Belongs to a thread.
+ * them that change slower, as those with the color matching functions' coefficients do, have none. Belongs to a thread.
  */
 final class RayFan {
     // The most that lines may lie apart, beside the distance of knots, and beside sigma_f along a ray; in between both

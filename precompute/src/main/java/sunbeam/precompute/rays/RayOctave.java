@@ -3,16 +3,16 @@ package sunbeam.precompute.rays;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.WavelengthNodes;
 
-/** Rays of an octave of |(u, v)|, divided into sectors, and how colours on them are made. Immutable, safe for use by several threads. */
+/** Rays of an octave of |(u, v)|, divided into sectors, and how colors on them are made. Immutable, safe for use by several threads. */
 final class RayOctave {
     // Rays of two sectors, so that two processors have as much to do; those beside them that splines see come on top.
     private static final int TWO_SECTORS_RAYS = 400;
-    // Of ln lambda: colour matching functions have weights of their own, and terms' coefficients turn slower.
+    // Of ln lambda: color matching functions have weights of their own, and terms' coefficients turn slower.
     private static final double WIDEST_STEP = 0.01;
     // So many wavelengths to a place, at least: where they end, polynomials and B-splines between them reach no farther
     // than orders are wide.
     private static final int LEAST_STRIDE = 3;
-    // From place to place, beside the width of an order: what is smoother than colour matching functions needs fewer.
+    // From place to place, beside the width of an order: what is smoother than color matching functions needs fewer.
     private static final double WIDEST_OF_ORDER = 0.5;
     // But so many times as far as sharp orders need, at most: terms' coefficients of deep reliefs turn fast.
     private static final double MOST_WIDER = 3;

@@ -1,11 +1,11 @@
 package sunbeam.precompute.rays;
 
 import java.util.Arrays;
-import sunbeam.precompute.colourtable.ColourColumns;
+import sunbeam.precompute.colortable.ColorColumns;
 
-/** A sector of an octave: colours on its rays, and interpolated between them. */
+/** A sector of an octave: colors on its rays, and interpolated between them. */
 final class RaySector {
-    private static final int COLOURS = 3;
+    private static final int COLORS = 3;
     private static final int MARGIN = QuinticSpline.MARGIN;
     // So many share what is blurred along them.
     private static final int FAN_RAYS = 64;
@@ -76,7 +76,7 @@ final class RaySector {
      * @param prepared index of each slice among those that the octave is prepared for
      * @return how many places that were
      */
-    int evaluate(ColourColumns columns, int[] prepared) {
+    int evaluate(ColorColumns columns, int[] prepared) {
         boolean[] wanted = new boolean[octave.convolution().slices()];
         int places = 0;
         int[] slices = new int[prepared.length];
@@ -104,7 +104,7 @@ final class RaySector {
             int corner = (across - 2) * count + along - 2;
             int some = columns.asked(column, slices);
             for (int j = 0; j < some; j++) {
-                int plane = COLOURS * prepared[slices[j]];
+                int plane = COLORS * prepared[slices[j]];
                 columns.putRoots(
                         column,
                         slices[j],
@@ -139,11 +139,11 @@ final class RaySector {
         return sum;
     }
 
-    /** Splines through the square roots of colours, of the slices that are wanted. */
+    /** Splines through the square roots of colors, of the slices that are wanted. */
     private float[][] planes(boolean[] wanted) {
-        float[][] planes = new float[COLOURS * wanted.length][];
+        float[][] planes = new float[COLORS * wanted.length][];
         for (int i = 0; i < planes.length; i++) {
-            planes[i] = wanted[i / COLOURS] ? new float[rays * count] : null;
+            planes[i] = wanted[i / COLORS] ? new float[rays * count] : null;
         }
         RayConvolution.Line line = octave.convolution().line(powers.stride());
         int next;
@@ -152,7 +152,7 @@ final class RaySector {
             RayFan fan =
                     powers.fan(angle(i), angle(next - 1), octave.convolution().knots());
             for (int ray = i; ray < next; ray++) {
-                line.colours(fan, angle(ray), planes, ray * count);
+                line.colors(fan, angle(ray), planes, ray * count);
                 between.run();
             }
         }

@@ -13,7 +13,7 @@ import sunbeam.precompute.resample.PowerFields;
 import sunbeam.precompute.table.FourierTable;
 
 /**
- * The powers of a surface's DFT bins in terms of the phase, from which colours of the ensemble average follow under any window
+ * The powers of a surface's DFT bins in terms of the phase, from which colors of the ensemble average follow under any window
  * that is no longer than the one that it was made for. Immutable, safe for use by several threads.
  */
 public final class RaySpectrum {
@@ -45,7 +45,7 @@ public final class RaySpectrum {
      * Takes the terms of a table.
      *
      * @param plan that the table was made for
-     * @param tolerance relative error of colours
+     * @param tolerance relative error of colors
      */
     public RaySpectrum(Plan plan, FourierTable table, double tolerance, CieTable cie) {
         this.fields = new PowerFields(table, plan.expansion(), new ErrorBudget(tolerance).powerBasis());
@@ -117,7 +117,7 @@ public final class RaySpectrum {
     }
 
     /**
-     * How far from each other, in ln |(u, v)|, places on a ray may lie: colours change along a ray only as fast as colour matching
+     * How far from each other, in ln |(u, v)|, places on a ray may lie: colors change along a ray only as fast as color matching
      * functions do with the wavelength, however sharp orders are.
      */
     double widestPlaces() {

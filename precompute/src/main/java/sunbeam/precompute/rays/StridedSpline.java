@@ -7,7 +7,7 @@ package sunbeam.precompute.rays;
  */
 final class StridedSpline {
     // On each side, that a B-spline overlaps.
-    private static final int NEIGHBOURS = 3;
+    private static final int NEIGHBORS = 3;
 
     private final int stride;
     private final int length;
@@ -43,21 +43,21 @@ final class StridedSpline {
     }
 
     /**
-     * Cholesky's factor of the B-splines' scalar products, of which only neighbours have any: {@code [row][distance from the diagonal]}.
+     * Cholesky's factor of the B-splines' scalar products, of which only neighbors have any: {@code [row][distance from the diagonal]}.
      */
     private double[][] factor() {
-        double[] products = new double[NEIGHBOURS + 1];
-        for (int distance = 0; distance <= NEIGHBOURS; distance++) {
+        double[] products = new double[NEIGHBORS + 1];
+        for (int distance = 0; distance <= NEIGHBORS; distance++) {
             for (int i = distance * stride; i < taps.length; i++) {
                 products[distance] += taps[i] * taps[i - distance * stride];
             }
         }
-        double[][] factor = new double[knots][NEIGHBOURS + 1];
+        double[][] factor = new double[knots][NEIGHBORS + 1];
         for (int row = 0; row < knots; row++) {
-            for (int distance = Math.min(row, NEIGHBOURS); distance >= 0; distance--) {
+            for (int distance = Math.min(row, NEIGHBORS); distance >= 0; distance--) {
                 int column = row - distance;
                 double rest = products[distance];
-                for (int k = Math.max(0, row - NEIGHBOURS); k < column; k++) {
+                for (int k = Math.max(0, row - NEIGHBORS); k < column; k++) {
                     rest -= factor[row][row - k] * factor[column][column - k];
                 }
                 factor[row][distance] = distance == 0 ? Math.sqrt(rest) : rest / factor[column][0];
@@ -105,13 +105,13 @@ final class StridedSpline {
     /** The normal equations' solution, in place. */
     private double[] solved(double[] values) {
         for (int row = 0; row < knots; row++) {
-            for (int distance = 1; distance <= Math.min(row, NEIGHBOURS); distance++) {
+            for (int distance = 1; distance <= Math.min(row, NEIGHBORS); distance++) {
                 values[row] -= factor[row][distance] * values[row - distance];
             }
             values[row] /= factor[row][0];
         }
         for (int row = knots - 1; row >= 0; row--) {
-            for (int distance = 1; distance <= Math.min(knots - 1 - row, NEIGHBOURS); distance++) {
+            for (int distance = 1; distance <= Math.min(knots - 1 - row, NEIGHBORS); distance++) {
                 values[row] -= factor[row + distance][distance] * values[row + distance];
             }
             values[row] /= factor[row][0];

@@ -7,7 +7,7 @@ import sunbeam.precompute.patch.HeightMap;
  * Positions of the samples along one axis, relative to the sample under the window's maximum.
  *
  * @param count number of samples
- * @param step signed distance of neighbouring samples in metres; negative along y, because rows run downwards
+ * @param step signed distance of neighboring samples in metres; negative along y, because rows run downwards
  * @param origin index of the sample under the window's maximum
  */
 record Axis(int count, double step, int origin) {

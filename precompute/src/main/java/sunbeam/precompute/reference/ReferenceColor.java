@@ -12,14 +12,14 @@ import sunbeam.precompute.patch.HeightLevels;
 /** X, Y, Z of the reference's power over 380..780 nm. */
 public final class ReferenceColor {
     // Steps of 1 / lambda for polynomials of degree 11, set by comparison with steps of 0.5 pm for orders of all widths
-    // anywhere in the band: 0.7 deviations of an order's power, and not above what the colour matching functions need
+    // anywhere in the band: 0.7 deviations of an order's power, and not above what the color matching functions need
     // (cycles per metre; 2 nm in the blue, 7 nm in the red). Error 5e-9 median, 5e-7 at most.
     private static final double NODES_PER_DEVIATION = 1 / 0.7;
     private static final double WIDEST_STEP = 12e3;
     // Nodes per period of the interference between top and bottom of the relief.
     private static final double NODES_PER_FRINGE = 8;
 
-    /** How power is integrated against the colour matching functions. */
+    /** How power is integrated against the color matching functions. */
     public enum Quadrature {
         /** Halved until X, Y, Z keep nine digits ({@link ExactIntegral}). */
         EXACT,
@@ -54,7 +54,7 @@ public final class ReferenceColor {
         return 1 / (NODES_PER_DEVIATION / deviation + NODES_PER_FRINGE * fringes + 1 / WIDEST_STEP);
     }
 
-    /** Wavelengths that are dense enough for a direction, with weights that integrate the colour matching functions. */
+    /** Wavelengths that are dense enough for a direction, with weights that integrate the color matching functions. */
     public WavelengthNodes nodes(DirectionPair pair) {
         return IntegratedNodes.of(cie, step(pair));
     }

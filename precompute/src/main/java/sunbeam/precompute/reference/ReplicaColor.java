@@ -8,7 +8,7 @@ import sunbeam.precompute.optics.DirectionPair;
 public final class ReplicaColor {
     // The power of an aperture of width a is band-limited in frequency: |u| a + |v| b cycles per unit of 1 / lambda.
     private static final double NODES_PER_CYCLE = 3;
-    // What the colour matching functions need, cycles per metre: as ReferenceColor's.
+    // What the color matching functions need, cycles per metre: as ReferenceColor's.
     private static final double WIDEST_STEP = 12e3;
 
     private final ReplicaEvaluator evaluator;

@@ -28,7 +28,7 @@ public record GridResampler(AxisResampler alongX, AxisResampler alongY) {
      *
      * @param fields at most {@code stride}
      * @param target samples are stored here
-     * @param stride distance of neighbouring samples along the axis that runs fastest
+     * @param stride distance of neighboring samples along the axis that runs fastest
      */
     public void resample(double[][] fields, float[] target, int stride, Order order) {
         double[][] halves = new double[fields.length][];

@@ -17,7 +17,7 @@ public enum PeriodInterpolation {
      * PeriodSpectrumTest.
      */
     SINC(2, 7),
-    /** A straight line between neighbouring bins. Exact on the bins, and only there. */
+    /** A straight line between neighboring bins. Exact on the bins, and only there. */
     LINEAR(1, 2);
 
     private final int oversampling;

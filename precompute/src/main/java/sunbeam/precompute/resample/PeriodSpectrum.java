@@ -12,7 +12,7 @@ import sunbeam.precompute.patch.HeightMap;
 /**
  * The terms T_n of one period with sharp edges, transformed to samples that {@link PeriodInterpolation} interpolates.
  * Sample j along x has the frequency j / (oversampling * width); phases count from the period's middle, so that
- * neighbouring samples differ as little as they can.
+ * neighboring samples differ as little as they can.
  */
 public final class PeriodSpectrum {
     private final HeightMap map;

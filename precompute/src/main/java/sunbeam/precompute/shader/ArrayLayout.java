@@ -27,7 +27,7 @@ public record ArrayLayout(String sampler, int width, int height, int layers, Kin
     public enum Reading {
         /** Nothing: single texels are fetched. */
         TEXELS,
-        /** The linear interpolation of neighbours. */
+        /** The linear interpolation of neighbors. */
         LINEAR
     }
 

@@ -4,7 +4,7 @@ import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.SmoothCieWeights;
 import sunbeam.precompute.color.WavelengthNodes;
 
-/** Colour matching as shaders read it: weights at any wavelength, or at fixed ones. */
+/** Color matching as shaders read it: weights at any wavelength, or at fixed ones. */
 public final class ColorArrays {
     private ColorArrays() {}
 

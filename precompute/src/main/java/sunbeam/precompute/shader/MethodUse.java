@@ -2,8 +2,8 @@ package sunbeam.precompute.shader;
 
 /** What a method is asked for; its tables hold no more than that needs. */
 public enum MethodUse {
-    /** Colours: all wavelengths of a direction. */
-    COLOUR,
+    /** Colors: all wavelengths of a direction. */
+    COLOR,
     /** Coherent and ensemble power at single wavelengths. */
     SPECTRAL
 }

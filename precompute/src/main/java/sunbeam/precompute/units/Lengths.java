@@ -20,7 +20,7 @@ public final class Lengths {
     private static final int SHOWN_DIGITS = 6;
 
     private static final double SMALLEST = 1e-15;
-    /** Digits that tell every double from its neighbours. */
+    /** Digits that tell every double from its neighbors. */
     private static final int MOST_DIGITS = 17;
 
     /** Three digits of exponent are more than any length needs and keep the decimal arithmetic small. */

@@ -26,7 +26,7 @@ class SimulatedGratingsRun {
 
     /** Of docs/color.md. */
     @Test
-    void printDirectionsOfMostColour() {
+    void printDirectionsOfMostColor() {
         for (SimulatedGrating.Kind kind : SimulatedGrating.Kind.values()) {
             int held = 0;
             int told = 0;
@@ -37,7 +37,7 @@ class SimulatedGratingsRun {
                 told += found.halfWidthDegrees().isPresent() ? 1 : 0;
                 held += Math.abs(error) <= found.halfWidthDegrees().orElse(-1) ? 1 : 0;
             }
-            System.out.printf(Locale.ROOT, "%-9s direction of most colour: %d of %d%n", kind, held, told);
+            System.out.printf(Locale.ROOT, "%-9s direction of most color: %d of %d%n", kind, held, told);
         }
     }
 

@@ -33,7 +33,7 @@ class ExactIntegralTest {
     /** Orders of one patch anywhere in the band, and beyond its ends, where only a flank is seen. */
     @ParameterizedTest
     @CsvSource({"1.9, 381.3e-9", "1.9, 378.5e-9", "0.4, 779.6e-9", "1, 781e-9", "0.02, 503.2e-9", "1.2, 555.55e-9"})
-    void ordersHaveTheirColourToNineDigits(double uv, double middle) {
+    void ordersHaveTheirColorToNineDigits(double uv, double middle) {
         double deviation = SIGMA_FREQUENCY / (Math.sqrt(2) * uv);
         DoubleUnaryOperator order =
                 wavelength -> Math.exp(-0.5 * Math.pow((1 / wavelength - 1 / middle) / deviation, 2));

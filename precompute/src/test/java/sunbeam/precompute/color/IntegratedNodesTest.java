@@ -43,7 +43,7 @@ final class IntegratedNodesTest {
         assertThat(xyz).containsExactly(exact, within(1e-10));
     }
 
-    /** Orders from 1 to 25 nm wide, also where the colour matching functions fall steeply and at the band's end. */
+    /** Orders from 1 to 25 nm wide, also where the color matching functions fall steeply and at the band's end. */
     @ParameterizedTest
     @CsvSource({
         "1.2, 412.3e-9",
@@ -55,7 +55,7 @@ final class IntegratedNodesTest {
         "0.3, 717e-9",
         "0.1, 450.5e-9"
     })
-    void ordersOfAnyWidthHaveTheirExactColour(double uv, double middle) {
+    void ordersOfAnyWidthHaveTheirExactColor(double uv, double middle) {
         double deviation = 9794 / (Math.sqrt(2) * uv);
         DoubleUnaryOperator order =
                 wavelength -> Math.exp(-0.5 * Math.pow((1 / wavelength - 1 / middle) / deviation, 2));

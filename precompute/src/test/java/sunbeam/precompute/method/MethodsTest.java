@@ -19,8 +19,8 @@ import sunbeam.precompute.optics.Replicas;
 import sunbeam.precompute.optics.WindowOrigin;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.ErrorBudget;
-import sunbeam.precompute.plan.Neighbourhood;
-import sunbeam.precompute.plan.Neighbourhood.Anchor;
+import sunbeam.precompute.plan.Neighborhood;
+import sunbeam.precompute.plan.Neighborhood.Anchor;
 import sunbeam.precompute.plan.Preset;
 import sunbeam.precompute.plan.ReplicatedArea;
 import sunbeam.precompute.setting.Choices;
@@ -75,11 +75,11 @@ class MethodsTest {
         Choices anchor = Choices.none().with(ANCHOR, Anchor.NEAREST);
         assertThatThrownBy(() -> Methods.of(anchor))
                 .hasMessageStartingWith(
-                        "anchor nearest is the middle of a neighbourhood of bins, but no radius is given");
+                        "anchor nearest is the middle of a neighborhood of bins, but no radius is given");
         FullMethod method = (FullMethod) Methods.of(anchor.over(THESIS));
-        assertThat(method.table().neighbourhood()).contains(new Neighbourhood(1, Anchor.NEAREST));
+        assertThat(method.table().neighborhood()).contains(new Neighborhood(1, Anchor.NEAREST));
         FullMethod wide = (FullMethod) Methods.of(THESIS.with(RADIUS, 3));
-        assertThat(wide.table().neighbourhood()).contains(new Neighbourhood(3, Anchor.FLOOR));
+        assertThat(wide.table().neighborhood()).contains(new Neighborhood(3, Anchor.FLOOR));
     }
 
     @Test

@@ -15,7 +15,7 @@ import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.shader.MethodUse;
 import sunbeam.precompute.table.PatchIdentity;
 
-/** What determines a table of colours. */
+/** What determines a table of colors. */
 class TableKeyTest {
     private static final TableMethod METHOD = new TableMethod(1e-2, GaussianArea.STANDARD);
 
@@ -24,7 +24,7 @@ class TableKeyTest {
         PatchIdentity identity =
                 new PatchIdentity("blaze", map.columns(), map.rows(), map.pitchX(), map.pitchY(), "digest");
         Surface surface = new Surface(map, HeightLevels.of(map), identity, CieTable.load());
-        return METHOD.plan(surface, VisibleRange.of(pairs)).key(MethodUse.COLOUR);
+        return METHOD.plan(surface, VisibleRange.of(pairs)).key(MethodUse.COLOR);
     }
 
     private static List<DirectionPair> pairs(double middle) {

@@ -6,7 +6,7 @@ import org.junit.jupiter.api.Test;
 
 final class QuantilesTest {
     @Test
-    void theEndsAreTheExtremesAndBetweenNeighboursItIsLinear() {
+    void theEndsAreTheExtremesAndBetweenNeighborsItIsLinear() {
         double[] samples = {4, 1, 3, 2};
         assertThat(Quantiles.of(samples, 0)).isEqualTo(1);
         assertThat(Quantiles.of(samples, 0.25)).isEqualTo(1.75);

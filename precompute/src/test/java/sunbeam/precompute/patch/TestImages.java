@@ -50,8 +50,8 @@ final class TestImages {
 
     /** An 8-bit palette image whose index i has the grey {@code greys[i]}. */
     static BufferedImage palette(int columns, int rows, byte[] greys, Samples indices) {
-        IndexColorModel colours = new IndexColorModel(8, greys.length, greys, greys, greys);
-        return filled(new BufferedImage(columns, rows, BufferedImage.TYPE_BYTE_INDEXED, colours), indices);
+        IndexColorModel colors = new IndexColorModel(8, greys.length, greys, greys, greys);
+        return filled(new BufferedImage(columns, rows, BufferedImage.TYPE_BYTE_INDEXED, colors), indices);
     }
 
     static Path write(BufferedImage image, Path file) throws IOException {

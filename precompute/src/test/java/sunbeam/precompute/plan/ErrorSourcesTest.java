@@ -120,7 +120,7 @@ final class ErrorSourcesTest {
     void theNeighborhoodIsAsLargeAsItMustBe(double sigmaBins) {
         for (double tolerance : new double[] {1e-2, 1e-3, 1e-4}) {
             ErrorBudget budget = new ErrorBudget(tolerance);
-            int radius = budget.neighbourhoodRadius(sigmaBins);
+            int radius = budget.neighborhoodRadius(sigmaBins);
             assertThat(gauss((radius + 0.5) / sigmaBins)).isLessThanOrEqualTo(budget.leftOut());
             if (radius > 0) {
                 assertThat(gauss((radius - 0.5) / sigmaBins)).isGreaterThan(budget.leftOut());

@@ -56,7 +56,7 @@ class PlannerTest {
 
         OrderSampling orders = (OrderSampling) plan.sampling();
         assertThat(orders.resolved()).isEmpty();
-        assertThat(orders.neighbourhood().radiusX()).isPositive();
+        assertThat(orders.neighborhood().radiusX()).isPositive();
     }
 
     @Test
@@ -64,7 +64,7 @@ class PlannerTest {
         Plan plan = planner(64, 400e-9).plan(THESIS.table(), THESIS.area(), MAP);
 
         BinSampling bins = (BinSampling) plan.sampling();
-        assertThat(bins.neighbourhood()).isEqualTo(new Neighbourhood(1, Neighbourhood.Anchor.FLOOR));
+        assertThat(bins.neighborhood()).isEqualTo(new Neighborhood(1, Neighborhood.Anchor.FLOOR));
         assertThat(bins.wavelengths().count())
                 .as("380..780 nm in steps of 5 nm")
                 .isEqualTo(81);
@@ -100,7 +100,7 @@ class PlannerTest {
     }
 
     @Test
-    void aWindowTooNarrowForANeighbourhoodIsToldBefore() {
+    void aWindowTooNarrowForANeighborhoodIsToldBefore() {
         // 51.2 um under 1 um: 33 bins wide.
         Request request = request(Optional.empty(), 0, OptionalInt.empty(), 1e-6, 5e-9);
 
@@ -163,17 +163,17 @@ class PlannerTest {
         assertThat(warnings(withTolerance(ordinary, 2e-5)))
                 .singleElement()
                 .asString()
-                .contains("colours on flanks of orders");
+                .contains("colors on flanks of orders");
         assertThat(warnings(withTolerance(ordinary, 4e-5))).isEmpty();
     }
 
     @Test
-    void coloursOfWindowsThatFloat32CannotFollowAreToldOf() {
+    void colorsOfWindowsThatFloat32CannotFollowAreToldOf() {
         Request wide = request(Optional.empty(), 0, OptionalInt.empty(), 1e-3, 0);
         assertThat(warnings(withTolerance(wide, 1e-4)))
                 .singleElement()
                 .asString()
-                .contains("colours on flanks of orders", "1 mm");
+                .contains("colors on flanks of orders", "1 mm");
         assertThat(warnings(withTolerance(wide, 1e-3))).isEmpty();
     }
 
@@ -215,7 +215,7 @@ class PlannerTest {
         Plan plan = new Planner(line, HeightLevels.of(line), CIE, MUCH_MEMORY)
                 .plan(TableChoices.of(Accuracy.ByTolerance.STANDARD), area, VisibleRange.all());
 
-        Neighbourhood bins = ((OrderSampling) plan.sampling()).neighbourhood();
+        Neighborhood bins = ((OrderSampling) plan.sampling()).neighborhood();
         assertThat(bins.radiusY()).isEqualTo(1);
         assertThat(bins.radiusX()).isGreaterThan(bins.radiusY());
     }
@@ -233,7 +233,7 @@ class PlannerTest {
                 terms == 0 ? OptionalInt.empty() : OptionalInt.of(terms),
                 radius.isEmpty()
                         ? Optional.empty()
-                        : Optional.of(new Neighbourhood(radius.getAsInt(), Neighbourhood.Anchor.NEAREST)),
+                        : Optional.of(new Neighborhood(radius.getAsInt(), Neighborhood.Anchor.NEAREST)),
                 wavelengthStep == 0 ? OptionalDouble.empty() : OptionalDouble.of(wavelengthStep));
         CoherenceWindow window = CoherenceWindow.ofCoherenceLength(coherenceLength);
         return new Request(table, GaussianArea.STANDARD.with(window));

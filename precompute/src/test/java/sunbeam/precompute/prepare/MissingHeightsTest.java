@@ -25,7 +25,7 @@ class MissingHeightsTest {
     }
 
     @Test
-    void fillsAHoleWithTheAverageOfItsNeighbours() {
+    void fillsAHoleWithTheAverageOfItsNeighbors() {
         MissingHeights.Filled filled = MissingHeights.fill(map(3, 3, 1, 2, 3, 4, NAN, 6, 7, 8, 9));
 
         assertThat(filled.count()).isEqualTo(1);

@@ -68,7 +68,7 @@ class RayFanTest {
         return averages;
     }
 
-    /** As colours do: a bell of B-splines, as narrow as one of the colour matching functions, around a knot. */
+    /** As colors do: a bell of B-splines, as narrow as one of the color matching functions, around a knot. */
     private static double bell(double[] averages, int stride, int middle, int term) {
         double sum = 0;
         for (int knot = 0; knot < KNOTS.count(); knot++) {

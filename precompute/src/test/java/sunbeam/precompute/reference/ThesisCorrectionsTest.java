@@ -148,7 +148,7 @@ class ThesisCorrectionsTest {
     }
 
     @Test
-    void chordsOfTheColourTableLieAboveItsFlanks() {
+    void chordsOfTheColorTableLieAboveItsFlanks() {
         assertThat(worstChord(0.1)).as("where a function is bright").isBetween(1e-3, 2e-3);
         assertThat(worstChord(1e-3)).as("about the minimum of xbar at 503 nm").isBetween(0.01, 0.03);
     }
@@ -172,7 +172,7 @@ class ThesisCorrectionsTest {
         return worst;
     }
 
-    /** Half a nanometre above a whole one: the chord over the cubic through four neighbours, relative. */
+    /** Half a nanometre above a whole one: the chord over the cubic through four neighbors, relative. */
     private static double chordExcess(int nanometre, int channel) {
         double[] value = new double[4];
         for (int i = 0; i < 4; i++) {

@@ -23,7 +23,7 @@ class PeriodSpectrumTest {
     // 1e-9 terms of the expansion stay below everything that is measured here.
     private static final double EXPANSION_TOLERANCE = 1e-9;
 
-    // Odd and even sides, not square, rough: neighbouring bins have nothing to do with each other.
+    // Odd and even sides, not square, rough: neighboring bins have nothing to do with each other.
     private final HeightMap map = Surfaces.random(37, 24, 100e-9, 300e-9, 5);
     private final HeightLevels heights = HeightLevels.of(map);
     private final ReplicaEvaluator exact = new ReplicaEvaluator(map, new Replicas(1, 1));

@@ -66,7 +66,7 @@ import sunbeam.precompute.setting.Choices;
 @Command(
         name = "brdf-map",
         header = "Draw the BRDF map of a surface as a PNG.",
-        description = "Draw the BRDF map of a surface: the colour that each direction of the hemisphere sees when light"
+        description = "Draw the BRDF map of a surface: the color that each direction of the hemisphere sees when light"
                 + " comes from one direction. The pixel at (x, y) of the unit disc shows the direction (x, y,"
                 + " sqrt(1 - x^2 - y^2)), +x right, +y up; the specular reflection of light from the normal lies in the"
                 + " centre.")
@@ -130,7 +130,7 @@ public final class BrdfMapCommand implements Callable<Integer> {
     @Option(
             names = "--linear",
             paramLabel = "FILE.npy",
-            description = "Also write the linear colours: float32, height x width x 3, row 0 on top, CIE XYZ of the"
+            description = "Also write the linear colors: float32, height x width x 3, row 0 on top, CIE XYZ of the"
                     + " relative radiance rho before exposure, NaN outside the disc.")
     private Path linear;
 
@@ -265,7 +265,7 @@ public final class BrdfMapCommand implements Callable<Integer> {
         return setups.stream().map(setup -> setup.patch().name()).limit(3).collect(Collectors.joining("-"));
     }
 
-    /** A certificate's exact colours are those of one integral. */
+    /** A certificate's exact colors are those of one integral. */
     private RefractiveIndex material() {
         RefractiveIndex material = index.parse();
         if (!material.isConstant() && certify.count().isPresent()) {

@@ -5,7 +5,7 @@ import java.util.List;
 import jrtr.RenderContext;
 import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.gpu.UploadedTables;
-import sunbeam.app.gpu.colours.GpuColours;
+import sunbeam.app.gpu.colors.GpuColors;
 import sunbeam.app.gpu.map.BrdfMapRenderer;
 import sunbeam.app.gpu.map.DiscDirections;
 import sunbeam.app.gpu.picture.LinearPicture;
@@ -80,7 +80,7 @@ final class MaterialMap {
         double sigma = 0;
         List<String> trials = new ArrayList<>();
         for (int p = 0; p < parts.size(); p++) {
-            ShaderTables made = setup.tables(plans.get(p), MethodUse.COLOUR, GpuColours::of);
+            ShaderTables made = setup.tables(plans.get(p), MethodUse.COLOR, GpuColors::of);
             if (!made.trial().isEmpty()) {
                 trials.add(made.trial());
             }

@@ -6,12 +6,12 @@ import java.util.OptionalDouble;
 import jrtr.RenderContext;
 import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.gpu.UploadedTables;
-import sunbeam.app.gpu.colours.GpuColours;
+import sunbeam.app.gpu.colors.GpuColors;
 import sunbeam.app.gpu.directions.DirectionsRenderer;
 import sunbeam.app.gpu.directions.DirectionsRenderer.Query;
 import sunbeam.app.terminal.progress.Progress;
 import sunbeam.precompute.color.ReflectionPart;
-import sunbeam.precompute.colourtable.ColourSources;
+import sunbeam.precompute.colortable.ColorSources;
 import sunbeam.precompute.method.Method;
 import sunbeam.precompute.method.MethodPlan;
 import sunbeam.precompute.optics.CoherenceWindow;
@@ -115,7 +115,7 @@ final class StripColors {
         List<double[]> sums = new ArrayList<>();
         views.forEach(view -> sums.add(new double[3]));
         for (int p = 0; p < parts.size(); p++) {
-            List<float[]> powers = evaluate(context, p, MethodUse.COLOUR, queries);
+            List<float[]> powers = evaluate(context, p, MethodUse.COLOR, queries);
             for (int i = 0; i < queries.size(); i++) {
                 double gain = parts.get(p).gain(views.get(i).pair());
                 for (int c = 0; c < 3; c++) {
@@ -164,7 +164,7 @@ final class StripColors {
         // Several surfaces follow each other on one line of a terminal.
         String label = (use == MethodUse.SPECTRAL ? "Spectrum of " : "Colors of ")
                 + setup.patch().name();
-        ColourSources sources = (tables, places) -> GpuColours.of(label, tables, places);
+        ColorSources sources = (tables, places) -> GpuColors.of(label, tables, places);
         try (UploadedTables tables = UploadedTables.upload(context, setup.tables(plans.get(part), use, sources));
                 DirectionsRenderer renderer = new DirectionsRenderer(context, tables, use == MethodUse.SPECTRAL);
                 Progress progress = Progress.start(label, queries.size())) {

@@ -6,7 +6,7 @@ import java.awt.Graphics2D;
 import java.util.List;
 import java.util.Locale;
 import sunbeam.app.files.plot.FittedNames;
-import sunbeam.app.files.plot.PlotColours;
+import sunbeam.app.files.plot.PlotColors;
 import sunbeam.precompute.units.Decimals;
 import sunbeam.precompute.units.Lengths;
 
@@ -55,7 +55,7 @@ final class StripPanel {
     }
 
     void draw(Graphics2D graphics, int top) {
-        graphics.setColor(PlotColours.of(number));
+        graphics.setColor(PlotColors.of(number));
         graphics.fillRect(LEFT - 20, top + 8, 13, 13);
         graphics.setColor(INK);
         fitted(graphics, name + ": " + report.verdict().sentence(), TITLE_FONT, top + 20);

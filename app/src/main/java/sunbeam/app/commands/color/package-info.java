@@ -1,2 +1,2 @@
-/** {@code sunbeam color}: colours by viewing angle. */
+/** {@code sunbeam color}: colors by viewing angle. */
 package sunbeam.app.commands.color;

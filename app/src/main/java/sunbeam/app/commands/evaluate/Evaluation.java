@@ -138,7 +138,7 @@ public final class Evaluation {
         return noRidge;
     }
 
-    /** The thesis's figures 4.9 to 4.11: the response in colour, its followed peaks, and the period by the grating equation. */
+    /** The thesis's figures 4.9 to 4.11: the response in color, its followed peaks, and the period by the grating equation. */
     public BufferedImage plot() {
         return ResponsePlot.draw(figureTitle(), quantity.label(), response, measurement, target.told());
     }

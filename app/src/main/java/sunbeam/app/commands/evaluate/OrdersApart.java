@@ -12,7 +12,7 @@ import sunbeam.precompute.units.Lengths;
 
 /**
  * Whether light under a coherence window tells a period's orders apart. They stand 1 / period apart in frequency, and each is a
- * Gaussian: nearer than three deviations, a ridge is drawn towards the mirror and towards its neighbours by per cents.
+ * Gaussian: nearer than three deviations, a ridge is drawn towards the mirror and towards its neighbors by per cents.
  *
  * @param period metres
  * @param window under which light looks

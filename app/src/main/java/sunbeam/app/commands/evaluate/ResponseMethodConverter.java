@@ -19,7 +19,7 @@ final class ResponseMethodConverter implements ITypeConverter<ResponseMethod> {
                 .map(ResponseMethod::label)
                 .collect(Collectors.joining(", "));
         if (GemMethod.TYPE.label().equalsIgnoreCase(text)) {
-            throw new TypeConversionException("gem has colours but no power at a wavelength, so there is no response to"
+            throw new TypeConversionException("gem has colors but no power at a wavelength, so there is no response to"
                     + " evaluate; give one of " + known);
         }
         throw new TypeConversionException("'" + text + "' is no method; give one of " + known);

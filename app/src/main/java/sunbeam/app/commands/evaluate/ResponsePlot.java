@@ -14,13 +14,13 @@ import sunbeam.precompute.evaluation.ResponseMatrix;
 import sunbeam.precompute.evaluation.Ridge;
 
 /**
- * The thesis's figures 4.9 to 4.11: the response in colour and its followed peaks; and the period that is told, as the
+ * The thesis's figures 4.9 to 4.11: the response in color and its followed peaks; and the period that is told, as the
  * curves of the grating equation for it and for the ends of its interval.
  */
 final class ResponsePlot {
     private static final int WIDTH = 1100;
     private static final int HEIGHT = 800;
-    // Decades of the response that the colours span.
+    // Decades of the response that the colors span.
     private static final double SPAN = 1e-4;
     private static final int PEAKS = 0xFFFFFF;
     // No hue of VIRIDIS, and brighter than most of it to eyes that see no red.

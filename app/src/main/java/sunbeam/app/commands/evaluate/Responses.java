@@ -10,7 +10,7 @@ import jrtr.RenderContext;
 import jrtr.gl.RenderContexts;
 import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.gpu.UploadedTables;
-import sunbeam.app.gpu.colours.GpuColours;
+import sunbeam.app.gpu.colors.GpuColors;
 import sunbeam.app.gpu.directions.DirectionsRenderer;
 import sunbeam.app.terminal.progress.Progress;
 import sunbeam.precompute.evaluation.BinSums;
@@ -138,7 +138,7 @@ final class Responses {
         MethodPlan made = method.plan(setup.surface(), VisibleRange.of(directions));
         plan = made.summary();
         planned.accept(made);
-        ShaderTables tables = setup.tables(made, MethodUse.SPECTRAL, GpuColours::of);
+        ShaderTables tables = setup.tables(made, MethodUse.SPECTRAL, GpuColors::of);
         long count = (long) grid.wavelengths().length * directions.size();
         try (RenderContext context = RenderContexts.offscreen();
                 UploadedTables uploaded = UploadedTables.upload(context, tables);

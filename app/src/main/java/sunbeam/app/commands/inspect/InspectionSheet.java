@@ -36,7 +36,7 @@ final class InspectionSheet {
     private static final int PROFILE_PERIODS = 12;
     private static final double MICROMETRES = 1e6;
     private static final double NANOMETRES = 1e9;
-    // Decades of the spectrum that the colours span.
+    // Decades of the spectrum that the colors span.
     private static final double SPAN = 1e-7;
     // What visible light sees at most, and the least that is shown: orders of red light at normal incidence.
     private static final double LEAST_SHOWN = 2 / 780e-9;

@@ -8,7 +8,7 @@ import jrtr.gl.RenderContexts;
 import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.files.input.DirectionList;
 import sunbeam.app.gpu.UploadedTables;
-import sunbeam.app.gpu.colours.GpuColours;
+import sunbeam.app.gpu.colors.GpuColors;
 import sunbeam.app.gpu.directions.DirectionsRenderer;
 import sunbeam.app.terminal.progress.Progress;
 import sunbeam.precompute.method.MethodPlan;
@@ -27,13 +27,13 @@ final class GpuDirections {
 
     /** @param trial told what was found of a table when it was tried; empty without one */
     List<double[]> evaluate(DirectionList list, Consumer<String> trial) {
-        MethodUse use = list.spectral() ? MethodUse.SPECTRAL : MethodUse.COLOUR;
+        MethodUse use = list.spectral() ? MethodUse.SPECTRAL : MethodUse.COLOR;
         List<DirectionsRenderer.Query> queries = new ArrayList<>(list.size());
         for (int row = 0; row < list.size(); row++) {
             double wavelength = list.spectral() ? list.wavelength(row) : 0;
             queries.add(new DirectionsRenderer.Query(list.pair(row), wavelength));
         }
-        ShaderTables tables = setup.tables(plan, use, GpuColours::of);
+        ShaderTables tables = setup.tables(plan, use, GpuColors::of);
         trial.accept(tables.trial());
         try (RenderContext context = RenderContexts.offscreen();
                 UploadedTables method = UploadedTables.upload(context, tables);

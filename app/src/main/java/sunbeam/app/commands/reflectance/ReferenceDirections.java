@@ -19,7 +19,7 @@ record ReferenceDirections(ExactLight light) {
         try (Progress progress = Progress.start("Reference", list.size())) {
             IntStream.range(0, list.size()).parallel().forEach(row -> {
                 DirectionPair pair = list.pair(row);
-                results[row] = list.spectral() ? spectral(pair, list.wavelength(row)) : colour(pair);
+                results[row] = list.spectral() ? spectral(pair, list.wavelength(row)) : color(pair);
                 progress.step(1);
             });
         }
@@ -37,7 +37,7 @@ record ReferenceDirections(ExactLight light) {
         };
     }
 
-    private double[] colour(DirectionPair pair) {
+    private double[] color(DirectionPair pair) {
         double[] xyz = light.xyz(pair, Quadrature.EXACT);
         return new double[] {xyz[0], xyz[1], xyz[2], Gain.relativeRadiance(pair)};
     }

@@ -35,7 +35,7 @@ final class FrameRenderer {
         return SceneDisplay.exposure(scene, parts, size.width(), size.height());
     }
 
-    /** Makes the colours that a scene's picture looks into. */
+    /** Makes the colors that a scene's picture looks into. */
     void prepare(Scene scene) {
         parts.prepare(scene, size.width(), size.height(), supersample);
     }

@@ -60,7 +60,7 @@ final class FrameSequence implements AutoCloseable {
      * Draws the frames that are missing. Where exposure is automatic, the first frame's holds for all, so that an
      * animation does not flicker.
      *
-     * @param linear where the linear colours of the only frame go, or null
+     * @param linear where the linear colors of the only frame go, or null
      * @return where the frames are
      */
     List<Path> draw(List<Scene> scenes, List<Path> files, List<Boolean> missing, Overwrite overwrite, Path linear) {
@@ -71,7 +71,7 @@ final class FrameSequence implements AutoCloseable {
         int first = linear == null ? missing.indexOf(true) : 0;
         double factor = lastExposure;
         if (first >= 0) {
-            // Before the rest: the time that its colours take says nothing of how long pixels do.
+            // Before the rest: the time that its colors take says nothing of how long pixels do.
             factor = recorded.isPresent() ? recorded.getAsDouble() : frameRenderer.exposure(scenes.get(first));
             frameRenderer.prepare(scenes.get(first));
         }

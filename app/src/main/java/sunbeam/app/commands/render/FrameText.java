@@ -14,7 +14,7 @@ public final class FrameText {
      * Of a picture of the loaded scene.
      *
      * @param supersample samples along a pixel's side
-     * @param exposure factor that the linear colours were multiplied by
+     * @param exposure factor that the linear colors were multiplied by
      * @param renderer who drew, GL_RENDERER
      */
     public static Map<String, String> of(

@@ -60,7 +60,7 @@ public final class RenderCommand implements Callable<Integer> {
     @Option(
             names = "--linear",
             paramLabel = "FILE.npy",
-            description = "Also write the linear colours: float32, height x width x 3, row 0 on top, CIE XYZ before"
+            description = "Also write the linear colors: float32, height x width x 3, row 0 on top, CIE XYZ before"
                     + " exposure, NaN where the mesh is not.")
     private Path linear;
 

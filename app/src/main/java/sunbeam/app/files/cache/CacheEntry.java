@@ -20,9 +20,9 @@ import sunbeam.precompute.table.TableLabel;
 public record CacheEntry(Path file, long bytes, Instant lastUsed) {
     static final String FOURIER = "h5";
     static final String SHADER = "tables";
-    /** Of a table of colours that is being made, or was when its process was stopped. */
-    static final String COLOURS = "colours";
-    /** Of colours that are made as pictures look at them. */
+    /** Of a table of colors that is being made, or was when its process was stopped. */
+    static final String COLORS = "colors";
+    /** Of colors that are made as pictures look at them. */
     static final String PAGES = "pages";
 
     private static final int SURFACE_DIGITS = 12;
@@ -44,17 +44,17 @@ public record CacheEntry(Path file, long bytes, Instant lastUsed) {
         String name = file.getFileName().toString();
         return name.endsWith("." + FOURIER)
                 || name.endsWith("." + SHADER)
-                || name.endsWith("." + COLOURS)
+                || name.endsWith("." + COLORS)
                 || name.endsWith("." + PAGES);
     }
 
-    /** From a file of colours, which begins with its format, its surface and what it is. */
+    /** From a file of colors, which begins with its format, its surface and what it is. */
     static TableLabel labelOf(Path file, String format) {
         try (DataInputStream in = new DataInputStream(Files.newInputStream(file))) {
             if (in.readUTF().equals(format)) {
                 return new TableLabel(in.readUTF(), in.readUTF());
             }
-            throw new TableException(file + ": no colours of this version");
+            throw new TableException(file + ": no colors of this version");
         } catch (IOException failure) {
             throw new TableException(file + ": cannot be read: " + failure.getMessage());
         }
@@ -67,8 +67,8 @@ public record CacheEntry(Path file, long bytes, Instant lastUsed) {
      */
     public TableLabel label() {
         String name = file.getFileName().toString();
-        if (name.endsWith("." + COLOURS)) {
-            return KeptColours.labelOf(file);
+        if (name.endsWith("." + COLORS)) {
+            return KeptColors.labelOf(file);
         }
         if (name.endsWith("." + PAGES)) {
             return PageFile.labelOf(file);

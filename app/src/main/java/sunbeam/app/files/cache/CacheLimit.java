@@ -16,7 +16,7 @@ final class CacheLimit {
     /** Room for a dozen surfaces. */
     static final long STANDARD = 2_000_000_000;
 
-    /** Of the standard limit, 150 MB: pages of colours of a scan of 1024 x 1024 samples and what they are made of. */
+    /** Of the standard limit, 150 MB: pages of colors of a scan of 1024 x 1024 samples and what they are made of. */
     private static final double SHARE = 0.075;
 
     private static final String NAME = "limit";

@@ -9,8 +9,8 @@ import sunbeam.app.terminal.OptionOrigin;
 import sunbeam.app.terminal.options.PatchOptions;
 import sunbeam.app.terminal.progress.Progress;
 import sunbeam.precompute.color.CieTable;
-import sunbeam.precompute.colourtable.ColourSources;
-import sunbeam.precompute.colourtable.KeptPages;
+import sunbeam.precompute.colortable.ColorSources;
+import sunbeam.precompute.colortable.KeptPages;
 import sunbeam.precompute.method.LevelledPlan;
 import sunbeam.precompute.method.Method;
 import sunbeam.precompute.method.MethodPlan;
@@ -100,7 +100,7 @@ public final class DiffractionSetup {
         return patch;
     }
 
-    /** The patch and the light that colours it. */
+    /** The patch and the light that colors it. */
     public Surface surface() {
         return surface;
     }
@@ -109,7 +109,7 @@ public final class DiffractionSetup {
         return surface.cie();
     }
 
-    /** What a method's power and colours are held against, on this patch. */
+    /** What a method's power and colors are held against, on this patch. */
     public ExactLight exact(Method method) {
         return method.exact(patch.heights()).area().over(patch.heights(), cie());
     }
@@ -127,32 +127,32 @@ public final class DiffractionSetup {
     /**
      * What a method's shader reads, made now, layer by layer as it is asked for.
      *
-     * @param colours who evaluates shaders, for tables that are made of colours
+     * @param colors who evaluates shaders, for tables that are made of colors
      * @throws SettingException when the method has no answer for the use
      */
-    public ShaderTables freshTables(MethodPlan plan, MethodUse use, ColourSources colours) {
+    public ShaderTables freshTables(MethodPlan plan, MethodUse use, ColorSources colors) {
         requireAnswer(plan, use);
-        return store.freshTables(plan, use, colours);
+        return store.freshTables(plan, use, colors);
     }
 
     /**
      * What a method's shader reads, from the cache where it is there.
      *
-     * @param colours who evaluates shaders, for tables that are made of colours
+     * @param colors who evaluates shaders, for tables that are made of colors
      * @throws SettingException when the method has no answer for the use
      */
-    public ShaderTables tables(MethodPlan plan, MethodUse use, ColourSources colours) {
-        return tables(plan, use, colours, share -> {});
+    public ShaderTables tables(MethodPlan plan, MethodUse use, ColorSources colors) {
+        return tables(plan, use, colors, share -> {});
     }
 
     /**
-     * As {@link #tables(MethodPlan, MethodUse, ColourSources)}.
+     * As {@link #tables(MethodPlan, MethodUse, ColorSources)}.
      *
      * @param progress told before each layer that is made the share that is done; goes on when it returns
      */
-    public ShaderTables tables(MethodPlan plan, MethodUse use, ColourSources colours, DoubleConsumer progress) {
+    public ShaderTables tables(MethodPlan plan, MethodUse use, ColorSources colors, DoubleConsumer progress) {
         requireAnswer(plan, use);
-        return store.tables(plan, use, colours, progress);
+        return store.tables(plan, use, colors, progress);
     }
 
     /** Whether there may be such pages. */
@@ -160,7 +160,7 @@ public final class DiffractionSetup {
         return store.hasPages(plan);
     }
 
-    /** Pages of a plan's levels of colours that are kept for later runs; to be closed by the caller. */
+    /** Pages of a plan's levels of colors that are kept for later runs; to be closed by the caller. */
     public KeptPages pages(LevelledPlan plan) {
         return store.pages(plan);
     }
@@ -171,10 +171,10 @@ public final class DiffractionSetup {
         }
     }
 
-    /** What is said of a method that knows colours alone, where power at a wavelength is asked for. */
+    /** What is said of a method that knows colors alone, where power at a wavelength is asked for. */
     public static SettingException withoutPower() {
         return new SettingException(
                 Methods.METHOD,
-                "has colours, but no power at a wavelength; leave out the column wavelength, or use another method");
+                "has colors, but no power at a wavelength; leave out the column wavelength, or use another method");
     }
 }

@@ -19,19 +19,19 @@ import java.util.Map;
 import java.util.function.Consumer;
 import java.util.stream.IntStream;
 import java.util.zip.CRC32;
-import sunbeam.precompute.colourtable.KeptPages;
-import sunbeam.precompute.colourtable.LevelBaking;
-import sunbeam.precompute.colourtable.NumberFormat;
+import sunbeam.precompute.colortable.KeptPages;
+import sunbeam.precompute.colortable.LevelBaking;
+import sunbeam.precompute.colortable.NumberFormat;
 import sunbeam.precompute.files.Sha256;
 import sunbeam.precompute.table.TableLabel;
 
 /**
- * Pages of one surface's levels of colours in the cache folder. After its head (format, hash of the key, label) the file has
+ * Pages of one surface's levels of colors in the cache folder. After its head (format, hash of the key, label) the file has
  * records of one length in the order in which pages were made: level, page, checksum (big endian), coefficients as the shader has them. The checksum is of the key, level, page and coefficients: a record that is damaged, cut off or of something else is
  * passed over, and its page made and appended again. One process at a time appends; the others read.
  */
 public final class PageFile implements KeptPages {
-    private static final String DAMAGED = "cached colours are made again: some are damaged or cut off";
+    private static final String DAMAGED = "cached colors are made again: some are damaged or cut off";
     private static final String FORMAT = "Sunbeam pages 3";
     private static final int HEAD_BYTES = 2 * Integer.BYTES + Long.BYTES;
     // Records that are read or written at once: a megabyte.
@@ -224,16 +224,16 @@ public final class PageFile implements KeptPages {
         } catch (IOException failure) {
             // What was not read is found to be damaged.
         }
-        byte[][] colours = new byte[pages.length][];
+        byte[][] colors = new byte[pages.length][];
         IntStream.range(0, pages.length)
                 .parallel()
-                .forEach(i -> colours[i] = coefficients(level, pages[i], bytes.slice(i * recordBytes, recordBytes)));
+                .forEach(i -> colors[i] = coefficients(level, pages[i], bytes.slice(i * recordBytes, recordBytes)));
         for (int i = 0; i < pages.length; i++) {
-            if (colours[i].length == 0) {
+            if (colors[i].length == 0) {
                 records.remove(number(level, pages[i]));
                 warn(DAMAGED);
             } else {
-                found.put(pages[i], colours[i]);
+                found.put(pages[i], colors[i]);
             }
         }
     }
@@ -243,9 +243,9 @@ public final class PageFile implements KeptPages {
         boolean right = record.getInt(0) == level
                 && record.getInt(Integer.BYTES) == page
                 && record.getLong(2 * Integer.BYTES) == checksum(record);
-        byte[] colours = new byte[right ? recordBytes - HEAD_BYTES : 0];
-        record.get(HEAD_BYTES, colours);
-        return colours;
+        byte[] colors = new byte[right ? recordBytes - HEAD_BYTES : 0];
+        record.get(HEAD_BYTES, colors);
+        return colors;
     }
 
     /** Of key, level, page and coefficients. */
@@ -269,7 +269,7 @@ public final class PageFile implements KeptPages {
                 append(level, some, pages);
             } catch (IOException failure) {
                 writable = false;
-                warn("colours are not kept: " + failure.getMessage());
+                warn("colors are not kept: " + failure.getMessage());
             }
         }
     }

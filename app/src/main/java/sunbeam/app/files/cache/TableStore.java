@@ -14,10 +14,10 @@ import sunbeam.app.files.output.OutputException;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.progress.Progress;
-import sunbeam.precompute.colourtable.ColourSource;
-import sunbeam.precompute.colourtable.ColourSources;
-import sunbeam.precompute.colourtable.KeptPages;
-import sunbeam.precompute.colourtable.TriedTable;
+import sunbeam.precompute.colortable.ColorSource;
+import sunbeam.precompute.colortable.ColorSources;
+import sunbeam.precompute.colortable.KeptPages;
+import sunbeam.precompute.colortable.TriedTable;
 import sunbeam.precompute.expansion.Expansion;
 import sunbeam.precompute.files.Sha256;
 import sunbeam.precompute.method.LevelledPlan;
@@ -71,47 +71,47 @@ public final class TableStore {
      * What a method's shader reads, as it lies in the cache. Nothing is computed where it is there, and layer by layer, on
      * the way to the file, where it is not. Without a cache folder, layers are computed when they are asked for.
      *
-     * @param colours who evaluates shaders, for tables that are made of colours
+     * @param colors who evaluates shaders, for tables that are made of colors
      */
-    public ShaderTables tables(MethodPlan plan, MethodUse use, ColourSources colours) {
-        return tables(plan, use, colours, share -> {});
+    public ShaderTables tables(MethodPlan plan, MethodUse use, ColorSources colors) {
+        return tables(plan, use, colors, share -> {});
     }
 
     /**
-     * As {@link #tables(MethodPlan, MethodUse, ColourSources)}.
+     * As {@link #tables(MethodPlan, MethodUse, ColorSources)}.
      *
      * @param progress told before each layer that is made the share that is done; goes on when it returns
      */
-    public ShaderTables tables(MethodPlan plan, MethodUse use, ColourSources colours, DoubleConsumer progress) {
+    public ShaderTables tables(MethodPlan plan, MethodUse use, ColorSources colors, DoubleConsumer progress) {
         String key = "shader tables " + ShaderTablesFile.VERSION + "|" + plan.key(use);
         Optional<Path> file = file(key, CacheEntry.SHADER);
         if (file.isEmpty()) {
-            return freshTables(plan, use, colours).preceded(progress);
+            return freshTables(plan, use, colors).preceded(progress);
         }
         if (plan.memory().textureBytes() > CacheLimit.share(folder.limit(warning))) {
             // Larger than what is kept of a surface: what it is made of is not, and takes most of the time.
-            return made(plan, use, colours, this::table).preceded(progress);
+            return made(plan, use, colors, this::table).preceded(progress);
         }
         Function<Path, ShaderTables> reader = path -> ShaderTablesFile.read(path, key);
         return keptOr(file.get(), reader, () -> {
             TableLabel label = label(plan);
-            // Colours take up to hours: a run that is stopped leaves those that it has.
+            // Colors take up to hours: a run that is stopped leaves those that it has.
             List<Path> unfinished = new ArrayList<>();
             TableLabel half = new TableLabel(label.patch(), "half made: " + label.what());
             ShaderTables made = freshTables(plan, use, (tables, places) -> {
                         String again = key + "|" + unfinished.size();
-                        Optional<Path> keeping = file(again, CacheEntry.COLOURS);
+                        Optional<Path> keeping = file(again, CacheEntry.COLORS);
                         keeping.ifPresent(unfinished::add);
                         return keeping.isEmpty()
-                                ? colours.of(tables, places)
-                                : KeptColours.of(keeping.get(), again, half, () -> colours.of(tables, places));
+                                ? colors.of(tables, places)
+                                : KeptColors.of(keeping.get(), again, half, () -> colors.of(tables, places));
                     })
                     .preceded(progress);
             TableLabel tried = made.trial().isEmpty()
                     ? label
                     : new TableLabel(label.patch(), "table in " + made.trial() + "; planned as " + label.what());
             save(file.get(), path -> ShaderTablesFile.write(path, key, tried, made));
-            unfinished.forEach(KeptColours::delete);
+            unfinished.forEach(KeptColors::delete);
             // Again from the file, so that no more than one layer at a time need be in memory.
             return read(file.get(), reader).orElse(made);
         });
@@ -125,7 +125,7 @@ public final class TableStore {
         return String.join(
                 "|",
                 "pages " + ShaderTablesFile.VERSION,
-                plan.key(MethodUse.COLOUR),
+                plan.key(MethodUse.COLOR),
                 String.valueOf(plan.tolerance()),
                 plan.spectrum().map(Plan::key).orElse(""));
     }
@@ -135,7 +135,7 @@ public final class TableStore {
         return file(pagesKey(plan), CacheEntry.PAGES).filter(Files::exists).isPresent();
     }
 
-    /** Pages of levels of colours that are kept for later runs; none without a cache folder. */
+    /** Pages of levels of colors that are kept for later runs; none without a cache folder. */
     KeptPages pages(LevelledPlan plan) {
         String key = pagesKey(plan);
         TableLabel label = label(plan);
@@ -173,12 +173,12 @@ public final class TableStore {
     }
 
     /** What a method's shader reads, made now. */
-    public ShaderTables freshTables(MethodPlan plan, MethodUse use, ColourSources colours) {
-        return made(plan, use, colours, this::freshTable);
+    public ShaderTables freshTables(MethodPlan plan, MethodUse use, ColorSources colors) {
+        return made(plan, use, colors, this::freshTable);
     }
 
     private ShaderTables made(
-            MethodPlan plan, MethodUse use, ColourSources colours, Function<Plan, FourierTable> fourier) {
+            MethodPlan plan, MethodUse use, ColorSources colors, Function<Plan, FourierTable> fourier) {
         return plan.tables(use, new TableSources() {
             @Override
             public FourierTable fourier(Plan needed) {
@@ -186,8 +186,8 @@ public final class TableStore {
             }
 
             @Override
-            public ColourSource colours(ShaderTables tables, long places) {
-                return colours.of(tables, places);
+            public ColorSource colors(ShaderTables tables, long places) {
+                return colors.of(tables, places);
             }
 
             @Override

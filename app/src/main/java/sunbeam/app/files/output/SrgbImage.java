@@ -23,7 +23,7 @@ public final class SrgbImage {
         }
         int type = opaque ? BufferedImage.TYPE_INT_RGB : BufferedImage.TYPE_INT_ARGB;
         BufferedImage image = new BufferedImage(width, height, type);
-        // Both types have such integers; setRGB would take each pixel's colours apart.
+        // Both types have such integers; setRGB would take each pixel's colors apart.
         int[] pixels = pixels(image);
         if (opaque) {
             for (int pixel = 0; pixel < argb.length; pixel++) {

@@ -1,6 +1,6 @@
 package sunbeam.app.files.plot;
 
-/** Values between 0 and 1 as colours whose lightness grows with the value. */
+/** Values between 0 and 1 as colors whose lightness grows with the value. */
 public final class ColorMap {
     /** Viridis (S. van der Walt and N. Smith, matplotlib, CC0), at nine evenly spaced points. */
     public static final ColorMap VIRIDIS =
@@ -15,7 +15,7 @@ public final class ColorMap {
         this.points = points;
     }
 
-    /** Packed 0xRRGGBB, linear between the points; values outside 0..1 take the ends' colours, NaN white. */
+    /** Packed 0xRRGGBB, linear between the points; values outside 0..1 take the ends' colors, NaN white. */
     public int at(double value) {
         if (Double.isNaN(value)) {
             return 0xFFFFFF;

@@ -26,7 +26,7 @@ import org.jfree.chart.ui.RectangleInsets;
 import org.jfree.data.xy.DefaultXYDataset;
 
 /**
- * A matrix of values in colour over two axes, with a colour bar, curves and marks on top, in the look of {@link Plot}
+ * A matrix of values in color over two axes, with a color bar, curves and marks on top, in the look of {@link Plot}
  * and drawn without a display, once.
  */
 public final class HeatMap {
@@ -85,10 +85,10 @@ public final class HeatMap {
     }
 
     /**
-     * How values become colours.
+     * How values become colors.
      *
-     * @param low value of the first colour; positive where logarithmic
-     * @param high value of the last colour, above low
+     * @param low value of the first color; positive where logarithmic
+     * @param high value of the last color, above low
      */
     public record Colors(String label, double low, double high, Plot.Scale scale, ColorMap map) {
         double position(double value) {
@@ -205,7 +205,7 @@ public final class HeatMap {
             legend.setItemPaint(Color.WHITE);
             chart.addSubtitle(legend);
         }
-        PaintScaleLegend bar = colourBar();
+        PaintScaleLegend bar = colorBar();
         chart.addSubtitle(bar);
         // The bar's labels, and with them its width, depend on its height.
         for (int pass = 0; pass < 2; pass++) {
@@ -238,7 +238,7 @@ public final class HeatMap {
     }
 
     /** JFreeChart shades a bar in even steps of its axis, so a logarithmic one has exponents along it. */
-    private PaintScaleLegend colourBar() {
+    private PaintScaleLegend colorBar() {
         Colors colors = values.colors();
         boolean linear = colors.scale() == Plot.Scale.LINEAR;
         double low = linear ? colors.low() : Math.log10(colors.low());

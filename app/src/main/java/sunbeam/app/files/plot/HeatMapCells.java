@@ -12,7 +12,7 @@ record HeatMapCells(HeatMap.Values values) {
         int width = Math.max(1, (int) Math.round(area.getWidth()));
         int height = Math.max(1, (int) Math.round(area.getHeight()));
         BufferedImage cells = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
-        // Pixel by pixel through the image's colour model takes five times as long.
+        // Pixel by pixel through the image's color model takes five times as long.
         int[] pixels = ((DataBufferInt) cells.getRaster().getDataBuffer()).getData();
         int[] columns = edges(width, values.rows()[0].length);
         int[] rows = edges(height, values.rows().length);

@@ -17,7 +17,7 @@ import sunbeam.precompute.optics.Direction;
 
 /**
  * A BRDF map made ready for print: the circle of the horizon, rings of angles to the normal, azimuths, marks of light and
- * mirror direction, and a caption. Marks differ in form, and in two colours that colour-blind people can tell apart; each
+ * mirror direction, and a caption. Marks differ in form, and in two colors that color-blind people can tell apart; each
  * has a dark rim, so that it is seen on light and on dark.
  */
 public final class MapAnnotation {
@@ -177,13 +177,13 @@ public final class MapAnnotation {
         return cross;
     }
 
-    private void mark(Graphics2D graphics, Shape shape, Color colour) {
+    private void mark(Graphics2D graphics, Shape shape, Color color) {
         float width = Math.max(1.5f, font.getSize() / 6f);
         graphics.setStroke(new BasicStroke(2 * width, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
         graphics.setColor(RIM);
         graphics.draw(shape);
         graphics.setStroke(new BasicStroke(width, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
-        graphics.setColor(colour);
+        graphics.setColor(color);
         graphics.draw(shape);
     }
 

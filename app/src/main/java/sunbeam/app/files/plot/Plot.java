@@ -28,7 +28,7 @@ import sunbeam.app.files.output.PngWriter;
 
 /**
  * Lines and points over x in Sunbeam's look, drawn without a display. Units belong into the axes' labels
- * ({@code wavelength / nm}). Series get the colours and marks of {@link PlotStyle} in the order in which they are
+ * ({@code wavelength / nm}). Series get the colors and marks of {@link PlotStyle} in the order in which they are
  * added.
  */
 public final class Plot {
@@ -48,10 +48,10 @@ public final class Plot {
     /**
      * How a series looks that belongs to a group.
      *
-     * @param colour number of the group's colour and mark, from 0
+     * @param color number of the group's color and mark, from 0
      * @param dashes number of the line within the group: 0 for a solid one
      */
-    public record Look(int colour, int dashes) {}
+    public record Look(int color, int dashes) {}
 
     private record Series(String name, double[] x, double[] y, Form form, Optional<Look> look) {
         Series(String name, double[] x, double[] y, Form form) {
@@ -257,7 +257,7 @@ public final class Plot {
         renderer.setSeriesStroke(0, outline ? PlotStyle.THIN : PlotStyle.line(look.dashes()));
         // Or else each of a dashed line's pieces begins with a dash of its own.
         renderer.setDrawSeriesLineAsPath(look.dashes() > 0);
-        renderer.setSeriesShape(0, PlotStyle.shape(look.colour()));
+        renderer.setSeriesShape(0, PlotStyle.shape(look.color()));
         renderer.setLegendLine(new Line2D.Double(-12, 0, 12, 0));
         if (series.form == Form.RINGS) {
             renderer.setSeriesShape(0, isFirstOfRings(series) ? PlotStyle.RING : PlotStyle.FRAME);
@@ -273,7 +273,7 @@ public final class Plot {
         return switch (form) {
             case RINGS -> PlotStyle.INK;
             case OUTLINE -> PlotStyle.OUTLINE;
-            default -> PlotStyle.colour(look.colour());
+            default -> PlotStyle.color(look.color());
         };
     }
 

@@ -28,10 +28,10 @@ import org.jfree.chart.ui.RectangleEdge;
 import org.jfree.chart.ui.RectangleInsets;
 import org.jfree.chart.util.ShapeUtils;
 
-/** The one look of all plots: white, sans serif, thin grid, colours that colour-blind people can tell apart. */
+/** The one look of all plots: white, sans serif, thin grid, colors that color-blind people can tell apart. */
 final class PlotStyle {
     /** M. Okabe and K. Ito, "Color Universal Design" (2008), without the yellow, which is too pale on white. */
-    private static final Color[] COLOURS = {
+    private static final Color[] COLORS = {
         new Color(0x0072B2),
         new Color(0xD55E00),
         new Color(0x009E73),
@@ -91,9 +91,9 @@ final class PlotStyle {
 
     private PlotStyle() {}
 
-    /** The colour of the series with this index. */
-    static Color colour(int index) {
-        return COLOURS[index % COLOURS.length];
+    /** The color of the series with this index. */
+    static Color color(int index) {
+        return COLORS[index % COLORS.length];
     }
 
     /** Of the line with this number in a group: solid, then dashed. */

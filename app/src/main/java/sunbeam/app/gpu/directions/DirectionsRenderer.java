@@ -33,7 +33,7 @@ public final class DirectionsRenderer implements AutoCloseable {
     /**
      * Compiles the shader.
      *
-     * @param spectral whether directions come with a wavelength; else colours are computed
+     * @param spectral whether directions come with a wavelength; else colors are computed
      */
     public DirectionsRenderer(RenderContext context, UploadedTables method, boolean spectral) {
         this(context, method, spectral, spectral ? Map.of("SPECTRAL", "1") : Map.of());
@@ -53,7 +53,7 @@ public final class DirectionsRenderer implements AutoCloseable {
         return new DirectionsRenderer(context, method, true, Map.of("SPECTRAL", "1", "ONE_POWER", "1"));
     }
 
-    /** One direction to evaluate; the wavelength in metres is ignored where colours are computed. */
+    /** One direction to evaluate; the wavelength in metres is ignored where colors are computed. */
     public record Query(DirectionPair pair, double wavelength) {}
 
     /**

@@ -26,7 +26,7 @@ public final class DisplayOptions {
             names = "--exposure",
             paramLabel = "FACTOR",
             defaultValue = AUTOMATIC,
-            description = "Factor for the linear colours; auto (default): chosen from the pictures, one for all; first:"
+            description = "Factor for the linear colors; auto (default): chosen from the pictures, one for all; first:"
                     + " chosen from the first; or a picture FILE.png whose exposure is to be taken.")
     private String exposure;
 

@@ -24,7 +24,7 @@ import sunbeam.precompute.reference.ExactLight;
 import sunbeam.precompute.reference.ReferenceColor.Quadrature;
 
 /**
- * Random views of one light with their exact colours: half of them uniform on the hemisphere, half aimed at orders. Views
+ * Random views of one light with their exact colors: half of them uniform on the hemisphere, half aimed at orders. Views
  * whose power is below {@link RelativeError#FLOOR} are left out.
  */
 final class ExactViews {

@@ -6,7 +6,7 @@ import java.util.Optional;
 import jrtr.RenderContext;
 import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.gpu.UploadedTables;
-import sunbeam.app.gpu.colours.GpuColours;
+import sunbeam.app.gpu.colors.GpuColors;
 import sunbeam.app.measure.benchmark.FrameTimer.Timing;
 import sunbeam.app.measure.benchmark.Measured.Errors;
 import sunbeam.app.measure.errors.Comparison;
@@ -43,7 +43,7 @@ record Meter(FrameTimer timer, Direction light) {
         RenderContext context = timer.context();
         long start = System.nanoTime();
         MethodPlan plan = method.plan(setup.surface(), VisibleRange.of(light));
-        ShaderTables tables = setup.freshTables(plan, MethodUse.COLOUR, GpuColours::of);
+        ShaderTables tables = setup.freshTables(plan, MethodUse.COLOR, GpuColors::of);
         try (UploadedTables drawn = UploadedTables.upload(context, tables)) {
             context.finish();
             double making = (System.nanoTime() - start) * 1e-9;

@@ -63,7 +63,7 @@ public final class Certifier {
      * @param count how many pixels; all, when the picture has fewer. At most a quarter are such as the picture shows
      *     dark, unless there are not enough others.
      * @param seed the same seed draws the same pixels
-     * @param exposure factor for X, Y, Z before colours are compared
+     * @param exposure factor for X, Y, Z before colors are compared
      * @param tolerance what the picture was made for
      */
     public Certificate certify(LinearPicture picture, int count, long seed, double exposure, double tolerance) {

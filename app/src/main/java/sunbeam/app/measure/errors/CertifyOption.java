@@ -42,7 +42,7 @@ public final class CertifyOption {
             description =
                     "Evaluate N random places of this very result (pixels of a map, rows of a table) with the exact"
                             + " reference and state the error: median, 95th percentile and maximum relative error, and CIEDE2000"
-                            + " of colours. At most a quarter of a map's pixels are dark while it has others. Exit code 3 when the"
+                            + " of colors. At most a quarter of a map's pixels are dark while it has others. Exit code 3 when the"
                             + " median exceeds --tolerance or the 95th percentile three times it, where the plan cannot"
                             + " promise it, and where all places are dark.")
     private Integer certify;
@@ -82,7 +82,7 @@ public final class CertifyOption {
             throw new UsageException("--certify compares with --method reference; leave out one of them");
         }
         if (method.brightness() == Method.Brightness.UNRELATED) {
-            throw new UsageException("--certify compares with a mirror's light, to which the colours of --method "
+            throw new UsageException("--certify compares with a mirror's light, to which the colors of --method "
                     + method.type().label() + " do not relate; leave out --certify");
         }
     }

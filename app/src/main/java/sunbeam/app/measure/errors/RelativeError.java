@@ -13,7 +13,7 @@ public final class RelativeError {
     }
 
     /**
-     * Of a colour: the largest difference in X, Y or Z by the largest of the exact X, Y and Z, so that a channel that is
+     * Of a color: the largest difference in X, Y or Z by the largest of the exact X, Y and Z, so that a channel that is
      * nearly absent does not count for more than can be seen.
      */
     public static double ofColor(double[] xyz, double[] exact) {

@@ -58,7 +58,7 @@ public final class SceneCertifier {
     /**
      * Draws random pixels both ways.
      *
-     * @param exposure factor for X, Y, Z before colours are compared
+     * @param exposure factor for X, Y, Z before colors are compared
      * @param drawn the scene as it is to be judged
      * @param exact the same scene by a method that draws points
      * @param samples of the mesh along a pixel's side in what is judged

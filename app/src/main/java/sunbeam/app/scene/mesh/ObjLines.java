@@ -92,7 +92,7 @@ final class ObjLines extends BufferedReader {
         };
     }
 
-    /** The first numbers of the line; further ones (weights, colours, a third texture coordinate) are not used. */
+    /** The first numbers of the line; further ones (weights, colors, a third texture coordinate) are not used. */
     private String numbers(StringTokenizer words, String what, int count) {
         if (words.countTokens() < count) {
             throw new MeshException(

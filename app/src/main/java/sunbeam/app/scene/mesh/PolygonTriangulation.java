@@ -108,7 +108,7 @@ final class PolygonTriangulation {
         return second;
     }
 
-    /** Only the neighbours of a corner that goes can become ears, or cease to be. */
+    /** Only the neighbors of a corner that goes can become ears, or cease to be. */
     private void remove(int corner) {
         int one = before[corner];
         int other = after[corner];

@@ -71,7 +71,7 @@ final class VertexNumbers {
                 && parts[at + 3] == handedness;
     }
 
-    /** Each part by an odd factor of its own, then the finaliser of MurmurHash3, which spreads neighbours. */
+    /** Each part by an odd factor of its own, then the finaliser of MurmurHash3, which spreads neighbors. */
     private static int mixed(int position, int textureCoordinate, int normal, int handedness) {
         int hash = position * 0x9e3779b1 + textureCoordinate * 0x85ebca77 + normal * 0xc2b2ae3d + handedness;
         hash = (hash ^ (hash >>> 16)) * 0x85ebca6b;

@@ -1,6 +1,6 @@
 package sunbeam.app.scene.texture;
 
-/** The colour of a snake's body, place by place. */
+/** The color of a snake's body, place by place. */
 interface BodyColors {
 
     /**

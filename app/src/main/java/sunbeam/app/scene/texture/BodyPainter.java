@@ -2,7 +2,7 @@ package sunbeam.app.scene.texture;
 
 import java.util.stream.IntStream;
 
-/** Paints a body's colours on a texture whose u runs along the body and whose v runs around it, from belly to belly. */
+/** Paints a body's colors on a texture whose u runs along the body and whose v runs around it, from belly to belly. */
 final class BodyPainter {
     private final int length;
     private final int girth;

@@ -108,7 +108,7 @@ final class ImageTextureReader {
         }
     }
 
-    /** Any kind of image to sRGB; transparent texels keep their colour and become opaque. */
+    /** Any kind of image to sRGB; transparent texels keep their color and become opaque. */
     private static BodyTexture texels(BufferedImage image) {
         boolean grey = image.getColorModel().getColorSpace().getType() == ColorSpace.TYPE_GRAY;
         return grey && image.getRaster().getTransferType() <= DataBuffer.TYPE_USHORT
@@ -117,7 +117,7 @@ final class ImageTextureReader {
     }
 
     /**
-     * Java takes grey samples for linear light, but files hold them, like colours, as the sRGB curve gives them; only
+     * Java takes grey samples for linear light, but files hold them, like colors, as the sRGB curve gives them; only
      * samples of more than 16 bits, floats above all, are linear in files too.
      */
     private static BodyTexture greyTexels(BufferedImage image) {

@@ -2,7 +2,7 @@ package sunbeam.app.scene.texture;
 
 import sunbeam.precompute.color.Srgb;
 
-/** A colour in linear sRGB, so that mixtures are those of light. */
+/** A color in linear sRGB, so that mixtures are those of light. */
 record LinearRgb(double red, double green, double blue) {
 
     /** From 8-bit sRGB, 0xRRGGBB. */

@@ -39,7 +39,7 @@ final class SkinNoise {
         return t * t * (3 - 2 * t);
     }
 
-    /** The finaliser of MurmurHash3 (A. Appleby), which spreads neighbouring numbers over all 32 bits. */
+    /** The finaliser of MurmurHash3 (A. Appleby), which spreads neighboring numbers over all 32 bits. */
     private double value(int column, int row) {
         int h = seed + 0x9e3779b9 * column + 0x85ebca6b * Math.floorMod(row, cellsAround);
         h = (h ^ h >>> 16) * 0x85ebca6b;

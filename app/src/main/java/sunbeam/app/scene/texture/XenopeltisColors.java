@@ -1,7 +1,7 @@
 package sunbeam.app.scene.texture;
 
 /**
- * A sunbeam snake (Xenopeltis unicolor): nearly black brown without any marking, so that nothing but diffraction colours
+ * A sunbeam snake (Xenopeltis unicolor): nearly black brown without any marking, so that nothing but diffraction colors
  * it; scales edged a little paler on the flanks, the belly pale.
  */
 final class XenopeltisColors implements BodyColors {

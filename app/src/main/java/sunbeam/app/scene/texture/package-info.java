@@ -1,2 +1,2 @@
-/** Colours of bodies: pictures made in code or read from files, for meshes to wear. */
+/** Colors of bodies: pictures made in code or read from files, for meshes to wear. */
 package sunbeam.app.scene.texture;

@@ -171,7 +171,7 @@ class BrdfMapCommandTest {
         assertThat(folder.resolve("a.png")).doesNotExist();
     }
 
-    /** The linear colours of a map, three a pixel. */
+    /** The linear colors of a map, three a pixel. */
     private float[] linear(String... more) throws IOException {
         Path numbers = folder.resolve("map.npy");
         List<String> all = new ArrayList<>(

@@ -109,7 +109,7 @@ final class EvaluateCommandTest {
     @CsvSource(
             delimiter = '|',
             value = {
-                "gem|gem has colours but no power at a wavelength, so there is no response to evaluate",
+                "gem|gem has colors but no power at a wavelength, so there is no response to evaluate",
                 "magic|is no method; give"
             })
     void aMethodWithoutResponseIsRefused(String method, String reason) throws IOException {

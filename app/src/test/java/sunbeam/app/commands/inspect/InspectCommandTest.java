@@ -262,7 +262,7 @@ final class InspectCommandTest {
         assertThat(err.toString()).contains("--crop").hasLineCount(1);
     }
 
-    /** Picometres read as nanometres, or a mirror indeed: nobody sees any colour of it. */
+    /** Picometres read as nanometres, or a mirror indeed: nobody sees any color of it. */
     @Test
     void aReliefFarBelowAWavelengthIsDoubtful() throws IOException {
         scan(0.1, false);

@@ -22,7 +22,7 @@ class GemMethodTest {
             named = "DISPLAY",
             matches = ".+",
             disabledReason = "DISPLAY is not set: rendering is not tested. Run ./sunbeam test, or start Xvfb")
-    void coloursFollowTheGratingEquation() {
+    void colorsFollowTheGratingEquation() {
         MethodProbe probe = new MethodProbe(home, "--patch", "blaze");
         // Spacing 1 um: the first order of 460 nm, 560 nm and 680 nm, and the dark between the orders.
         List<DirectionPair> directions = List.of(
@@ -31,7 +31,7 @@ class GemMethodTest {
                 MethodProbe.inPlane(0, Math.toDegrees(Math.asin(0.68))),
                 MethodProbe.inPlane(0, Math.toDegrees(Math.asin(0.30))),
                 MethodProbe.inPlane(0, 0));
-        List<float[]> xyz = probe.colours(directions, "--method", "gem", "--spacing", "1um");
+        List<float[]> xyz = probe.colors(directions, "--method", "gem", "--spacing", "1um");
         assertThat(xyz.get(0)[2]).isGreaterThan(2 * xyz.get(0)[0]);
         assertThat(xyz.get(1)[1]).isGreaterThan(xyz.get(1)[0]).isGreaterThan(xyz.get(1)[2]);
         assertThat(xyz.get(2)[0]).isGreaterThan(xyz.get(2)[1]).isGreaterThan(xyz.get(2)[2]);

@@ -11,7 +11,7 @@ import jrtr.gl.RenderContexts;
 import picocli.CommandLine;
 import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.gpu.UploadedTables;
-import sunbeam.app.gpu.colours.GpuColours;
+import sunbeam.app.gpu.colors.GpuColors;
 import sunbeam.app.gpu.directions.DirectionsRenderer;
 import sunbeam.app.gpu.map.BrdfMapRenderer;
 import sunbeam.app.gpu.picture.LinearPicture;
@@ -62,8 +62,8 @@ final class MethodProbe {
     }
 
     /** X, Y, Z of the power. */
-    List<float[]> colours(List<DirectionPair> pairs, String... options) {
-        return evaluate(pairs, 0, MethodUse.COLOUR, options);
+    List<float[]> colors(List<DirectionPair> pairs, String... options) {
+        return evaluate(pairs, 0, MethodUse.COLOR, options);
     }
 
     /** Coherent power, ensemble power, rho, BRDF at one wavelength in metres. */
@@ -82,20 +82,20 @@ final class MethodProbe {
     }
 
     private UploadedTables upload(RenderContext context, MethodPlan plan, MethodUse use) {
-        return UploadedTables.upload(context, setup.tables(plan, use, GpuColours::of));
+        return UploadedTables.upload(context, setup.tables(plan, use, GpuColors::of));
     }
 
     /** A BRDF map, lit from the normal. */
     LinearPicture map(int size, String... options) {
         Direction normal = new Direction(0, 0, 1);
         try (RenderContext context = RenderContexts.offscreen();
-                UploadedTables method = upload(context, plan(VisibleRange.of(normal), options), MethodUse.COLOUR);
+                UploadedTables method = upload(context, plan(VisibleRange.of(normal), options), MethodUse.COLOR);
                 BrdfMapRenderer renderer = new BrdfMapRenderer(context, method, size)) {
             return renderer.render(normal, pixels -> {});
         }
     }
 
-    /** Relative distance of two colours in XYZ. */
+    /** Relative distance of two colors in XYZ. */
     static double relativeError(float[] actual, float[] expected) {
         double difference = 0;
         double size = 0;

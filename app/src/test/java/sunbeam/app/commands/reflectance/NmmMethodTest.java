@@ -51,7 +51,7 @@ class NmmMethodTest {
         MethodProbe probe = new MethodProbe(home, "--patch", patch);
         List<DirectionPair> plane = MethodProbe.gratingPlane(301);
         List<Double> errors =
-                errors(probe.colours(plane, "--method", "nmm"), probe.colours(plane, "--tolerance", "1e-4"));
+                errors(probe.colors(plane, "--method", "nmm"), probe.colors(plane, "--tolerance", "1e-4"));
         assertThat(errors).hasSizeGreaterThan(150);
         assertThat(errors.get(errors.size() / 2)).isLessThan(MEDIAN_ERROR);
     }
@@ -67,7 +67,7 @@ class NmmMethodTest {
             beside.add(new DirectionPair(pair.wi(), new Direction(x, y, Math.sqrt(1 - x * x - y * y))));
         }
         List<Double> errors =
-                errors(probe.colours(beside, "--method", "nmm"), probe.colours(beside, "--tolerance", "1e-4"));
+                errors(probe.colors(beside, "--method", "nmm"), probe.colors(beside, "--tolerance", "1e-4"));
         assertThat(errors.get(errors.size() / 2)).isLessThan(MEDIAN_ERROR);
     }
 
@@ -84,7 +84,7 @@ class NmmMethodTest {
                 .map(pair -> color.xyz(pair, false))
                 .map(xyz -> new float[] {(float) xyz[0], (float) xyz[1], (float) xyz[2]})
                 .toList();
-        List<Double> errors = errors(probe.colours(plane, "--method", "nmm"), expected);
+        List<Double> errors = errors(probe.colors(plane, "--method", "nmm"), expected);
         assertThat(errors.get(errors.size() / 2)).isLessThan(MEDIAN_ERROR);
     }
 
@@ -96,8 +96,8 @@ class NmmMethodTest {
             directions.add(new DirectionPair(Direction.ofDegrees(20, 0), Direction.ofDegrees(1.3 * i + 3, 47.0 * i)));
         }
         List<Double> errors = errors(
-                probe.colours(directions, "--method", "nmm", "--average", "ensemble"),
-                probe.colours(directions, "--average", "ensemble"));
+                probe.colors(directions, "--method", "nmm", "--average", "ensemble"),
+                probe.colors(directions, "--average", "ensemble"));
         assertThat(errors.get(errors.size() / 2)).isLessThan(MEDIAN_ERROR);
     }
 
@@ -105,23 +105,23 @@ class NmmMethodTest {
     void theThesissFormHasAPurpleCast() {
         MethodProbe probe = new MethodProbe(home, "--patch", "blaze");
         List<DirectionPair> plane = MethodProbe.gratingPlane(301);
-        double full = blueness(probe.colours(plane));
-        double weighted = blueness(probe.colours(plane, "--method", "nmm"));
+        double full = blueness(probe.colors(plane));
+        double weighted = blueness(probe.colors(plane, "--method", "nmm"));
         // Without the white disc around u = v = 0, which no wavelength explains.
         List<DirectionPair> orders =
                 plane.stream().filter(g -> Math.abs(g.u()) > 0.16).toList();
-        double thesis = blueness(probe.colours(orders, "--method", "nmm", "--preset", "thesis"));
+        double thesis = blueness(probe.colors(orders, "--method", "nmm", "--preset", "thesis"));
         assertThat(weighted / full).isBetween(0.99, 1.01);
         // An order at 450 nm is (450 / 600)^2 = 0.56 times as wide as one at 600 nm; unweighted, it counts as much.
-        // Averaged over the colours of an order, a tenth more blue at the least.
+        // Averaged over the colors of an order, a tenth more blue at the least.
         assertThat(thesis / full).isGreaterThan(1.1);
     }
 
     /** Z over Y of all light. */
-    private static double blueness(List<float[]> colours) {
+    private static double blueness(List<float[]> colors) {
         double y = 0;
         double z = 0;
-        for (float[] xyz : colours) {
+        for (float[] xyz : colors) {
             y += xyz[1];
             z += xyz[2];
         }
@@ -133,8 +133,8 @@ class NmmMethodTest {
         MethodProbe probe = new MethodProbe(home, "--patch", "blaze");
         List<DirectionPair> specular =
                 List.of(MethodProbe.inPlane(0, 0), MethodProbe.inPlane(0, 0.01), MethodProbe.inPlane(0, 0.6));
-        List<float[]> full = probe.colours(specular, "--tolerance", "1e-4");
-        List<float[]> nmm = probe.colours(specular, "--method", "nmm");
+        List<float[]> full = probe.colors(specular, "--tolerance", "1e-4");
+        List<float[]> nmm = probe.colors(specular, "--method", "nmm");
         for (int i = 0; i < specular.size(); i++) {
             // 5 nm steps of a smooth spectrum, and the default tolerance of the expansion.
             assertThat(MethodProbe.relativeError(nmm.get(i), full.get(i))).isLessThan(3e-3);
@@ -145,7 +145,7 @@ class NmmMethodTest {
 
     @ParameterizedTest
     @ValueSource(strings = {"blaze", "disc"})
-    void noPixelOfAMapIsWithoutAColour(String patch) {
+    void noPixelOfAMapIsWithoutAColor(String patch) {
         MethodProbe probe = new MethodProbe(home, "--patch", patch);
         // Odd: the middle pixel is exactly u = v = 0, the middle row and column have v = 0 and u = 0.
         for (String[] options : new String[][] {

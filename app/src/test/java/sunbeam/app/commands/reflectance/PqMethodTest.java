@@ -107,24 +107,24 @@ class PqMethodTest {
     }
 
     @Test
-    void colourAgreesWithTheExactSum() {
+    void colorAgreesWithTheExactSum() {
         ReplicaEvaluator evaluator = new ReplicaEvaluator(blaze.setup().patch().heights(), new Replicas(26, 26));
         ReplicaColor color = new ReplicaColor(evaluator, blaze.setup().cie());
         List<DirectionPair> directions =
                 List.of(MethodProbe.inPlane(0, -12), MethodProbe.inPlane(10, -31), MethodProbe.inPlane(0, 25));
-        List<float[]> colours = blaze.colours(directions, "--method", "pq");
+        List<float[]> colors = blaze.colors(directions, "--method", "pq");
         for (int i = 0; i < directions.size(); i++) {
             double[] xyz = color.xyz(directions.get(i));
             // One wavelength a cycle of the power, and the default tolerance of the expansion.
             assertThat(MethodProbe.relativeError(
-                            colours.get(i), new float[] {(float) xyz[0], (float) xyz[1], (float) xyz[2]}))
+                            colors.get(i), new float[] {(float) xyz[0], (float) xyz[1], (float) xyz[2]}))
                     .isLessThan(5e-3);
         }
     }
 
     @ParameterizedTest
     @ValueSource(strings = {"sinc", "linear"})
-    void noPixelOfAMapIsWithoutAColour(String interpolation) {
+    void noPixelOfAMapIsWithoutAColor(String interpolation) {
         // Odd: the middle pixel is exactly u = v = 0, where both sines of the array factor vanish.
         LinearPicture map = blaze.map(21, "--method", "pq", "--interpolation", interpolation);
         for (int pixel = 0; pixel < 21 * 21; pixel++) {

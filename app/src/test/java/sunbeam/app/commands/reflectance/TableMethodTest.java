@@ -60,9 +60,9 @@ class TableMethodTest {
         MethodProbe probe = new MethodProbe(home, "--patch", patch);
         List<DirectionPair> pairs = directionsNearTheAxis(8);
         String finer = Double.toString(0.1 * Double.parseDouble(tolerance));
-        List<float[]> exact = probe.colours(pairs, with("--average", average, "--tolerance", finer));
+        List<float[]> exact = probe.colors(pairs, with("--average", average, "--tolerance", finer));
         List<float[]> table =
-                probe.colours(pairs, with("--average", average, "--method", "table", "--tolerance", tolerance));
+                probe.colors(pairs, with("--average", average, "--method", "table", "--tolerance", tolerance));
         List<Double> errors = new ArrayList<>();
         for (int i = 0; i < pairs.size(); i++) {
             if (RelativeError.largest(new double[] {exact.get(i)[0], exact.get(i)[1], exact.get(i)[2]})
@@ -117,8 +117,8 @@ class TableMethodTest {
             double sine = 0.002 * i;
             skirt.add(new DirectionPair(new Direction(0, 0, 1), Direction.ofDisc(0.3 * sine, sine)));
         }
-        List<float[]> exact = probe.colours(skirt, "--tolerance", "1e-4");
-        List<float[]> table = probe.colours(skirt, "--method", "table", "--tolerance", "1e-3");
+        List<float[]> exact = probe.colors(skirt, "--tolerance", "1e-4");
+        List<float[]> table = probe.colors(skirt, "--method", "table", "--tolerance", "1e-3");
         double darkest = Double.MAX_VALUE;
         List<Double> errors = new ArrayList<>();
         for (int i = 0; i < skirt.size(); i++) {
@@ -139,7 +139,7 @@ class TableMethodTest {
         for (int i = 0; i <= 20; i++) {
             grazing.add(new DirectionPair(Direction.ofDegrees(90, 0), Direction.ofDegrees(4.5 * i, 180)));
         }
-        for (float[] xyz : probe.colours(grazing, with("--method", "table", "--tolerance", "1e-2"))) {
+        for (float[] xyz : probe.colors(grazing, with("--method", "table", "--tolerance", "1e-2"))) {
             assertThat(xyz[1]).isFinite().isNotNegative();
         }
     }

@@ -33,7 +33,7 @@ class Mp4AnimationTest {
         assumeTrue(found, "ffmpeg is not on the PATH: MP4 animations are not tested");
     }
 
-    /** Frames of odd sides, in one colour each. */
+    /** Frames of odd sides, in one color each. */
     private List<Path> frames() throws IOException {
         List<Path> files = new ArrayList<>();
         for (int i = 0; i < COLORS.length; i++) {
@@ -49,7 +49,7 @@ class Mp4AnimationTest {
     }
 
     @Test
-    void everyFrameIsThereInItsColour() throws Exception {
+    void everyFrameIsThereInItsColor() throws Exception {
         Path target = folder.resolve("animation.mp4");
         Mp4Animation.write(target, Overwrite.REFUSE, frames(), 12.5);
 
@@ -68,7 +68,7 @@ class Mp4AnimationTest {
             for (int shift = 0; shift <= 16; shift += 8) {
                 // 8 bits of luma and chroma in the narrow range, and the encoder's loss: a few steps of 255.
                 assertThat(decoded.getRGB(32, 24) >> shift & 0xff)
-                        .as("colour %06x of frame %d", COLORS[i], i)
+                        .as("color %06x of frame %d", COLORS[i], i)
                         .isCloseTo(COLORS[i] >> shift & 0xff, within(6));
             }
         }

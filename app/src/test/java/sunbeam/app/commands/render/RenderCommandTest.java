@@ -140,7 +140,7 @@ class RenderCommandTest {
             for (int frame = 0; frame < 3; frame++) {
                 BufferedImage drawn = ImageIO.read(
                         frames.resolve("frame-000" + (frame + 1) + ".png").toFile());
-                // 256 colours, each for cells of 8 of 256 steps a channel.
+                // 256 colors, each for cells of 8 of 256 steps a channel.
                 assertThat(meanDifference(reader.read(frame), drawn))
                         .as("difference per channel of frame %d", frame)
                         .isLessThan(8);

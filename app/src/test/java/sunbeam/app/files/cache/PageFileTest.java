@@ -13,9 +13,9 @@ import java.util.Map;
 import java.util.TreeMap;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import sunbeam.precompute.colourtable.KeptPages;
-import sunbeam.precompute.colourtable.LevelBaking;
-import sunbeam.precompute.colourtable.NumberFormat;
+import sunbeam.precompute.colortable.KeptPages;
+import sunbeam.precompute.colortable.LevelBaking;
+import sunbeam.precompute.colortable.NumberFormat;
 import sunbeam.precompute.table.TableLabel;
 
 final class PageFileTest {
@@ -23,7 +23,7 @@ final class PageFileTest {
     private static final String KEY = "surface and plan";
     private static final long PLENTY = 1L << 30;
     private static final int PAGES = 6;
-    private static final String DAMAGED = "cached colours are made again: some are damaged or cut off";
+    private static final String DAMAGED = "cached colors are made again: some are damaged or cut off";
 
     @TempDir
     private Path folder;

@@ -16,8 +16,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import sunbeam.app.terminal.Environment;
 import sunbeam.precompute.color.CieTable;
-import sunbeam.precompute.colourtable.ColourSource;
-import sunbeam.precompute.colourtable.ColourSources;
+import sunbeam.precompute.colortable.ColorSource;
+import sunbeam.precompute.colortable.ColorSources;
 import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.method.MethodPlan;
 import sunbeam.precompute.method.Surface;
@@ -46,8 +46,8 @@ class TableStoreTest {
     private final List<String> warnings = new ArrayList<>();
 
     /** Tables of one array, and how often they were made. */
-    private static final ColourSources NO_COLOURS = (tables, places) -> {
-        throw new AssertionError("no colours are needed");
+    private static final ColorSources NO_COLORS = (tables, places) -> {
+        throw new AssertionError("no colors are needed");
     };
 
     /** A plan of next to nothing. */
@@ -126,23 +126,23 @@ class TableStoreTest {
     void whatIsThereIsNotMadeAgain() {
         Counted plan = new Counted("plan");
 
-        ShaderTables first = store("a").tables(plan, MethodUse.COLOUR, NO_COLOURS);
-        ShaderTables second = store("a").tables(plan, MethodUse.COLOUR, NO_COLOURS);
+        ShaderTables first = store("a").tables(plan, MethodUse.COLOR, NO_COLORS);
+        ShaderTables second = store("a").tables(plan, MethodUse.COLOR, NO_COLORS);
 
         assertThat(plan.made).isOne();
         assertThat(numbers(first)).containsExactly(1, 2, 3);
         assertThat(numbers(second)).containsExactly(1, 2, 3);
-        store("a").tables(plan, MethodUse.SPECTRAL, NO_COLOURS);
+        store("a").tables(plan, MethodUse.SPECTRAL, NO_COLORS);
         assertThat(plan.made).as("another use").isEqualTo(2);
         assertThat(warnings).isEmpty();
     }
 
     @Test
     void whatIsReadCountsAsUsedAndSaysWhatItIs() throws Exception {
-        store("a").tables(new Counted("plan"), MethodUse.COLOUR, NO_COLOURS);
+        store("a").tables(new Counted("plan"), MethodUse.COLOR, NO_COLORS);
         Path file = kept().get(0);
         Files.setLastModifiedTime(file, FileTime.fromMillis(0));
-        store("a").tables(new Counted("plan"), MethodUse.COLOUR, NO_COLOURS);
+        store("a").tables(new Counted("plan"), MethodUse.COLOR, NO_COLORS);
         CacheFolder folder = CacheFolder.of(new Environment(Map.of(), home));
         assertThat(folder.entries()).hasSize(1);
         CacheEntry entry = folder.entries().get(0);
@@ -153,11 +153,11 @@ class TableStoreTest {
 
     @Test
     void aTableThatTheLimitLeavesNoRoomForIsMadeEachTime() throws Exception {
-        store("a").tables(new Counted("plan"), MethodUse.COLOUR, NO_COLOURS);
+        store("a").tables(new Counted("plan"), MethodUse.COLOR, NO_COLORS);
         CacheFolder.of(new Environment(Map.of(), home)).setLimit(0);
         Counted other = new Counted("other");
         for (int run = 0; run < 2; run++) {
-            assertThat(numbers(store("a").tables(other, MethodUse.COLOUR, NO_COLOURS)))
+            assertThat(numbers(store("a").tables(other, MethodUse.COLOR, NO_COLORS)))
                     .containsExactly(1, 2, 3);
         }
         assertThat(other.made).isEqualTo(2);
@@ -167,16 +167,16 @@ class TableStoreTest {
 
     @Test
     void whatBelongsToAnotherPlanIsMadeAgainAndTold() throws Exception {
-        store("a").tables(new Counted("plan"), MethodUse.COLOUR, NO_COLOURS);
+        store("a").tables(new Counted("plan"), MethodUse.COLOR, NO_COLORS);
         Path file = kept().get(0);
         byte[] foreign = Files.readAllBytes(file);
         Files.delete(file);
         Counted other = new Counted("other");
-        store("a").tables(other, MethodUse.COLOUR, NO_COLOURS);
+        store("a").tables(other, MethodUse.COLOR, NO_COLORS);
         Path others = kept().get(0);
         Files.write(others, foreign);
 
-        ShaderTables again = store("a").tables(other, MethodUse.COLOUR, NO_COLOURS);
+        ShaderTables again = store("a").tables(other, MethodUse.COLOR, NO_COLORS);
 
         assertThat(other.made).isEqualTo(2);
         assertThat(numbers(again)).containsExactly(1, 2, 3);
@@ -189,10 +189,8 @@ class TableStoreTest {
         Files.createFile(home.resolve(".cache"));
         Counted plan = new Counted("plan");
 
-        assertThat(numbers(store("a").tables(plan, MethodUse.COLOUR, NO_COLOURS)))
-                .containsExactly(1, 2, 3);
-        assertThat(numbers(store("a").tables(plan, MethodUse.COLOUR, NO_COLOURS)))
-                .containsExactly(1, 2, 3);
+        assertThat(numbers(store("a").tables(plan, MethodUse.COLOR, NO_COLORS))).containsExactly(1, 2, 3);
+        assertThat(numbers(store("a").tables(plan, MethodUse.COLOR, NO_COLORS))).containsExactly(1, 2, 3);
 
         assertThat(plan.made).isEqualTo(2);
         assertThat(warnings).hasSize(2).allMatch(line -> line.startsWith("no cache"));
@@ -212,7 +210,7 @@ class TableStoreTest {
         assertThat(warnings).isEmpty();
     }
 
-    /** Asks for colours twice, as a table does that its trial makes finer; the first ones are 1, the others 2. */
+    /** Asks for colors twice, as a table does that its trial makes finer; the first ones are 1, the others 2. */
     private static final class MadeTwice extends SmallPlan {
         MadeTwice() {
             super("twice");
@@ -223,7 +221,7 @@ class TableStoreTest {
             ShaderTables none = new ShaderTables.Builder("counted").build(1, 1);
             float[] numbers = new float[3];
             for (int time = 0; time < 2; time++) {
-                try (ColourSource source = sources.colours(none, 1)) {
+                try (ColorSource source = sources.colors(none, 1)) {
                     numbers[time] = source.xyz(new float[] {0.1f, 0.2f, -time})[0];
                 }
             }
@@ -236,21 +234,21 @@ class TableStoreTest {
     @Test
     void whoIsStoppedWhileATableIsMadeAgainGoesOnThere() throws Exception {
         List<Float> evaluated = new ArrayList<>();
-        ColourSources stopping = (tables, places) -> uvw -> {
+        ColorSources stopping = (tables, places) -> uvw -> {
             if (uvw[2] < 0) {
                 throw new IllegalStateException("stopped");
             }
             evaluated.add(uvw[2]);
             return new float[] {1, 1, 1};
         };
-        ColourSources going = (tables, places) -> uvw -> {
+        ColorSources going = (tables, places) -> uvw -> {
             evaluated.add(uvw[2]);
             return new float[] {2, 2, 2};
         };
 
-        assertThatThrownBy(() -> store("a").tables(new MadeTwice(), MethodUse.COLOUR, stopping))
+        assertThatThrownBy(() -> store("a").tables(new MadeTwice(), MethodUse.COLOR, stopping))
                 .hasMessage("stopped");
-        ShaderTables made = store("a").tables(new MadeTwice(), MethodUse.COLOUR, going);
+        ShaderTables made = store("a").tables(new MadeTwice(), MethodUse.COLOR, going);
 
         assertThat(numbers(made)).containsExactly(1, 2, 0);
         assertThat(evaluated).as("each once").containsExactly(0f, -1f);

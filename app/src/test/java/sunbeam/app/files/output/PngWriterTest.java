@@ -59,7 +59,7 @@ final class PngWriterTest {
     }
 
     @Test
-    void theColourSpaceIsMarkedAsSrgb() throws IOException {
+    void theColorSpaceIsMarkedAsSrgb() throws IOException {
         Path file = write(SrgbImage.fromArgb(3, 2, PIXELS), Map.of());
         assertThat(new String(Files.readAllBytes(file), StandardCharsets.ISO_8859_1))
                 .contains("sRGB\0");

@@ -125,7 +125,7 @@ final class HeatMapTest {
     }
 
     @Test
-    void theColourBarIsAsHighAsTheMatrix() {
+    void theColorBarIsAsHighAsTheMatrix() {
         BufferedImage image =
                 map(new double[][] {{0.5}}, HeatMap.Reduction.LARGEST).draw(places);
         // Left of it is the gap, right of it are the ticks.
@@ -136,7 +136,7 @@ final class HeatMapTest {
     }
 
     @Test
-    void logarithmicColoursSpanTheirDecadesEvenly() {
+    void logarithmicColorsSpanTheirDecadesEvenly() {
         HeatMap.Colors colors = new HeatMap.Colors("", 1e-4, 1, Plot.Scale.LOGARITHMIC, ColorMap.VIRIDIS);
         assertThat(colors.position(1e-2)).isEqualTo(0.5);
         assertThat(colors.position(0)).isZero();
@@ -144,7 +144,7 @@ final class HeatMapTest {
     }
 
     @Test
-    void coloursGrowLighter() {
+    void colorsGrowLighter() {
         double before = -1;
         for (int i = 0; i <= 50; i++) {
             int color = ColorMap.VIRIDIS.at(i / 50.0);

@@ -29,14 +29,14 @@ class MapAnnotationTest {
         return new MapAnnotation(grey(SIZE), light, List.of(caption)).draw();
     }
 
-    /** The middle of the pixels of a colour inside the map, as x and y of the disc; NaN without any. */
-    private static double[] middle(BufferedImage image, int colour) {
+    /** The middle of the pixels of a color inside the map, as x and y of the disc; NaN without any. */
+    private static double[] middle(BufferedImage image, int color) {
         double x = 0;
         double y = 0;
         int count = 0;
         for (int row = 0; row < SIZE; row++) {
             for (int column = 0; column < SIZE; column++) {
-                if ((image.getRGB(MARGIN + column, MARGIN + row) & 0xffffff) == colour) {
+                if ((image.getRGB(MARGIN + column, MARGIN + row) & 0xffffff) == color) {
                     x += (2.0 * column + 1) / SIZE - 1;
                     y += 1 - (2.0 * row + 1) / SIZE;
                     count++;

@@ -38,23 +38,23 @@ final class PlotTest {
         return new Plot(frame).line("Taylor", terms, taylor).lineWithPoints("Chebyshev", terms, chebyshev);
     }
 
-    private static Set<Integer> colours(BufferedImage image) {
-        Set<Integer> colours = new HashSet<>();
+    private static Set<Integer> colors(BufferedImage image) {
+        Set<Integer> colors = new HashSet<>();
         for (int y = 0; y < image.getHeight(); y++) {
             for (int x = 0; x < image.getWidth(); x++) {
-                colours.add(image.getRGB(x, y));
+                colors.add(image.getRGB(x, y));
             }
         }
-        return colours;
+        return colors;
     }
 
     @Test
-    void seriesAreDrawnOnWhiteInColoursOfTheirOwn() {
+    void seriesAreDrawnOnWhiteInColorsOfTheirOwn() {
         BufferedImage image = errors().draw();
         assertThat(image.getWidth()).isEqualTo(900);
         assertThat(image.getHeight()).isEqualTo(600);
         assertThat(image.getRGB(0, 0)).isEqualTo(0xffffffff);
-        assertThat(colours(image)).contains(BLUE, VERMILION);
+        assertThat(colors(image)).contains(BLUE, VERMILION);
     }
 
     @Test
@@ -73,11 +73,11 @@ final class PlotTest {
         assertThat(count(with, RING)).isGreaterThan(count(without, RING));
     }
 
-    private static int count(BufferedImage image, int colour) {
+    private static int count(BufferedImage image, int color) {
         int count = 0;
         for (int y = 0; y < image.getHeight(); y++) {
             for (int x = 0; x < image.getWidth(); x++) {
-                count += image.getRGB(x, y) == colour ? 1 : 0;
+                count += image.getRGB(x, y) == color ? 1 : 0;
             }
         }
         return count;
@@ -89,7 +89,7 @@ final class PlotTest {
         BufferedImage image = new Plot(frame)
                 .points("one", new double[] {3}, new double[] {1e-4})
                 .draw();
-        assertThat(colours(image)).contains(BLUE);
+        assertThat(colors(image)).contains(BLUE);
     }
 
     @Test

@@ -8,7 +8,7 @@ import org.junit.jupiter.api.Test;
 
 final class ErrorStatisticsTest {
     @Test
-    void quantilesLieBetweenTheirNeighboursInAnyOrder() {
+    void quantilesLieBetweenTheirNeighborsInAnyOrder() {
         double[] shuffled =
                 IntStream.range(0, 101).mapToDouble(i -> (i * 37) % 101).toArray();
         ErrorStatistics statistics = ErrorStatistics.of(shuffled);
@@ -41,7 +41,7 @@ final class ErrorStatisticsTest {
     }
 
     @Test
-    void aColoursErrorIsRelativeToItsStrongestChannel() {
+    void aColorsErrorIsRelativeToItsStrongestChannel() {
         double error = RelativeError.ofColor(new double[] {0.5, 0.2, 0.02}, new double[] {0.5, 0.21, 0.01});
         assertThat(error).isCloseTo(0.02, within(1e-12));
     }

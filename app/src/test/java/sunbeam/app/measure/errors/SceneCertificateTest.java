@@ -28,10 +28,10 @@ class SceneCertificateTest {
     @Test
     void pixelsWithMuchDiffractedLightAreToldApart() {
         List<Comparison> body = Collections.nCopies(60, pixel(0.5, 0.5));
-        List<Comparison> colours = List.of(pixel(0.1, 0.2), pixel(0.2, 0.2));
+        List<Comparison> colors = List.of(pixel(0.1, 0.2), pixel(0.2, 0.2));
         List<Comparison> all = new ArrayList<>(body);
-        all.addAll(colours);
-        SceneCertificate certificate = SceneCertificate.of(all, 1, colours);
+        all.addAll(colors);
+        SceneCertificate certificate = SceneCertificate.of(all, 1, colors);
         assertThat(certificate.missed()).as("by the median of all").isFalse();
         assertThat(certificate.summary())
                 .contains("in 2 of them, where more than a tenth of the light is diffracted", "which are few");

@@ -79,7 +79,7 @@ class SceneTableTest {
     }
 
     @Test
-    void pixelsThatSeePointsHaveTheColoursOfFull() {
+    void pixelsThatSeePointsHaveTheColorsOfFull() {
         int width = 24;
         int height = 18;
         try (RenderContext context = RenderContexts.offscreen();

@@ -133,7 +133,7 @@ class SnakeMeshTest {
             for (int vertex = 0; vertex < SNAKE.vertices(); vertex += 3) {
                 double other = SNAKE.textureCoordinates()[2 * vertex];
                 Vector3d relative = MeshChecks.position(SNAKE, vertex).sub(center);
-                // The neighbourhood along the body always touches; a coil's inner side is 0.1 of the body long.
+                // The neighborhood along the body always touches; a coil's inner side is 0.1 of the body long.
                 if (Math.abs(other - place) > 0.06 && Math.abs(relative.dot(forward)) < SURFACE.length() / sections) {
                     double x = relative.dot(right) / profile.halfWidth(place);
                     double height = relative.dot(up);

@@ -56,7 +56,7 @@ class BodyTexturesTest {
     }
 
     @Test
-    void greyPicturesAreAsBrightAsColouredOnesOfTheSameNumbers() throws IOException {
+    void greyPicturesAreAsBrightAsColoredOnesOfTheSameNumbers() throws IOException {
         for (int type :
                 new int[] {BufferedImage.TYPE_INT_RGB, BufferedImage.TYPE_BYTE_GRAY, BufferedImage.TYPE_USHORT_GRAY}) {
             BufferedImage image = new BufferedImage(3, 2, type);

@@ -76,7 +76,7 @@ class MethodOptionsTest {
                 "--terms 1.5|--terms \"1.5\" is no whole number",
                 "--radius -1|--radius -1 is out of range; give 0 to 15",
                 "--wavelength-step 300nm|--wavelength-step 300 nm is out of range; give 1 pm to 200 nm",
-                "--anchor floor|--anchor floor is the middle of a neighbourhood of bins, but no radius is given; add for"
+                "--anchor floor|--anchor floor is the middle of a neighborhood of bins, but no radius is given; add for"
                         + " example --radius 3",
                 "--method nmm --interpolation sinc|--interpolation sinc belongs to --method pq, not nmm; leave it out",
                 "--replicas 3|--replicas 3 belongs to --method pq or reference, not full; leave it out or use --method pq",

@@ -58,7 +58,7 @@ final class FingerRow {
         return line[place];
     }
 
-    /** 0 on the ridge of a finger, 1 midway to its neighbour. */
+    /** 0 on the ridge of a finger, 1 midway to its neighbor. */
     double phi(double place) {
         return at(phi, place);
     }

@@ -5,7 +5,7 @@ package sunbeam.precompute.patch.builtin;
  * the row below. Heights in metres against the mean surface.
  *
  * <p>With t = 0 at the tips and t = 1 where the next row begins, and phi = 0 on a finger's ridge and 1 midway to its
- * neighbour, the edge is at t = length (1 - (1 - phi^tipExponent)^baseExponent).
+ * neighbor, the edge is at t = length (1 - (1 - phi^tipExponent)^baseExponent).
  *
  * @param length from the tips to the bottom of the notches between them, as a fraction of the rows' distance
  * @param tipExponent small: pointed tips; large: blunt ones

@@ -88,7 +88,7 @@ final class RowPlacer {
         double[] lengths = new double[count];
         double sum = 0;
         for (int i = 0; i < count; i++) {
-            // A length below 40 % would turn two neighbours into one.
+            // A length below 40 % would turn two neighbors into one.
             lengths[i] = Math.max(0.4, 1 + deviations[i]);
             sum += lengths[i];
         }
@@ -118,7 +118,7 @@ final class RowPlacer {
         return values;
     }
 
-    /** Gaussian mean over neighbouring rows, round the period, with the standard deviation restored. */
+    /** Gaussian mean over neighboring rows, round the period, with the standard deviation restored. */
     private static double[][] smoothedOverRows(double[][] values, double sigma) {
         int rows = values.length;
         double[][] smooth = new double[rows][values[0].length];

@@ -8,7 +8,7 @@ final class SnakeSkins {
 
     private SnakeSkins() {}
 
-    /** Elaphe guttata: long pointed fingers in columns that run on over many rows, so colours lie along x only. */
+    /** Elaphe guttata: long pointed fingers in columns that run on over many rows, so colors lie along x only. */
     static FingerSkin elapheLike() {
         RowLayout layout = new RowLayout(
                 21, // rows: 3.1 um apart
@@ -40,7 +40,7 @@ final class SnakeSkins {
         return new FingerSkin(SIDE, SAMPLES, layout, shape, new Ground(34e-9, 3.6, 24, 6e-9, 60e-9), 1);
     }
 
-    /** Xenopeltis unicolor: blunt short fingers in independent, meandering rows, so colours spread about y. */
+    /** Xenopeltis unicolor: blunt short fingers in independent, meandering rows, so colors spread about y. */
     static FingerSkin xenopeltisLike() {
         RowLayout layout = new RowLayout(
                 42, // rows: 1.55 um apart

@@ -24,7 +24,7 @@ record PointGrid(Axis axisX, Axis axisY, double[] heights) {
      * Equidistant coordinates.
      *
      * @param first smallest coordinate
-     * @param pitch distance of neighbours
+     * @param pitch distance of neighbors
      * @param count how many
      */
     record Axis(double first, double pitch, int count) {
@@ -51,7 +51,7 @@ record PointGrid(Axis axisX, Axis axisY, double[] heights) {
             Arrays.sort(gaps);
             double standstill = MOST_OFF * 2 * gaps[gaps.length - 1];
             double[] steps = Arrays.stream(gaps).filter(gap -> gap > standstill).toArray();
-            // A line at each different coordinate, or, where lines lack all points, in steps as most neighbours have.
+            // A line at each different coordinate, or, where lines lack all points, in steps as most neighbors have.
             double usual = range / steps[steps.length / 2];
             return DoubleStream.of(steps.length, Math.rint(usual))
                     .filter(intervals -> intervals >= 1 && intervals <= sorted.length)

@@ -1,0 +1,142 @@
+package sunbeam.app.gpu.colors;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.LongConsumer;
+import jrtr.Binding;
+import jrtr.FloatFormat;
+import jrtr.FloatTarget;
+import jrtr.FloatTargetSpec;
+import jrtr.FloatTexture;
+import jrtr.FloatTextureSpec;
+import jrtr.RenderContext;
+import jrtr.ShaderProgram;
+import jrtr.Tile;
+import jrtr.gl.RenderContexts;
+import sunbeam.app.gpu.CutLoops;
+import sunbeam.app.gpu.UploadedTables;
+import sunbeam.app.terminal.progress.Progress;
+import sunbeam.precompute.colortable.ColorSource;
+import sunbeam.precompute.colortable.MortonOrder;
+import sunbeam.precompute.shader.ShaderTables;
+
+/** Colors by a method's shader (shaders/colors.frag), in a context of its own, so that any thread may ask for them. */
+public final class GpuColors implements ColorSource {
+    // Side of the squares that are drawn at once: enough for all processors of a software renderer, little enough for
+    // slow
+    // drivers.
+    private static final int SIDE = 128;
+
+    // Fourth component of places that are asked for; of others it is 0.
+    private static final float ASKED = 1;
+
+    private final RenderContext context;
+    private final LongConsumer done;
+    private final Runnable end;
+    private UploadedTables method;
+    private ShaderProgram program;
+    private FloatTexture places;
+    private FloatTarget target;
+    private final List<Binding> bindings = new ArrayList<>();
+
+    private GpuColors(RenderContext context, LongConsumer done, Runnable end) {
+        this.context = context;
+        this.done = done;
+        this.end = end;
+    }
+
+    /**
+     * Uploads a method's tables.
+     *
+     * @param places that will be asked for in all
+     * @throws jrtr.GraphicsException if the device has no room for them
+     */
+    public static GpuColors of(ShaderTables tables, long places) {
+        return of("Colors", tables, places);
+    }
+
+    /**
+     * Uploads a method's tables.
+     *
+     * @param label of the progress: whose colors
+     * @param places that will be asked for in all
+     * @throws jrtr.GraphicsException if the device has no room for them
+     */
+    public static GpuColors of(String label, ShaderTables tables, long places) {
+        RenderContext context = RenderContexts.offscreen();
+        Progress progress = Progress.start(label, places);
+        return prepared(new GpuColors(context, progress::step, progress::close), tables);
+    }
+
+    /**
+     * Uploads a method's tables; progress is somebody else's business.
+     *
+     * @param done told how many more places are done
+     * @throws jrtr.GraphicsException if the device has no room for them
+     */
+    public static GpuColors of(ShaderTables tables, LongConsumer done) {
+        return prepared(new GpuColors(RenderContexts.offscreen(), done, () -> {}), tables);
+    }
+
+    private static GpuColors prepared(GpuColors colors, ShaderTables tables) {
+        try {
+            colors.prepare(tables);
+            return colors;
+        } catch (RuntimeException | Error failure) {
+            colors.close();
+            throw failure;
+        }
+    }
+
+    private void prepare(ShaderTables tables) {
+        method = UploadedTables.upload(context, tables);
+        program = method.program("colors.frag");
+        places = context.createFloatTexture("places", FloatTextureSpec.flat(SIDE, SIDE, FloatFormat.RGBA32F));
+        target = context.createFloatTarget("colors", FloatTargetSpec.color(SIDE, SIDE));
+        bindings.addAll(method.bindings());
+        bindings.add(new Binding("places", places));
+    }
+
+    @Override
+    public float[] xyz(float[] uvw) {
+        int count = uvw.length / 3;
+        float[] xyz = new float[uvw.length];
+        for (int start = 0; start < count; start += SIDE * SIDE) {
+            int batch = Math.min(SIDE * SIDE, count - start);
+            batch(uvw, xyz, start, batch);
+            done.accept(batch);
+        }
+        return xyz;
+    }
+
+    /** Places that follow each other lie beside each other: fragments that are drawn together read nearly the same. */
+    private void batch(float[] uvw, float[] xyz, int start, int count) {
+        float[] texels = new float[4 * SIDE * SIDE];
+        int rows = 0;
+        for (int i = 0; i < count; i++) {
+            System.arraycopy(uvw, 3 * (start + i), texels, 4 * texel(i), 3);
+            texels[4 * texel(i) + 3] = ASKED;
+            rows = Math.max(rows, MortonOrder.y(i) + 1);
+        }
+        places.upload(texels);
+        // Tiles count rows from the top, texels from the bottom.
+        Tile tile = new Tile(0, SIDE - rows, SIDE, rows);
+        context.drawFullScreen(program, bindings, target, tile);
+        float[] rgba = CutLoops.checked(target.read(0, tile));
+        for (int i = 0; i < count; i++) {
+            int row = rows - 1 - MortonOrder.y(i);
+            System.arraycopy(rgba, 4 * (row * SIDE + MortonOrder.x(i)), xyz, 3 * (start + i), 3);
+        }
+    }
+
+    private static int texel(int number) {
+        return MortonOrder.y(number) * SIDE + MortonOrder.x(number);
+    }
+
+    @Override
+    public void close() {
+        end.run();
+        // It owns all that lives in it.
+        context.close();
+    }
+}

@@ -1,0 +1,353 @@
+package sunbeam.app.gpu.colors;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.BitSet;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.function.IntUnaryOperator;
+import java.util.stream.IntStream;
+import jrtr.Binding;
+import jrtr.GraphicsException;
+import jrtr.RenderContext;
+import sunbeam.precompute.colortable.LevelBaking;
+import sunbeam.precompute.colortable.LevelGrid;
+import sunbeam.precompute.colortable.NumberFormat;
+import sunbeam.precompute.colortable.PageMarks;
+import sunbeam.precompute.colortable.TableLevels;
+import sunbeam.precompute.plan.MemoryNeed;
+
+/**
+ * Levels of colors in graphics memory, of which those pages are made that pixels look into. Belongs to its context's thread.
+ */
+public final class LevelPages implements AutoCloseable {
+    // They lie in one texture.
+    private static final long MOST_TEXTURE_BYTES = MemoryNeed.LARGEST_TEXTURE_BYTES;
+    private static final double USABLE_HEAP = 0.8;
+    private static final double MEGABYTE = 1e6;
+    private static final int CHANNELS = 4;
+    // Some seconds of one processor.
+    private static final int MOST_RESIDENT = 6000;
+    // Pixels whose pages are found by one processor at a time: about a millisecond's work.
+    private static final int NOTED_TOGETHER = 1 << 10;
+
+    private final PageSources sources;
+    private final List<LevelGrid> grids;
+    private final List<BitSet> wanted = new ArrayList<>();
+    private final List<BitSet> made = new ArrayList<>();
+    private final PageCells cells;
+    // Coarse levels as a whole, so that whatever comes into view has colors at once.
+    private final List<BitSet> resident = new ArrayList<>();
+    private boolean residentThere;
+    private boolean coarsestKept;
+    // What was asked of the background last.
+    private List<BitSet> requested = List.of();
+    private Optional<PageBaker> baker = Optional.empty();
+
+    /** Nothing is made yet. */
+    public LevelPages(RenderContext context, LevelSources levels) {
+        this.sources = new PageSources(levels);
+        this.grids = sources.grids();
+        grids.forEach(grid -> {
+            wanted.add(new BitSet());
+            made.add(new BitSet());
+            resident.add(new BitSet());
+        });
+        chooseResident();
+        this.cells = new PageCells(context, levels.levels(), grids);
+    }
+
+    private void chooseResident() {
+        int pages = 0;
+        for (int level = grids.size() - 1; level >= 0; level--) {
+            BitSet all = grids.get(level).reachable();
+            pages += all.cardinality();
+            if (pages > MOST_RESIDENT) {
+                return;
+            }
+            resident.set(level, all);
+        }
+    }
+
+    /** Whether every look-up finds a page of a coarse level. */
+    public boolean hasResident() {
+        // Pages never go again, and this is asked for each frame.
+        residentThere = residentThere || isResidentThere();
+        return residentThere;
+    }
+
+    private boolean isResidentThere() {
+        if (resident.get(resident.size() - 1).isEmpty()) {
+            return false;
+        }
+        for (int level = 0; level < resident.size(); level++) {
+            if (!isThere(level)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /** The levels. */
+    public TableLevels levels() {
+        return sources.levels();
+    }
+
+    /**
+     * Notes what pixels look into.
+     *
+     * @param places as shaders/looks.frag has it: u, v, w and level
+     * @param wide change of u, v, w along the wide side of what the pixel sees, and number of places
+     * @param narrow change of u, v, w along the narrow side, and number of places
+     * @param count of the pixels
+     * @param at where in these arrays a pixel begins
+     */
+    public void note(float[] places, float[] wide, float[] narrow, int count, IntUnaryOperator at) {
+        int parts = (count + NOTED_TOGETHER - 1) / NOTED_TOGETHER;
+        IntStream.range(0, parts)
+                .parallel()
+                .mapToObj(part -> {
+                    List<BitSet> noted = none();
+                    List<PageMarks> marks = IntStream.range(0, grids.size())
+                            .mapToObj(level -> new PageMarks(grids.get(level), noted.get(level)))
+                            .toList();
+                    int end = Math.min(count, (part + 1) * NOTED_TOGETHER);
+                    for (int i = part * NOTED_TOGETHER; i < end; i++) {
+                        note(places, wide, narrow, at.applyAsInt(i), marks);
+                    }
+                    return noted;
+                })
+                .forEachOrdered(noted -> {
+                    for (int level = 0; level < noted.size(); level++) {
+                        wanted.get(level).or(noted.get(level));
+                    }
+                });
+    }
+
+    private void note(float[] places, float[] wide, float[] narrow, int at, List<PageMarks> marks) {
+        int level = (int) places[at + 3];
+        if (level < 0) {
+            return;
+        }
+        int columns = (int) wide[at + 3];
+        int rows = (int) narrow[at + 3];
+        double[] uvw = new double[CHANNELS - 1];
+        for (int i = 0; i < columns; i++) {
+            for (int j = 0; j < rows; j++) {
+                for (int axis = 0; axis < uvw.length; axis++) {
+                    uvw[axis] = places[at + axis]
+                            + ((i + 0.5) / columns - 0.5) * wide[at + axis]
+                            + ((j + 0.5) / rows - 0.5) * narrow[at + axis];
+                }
+                marks.get(level).mark(uvw[0], uvw[1], uvw[2]);
+            }
+        }
+    }
+
+    /**
+     * Makes what was noted and is missing.
+     *
+     * @throws GraphicsException if there is no room for it
+     */
+    public void make() {
+        for (int level = 0; level < grids.size(); level++) {
+            wanted.get(level).andNot(made.get(level));
+        }
+        if (count(wanted) == 0) {
+            return; // without waiting for what the background makes at the moment
+        }
+        requireRoom();
+        cells.expect(count(made) + count(wanted));
+        sources.bakeAll(
+                wanted,
+                (level, coefficients) -> add(level, wanted.get(level).stream().toArray(), coefficients));
+        wanted.forEach(BitSet::clear);
+    }
+
+    private void add(int level, int[] pages, List<byte[]> coefficients) {
+        for (int i = 0; i < pages.length; i++) {
+            if (!made.get(level).get(pages[i])) {
+                cells.add(level, pages[i], coefficients.get(i));
+                made.get(level).set(pages[i]);
+            }
+        }
+    }
+
+    /**
+     * From now on {@link #request} has pages made in the background; the coarsest level is begun at once.
+     *
+     * @param forAnyLight whether other coarse levels are begun at once, too, and not after what is requested
+     * @param arrived told, by another thread, that {@link #takeBaked} has something to take
+     */
+    public void bakeInBackground(boolean forAnyLight, Runnable arrived) {
+        if (baker.isEmpty()) {
+            int last = grids.size() - 1;
+            coarsestKept = !sources.kept(last, resident.get(last)).isEmpty();
+            baker = Optional.of(new PageBaker(sources, arrived));
+            List<BitSet> first = copyOf(forAnyLight ? resident : none());
+            first.get(last).or(resident.get(last));
+            baker.get().want(first, none());
+        }
+    }
+
+    private List<BitSet> none() {
+        return grids.stream().map(grid -> new BitSet()).toList();
+    }
+
+    private static List<BitSet> copyOf(List<BitSet> pages) {
+        return pages.stream().map(level -> (BitSet) level.clone()).toList();
+    }
+
+    /**
+     * Takes over what has been made in the background.
+     *
+     * @return whether there was anything
+     */
+    public boolean takeBaked() {
+        boolean some = false;
+        while (baker.isPresent()) {
+            Optional<PageBaker.Baked> baked = baker.get().poll();
+            if (baked.isEmpty()) {
+                break;
+            }
+            // Pages come in the order of what is seen, coefficients in that of numbers.
+            int[] pages = Arrays.stream(baked.get().pages()).sorted().toArray();
+            add(baked.get().level(), pages, baked.get().coefficients());
+            some = true;
+        }
+        return some;
+    }
+
+    /** Leaves the processors to what is being drawn for a while. */
+    public void holdBaking() {
+        baker.ifPresent(PageBaker::hold);
+    }
+
+    /** Whether every look-up finds a page, if only of the coarsest level. */
+    public boolean hasCoarsest() {
+        int last = grids.size() - 1;
+        return !resident.get(last).isEmpty() && isThere(last);
+    }
+
+    /** Whether an earlier run has kept some of the coarsest level, so that the background has it soon. */
+    public boolean hasKeptCoarsest() {
+        return coarsestKept;
+    }
+
+    private boolean isThere(int level) {
+        BitSet missing = (BitSet) resident.get(level).clone();
+        missing.andNot(made.get(level));
+        return missing.isEmpty();
+    }
+
+    /** Share of what was noted that is there already, 1 for all. */
+    public double share() {
+        return share(wanted);
+    }
+
+    /** Share of what was requested last that is there already, 1 for all. */
+    public double requestedShare() {
+        return share(requested);
+    }
+
+    private double share(List<BitSet> pages) {
+        long all = count(pages);
+        long there = 0;
+        for (int level = 0; level < pages.size(); level++) {
+            BitSet both = (BitSet) pages.get(level).clone();
+            both.and(made.get(level));
+            there += both.cardinality();
+        }
+        return all == 0 ? 1 : (double) there / all;
+    }
+
+    /**
+     * Asks the background for what was noted, in the place of what it was asked for before.
+     *
+     * @throws GraphicsException if there is no room for it
+     */
+    public void request() {
+        requested = List.of();
+        requestToo();
+    }
+
+    /** As {@link #request}, beside what it was asked for before. */
+    public void requestToo() {
+        for (int level = 0; level < requested.size(); level++) {
+            wanted.get(level).or(requested.get(level));
+        }
+        wanted.get(grids.size() - 1).or(resident.get(grids.size() - 1));
+        List<BitSet> asked = copyOf(wanted);
+        for (int level = 0; level < grids.size(); level++) {
+            wanted.get(level).andNot(made.get(level));
+        }
+        List<BitSet> missing = copyOf(wanted);
+        requireRoom();
+        cells.expect(count(made) + count(wanted));
+        requested = asked;
+        wanted.forEach(BitSet::clear);
+        baker.orElseThrow().want(missing, copyOf(resident));
+    }
+
+    /** Goes back on what was noted. */
+    public void forget() {
+        wanted.forEach(BitSet::clear);
+    }
+
+    private static long count(List<BitSet> pages) {
+        return pages.stream().mapToLong(BitSet::cardinality).sum();
+    }
+
+    private void requireRoom() {
+        long pages = count(made) + count(wanted);
+        NumberFormat numbers = sources.levels().numbers();
+        long textures = PageCells.bytes(pages, numbers);
+        // A copy of the textures, which lies beside the heap but may take as much, the samples, and both while they are
+        // made.
+        long heap = textures + LevelBaking.sampleBytes(2 * pages) + PageCells.bytes(count(wanted), numbers);
+        long most = Runtime.getRuntime().maxMemory();
+        if (textures > MOST_TEXTURE_BYTES || heap > USABLE_HEAP * most) {
+            throw new GraphicsException(String.format(
+                    Locale.ROOT,
+                    "the colors that this picture sees take %.0f MB of textures and %.0f MB of Java's heap, which may take"
+                            + " %.0f MB; give a coarser tolerance, a shorter coherence length, a smaller picture or"
+                            + " method full (--method full); SUNBEAM_JAVA_OPTIONS=-Xmx%dm allows more",
+                    textures / MEGABYTE,
+                    heap / MEGABYTE,
+                    most / MEGABYTE,
+                    (long) (heap / USABLE_HEAP / (1 << 20)) + 1));
+        }
+    }
+
+    /** Pages that exist, of all levels. */
+    public long pages() {
+        return count(made);
+    }
+
+    /** Cells along the side of a layer of texels, as the shader asks. */
+    public int cellsAcross() {
+        return PageCells.ACROSS;
+    }
+
+    /** Texels along that side. */
+    public int layerSide() {
+        return PageCells.LAYER_SIDE;
+    }
+
+    /** Pages along a side of their list. */
+    public int columns() {
+        return grids.get(0).columns();
+    }
+
+    /** The textures, by the names of their samplers; valid until more is made. */
+    public List<Binding> bindings() {
+        return cells.bindings();
+    }
+
+    @Override
+    public void close() {
+        baker.ifPresentOrElse(PageBaker::close, sources::close);
+        cells.close();
+    }
+}

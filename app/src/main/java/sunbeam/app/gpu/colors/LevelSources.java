@@ -1,0 +1,32 @@
+package sunbeam.app.gpu.colors;
+
+import java.util.function.LongConsumer;
+import sunbeam.precompute.colortable.ColorSource;
+import sunbeam.precompute.colortable.KeptPages;
+import sunbeam.precompute.colortable.TableLevels;
+
+/** By what levels of colors are made. */
+public interface LevelSources {
+
+    /** The levels. */
+    TableLevels levels();
+
+    /** Pages that are kept for later runs, to be closed by the caller; may be none. */
+    default KeptPages kept() {
+        return KeptPages.NONE;
+    }
+
+    /** Makes what all levels need, if they will need it: without effect on what they give. Any thread may do so. */
+    default void prepare() {}
+
+    /** Keeps for later runs what else was made on the way; takes part of a second, for when nobody waits. */
+    default void settle() {}
+
+    /**
+     * A source of a level's colors, to be closed by the caller.
+     *
+     * @param level its number
+     * @param done told, from any thread, how many more places are done
+     */
+    ColorSource open(int level, LongConsumer done);
+}

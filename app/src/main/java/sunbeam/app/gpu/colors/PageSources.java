@@ -1,0 +1,149 @@
+package sunbeam.app.gpu.colors;
+
+import java.util.ArrayList;
+import java.util.BitSet;
+import java.util.Iterator;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.function.BiConsumer;
+import sunbeam.app.terminal.progress.Progress;
+import sunbeam.precompute.colortable.ColorSource;
+import sunbeam.precompute.colortable.KeptPages;
+import sunbeam.precompute.colortable.LevelBaking;
+import sunbeam.precompute.colortable.LevelGrid;
+import sunbeam.precompute.colortable.TableLevels;
+
+/** Makes pages of levels; one thread at a time. */
+final class PageSources implements AutoCloseable {
+    private final LevelSources sources;
+    private final List<LevelGrid> grids = new ArrayList<>();
+    private final List<LevelBaking> bakings = new ArrayList<>();
+    // By level: what a source needs takes longer to get than a few colors.
+    private final Map<Integer, ColorSource> opened = new TreeMap<>();
+    private Progress progress = Progress.none();
+    // Of what is being made: the background pauses, whoever waits for colors does not.
+    private volatile Runnable between = PageSources::goOn;
+    // Opened when the first page is asked for.
+    private KeptPages kept;
+
+    PageSources(LevelSources sources) {
+        this.sources = sources;
+        for (TableLevels.Level level : sources.levels().levels()) {
+            LevelGrid grid = LevelGrid.of(level);
+            grids.add(grid);
+            bakings.add(new LevelBaking(grid, sources.levels().numbers()));
+        }
+    }
+
+    /** The levels. */
+    TableLevels levels() {
+        return sources.levels();
+    }
+
+    private static void goOn() {
+        // without a pause
+    }
+
+    private void evaluated(long places) {
+        if (places > 0) {
+            progress.step(places);
+        }
+        between.run();
+    }
+
+    /** Where the pages of each level lie. */
+    List<LevelGrid> grids() {
+        return grids;
+    }
+
+    /**
+     * Makes pages of a level, in the order of their numbers; those that are made at the moment are waited for.
+     *
+     * @param pause run now and then meanwhile, by any thread, which goes on when it returns
+     */
+    synchronized List<byte[]> bake(int level, BitSet pages, Runnable pause) {
+        between = pause;
+        try {
+            return bake(level, pages);
+        } finally {
+            between = PageSources::goOn;
+        }
+    }
+
+    private List<byte[]> bake(int level, BitSet pages) {
+        Map<Integer, byte[]> all = new TreeMap<>(kept().read(level, pages));
+        BitSet missing = (BitSet) pages.clone();
+        all.keySet().forEach(missing::clear);
+        if (!missing.isEmpty()) {
+            LevelBaking baking = bakings.get(level);
+            ColorSource source = opened.computeIfAbsent(level, number -> sources.open(number, this::evaluated));
+            Iterator<byte[]> coefficients = baking.bake(missing, source).iterator();
+            Map<Integer, byte[]> made = new TreeMap<>();
+            missing.stream().forEach(page -> made.put(page, coefficients.next()));
+            kept().keep(level, made);
+            all.putAll(made);
+        }
+        return List.copyOf(all.values());
+    }
+
+    /**
+     * As {@link #bake}, of all levels, with its progress.
+     *
+     * @param pages by level
+     * @param made told of each level what was made
+     */
+    void bakeAll(List<BitSet> pages, BiConsumer<Integer, List<byte[]>> made) {
+        try (Progress shown = Progress.start("making colors", missing(pages))) {
+            progress = shown;
+            for (int level = 0; level < pages.size(); level++) {
+                if (!pages.get(level).isEmpty()) {
+                    made.accept(level, bake(level, pages.get(level), PageSources::goOn));
+                }
+            }
+        } finally {
+            progress = Progress.none();
+        }
+    }
+
+    /** Places that must be evaluated. */
+    private synchronized long missing(List<BitSet> pages) {
+        long places = 0;
+        for (int level = 0; level < pages.size(); level++) {
+            BitSet missing = (BitSet) pages.get(level).clone();
+            if (!missing.isEmpty()) {
+                missing.andNot(kept().kept(level, missing));
+                places += bakings.get(level).missing(missing);
+            }
+        }
+        return places;
+    }
+
+    /** Those of some pages that were made by an earlier run, and take no time now. */
+    synchronized BitSet kept(int level, BitSet pages) {
+        return kept().kept(level, pages);
+    }
+
+    private KeptPages kept() {
+        if (kept == null) {
+            kept = sources.kept();
+        }
+        return kept;
+    }
+
+    /** Keeps for later runs what else was made on the way. */
+    void settle() {
+        sources.settle();
+    }
+
+    @Override
+    public synchronized void close() {
+        settle();
+        opened.values().forEach(ColorSource::close);
+        opened.clear();
+        if (kept != null) {
+            kept.close();
+            kept = null;
+        }
+    }
+}

@@ -1,2 +1,0 @@
-/** Colours at any (u, v, w), evaluated by the shaders: what tables of colours are made of. */
-package sunbeam.app.gpu.colours;

@@ -1,0 +1,43 @@
+package sunbeam.precompute.colortable;
+
+/** How a level's colors are interpolated between its texels, in square roots of X, Y and Z. */
+public enum Interpolation {
+    /** By cubic B-splines through them: 16 coefficients each, right at every place. */
+    CUBIC(0, LevelBaking.MARGIN) {
+        @Override
+        void toCoefficients(float[] plane, int rows, int columns) {
+            CubicSpline.alongColumns(plane, rows, columns);
+        }
+    },
+    /**
+     * By straight lines through them that are shifted against them ({@link ShiftedLines}): 4 coefficients each, for means over several
+     * places.
+     */
+    SHIFTED_LINES(ShiftedLines.SHIFT, 0) {
+        @Override
+        void toCoefficients(float[] plane, int rows, int columns) {
+            ShiftedLines.alongColumns(plane, rows, columns);
+        }
+    };
+
+    private final double shift;
+    private final int marginBehind;
+
+    Interpolation(double shift, int marginBehind) {
+        this.shift = shift;
+        this.marginBehind = marginBehind;
+    }
+
+    /** By how many texels a coefficient lies behind its sample, along u and along v. */
+    public double shift() {
+        return shift;
+    }
+
+    /** Samples behind a page that its coefficients depend on. */
+    int marginBehind() {
+        return marginBehind;
+    }
+
+    /** Turns samples into coefficients along columns, in place. */
+    abstract void toCoefficients(float[] plane, int rows, int columns);
+}

@@ -1,0 +1,127 @@
+package sunbeam.precompute.colortable;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.List;
+import java.util.Random;
+import java.util.stream.DoubleStream;
+import java.util.stream.IntStream;
+import sunbeam.precompute.numerics.Quantiles;
+import sunbeam.precompute.optics.Direction;
+import sunbeam.precompute.optics.DirectionPair;
+import sunbeam.precompute.plan.ErrorBudget;
+import sunbeam.precompute.plan.Reach;
+
+/**
+ * By how much a table errs beside what it was made of, at random directions that it was not made at: differences of X, Y, Z
+ * relative to the largest of them, where that or the table's is above {@link ErrorBudget#DARKEST_POWER}. Light where there should
+ * be none is measured by that power, and what is no number errs infinitely, as in certificates.
+ *
+ * @param count directions that were bright enough
+ * @param median of the errors, 0 where there is none
+ * @param percentile95 of them
+ * @param percentile98 of them
+ */
+record TableErrors(int count, double median, double percentile95, double percentile98) {
+    // Of errors that fall as one over their share, the 95th percentile of so many is known within a tenth.
+    private static final int ENOUGH = 2000;
+    // Nearly all that a grating shows is dark: so many directions are tried at most.
+    private static final int PLACES = 20 * ENOUGH;
+    private static final long SEED = 20140607;
+
+    // What the source leaves of a tolerance, of which it may take half, and of the three times that 5 % may exceed.
+    // Where
+    // errors have a long tail, a certificate of a hundred pixels finds twice the 95th percentile in one of twenty.
+    static final double PROMISED_PERCENTILE = 3;
+    private static final double MEDIAN_SHARE = 0.5;
+    private static final double PERCENTILE_SHARE = 1.25;
+    // As few may exceed what 5 % may, lest samples of fifty directions find three in more than one of twelve.
+    private static final double PERCENTILE_98_SHARE = 3;
+    // Neither source nor table know colors better than float32 does, and both err.
+    private static final double ROUNDING = 2e-5;
+    private static final double ROUNDING_PERCENTILE = 2 * ErrorBudget.FLOAT32_PERCENTILE;
+
+    /** Directions that a table may be tried at: of one light the views, evenly as an orthographic map shows them. */
+    static List<DirectionPair> places(Reach reach) {
+        Random random = new Random(SEED);
+        List<DirectionPair> places = new ArrayList<>();
+        if (reach instanceof Reach.OneLight one) {
+            while (places.size() < PLACES) {
+                double x = 2 * random.nextDouble() - 1;
+                double y = 2 * random.nextDouble() - 1;
+                double height = 1 - x * x - y * y;
+                if (height > 0) {
+                    places.add(new DirectionPair(one.light(), new Direction(x, y, Math.sqrt(height))));
+                }
+            }
+        } else if (reach instanceof Reach.Pairs some) {
+            places.addAll(some.pairs());
+            Collections.shuffle(places, random);
+            return places.subList(0, Math.min(places.size(), PLACES));
+        }
+        return places;
+    }
+
+    /** Tries a table, until enough of the directions are bright. */
+    static TableErrors of(TableLookUp table, ColorSource source, List<DirectionPair> places) {
+        double[] errors = {};
+        for (int start = 0; start < places.size() && errors.length < ENOUGH; start += ENOUGH) {
+            List<DirectionPair> some = places.subList(start, Math.min(places.size(), start + ENOUGH));
+            errors = DoubleStream.concat(Arrays.stream(errors), errors(table, source, some))
+                    .toArray();
+        }
+        return errors.length == 0
+                ? new TableErrors(0, 0, 0, 0)
+                : new TableErrors(
+                        errors.length,
+                        Quantiles.of(errors, 0.5),
+                        Quantiles.of(errors, 0.95),
+                        Quantiles.of(errors, 0.98));
+    }
+
+    private static DoubleStream errors(TableLookUp table, ColorSource source, List<DirectionPair> places) {
+        float[] uvw = new float[3 * places.size()];
+        for (int i = 0; i < places.size(); i++) {
+            DirectionPair pair = places.get(i);
+            uvw[3 * i] = (float) pair.u();
+            uvw[3 * i + 1] = (float) pair.v();
+            uvw[3 * i + 2] = (float) pair.w();
+        }
+        float[] exact = source.xyz(uvw);
+        return IntStream.range(0, places.size())
+                .mapToDouble(i -> relative(table.xyz(places.get(i)), exact, 3 * i))
+                .filter(error -> error >= 0);
+    }
+
+    /** Negative where there is too little light. */
+    private static double relative(double[] xyz, float[] exact, int from) {
+        double exactly = 0;
+        double computed = 0;
+        double difference = 0;
+        for (int c = 0; c < xyz.length; c++) {
+            exactly = Math.max(exactly, exact[from + c]);
+            computed = Math.max(computed, xyz[c]);
+            difference = Math.max(difference, Math.abs(xyz[c] - exact[from + c]));
+        }
+        if (Double.isNaN(difference)) {
+            return Double.POSITIVE_INFINITY;
+        }
+        return Math.max(exactly, computed) > ErrorBudget.DARKEST_POWER
+                ? difference / Math.max(ErrorBudget.DARKEST_POWER, exactly)
+                : -1;
+    }
+
+    /** Whether they keep what a tolerance promises, if with less to spare than a table should. */
+    boolean meet(double tolerance) {
+        return median <= tolerance && percentile95 <= PROMISED_PERCENTILE * tolerance;
+    }
+
+    /** How many times what a tolerance allows; up to 1 it is kept. */
+    double excess(double tolerance) {
+        double tail = Math.max(
+                percentile95 / Math.max(ROUNDING_PERCENTILE, PERCENTILE_SHARE * tolerance),
+                percentile98 / Math.max(ROUNDING_PERCENTILE, PERCENTILE_98_SHARE * tolerance));
+        return Math.max(median / Math.max(ROUNDING, MEDIAN_SHARE * tolerance), tail);
+    }
+}

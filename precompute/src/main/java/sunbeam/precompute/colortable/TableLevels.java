@@ -1,0 +1,113 @@
+package sunbeam.precompute.colortable;
+
+import java.util.ArrayList;
+import java.util.List;
+import sunbeam.precompute.optics.CoherenceWindow;
+import sunbeam.precompute.plan.Average;
+import sunbeam.precompute.plan.GaussianArea;
+
+/**
+ * Tables of the same colors, each averaged over wider surroundings of (u, v): for pixels that see more than a point. The
+ * ensemble average under a Gaussian window is a sum of Gaussians in frequency (design, section 3); its mean with Gaussian
+ * weights around a place is the same sum with wider ones, which is what a shorter window gives. So a coarse level is
+ * evaluated as such, at its few texels, and never averaged from the many of a fine one (docs/color-tables.md).
+ *
+ * <p>A shorter window's Gaussians are wider by a certain width in frequency, so in (u, v) by a width that grows with the
+ * wavelength: {@link #sigma()} is that at {@link #MIDDLE_WAVELENGTH}.
+ *
+ * @param area the window that is seen at a point, and its average
+ * @param levels their tables, the finest first, which is that of the area itself; where others are interpolated along lines, one for points
+ *     alone before it
+ * @param numbers of their coefficients
+ */
+public record TableLevels(GaussianArea area, List<Level> levels, NumberFormat numbers) {
+    /** Where an eye sees most, metres. */
+    public static final double MIDDLE_WAVELENGTH = 550e-9;
+
+    // A level's Gaussians are so many times as wide as those of the level before it.
+    private static final double RATIO = Math.sqrt(2);
+    // Beyond, a level is a color for a fifth of the hemisphere. In (u, v).
+    private static final double WIDEST = 0.06;
+
+    // From this tolerance on pixels that see more than a point look between texels along straight lines.
+    private static final double LINES_TOLERANCE = 5e-3;
+
+    // Their texels' distance, beside that of splines: errors of means just begin to grow (docs/color-tables.md).
+    private static final double LINES_STEP = 1.5;
+
+    // And as many slices, beside those that bright directions need: where an order vanishes, what is left is small
+    // beside
+    // what slices lose of it. Cheap where texels are few.
+    private static final double LINES_SLICES = 1.5;
+
+    // A color errs by twice as much as its root: by no more than 1e-3, and less, since several coefficients make it.
+    private static final double HALF_TOLERANCE = 1e-3;
+
+    /**
+     * One table.
+     *
+     * @param area its window
+     * @param scale what its power counts: the mean of a Gaussian of height 1 is lower as much as it is wider
+     * @param design its step and slices
+     * @param interpolation between its texels
+     */
+    public record Level(GaussianArea area, double scale, TableDesign design, Interpolation interpolation) {}
+
+    /** Copies. */
+    public TableLevels {
+        levels = List.copyOf(levels);
+    }
+
+    /**
+     * Levels whose tables keep a tolerance.
+     *
+     * @param area what is seen at a point; of a coherent average, which is no sum of Gaussians, there is one level
+     * @param relief what {@link TableDesign#depth} says, metres
+     */
+    public static TableLevels within(double tolerance, GaussianArea area, double relief) {
+        List<Level> levels = new ArrayList<>();
+        Interpolation interpolation = Interpolation.CUBIC;
+        if (tolerance >= LINES_TOLERANCE && area.average() == Average.ENSEMBLE) {
+            interpolation = Interpolation.SHIFTED_LINES;
+            levels.add(new Level(
+                    area, 1, withMoreSlices(TableDesign.within(tolerance, area, relief)), Interpolation.CUBIC));
+        }
+        double finest = sigma(area.window());
+        for (double widening = 1; widening == 1 || finest * widening <= WIDEST; widening *= RATIO) {
+            GaussianArea wider = area.with(new CoherenceWindow(area.window().sigmaMetres() / widening));
+            TableDesign design = TableDesign.within(tolerance, wider, relief);
+            if (interpolation == Interpolation.SHIFTED_LINES) {
+                design = withMoreSlices(new TableDesign(LINES_STEP * design.step(), design.slices()));
+            }
+            levels.add(new Level(wider, 1 / (widening * widening), design, interpolation));
+            if (area.average() == Average.COHERENT) {
+                break;
+            }
+        }
+        return new TableLevels(area, levels, tolerance < HALF_TOLERANCE ? NumberFormat.FLOAT : NumberFormat.HALF);
+    }
+
+    private static TableDesign withMoreSlices(TableDesign design) {
+        return new TableDesign(design.step(), 1 + (int) Math.ceil(LINES_SLICES * (design.slices() - 1)));
+    }
+
+    /** Standard deviation in (u, v) of what the finest level shows of a sharp order. */
+    public double sigma() {
+        return sigma(area.window());
+    }
+
+    private static double sigma(CoherenceWindow window) {
+        // Power is the square of an amplitude.
+        return MIDDLE_WAVELENGTH * window.sigmaFrequency() / Math.sqrt(2);
+    }
+
+    /** Levels for pixels that see points alone: 1 or 0. */
+    public int ofPoints() {
+        return levels.size() > 1 && levels.get(1).area().equals(area) ? 1 : 0;
+    }
+
+    /** Slices, of which all levels have as many. */
+    public int slices() {
+        return levels.get(0).design().slices();
+    }
+}

@@ -1,2 +1,0 @@
-/** Tables of colours over (u, v, w): how fine they are, where their texels lie, how they are made (docs/color-tables.md). */
-package sunbeam.precompute.colourtable;

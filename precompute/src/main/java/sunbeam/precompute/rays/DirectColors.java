@@ -1,0 +1,90 @@
+package sunbeam.precompute.rays;
+
+import java.util.Arrays;
+import java.util.stream.IntStream;
+import sunbeam.precompute.color.WavelengthNodes;
+import sunbeam.precompute.colortable.ColorColumns;
+
+/** Colors of single places by a sum over wavelengths: for those near the origin, where rays meet. */
+final class DirectColors {
+    private static final int CHANNELS = 3;
+    // Orders near the origin are wide in ln lambda; this is fine enough for them and for the terms' coefficients.
+    private static final double WIDEST_STEP = 0.01;
+
+    private final RaySpectrum spectrum;
+    private final WindowedPowers powers;
+
+    DirectColors(RaySpectrum spectrum, WindowedPowers powers) {
+        this.spectrum = spectrum;
+        this.powers = powers;
+    }
+
+    /**
+     * Evaluates some columns.
+     *
+     * @param asked their numbers
+     * @return how many places that were
+     */
+    long evaluate(RaySector.Places asked, ColorColumns columns) {
+        if (asked.isEmpty()) {
+            return 0;
+        }
+        WavelengthNodes wavelengths = spectrum.wavelengths(WIDEST_STEP);
+        double[] depths = columns.depths();
+        double[][][] coefficients = Arrays.stream(depths)
+                .mapToObj(depth -> Arrays.stream(wavelengths.wavelengths())
+                        .mapToObj(wavelength -> spectrum.coefficients(wavelength, depth))
+                        .toArray(double[][]::new))
+                .toArray(double[][][]::new);
+        return IntStream.range(0, asked.count())
+                .parallel()
+                .mapToLong(i -> evaluate(wavelengths, coefficients, asked.number(i), columns))
+                .sum();
+    }
+
+    /** @param coefficients by slice, wavelength and term */
+    private long evaluate(WavelengthNodes wavelengths, double[][][] coefficients, int column, ColorColumns columns) {
+        float[] uv = new float[2];
+        columns.locate(column, uv);
+        double[][] terms = terms(wavelengths, uv[0], uv[1]);
+        int[] slices = new int[coefficients.length];
+        int count = columns.asked(column, slices);
+        for (int i = 0; i < count; i++) {
+            double[] sum = sum(wavelengths, terms, coefficients[slices[i]]);
+            // A sum of terms may leave a dark direction a little below nothing.
+            columns.putRoots(
+                    column,
+                    slices[i],
+                    Math.sqrt(Math.max(0, sum[0])),
+                    Math.sqrt(Math.max(0, sum[1])),
+                    Math.sqrt(Math.max(0, sum[2])));
+        }
+        return count;
+    }
+
+    /** {@code [term][wavelength]} */
+    private double[][] terms(WavelengthNodes wavelengths, double u, double v) {
+        double radius = Math.hypot(u, v);
+        double[] frequencies = new double[wavelengths.count()];
+        for (int i = 0; i < frequencies.length; i++) {
+            frequencies[i] = radius / wavelengths.wavelengths()[i];
+        }
+        double[][] terms = new double[powers.terms()][frequencies.length];
+        powers.alongRay(radius == 0 ? 1 : u / radius, radius == 0 ? 0 : v / radius, frequencies, terms);
+        return terms;
+    }
+
+    private static double[] sum(WavelengthNodes wavelengths, double[][] terms, double[][] coefficients) {
+        double[] sum = new double[CHANNELS];
+        for (int i = 0; i < coefficients.length; i++) {
+            double power = 0;
+            for (int m = 0; m < terms.length; m++) {
+                power += coefficients[i][m] * terms[m][i];
+            }
+            for (int c = 0; c < CHANNELS; c++) {
+                sum[c] += power * wavelengths.weights()[i][c];
+            }
+        }
+        return sum;
+    }
+}

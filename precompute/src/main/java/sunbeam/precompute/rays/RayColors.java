@@ -1,0 +1,174 @@
+package sunbeam.precompute.rays;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.concurrent.ForkJoinTask;
+import java.util.function.LongConsumer;
+import java.util.stream.DoubleStream;
+import java.util.stream.IntStream;
+import sunbeam.precompute.colortable.ColorColumns;
+import sunbeam.precompute.colortable.ColorSource;
+import sunbeam.precompute.plan.GaussianArea;
+
+/**
+ * Colors of the ensemble average at many (u, v) in few slices of w: evaluated along rays through the origin, for all
+ * wavelengths and places at once ({@link RayConvolution}), and interpolated between them by quintic B-splines through
+ * square roots, which err by a tenth of what cubic splines between the places that are asked for will (docs/color-tables.md).
+ *
+ * <p>The disc is divided into octaves of |(u, v)|, so that no more rays go inwards than are needed there, and octaves into
+ * sectors, of which only those are evaluated that are asked for. Safe for use by several threads.
+ */
+public final class RayColors implements ColorSource {
+    private static final double FARTHEST = 2;
+    // Within so many steps of the origin directions are evaluated one by one.
+    private static final double INNER_STEPS = 5;
+    // Of rays and of places on them, in steps of the table: quintic splines err by less there than cubic ones do at
+    // one.
+    private static final double SPACING = 1.1;
+    // Of what is prepared for slices; that of deep reliefs, which takes more, is made anew for each call.
+    private static final long MOST_KEPT_BYTES = 1 << 26;
+    // Columns whose sectors one processor finds at a time.
+    private static final int TOGETHER = 1 << 12;
+    // exp(-reach^2) of a bin is left out: 1e-10 of it in the finest table, beside which a wing of 1e-6 stays right,
+    // 2e-5 in
+    // averages for pixels.
+    private static final double FINE_REACH = 4.8;
+    private static final double COARSE_REACH = 3.3;
+
+    private final RaySpectrum spectrum;
+    private final WindowedPowers powers;
+    private final double sigmaFrequency;
+    private final double step;
+    private final LongConsumer progress;
+    // Guarded by this.
+    private Prepared prepared = new Prepared(new double[0], List.of());
+
+    /**
+     * Colors under a window.
+     *
+     * @param step of (u, v) between the places that will be asked for
+     * @param fine whether wings of bright orders matter
+     * @param progress told how many places have been evaluated since it was told last, which may be none, every few milliseconds;
+     *     by any thread, which goes on when it returns: whoever waits there holds up the others' work as well
+     */
+    public RayColors(RaySpectrum spectrum, GaussianArea area, double step, boolean fine, LongConsumer progress) {
+        this.spectrum = spectrum;
+        this.powers = spectrum.under(area, fine ? FINE_REACH : COARSE_REACH, !fine);
+        this.sigmaFrequency = area.window().sigmaFrequency();
+        this.step = SPACING * step;
+        this.progress = progress;
+    }
+
+    /**
+     * @throws IllegalArgumentException if places have more different w than slices are meant
+     */
+    @Override
+    public float[] xyz(float[] places) {
+        PlaceColumns columns = new PlaceColumns(places);
+        evaluate(columns);
+        return columns.xyz();
+    }
+
+    @Override
+    public void evaluate(ColorColumns columns) {
+        double[] depths = columns.depths();
+        if (depths.length == 0) {
+            return;
+        }
+        Prepared ready = prepared(depths);
+        int[] slices = Arrays.stream(depths)
+                .mapToInt(depth -> Arrays.binarySearch(ready.depths(), depth))
+                .toArray();
+        List<RaySector.Places> sectors = new ArrayList<>();
+        for (RayOctave octave : ready.octaves()) {
+            IntStream.range(0, octave.sectors()).forEach(sector -> sectors.add(new RaySector.Places(octave, sector)));
+        }
+        RaySector.Places direct = new RaySector.Places(null, 0);
+        sectors.add(direct);
+        int[] sector = sectors(columns, depths.length, ready.octaves());
+        for (int i = 0; i < sector.length; i++) {
+            if (sector[i] >= 0) {
+                sectors.get(sector[i]).add(i);
+            }
+        }
+        List<ForkJoinTask<?>> tasks = new ArrayList<>();
+        for (RaySector.Places some : sectors) {
+            if (some != direct && !some.isEmpty()) {
+                tasks.add(ForkJoinTask.adapt(() -> progress.accept(
+                        new RaySector(powers, some, () -> progress.accept(0)).evaluate(columns, slices))));
+            }
+        }
+        // One by one, and not in halves as streams are: those of outer octaves take longest.
+        ForkJoinTask.invokeAll(tasks);
+        progress.accept(new DirectColors(spectrum, powers).evaluate(direct, columns));
+    }
+
+    /**
+     * The number of each column's sector, octave after octave; behind the last one that of the columns in the middle; -1 where nothing is asked
+     * for.
+     */
+    private static int[] sectors(ColorColumns columns, int slices, List<RayOctave> octaves) {
+        int[] before = new int[octaves.size() + 1];
+        for (int i = 0; i < octaves.size(); i++) {
+            before[i + 1] = before[i] + octaves.get(i).sectors();
+        }
+        int[] numbers = new int[columns.count()];
+        int parts = (numbers.length + TOGETHER - 1) / TOGETHER;
+        IntStream.range(0, parts).parallel().forEach(part -> {
+            float[] uv = new float[2];
+            int[] some = new int[slices];
+            int end = Math.min(numbers.length, (part + 1) * TOGETHER);
+            for (int column = part * TOGETHER; column < end; column++) {
+                numbers[column] = -1;
+                if (columns.asked(column, some) > 0) {
+                    columns.locate(column, uv);
+                    numbers[column] = sector(uv[0], uv[1], octaves, before);
+                }
+            }
+        });
+        return numbers;
+    }
+
+    /** @param before numbers of the sectors before each octave's */
+    private static int sector(double u, double v, List<RayOctave> octaves, int[] before) {
+        double radius = Math.sqrt(u * u + v * v);
+        int octave = 0;
+        while (octave < octaves.size() && radius < octaves.get(octave).low()) {
+            octave++;
+        }
+        return before[octave] + (octave < octaves.size() ? octaves.get(octave).sector(u, v) : 0);
+    }
+
+    /** Octaves, and |w| of the slices that they were prepared for, ascending. */
+    private record Prepared(double[] depths, List<RayOctave> octaves) {}
+
+    /** Those of earlier calls, if they have all slices; else new ones for theirs and these. */
+    private synchronized Prepared prepared(double[] depths) {
+        double[] known = prepared.depths();
+        if (!Arrays.stream(depths).allMatch(depth -> Arrays.binarySearch(known, depth) >= 0)) {
+            double[] all = DoubleStream.concat(Arrays.stream(known), Arrays.stream(depths))
+                    .sorted()
+                    .distinct()
+                    .toArray();
+            int last = (int) Math.max(0, Math.log(FARTHEST / (2 * INNER_STEPS * step)) / Math.log(2));
+            List<RayOctave> octaves = IntStream.rangeClosed(0, last)
+                    .parallel()
+                    .mapToObj(number -> {
+                        // Each takes some ten milliseconds.
+                        progress.accept(0);
+                        return new RayOctave(spectrum, sigmaFrequency, FARTHEST / (1 << number), step, all);
+                    })
+                    .toList();
+            Prepared made = new Prepared(all, octaves);
+            if (octaves.stream()
+                            .mapToLong(octave -> octave.convolution().bytes())
+                            .sum()
+                    > MOST_KEPT_BYTES) {
+                return made;
+            }
+            prepared = made;
+        }
+        return prepared;
+    }
+}

@@ -1,0 +1,184 @@
+package sunbeam.precompute.colortable;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.Arrays;
+import java.util.BitSet;
+import java.util.List;
+import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
+
+class LevelBakingTest {
+    private static final TableDesign DESIGN = new TableDesign(0.02, 5);
+    private static final LevelGrid GRID = new LevelGrid(DESIGN, Interpolation.CUBIC);
+    private static final LevelGrid LINES = new LevelGrid(DESIGN, Interpolation.SHIFTED_LINES);
+    private static final ColorSource WAVES = LevelBakingTest::waves;
+
+    /** Colors whose roots are waves of 12 texels. */
+    private static float[] waves(float[] uvw) {
+        float[] xyz = new float[uvw.length];
+        for (int i = 0; i < uvw.length; i += 3) {
+            for (int c = 0; c < 3; c++) {
+                xyz[i + c] = (float) Math.pow(root(uvw[i], uvw[i + 1], c) - uvw[i + 2], 2);
+            }
+        }
+        return xyz;
+    }
+
+    private static double root(double u, double v, int color) {
+        double wave = 2 * Math.PI / 0.24;
+        return 3 + color + Math.sin(wave * u) * Math.cos(wave * v);
+    }
+
+    private static BitSet pagesOf(double u, double v, double w) {
+        return pagesOf(GRID, u, v, w);
+    }
+
+    private static BitSet pagesOf(LevelGrid grid, double u, double v, double w) {
+        BitSet pages = new BitSet();
+        new PageMarks(grid, pages).mark(u, v, w);
+        return pages;
+    }
+
+    /** The spline through a page's coefficients, by its definition. */
+    private static double spline(float[] page, double x, double y, int color) {
+        double sum = 0;
+        for (int row = (int) Math.floor(y) - 1; row <= Math.floor(y) + 2; row++) {
+            for (int column = (int) Math.floor(x) - 1; column <= Math.floor(x) + 2; column++) {
+                int texel = (row + 1) * LevelGrid.STORED_SIDE + column + 1;
+                sum += page[4 * texel + color] * basis(x - column) * basis(y - row);
+            }
+        }
+        return sum;
+    }
+
+    private static double basis(double distance) {
+        double d = Math.abs(distance);
+        return d >= 2 ? 0 : d >= 1 ? Math.pow(2 - d, 3) / 6 : 2.0 / 3 - d * d + d * d * d / 2;
+    }
+
+    @Test
+    void aPageIsASplineThroughRootsOfItsColors() {
+        SplittableRandom random = new SplittableRandom(5);
+        for (int i = 0; i < 30; i++) {
+            double u = random.nextDouble(-1.4, 1.4);
+            double v = random.nextDouble(-1.4, 1.4);
+            BitSet one = new BitSet();
+            one.set(pagesOf(u, v, -0.5).nextSetBit(0));
+            List<byte[]> baked = new LevelBaking(GRID, NumberFormat.FLOAT).bake(one, WAVES);
+            int[] place = GRID.place(one.nextSetBit(0));
+            double x = (u - GRID.origin()) / DESIGN.step() - place[0] * LevelGrid.SIDE;
+            double y = (v - GRID.origin()) / DESIGN.step() - place[1] * LevelGrid.SIDE;
+            if (x < 0 || y < 0 || x >= LevelGrid.SIDE || y >= LevelGrid.SIDE) {
+                continue; // the page beside its own, of a place close to the edge
+            }
+            double slice = place[2] * DESIGN.sliceStep();
+            // A cubic spline errs by (2 pi / 12)^4 / 384 = 2e-4 of a wave of 12 texels, each way.
+            assertThat(spline(NumberFormatTest.decoded(baked.get(0), NumberFormat.FLOAT), x, y, 1))
+                    .isCloseTo(root(u, v, 1) + slice, within(6e-4));
+        }
+    }
+
+    /** Lines between a page's coefficients, by their definition. */
+    private static double lines(float[] page, double x, double y, int color) {
+        double sum = 0;
+        for (int row = (int) Math.floor(y); row <= Math.floor(y) + 1; row++) {
+            for (int column = (int) Math.floor(x); column <= Math.floor(x) + 1; column++) {
+                int texel = (row + 1) * LevelGrid.STORED_SIDE + column + 1;
+                sum += page[4 * texel + color] * (1 - Math.abs(x - column)) * (1 - Math.abs(y - row));
+            }
+        }
+        return sum;
+    }
+
+    @Test
+    void aPageOfLinesIsAsCloseToItsColorsRootsAsLinesCanBe() {
+        SplittableRandom random = new SplittableRandom(6);
+        double squares = 0;
+        int count = 0;
+        while (count < 300) {
+            double u = random.nextDouble(-1.4, 1.4);
+            double v = random.nextDouble(-1.4, 1.4);
+            int[] numbers = pagesOf(LINES, u, v, -0.5).stream().toArray();
+            if (numbers.length != TableDesign.TAPS) {
+                continue; // close to an edge
+            }
+            BitSet one = new BitSet();
+            one.set(numbers[0]);
+            byte[] baked =
+                    new LevelBaking(LINES, NumberFormat.FLOAT).bake(one, WAVES).get(0);
+            float[] page = NumberFormatTest.decoded(baked, NumberFormat.FLOAT);
+            int[] place = LINES.place(numbers[0]);
+            double x = (u - LINES.firstCoefficient()) / DESIGN.step() - place[0] * LevelGrid.SIDE;
+            double y = (v - LINES.firstCoefficient()) / DESIGN.step() - place[1] * LevelGrid.SIDE;
+            assertThat(x).isBetween(0.0, (double) LevelGrid.SIDE);
+            squares += Math.pow(lines(page, x, y, 1) - root(u, v, 1) - place[2] * DESIGN.sliceStep(), 2);
+            count++;
+        }
+        // Blu et al.: f'' / sqrt(720) each way, of a product of waves of 12 texels whose square is 1/4 in the mean;
+        // both ways bend
+        // together, so that errors add up where bends do: sqrt(2) to 2 times as much.
+        double bend = Math.pow(2 * Math.PI / 12, 2) * 0.5;
+        assertThat(Math.sqrt(squares / count)).isBetween(bend / Math.sqrt(720), 2.2 * bend / Math.sqrt(720));
+    }
+
+    @Test
+    void linesDependOnNoSampleBehindThePage() {
+        BitSet page = pagesOf(LINES, 0.11, 0.3, -1.1);
+        assertThat(new LevelBaking(LINES, NumberFormat.FLOAT).missing(page))
+                .isLessThan(new LevelBaking(GRID, NumberFormat.FLOAT).missing(page));
+    }
+
+    @Test
+    void eachSampleIsEvaluatedOnceAndPagesAreTheSameInAnyOrder() {
+        BitSet left = pagesOf(0.11, 0.3, -1.1);
+        BitSet right = pagesOf(0.11 + LevelGrid.SIDE * DESIGN.step(), 0.3, -1.1);
+        BitSet both = new BitSet();
+        both.or(left);
+        both.or(right);
+        LevelBaking together = new LevelBaking(GRID, NumberFormat.FLOAT);
+        long all = together.missing(both);
+        List<byte[]> made = together.bake(both, WAVES);
+        assertThat(together.missing(both)).isZero();
+        LevelBaking apart = new LevelBaking(GRID, NumberFormat.FLOAT);
+        long first = apart.missing(left);
+        apart.bake(left, WAVES);
+        assertThat(first + apart.missing(right)).as("samples in all").isEqualTo(all);
+        List<byte[]> later = apart.bake(right, WAVES);
+        int[] numbers = both.stream().toArray();
+        int[] ofRight = right.stream().toArray();
+        for (int i = 0; i < ofRight.length; i++) {
+            int at = Arrays.binarySearch(numbers, ofRight[i]);
+            assertThat(later.get(i)).isEqualTo(made.get(at));
+        }
+    }
+
+    @Test
+    void aLookUpReadsFourSlicesAndBothPagesAtAnEdge() {
+        int page = GRID.columns() / 2;
+        double middle = GRID.origin() + (page + 0.5) * LevelGrid.SIDE * DESIGN.step();
+        assertThat(pagesOf(middle, middle, -0.6).cardinality()).isEqualTo(TableDesign.TAPS);
+        double edge = GRID.origin() + page * LevelGrid.SIDE * DESIGN.step();
+        assertThat(pagesOf(edge, middle, -0.6).cardinality()).isEqualTo(2 * TableDesign.TAPS);
+        assertThat(pagesOf(edge, edge, -0.6).cardinality()).isEqualTo(4 * TableDesign.TAPS);
+    }
+
+    @Test
+    void noPairOfDirectionsNorAPixelsRimBeyondThemLeavesTheGrid() {
+        for (double angle = 0; angle < 6.3; angle += 0.1) {
+            for (double length : new double[] {2, 2.5, 40}) {
+                for (double w : new double[] {0.3, 0, -2, -2.4}) {
+                    BitSet pages = pagesOf(length * Math.cos(angle), length * Math.sin(angle), w);
+                    assertThat(pages.length()).isLessThanOrEqualTo(GRID.pages());
+                    // Their neighbors, which prefilters see, exist too.
+                    pages.stream().forEach(page -> {
+                        int[] place = GRID.place(page);
+                        assertThat(place[0]).isBetween(1, GRID.columns() - 2);
+                        assertThat(place[1]).isBetween(1, GRID.columns() - 2);
+                    });
+                }
+            }
+        }
+    }
+}

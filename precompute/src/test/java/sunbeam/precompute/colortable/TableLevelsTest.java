@@ -1,0 +1,84 @@
+package sunbeam.precompute.colortable;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import org.junit.jupiter.api.Test;
+import sunbeam.precompute.Surfaces;
+import sunbeam.precompute.optics.CoherenceWindow;
+import sunbeam.precompute.optics.Direction;
+import sunbeam.precompute.optics.DirectionPair;
+import sunbeam.precompute.optics.WindowOrigin;
+import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.plan.Average;
+import sunbeam.precompute.plan.GaussianArea;
+import sunbeam.precompute.reference.ReferenceEvaluator;
+
+class TableLevelsTest {
+    private static final GaussianArea ENSEMBLE =
+            GaussianArea.STANDARD.with(CoherenceWindow.ofCoherenceLength(12e-6)).with(Average.ENSEMBLE);
+
+    private static double ensemble(HeightMap map, GaussianArea area, double u, double v) {
+        // Only the sum of both directions counts.
+        DirectionPair pair = new DirectionPair(new Direction(-u, -v, 1.4), new Direction(0, 0, 0));
+        return new ReferenceEvaluator(map, area.window(), WindowOrigin.CENTRE)
+                .powers(pair, TableLevels.MIDDLE_WAVELENGTH)
+                .ensemble();
+    }
+
+    @Test
+    void aLevelIsTheMeanOfTheFinestOverItsSurroundings() {
+        HeightMap map = Surfaces.random(24, 20, 150e-9, 400e-9, 4);
+        TableLevels levels = TableLevels.within(1e-2, ENSEMBLE, map.relief());
+        double sigma = levels.sigma();
+        for (int number : new int[] {1, 2, 3}) {
+            TableLevels.Level level = levels.levels().get(levels.ofPoints() + number);
+            // Level l adds (2^l - 1) times the finest's variance.
+            double added = sigma * Math.sqrt(Math.pow(2, number) - 1);
+            double sum = 0;
+            double weights = 0;
+            for (int i = -8; i <= 8; i++) {
+                for (int j = -8; j <= 8; j++) {
+                    double weight = Math.exp(-0.5 * (i * i + j * j) / 4.0);
+                    sum += weight * ensemble(map, ENSEMBLE, 0.21 + 0.5 * i * added, -0.13 + 0.5 * j * added);
+                    weights += weight;
+                }
+            }
+            double mean = sum / weights;
+            // The sum stops at four deviations: 1e-4 of the weights, of power that differs by the mean's own size.
+            assertThat(level.scale() * ensemble(map, level.area(), 0.21, -0.13))
+                    .as("level %d", number)
+                    .isCloseTo(mean, within(3e-4 * mean));
+        }
+    }
+
+    @Test
+    void aCoherentAverageHasOneLevel() {
+        assertThat(TableLevels.within(1e-2, GaussianArea.STANDARD, 1e-6).levels())
+                .hasSize(1);
+        assertThat(TableLevels.within(1e-2, GaussianArea.STANDARD.with(Average.ENSEMBLE), 1e-6)
+                        .levels())
+                .hasSizeGreaterThan(5);
+    }
+
+    @Test
+    void aWindowSoShortThatNothingIsWiderHasOneLevelAndThatOfPoints() {
+        GaussianArea area = ENSEMBLE.with(CoherenceWindow.ofCoherenceLength(1e-6));
+        assertThat(TableLevels.within(1e-3, area, 1e-6).levels()).hasSize(1);
+        assertThat(TableLevels.within(1e-2, area, 1e-6).levels()).hasSize(2);
+    }
+
+    @Test
+    void whereMeansAreInterpolatedAlongLinesPointsAreNot() {
+        TableLevels fine = TableLevels.within(1e-3, ENSEMBLE, 1e-6);
+        assertThat(fine.ofPoints()).isZero();
+        assertThat(fine.levels()).allMatch(level -> level.interpolation() == Interpolation.CUBIC);
+        TableLevels coarse = TableLevels.within(1e-2, ENSEMBLE, 1e-6);
+        assertThat(coarse.ofPoints()).isOne();
+        assertThat(coarse.levels().get(0).interpolation()).isEqualTo(Interpolation.CUBIC);
+        assertThat(coarse.levels().get(0).design().step())
+                .isLessThan(coarse.levels().get(1).design().step());
+        assertThat(coarse.levels().subList(1, coarse.levels().size()))
+                .allMatch(level -> level.interpolation() == Interpolation.SHIFTED_LINES);
+    }
+}

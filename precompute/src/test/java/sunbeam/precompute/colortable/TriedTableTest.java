@@ -1,0 +1,241 @@
+package sunbeam.precompute.colortable;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Random;
+import java.util.function.Consumer;
+import java.util.function.Function;
+import java.util.function.Predicate;
+import org.junit.jupiter.api.Test;
+import sunbeam.precompute.optics.Direction;
+import sunbeam.precompute.optics.DirectionPair;
+import sunbeam.precompute.plan.Reach;
+
+/** Tables that are tried at directions that they were not made at. */
+class TriedTableTest {
+    private static final Direction LIGHT = Direction.ofDegrees(20, 30);
+    private static final TableDesign COARSE = new TableDesign(0.04, 11);
+    private static final double TOLERANCE = 1e-2;
+
+    private final List<String> told = new ArrayList<>();
+    private int opened;
+
+    private static void neverRefused(TablePages pages) {
+        throw new AssertionError("there is room for " + pages.design());
+    }
+
+    /** Two orders' amplitudes that cancel on lines: the power is smooth, its root has a kink. */
+    private static float[] cancelling(float[] uvw) {
+        return colors(uvw, place -> Math.pow(Math.sin(9 * place[0] + 4 * place[1] + place[2]), 2) + 1e-7);
+    }
+
+    private static float[] smooth(float[] uvw) {
+        return colors(uvw, place -> 2 + Math.sin(place[0] + place[1]) + 0.1 * place[2]);
+    }
+
+    private static float[] dark(float[] uvw) {
+        return colors(uvw, place -> 1e-12 * (1 + Math.sin(1000 * place[0])));
+    }
+
+    /** Nothing that two neighbors have in common. */
+    private static float[] noisy(float[] uvw) {
+        Random random = new Random(3);
+        return colors(uvw, place -> 1 + random.nextDouble());
+    }
+
+    private static float[] colors(float[] uvw, Function<double[], Double> power) {
+        float[] xyz = new float[uvw.length];
+        for (int i = 0; i < uvw.length; i += 3) {
+            double value = power.apply(new double[] {uvw[i], uvw[i + 1], uvw[i + 2]});
+            for (int c = 0; c < 3; c++) {
+                xyz[i + c] = (float) value;
+            }
+        }
+        return xyz;
+    }
+
+    private TriedTable.Told told() {
+        return new TriedTable.Told() {
+            @Override
+            public void delay(String line) {
+                told.add(line);
+            }
+
+            @Override
+            public void shortfall(String line) {
+                told.add(line);
+            }
+        };
+    }
+
+    private TriedTable oneLight(ColorSource source, Predicate<TablePages> room, Consumer<TablePages> refused) {
+        return TriedTable.make(
+                TOLERANCE,
+                new Reach.OneLight(LIGHT),
+                COARSE,
+                design -> TablePages.of(design, LIGHT),
+                places -> {
+                    opened++;
+                    return source;
+                },
+                room,
+                refused,
+                told());
+    }
+
+    private TriedTable oneLight(ColorSource source) {
+        return oneLight(source, pages -> true, TriedTableTest::neverRefused);
+    }
+
+    @Test
+    void twoOfAHundredThatErrByMoreThanFiveMayAreTooMany() {
+        assertThat(new TableErrors(2000, 1e-4, 1e-3, 2.9e-3).excess(1e-3)).isLessThan(1);
+        assertThat(new TableErrors(2000, 1e-4, 1e-3, 3.1e-3).excess(1e-3)).isGreaterThan(1);
+    }
+
+    @Test
+    void aTableThatKeepsItsToleranceIsMadeOnce() {
+        TriedTable made = oneLight(TriedTableTest::smooth);
+        assertThat(made.pages().design()).isEqualTo(COARSE);
+        assertThat(opened).isOne();
+        assertThat(told).isEmpty();
+        assertThat(made.trial()).contains("tried at ", " directions: errs by ");
+    }
+
+    @Test
+    void whereRootsHaveKinksStepsBecomeSmallerUntilTheToleranceIsKept() {
+        TriedTable made = oneLight(TriedTableTest::cancelling);
+
+        assertThat(made.pages().design().step()).isLessThan(COARSE.step());
+        assertThat(told).isNotEmpty().allMatch(line -> line.contains("made again in steps of"));
+        List<Double> errors = new ArrayList<>();
+        Random random = new Random(11);
+        TableLookUp table = lookUp(made, TriedTableTest::cancelling);
+        while (errors.size() < 1000) {
+            // Other directions than those of the trial, evenly over the sphere.
+            double z = random.nextDouble();
+            double phi = 2 * Math.PI * random.nextDouble();
+            double sine = Math.sqrt(1 - z * z);
+            DirectionPair pair = new DirectionPair(LIGHT, new Direction(sine * Math.cos(phi), sine * Math.sin(phi), z));
+            float exact = cancelling(new float[] {(float) pair.u(), (float) pair.v(), (float) pair.w()})[1];
+            errors.add(Math.abs(table.xyz(pair)[1] - exact) / exact);
+        }
+        errors.sort(null);
+        assertThat(errors.get(500)).isLessThan(TOLERANCE);
+        assertThat(errors.get(950)).isLessThan(3 * TOLERANCE);
+    }
+
+    private static TableLookUp lookUp(TriedTable made, ColorSource source) {
+        return new TableLookUp(made.pages(), made.baking(), made.baking().layers(source));
+    }
+
+    @Test
+    void pairsHaveFinerSlicesToo() {
+        Random random = new Random(7);
+        List<DirectionPair> pairs = new ArrayList<>();
+        for (int i = 0; i < 60; i++) {
+            pairs.add(new DirectionPair(
+                    Direction.ofDegrees(80 * random.nextDouble(), 360 * random.nextDouble()),
+                    Direction.ofDegrees(80 * random.nextDouble(), 360 * random.nextDouble())));
+        }
+        ColorSource deep = uvw -> colors(uvw, place -> 1.5 + Math.sin(14 * place[2]));
+
+        TriedTable made = TriedTable.make(
+                TOLERANCE,
+                new Reach.Pairs(pairs),
+                COARSE,
+                design -> TablePages.of(design, pairs),
+                places -> deep,
+                pages -> true,
+                TriedTableTest::neverRefused,
+                told());
+
+        assertThat(made.pages().slices()).isGreaterThan(COARSE.slices());
+        TableLookUp table = lookUp(made, deep);
+        for (DirectionPair pair : pairs) {
+            double exact = 1.5 + Math.sin(14 * pair.w());
+            // All pairs were tried; beyond the 95th percentile a polynomial errs by little more.
+            assertThat(table.xyz(pair)[0]).isCloseTo(exact, within(6 * TOLERANCE * exact));
+        }
+    }
+
+    @Test
+    void whatIsTooDarkToCountIsNoReasonForAFinerTable() {
+        assertThat(oneLight(TriedTableTest::dark).pages().design()).isEqualTo(COARSE);
+        assertThat(told).isEmpty();
+    }
+
+    @Test
+    void whereSmallerStepsDoNotHelpItSaysSo() {
+        oneLight(TriedTableTest::noisy);
+        assertThat(told).last().asString().contains("smaller steps do not help");
+    }
+
+    @Test
+    void whatWouldNotFitIsRefusedBeforeItIsMade() {
+        assertThatThrownBy(() -> oneLight(TriedTableTest::cancelling, pages -> false, pages -> {
+                    throw new IllegalStateException(
+                            "no room for " + pages.design().step());
+                }))
+                .hasMessageContaining("no room for");
+        assertThat(opened).isOne();
+        assertThat(told).isEmpty();
+    }
+
+    @Test
+    void aTableThatKeepsThePromiseIsNotRefusedForLackOfRoomToBeSurer() {
+        // Its errors lie between what is asked of a table and what is promised.
+        ColorSource nearly = uvw -> colors(uvw, place -> 1 + 0.5 * Math.sin(36 * place[0]));
+
+        TriedTable made = oneLight(nearly, pages -> false, TriedTableTest::neverRefused);
+
+        assertThat(made.pages().design()).isEqualTo(COARSE);
+        assertThat(told).singleElement().asString().contains("there is no room");
+    }
+
+    @Test
+    void whatIsNoNumberIsAnErrorAndEnds() {
+        ColorSource broken = uvw -> colors(uvw, place -> place[0] > 0.2 ? Double.NaN : 1.0);
+        oneLight(broken);
+        assertThat(opened).isOne();
+        assertThat(told).singleElement().asString().contains("smaller steps do not help");
+    }
+
+    @Test
+    void lightWhereThereShouldBeNoneCounts() {
+        // A lone sharp order on black: beside it a spline through its root rings.
+        ColorSource lone = uvw -> colors(uvw, TriedTableTest::order);
+        TablePages pages = TablePages.of(new TableDesign(0.1, 11), LIGHT);
+        TableBaking baking = new TableBaking(pages);
+        TableLookUp table = new TableLookUp(pages, baking, baking.layers(lone));
+        List<DirectionPair> places = TableErrors.places(new Reach.OneLight(LIGHT));
+        long bright = places.stream()
+                .filter(pair -> order(new double[] {pair.u(), pair.v()}) > 1e-9)
+                .count();
+        assertThat((long) TableErrors.of(table, lone, places).count()).isGreaterThan(bright);
+    }
+
+    private static double order(double[] place) {
+        return Math.exp(-400 * (place[0] * place[0] + place[1] * place[1]));
+    }
+
+    @Test
+    void listsThatAreSortedAreTriedAllOver() {
+        List<DirectionPair> pairs = new ArrayList<>();
+        for (int i = 0; i < 8000; i++) {
+            pairs.add(new DirectionPair(LIGHT, Direction.ofDegrees(i / 100.0, 0)));
+        }
+        List<DirectionPair> tried = TableErrors.places(new Reach.Pairs(pairs));
+        assertThat(tried).hasSameElementsAs(pairs);
+        double steepest = tried.subList(0, 2000).stream()
+                .mapToDouble(pair -> pair.wr().z())
+                .min()
+                .orElseThrow();
+        // Of 2,000 random ones of 8,000 the last hundred are missed with a chance of 1e-12.
+        assertThat(Math.toDegrees(Math.acos(steepest))).isGreaterThan(79);
+    }
+}

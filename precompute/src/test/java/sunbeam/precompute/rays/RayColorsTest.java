@@ -1,0 +1,199 @@
+package sunbeam.precompute.rays;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.util.Arrays;
+import java.util.SplittableRandom;
+import java.util.concurrent.atomic.AtomicLong;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import sunbeam.precompute.Surfaces;
+import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.method.Surface;
+import sunbeam.precompute.optics.CoherenceWindow;
+import sunbeam.precompute.optics.Direction;
+import sunbeam.precompute.optics.DirectionPair;
+import sunbeam.precompute.optics.WindowOrigin;
+import sunbeam.precompute.patch.HeightLevels;
+import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.plan.Average;
+import sunbeam.precompute.plan.GaussianArea;
+import sunbeam.precompute.plan.Plan;
+import sunbeam.precompute.plan.TableChoices;
+import sunbeam.precompute.plan.VisibleRange;
+import sunbeam.precompute.reference.ReferenceColor;
+import sunbeam.precompute.reference.ReferenceEvaluator;
+import sunbeam.precompute.table.FourierTable;
+import sunbeam.precompute.table.PatchIdentity;
+import sunbeam.precompute.table.TableBuilder;
+
+class RayColorsTest {
+    private static final GaussianArea ENSEMBLE =
+            GaussianArea.STANDARD.with(CoherenceWindow.ofCoherenceLength(10e-6)).with(Average.ENSEMBLE);
+    private static final double STEP = 0.0018 * 65 / 10;
+
+    private static RaySpectrum spectrum(HeightMap map, GaussianArea shortest) {
+        return spectrum(map, shortest, 1e-4);
+    }
+
+    private static RaySpectrum spectrum(HeightMap map, GaussianArea shortest, double tolerance) {
+        PatchIdentity identity =
+                new PatchIdentity("test", map.columns(), map.rows(), map.pitchX(), map.pitchY(), "digest");
+        Surface surface = new Surface(map, HeightLevels.of(map), identity, CieTable.load());
+        Plan plan = surface.planner().plan(TableChoices.within(1e-4), ENSEMBLE, VisibleRange.all());
+        Plan wide = RaySpectrum.widened(plan, map.width(), map.height(), shortest.window());
+        FourierTable table = new TableBuilder(identity, surface.levels(), terms -> {})
+                .build(wide.expansion(), wide.bandX(), wide.bandY());
+        return new RaySpectrum(wide, table, tolerance, surface.cie());
+    }
+
+    /** Directions from the centre to grazing, in a few slices. */
+    private static float[] places(int count) {
+        SplittableRandom random = new SplittableRandom(11);
+        float[] places = new float[3 * count];
+        for (int i = 0; i < count; i++) {
+            double depth = 0.15 * (1 + random.nextInt(12));
+            double radius = random.nextDouble() * Math.sqrt(4 - depth * depth);
+            double angle = 2 * Math.PI * random.nextDouble();
+            places[3 * i] = (float) (radius * Math.cos(angle));
+            places[3 * i + 1] = (float) (radius * Math.sin(angle));
+            places[3 * i + 2] = (float) -depth;
+        }
+        return places;
+    }
+
+    private static double[] errors(HeightMap map, GaussianArea area, RaySpectrum spectrum, float[] places) {
+        return errors(map, area, spectrum, places, STEP);
+    }
+
+    private static double[] errors(
+            HeightMap map, GaussianArea area, RaySpectrum spectrum, float[] places, double step) {
+        AtomicLong told = new AtomicLong();
+        float[] xyz = new RayColors(spectrum, area, step, true, told::addAndGet).xyz(places);
+        assertThat(told.get()).isEqualTo(places.length / 3);
+        ReferenceColor reference = new ReferenceColor(
+                new ReferenceEvaluator(map, area.window(), WindowOrigin.CENTRE),
+                area.window(),
+                CieTable.load(),
+                ReferenceColor.Quadrature.INTEGRATED);
+        double[] errors = new double[places.length / 3];
+        for (int i = 0; i < errors.length; i++) {
+            // Only the sum of both directions counts.
+            DirectionPair pair = new DirectionPair(
+                    new Direction(-places[3 * i], -places[3 * i + 1], -places[3 * i + 2]), new Direction(0, 0, 0));
+            double[] exact = reference.xyz(pair, true);
+            double largest = Math.max(exact[0], Math.max(exact[1], exact[2]));
+            double difference = 0;
+            for (int c = 0; c < 3; c++) {
+                difference = Math.max(difference, Math.abs(xyz[3 * i + c] - exact[c]));
+            }
+            errors[i] = largest > 1e-9 ? difference / largest : 0;
+        }
+        Arrays.sort(errors);
+        return errors;
+    }
+
+    @Test
+    void colorsAreThoseOfTheReference() {
+        HeightMap map = Surfaces.random(30, 24, 250e-9, 500e-9, 4);
+        double[] errors = errors(map, ENSEMBLE, spectrum(map, ENSEMBLE), places(60));
+        // STEP is 1e-3's by TableDesign: quintic splines take a tenth of that in the median, and less than the 3e-3 of
+        // its 95th
+        // percentile, which are dark places between orders.
+        assertThat(errors[errors.length / 2]).isLessThan(1e-4);
+        assertThat(errors[errors.length * 95 / 100]).isLessThan(2e-3);
+    }
+
+    /** However sharp orders are, colors change along a ray only as fast as color matching functions do. */
+    @ParameterizedTest
+    @ValueSource(doubles = {5e-5, 5e-4, 5e-3})
+    void fewPlacesOnARayAreEnough(double tolerance) {
+        GaussianArea area = GaussianArea.STANDARD
+                .with(CoherenceWindow.ofCoherenceLength(40e-6))
+                .with(Average.ENSEMBLE);
+        HeightMap map = Surfaces.of(160, 8, 250e-9, (x, y) -> 150e-9 * Math.sin(2 * Math.PI * x / 1.6e-6));
+        // In the plane of the orders, a degree wide.
+        float[] places = places(400);
+        for (int i = 0; i < places.length; i += 3) {
+            double radius = Math.hypot(places[i], places[i + 1]);
+            places[i] = (float) radius;
+            places[i + 1] *= (float) (0.004 / radius);
+        }
+        double[] errors = errors(map, area, spectrum(map, area, tolerance), places, 0.0029);
+        // Measured 6e-5, 3e-6 and 6e-7; one place a step errs by 1.5e-5, 2e-6 and 6e-7.
+        assertThat(errors[errors.length / 2]).isLessThan(tolerance / 10);
+        // Dark places between orders, 1e-6 of them and less, where terms of the power that are left out count (7.8 at
+        // 5e-3):
+        // as much
+        // with one place a step, to four digits.
+        assertThat(errors[errors.length * 95 / 100]).isLessThan(9 * tolerance);
+    }
+
+    /** Orders of a small scan under a long window are sharp: beyond where they end in the ultraviolet there is nothing. */
+    @ParameterizedTest
+    @ValueSource(doubles = {5e-4, 5e-3})
+    void noLightLeaksBeyondTheEndOfAnOrder(double tolerance) {
+        GaussianArea area = GaussianArea.STANDARD
+                .with(CoherenceWindow.ofCoherenceLength(130e-6))
+                .with(Average.ENSEMBLE);
+        HeightMap map = Surfaces.of(32, 8, 156.25e-9, (x, y) -> 60e-9 * Math.sin(2 * Math.PI * x / 1.25e-6));
+        float[] places = new float[3 * 40];
+        for (int i = 0; i < 40; i++) {
+            // Of 340 to 372 nm, and in the end of blue.
+            double wavelength = i == 39 ? 450e-9 : (340 + 0.82 * i) * 1e-9;
+            places[3 * i] = (float) (wavelength / 1.25e-6);
+            places[3 * i + 2] = -1.5f;
+        }
+        float[] xyz = new RayColors(spectrum(map, area, tolerance), area, 0.0009, true, done -> {}).xyz(places);
+        double order = xyz[3 * 39 + 2];
+        assertThat(order).isGreaterThan(1e-3);
+        double largest = 0;
+        for (int i = 0; i < 3 * 39; i++) {
+            largest = Math.max(largest, xyz[i]);
+        }
+        // Measured 2e-9 and 6e-11.
+        assertThat(largest).isLessThan(1e-8 * order);
+    }
+
+    /** Near the middle places lie half an order's width apart, whatever the tolerance, while terms' coefficients turn fast. */
+    @Test
+    void deepReliefsHaveTheirColorsNearTheMiddle() {
+        HeightMap map = Surfaces.random(20, 16, 250e-9, 4e-6, 4);
+        float[] places = places(60);
+        for (int i = 0; i < places.length; i += 3) {
+            // From the innermost octave on, up to 0.4.
+            double radius = Math.hypot(places[i], places[i + 1]);
+            double inner = (0.13 + 0.135 * radius) / Math.max(radius, 1e-3);
+            places[i] *= (float) inner;
+            places[i + 1] *= (float) inner;
+        }
+        double[] errors = errors(map, ENSEMBLE, spectrum(map, ENSEMBLE, 5e-5), places);
+        // With places as close as sharp orders need 3.3e-5; where they were 0.02 apart 6.6e-5. The dark between orders
+        // has
+        // 2.2e-3 either way.
+        assertThat(errors[errors.length / 2]).isLessThan(5e-5);
+        assertThat(errors[errors.length * 95 / 100]).isLessThan(3e-3);
+    }
+
+    @Test
+    void ordersOfAGratingKeepTheirSkirts() {
+        HeightMap map = Surfaces.of(64, 8, 100e-9, (x, y) -> 150e-9 * Math.sin(2 * Math.PI * x / 1.6e-6));
+        double[] errors = errors(map, ENSEMBLE, spectrum(map, ENSEMBLE), places(60));
+        assertThat(errors[errors.length / 2]).isLessThan(2e-4);
+        assertThat(errors[errors.length * 95 / 100]).isLessThan(1e-2);
+    }
+
+    @Test
+    void placesInNoSlicesAreRefused() {
+        HeightMap map = Surfaces.random(12, 12, 150e-9, 100e-9, 4);
+        float[] places = new float[3 * 3000];
+        for (int i = 0; i < 3000; i++) {
+            places[3 * i] = 0.5f;
+            places[3 * i + 2] = -5e-4f * i;
+        }
+        RayColors colors = new RayColors(spectrum(map, ENSEMBLE), ENSEMBLE, STEP, true, done -> {});
+        assertThatThrownBy(() -> colors.xyz(places)).hasMessageContaining("slices");
+    }
+}

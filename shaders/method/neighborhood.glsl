@@ -1,0 +1,126 @@
+#include "include/average.glsl"
+#include "include/expansion.glsl"
+#include "include/window.glsl"
+
+// Expansion terms times a Gaussian neighborhood of DFT bins, at one wavelength (thesis algorithm 3.3).
+
+// DFT bins of the terms T_n, one layer each, (real, imaginary); texel (0, 0) is bin tableFirst.
+uniform sampler2DArray tableTerms;
+uniform ivec2 tableFirst;
+// Bins on each side of the middle one that count.
+uniform ivec2 tableRadius;
+// Number of bins per unit of frequency, which is the patch's period in metres.
+uniform vec2 tablePeriod;
+// What float32 leaves of it; for those who find a bin in double precision.
+uniform vec2 tablePeriodRest;
+
+// Compilers write out loops of few steps that they know. Those over a bin's terms are the innermost and must not be loops, of
+// whose steps drivers allow so many (loops.glsl).
+const int WRITTEN_OUT = 16;
+
+// The expansion's coefficients c_n at a phase.
+float[TERMS] coefficientsAt(float zeta) {
+    float coefficients[TERMS];
+    float coefficient = firstCoefficient(zeta);
+    for (int block = 0; block < TERMS; block += WRITTEN_OUT) {
+        for (int i = 0; i < WRITTEN_OUT; ++i) {
+            if (block + i < TERMS) {
+                coefficients[block + i] = coefficient;
+                coefficient = nextCoefficient(coefficient, block + i + 1, zeta);
+            }
+        }
+    }
+    return coefficients;
+}
+
+// F_j of the bin at a texel.
+vec2 binAmplitude(ivec2 texel, float coefficients[TERMS]) {
+    vec2 amplitude = vec2(0.0);
+    for (int block = 0; block < TERMS; block += WRITTEN_OUT) {
+        for (int i = 0; i < WRITTEN_OUT; ++i) {
+            if (block + i < TERMS) {
+                amplitude += coefficients[block + i] * texelFetch(tableTerms, ivec3(texel, block + i), 0).rg;
+            }
+        }
+    }
+    return amplitude;
+}
+
+// |F_j|^2 of the bin at a texel; 0 beyond the table, which holds all that can be seen.
+float binPower(ivec2 texel, float zeta) {
+    if (any(lessThan(texel, ivec2(0))) || any(greaterThanEqual(texel, textureSize(tableTerms, 0).xy))) {
+        return 0.0;
+    }
+    return squaredMagnitude(binAmplitude(texel, coefficientsAt(zeta)));
+}
+
+// A frequency among the bins: the one in the middle of its neighborhood, and how far that lies from it.
+struct Anchored {
+    ivec2 bin;
+    vec2 offset;
+};
+
+Anchored anchored(vec2 uv, float wavelength) {
+#ifdef SPECTRAL
+    ivec2 nearest = ivec2(exactBin.xy);
+    vec2 rest = exactBin.zw;
+#else
+    vec2 position = uv / wavelength * tablePeriod;
+    ivec2 nearest = ivec2(floor(position + 0.5));
+    vec2 rest = position - vec2(nearest);
+#endif
+#if ANCHOR == ANCHOR_FLOOR
+    ivec2 below = ivec2(lessThan(rest, vec2(0.0)));
+    return Anchored(nearest - below, -vec2(below) - rest);
+#else
+    return Anchored(nearest, -rest);
+#endif
+}
+
+struct Powers {
+    // Amplitudes of the bins first, square last: one coherence area.
+    float coherent;
+    // Squares of the bins, then their sum: Stam's angle brackets (thesis eq. 2.29 in spirit).
+    float ensemble;
+};
+
+Powers powersOfBins(vec3 uvw, float wavelength) {
+    Anchored middle = anchored(uvw.xy, wavelength);
+    float coefficients[TERMS] = coefficientsAt(expansionPhase(uvw.z, wavelength));
+    vec2 amplitude = vec2(0.0);
+    float squares = 0.0;
+    for (int j = -tableRadius.y; j <= tableRadius.y; ++j) {
+        float weightY = windowAmplitude(middle.offset.y + float(j), windowSigmaBins.y);
+        for (int i = -tableRadius.x; i <= tableRadius.x; ++i) {
+            float weight = weightY * windowAmplitude(middle.offset.x + float(i), windowSigmaBins.x);
+            vec2 bin = weight * binAmplitude(middle.bin - tableFirst + ivec2(i, j), coefficients);
+            amplitude += bin;
+            squares += dot(bin, bin);
+        }
+    }
+    return Powers(squaredMagnitude(amplitude), squares);
+}
+
+#ifdef SPECTRAL
+// A shader that asks for both averages of one wavelength sums once: so many steps are not had twice (loops.glsl).
+bool binsAreSummed = false;
+Powers summedBins;
+
+Powers bothPowers(vec3 uvw, float wavelength) {
+    if (!binsAreSummed) {
+        summedBins = powersOfBins(uvw, wavelength);
+        binsAreSummed = true;
+    }
+    return summedBins;
+}
+#else
+#define bothPowers powersOfBins
+#endif
+
+float coherentPower(vec3 uvw, float wavelength) {
+    return bothPowers(uvw, wavelength).coherent;
+}
+
+float ensemblePower(vec3 uvw, float wavelength) {
+    return bothPowers(uvw, wavelength).ensemble;
+}
