@@ -26,6 +26,8 @@ final class PeriodModel {
     // Half of the interval over the period.
     private static final double WIDEST = 0.1;
     static final double LEAST_SHARE = 0.08;
+    // Of a wave whose few periods reach over most of the plane of frequencies: less is waviness.
+    private static final double LEAST_SHARE_OF_FEW = 0.6;
     // Cycles over the scan: by as much, what lies beyond the scan or between its samples may draw the slope.
     private static final double FINITE = 0.01;
     // Of a frequency, on either side, where a part of the scan is asked for it.
@@ -84,7 +86,7 @@ final class PeriodModel {
         double share = search.share(wave);
         GratingPeriod vague =
                 new GratingPeriod(wave, 0, Double.POSITIVE_INFINITY, Math.PI, periods, share, Optional.empty());
-        if (share < LEAST_SHARE) {
+        if (share < (periods < FEWEST_PERIODS ? LEAST_SHARE_OF_FEW : LEAST_SHARE)) {
             return vague.refused(String.format(
                     Locale.ROOT,
                     "no order found: a white gloss without color; the strongest wave, of about %s, explains only %.0f %% of the heights' variance",

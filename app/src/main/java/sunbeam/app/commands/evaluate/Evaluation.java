@@ -50,16 +50,6 @@ public final class Evaluation {
     }
 
     /**
-     * Evaluates the relative radiance by method {@code full}.
-     *
-     * @param choices of that method's settings
-     * @throws NoPeriodException where the surface or its response has no period
-     */
-    public static Evaluation ofRadiance(DiffractionSetup setup, GratingRequest grating, Choices choices) {
-        return of(setup, grating, choices, ResponseMethod.FULL, Quantity.RHO, method -> {}, line -> {});
-    }
-
-    /**
      * @param planned told of the method that a shader uses, once it is planned
      * @param remark told how long it takes where that is long
      */

@@ -64,12 +64,6 @@ public record GratingRequest(
         checkAngles(angles, wavelengths, new GratingPlane(thetaI, phiI, 0));
     }
 
-    /** The thesis's: light at 75 degrees, 380 to 780 nm in steps of 1 nm, all angles that the first order takes. */
-    public static GratingRequest ofThesis(OptionalDouble azimuth) {
-        return new GratingRequest(
-                Math.toRadians(75), 0, azimuth, Optional.empty(), new Range(380, 780, 1), true, OptionalDouble.empty());
-    }
-
     private static void checkAngles(Optional<Range> given, Range wavelengths, GratingPlane plane) {
         if (given.isEmpty()) {
             return;
