@@ -26,8 +26,6 @@ final class PeriodModel {
     // Half of the interval over the period.
     private static final double WIDEST = 0.1;
     static final double LEAST_SHARE = 0.08;
-    // Of a wave whose few periods reach over most of the plane of frequencies: less is waviness.
-    private static final double LEAST_SHARE_OF_FEW = 0.6;
     // Cycles over the scan: by as much, what lies beyond the scan or between its samples may draw the slope.
     private static final double FINITE = 0.01;
     // Of a frequency, on either side, where a part of the scan is asked for it.
@@ -86,7 +84,7 @@ final class PeriodModel {
         double share = search.share(wave);
         GratingPeriod vague =
                 new GratingPeriod(wave, 0, Double.POSITIVE_INFINITY, Math.PI, periods, share, Optional.empty());
-        if (share < (periods < FEWEST_PERIODS ? LEAST_SHARE_OF_FEW : LEAST_SHARE)) {
+        if (share < LEAST_SHARE) {
             return vague.refused(String.format(
                     Locale.ROOT,
                     "no order found: a white gloss without color; the strongest wave, of about %s, explains only %.0f %% of the heights' variance",
@@ -96,9 +94,9 @@ final class PeriodModel {
         if (periods < FEWEST_PERIODS) {
             return vague.refused(String.format(
                     Locale.ROOT,
-                    "too few periods: a wave of about %s is seen %.1f times, and fewer than four may be chance; take a larger scan",
+                    "no order found for sure: a wave of about %s is seen only %.1f times, and fewer than four may be chance; take a larger scan",
                     shortly(vague.period()),
-                    periods));
+                    Math.floor(10 * periods) / 10));
         }
         if (wave.samplesIn(scan) < FEWEST_SAMPLES) {
             return vague.refused(String.format(

@@ -70,8 +70,8 @@ class PeriodModelTest {
     void everyRefusalIsASentence() {
         HeightMap few = Surfaces.of(100, 100, 100e-9, (x, y) -> 50e-9 * Math.sin(2 * Math.PI * x / 2.9e-6));
         assertThat(refusal(few))
-                .startsWith("too few periods: a wave of about 2.9")
-                .contains("is seen 3.4 times");
+                .startsWith("no order found for sure: a wave of about 2.9")
+                .contains("is seen only 3.4 times");
         HeightMap coarse = Surfaces.of(100, 100, 100e-9, (x, y) -> 50e-9 * Math.sin(2 * Math.PI * x / 0.31e-6));
         assertThat(refusal(coarse)).startsWith("too few samples: ");
         HeightMap chirp =

@@ -221,14 +221,15 @@ final class EvaluateCommandTest {
         Path scan = Files.writeString(folder.resolve("scan.txt"), text);
         String[] patch = {"--patch", scan.toString(), "--width", "11um", "--height-unit", "nm", "--no-periodic"};
         assertThat(run(patch)).isEqualTo(4);
-        assertThat(err.toString()).contains("too few periods: a wave of about 3.", "take a larger scan; to look for");
+        assertThat(err.toString())
+                .contains("no order found for sure: a wave of about 3.", "take a larger scan; to look for");
         assertThat(run(Stream.concat(Stream.of(patch), Stream.of("--azimuth", "0", "--period", "3.3um"))
                         .toArray(String[]::new)))
                 .as(err.toString())
                 .isEqualTo(4);
-        assertThat(out.toString()).startsWith("Too few periods: ").contains("period      not told: ");
+        assertThat(out.toString()).startsWith("No order found for sure: ").contains("period      not told: ");
         assertThat(report().get("period").isNull()).isTrue();
-        assertThat(report().get("period_not_told").textValue()).contains("too few");
+        assertThat(report().get("period_not_told").textValue()).contains("no order found for sure");
     }
 
     /** 1 mm of a 50 um grating took a quarter of an hour for a ridge at 43 um under a right period. */

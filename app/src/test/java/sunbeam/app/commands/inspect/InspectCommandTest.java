@@ -220,8 +220,8 @@ final class InspectCommandTest {
         text(128, 64, (x, y) -> x % 4 < 1.6 ? 400 : 0);
         inspectScan(0, "--width", "12.8um", "--no-periodic");
         assertThat(out.toString())
-                .startsWith("Too few periods: a wave of about ")
-                .contains("is seen 3.");
+                .startsWith("No order found for sure: a wave of about ")
+                .contains("is seen only 3.");
     }
 
     /** Metres of a scan were nanometres of another: inspect looks at what no command could draw. */
