@@ -52,10 +52,10 @@ final class ProgressTest {
     void aLongTaskIsToldInAPlainLineWhereNoTerminalIs() {
         try (Progress progress = Progress.start("rendering", 10, terminal(false), nanoseconds::get, pace)) {
             progress.step(5);
-            // Last: the bar is drawn by a thread of its own, too, and the first line that is due stays.
             nanoseconds.set(Pace.INTERVAL.toNanos());
         }
-        assertThat(text()).startsWith("sunbeam: rendering: 50 %").hasLineCount(1);
+        // The bar's thread may have put the first line into words before the step; the first line that is due stays.
+        assertThat(text()).matches("sunbeam: rendering: (0|50) %\\R");
     }
 
     @Test
