@@ -155,7 +155,7 @@ final class SunbeamTest {
                 "brdf-map --tolerance 0,01 | --tolerance \"0,01\" is no number; write a decimal point for the comma, \"0.01\"",
                 "brdf-map --exposure 1,5 | --exposure '1,5' is neither auto nor a positive number, nor first, nor a picture (.png) to take it from; write a decimal point",
                 "color elaphe-like     | unknown argument 'elaphe-like'; name a surface with --patch, more with --with, and put",
-                "color                | unknown command 'color' (did you mean color?); see sunbeam --help",
+                "colour               | unknown command 'colour' (did you mean color?); see sunbeam --help",
             })
     void whatBeginnersWriteIsOneLineWithTheRemedy(String commandLine, String message) {
         assertThat(run(commandLine.split(" ", -1))).isEqualTo(2);

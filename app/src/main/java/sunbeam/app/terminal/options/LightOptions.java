@@ -48,17 +48,17 @@ public final class LightOptions extends SettingOptions {
     private final boolean several;
 
     public LightOptions() {
-        this(THETA_I, Map.of());
+        this(false, Map.of());
     }
 
-    private LightOptions(Setting<?> theta, Map<Setting<?>, String> told) {
-        super(List.of(theta, PHI_I), told);
-        several = theta.equals(SEVERAL_THETA_I);
+    private LightOptions(boolean several, Map<Setting<?>, String> told) {
+        super(List.of(several ? SEVERAL_THETA_I : THETA_I, PHI_I), told);
+        this.several = several;
     }
 
     /** Options of a command that takes several lights. */
     public static LightOptions several() {
-        return new LightOptions(SEVERAL_THETA_I, Map.of());
+        return new LightOptions(true, Map.of());
     }
 
     private static List<Double> angles(String text) {
@@ -81,7 +81,7 @@ public final class LightOptions extends SettingOptions {
      * @param chosen what it chooses, for the help
      */
     public static LightOptions choosingAzimuth(String chosen) {
-        return new LightOptions(THETA_I, Map.of(PHI_I, chosen));
+        return new LightOptions(false, Map.of(PHI_I, chosen));
     }
 
     /** The unit vector towards the only light, or the first of several. */
