@@ -105,7 +105,9 @@ public record OrderSampling(Neighborhood neighborhood, Optional<OrderNodes> reso
 
     @Override
     public long loopSteps(Plan plan) {
-        return resolved.isPresent() ? nodes(plan) : nodes(plan) * neighborhood.loopSteps();
+        return resolved.isPresent()
+                ? nodes(plan)
+                : nodes(plan) * neighborhood.loopSteps(plan.expansion().terms());
     }
 
     @Override
