@@ -41,8 +41,30 @@ class BrdfMapTest {
 
     @Test
     void thePictureSaysHowItWasMadeAndTheLinearColorsKnowNoExposure() throws Exception {
-        blaze("--size", "9", "--theta-i", "20", "--exposure", "2.5", "--output", "dim.png", "--linear", "dim.npy");
-        blaze("--size", "9", "--theta-i", "20", "--exposure", "1e6", "--output", "lit.png", "--linear", "lit.npy");
+        blaze(
+                "--size",
+                "9",
+                "--no-annotate",
+                "--theta-i",
+                "20",
+                "--exposure",
+                "2.5",
+                "--output",
+                "dim.png",
+                "--linear",
+                "dim.npy");
+        blaze(
+                "--size",
+                "9",
+                "--no-annotate",
+                "--theta-i",
+                "20",
+                "--exposure",
+                "1e6",
+                "--output",
+                "lit.png",
+                "--linear",
+                "lit.npy");
 
         assertThat(PngFile.text(workplace.resolve("dim.png")))
                 .containsEntry("Title", "BRDF map of blaze")

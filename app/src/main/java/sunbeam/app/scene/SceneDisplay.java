@@ -27,7 +27,7 @@ public final class SceneDisplay {
         if (scene.exposure().isPresent()) {
             return scene.exposure().getAsDouble();
         }
-        double scale = Math.min(1, METER_SIDE / (double) Math.max(width, height));
+        double scale = METER_SIDE / (double) Math.max(width, height);
         int columns = (int) Math.max(1, Math.round(scale * width));
         int rows = (int) Math.max(1, Math.round(scale * height));
         int samples = scene.method().type() == TableMethod.TYPE ? 2 : 1;

@@ -1,12 +1,14 @@
 package sunbeam.precompute.analysis;
 
 import java.util.Locale;
-import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.units.Decimals;
 
 /** What a surface's period means for its color, in one sentence for people: the first line of every command that looks for it. */
 public final class Verdict {
+    // Beyond, the eye sees too little to name a color.
+    private static final double VIOLET = 400e-9;
+    private static final double RED = 700e-9;
     private static final double MICROMETRES = 1e6;
     private static final int DIGITS = 3;
     private static final int HALF_TURN = 180;
@@ -30,24 +32,35 @@ public final class Verdict {
         return (period.isExact() ? "A repeated patch with a period of " : "A grating of ")
                 + length(period)
                 + String.format(Locale.ROOT, " across %d degrees: ", Math.floorMod(degrees, HALF_TURN))
-                + colors(period.period());
+                + colors(period.low(), period.high());
     }
 
     private static String length(GratingPeriod period) {
-        double middle = MICROMETRES * period.period();
-        double low = MICROMETRES * period.low();
-        double high = MICROMETRES * period.high();
+        return length(period.period(), period.low(), period.high());
+    }
+
+    /**
+     * "1.08 um (1.03 to 1.13)", or the period alone where it is exact.
+     *
+     * @param period metres
+     * @param from lower end of its interval, metres
+     * @param to upper end, metres
+     */
+    public static String length(double period, double from, double to) {
+        double middle = MICROMETRES * period;
+        double low = MICROMETRES * from;
+        double high = MICROMETRES * to;
         double uncertainty = 0.5 * (high - low);
-        return period.isExact()
+        return low == high
                 ? Decimals.rounded(middle, DIGITS) + " um"
                 : Decimals.within(middle, uncertainty) + " um (" + Decimals.within(low, uncertainty) + " to "
                         + Decimals.within(high, uncertainty) + ")";
     }
 
-    /** Where the first order of light from above goes: sin theta = lambda / d. */
-    private static String colors(double period) {
-        double blue = CieTable.MINIMUM_WAVELENGTH / period;
-        double red = CieTable.MAXIMUM_WAVELENGTH / period;
+    /** Where the first order of light from above goes, sin theta = lambda / d, whatever period of the interval is the true one. */
+    private static String colors(double low, double high) {
+        double blue = VIOLET / high;
+        double red = RED / low;
         if (blue >= 1) {
             return "finer than light, so that light from above has no first-order colors";
         }

@@ -143,7 +143,7 @@ public record BinSampling(Neighborhood neighborhood, WavelengthNodes wavelengths
 
     @Override
     public long loopSteps(Plan plan) {
-        return wavelengths.count() * neighborhood.loopSteps(plan.expansion().terms());
+        return wavelengths.count() * neighborhood.loopSteps();
     }
 
     @Override

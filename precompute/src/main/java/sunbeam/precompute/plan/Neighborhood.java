@@ -53,11 +53,8 @@ public record Neighborhood(int radiusX, int radiusY, Anchor anchor) {
         return radiusY + 1;
     }
 
-    /**
-     * Steps of loops that one wavelength takes, at least as many as drivers count (shaders/method/neighborhood.glsl): the end of a loop
-     * is a step, and of loops over a bin's terms compilers write sixteen steps out.
-     */
-    long loopSteps(int terms) {
-        return bins() * (2 + (terms + 15L) / 16) + 3 * (2L * radiusY + 1);
+    /** Steps of loops that one wavelength takes (shaders/method/neighborhood.glsl): those over a bin's terms are written out. */
+    long loopSteps() {
+        return bins() + 2L * radiusY + 1;
     }
 }

@@ -105,9 +105,7 @@ public record OrderSampling(Neighborhood neighborhood, Optional<OrderNodes> reso
 
     @Override
     public long loopSteps(Plan plan) {
-        return resolved.isPresent()
-                ? nodes(plan)
-                : nodes(plan) * neighborhood.loopSteps(plan.expansion().terms());
+        return resolved.isPresent() ? nodes(plan) : nodes(plan) * neighborhood.loopSteps();
     }
 
     @Override

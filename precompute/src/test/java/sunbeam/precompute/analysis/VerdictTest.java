@@ -30,13 +30,13 @@ class VerdictTest {
         return Verdict.of(patch, GratingPeriod.of(patch));
     }
 
-    /** sin theta = lambda / d, of 380 and 780 nm: 18.5 and 40.5 degrees for 1.2 um. */
+    /** sin theta = lambda / d, of 400 and 700 nm: 19.5 and 35.7 degrees for 1.2 um. */
     @Test
     void aGratingHasItsIntervalAndItsAngles() {
         HeightMap map = Surfaces.of(150, 150, 100e-9, (x, y) -> 50e-9 * Math.sin(2 * Math.PI * y / 1.2e-6));
         assertThat(verdict(piece(map, List.of())))
                 .matches("A grating of 1\\.20* um \\(1\\.(19|20)[0-9]* to 1\\.20[0-9]*\\) across 90 degrees:"
-                        + " first-order colors at 18 to 41 degrees under light from above");
+                        + " first-order colors at 19 to 36 degrees under light from above");
     }
 
     @Test
@@ -60,7 +60,7 @@ class VerdictTest {
     @Test
     void builtInPatchesHaveTheirs() {
         assertThat(verdict(new Patch("blaze", BuiltInPatches.generate("blaze"), "built in", List.of())))
-                .isEqualTo("A repeated patch with a period of 2.5 um across 0 degrees: first-order colors at 9 to 18"
+                .isEqualTo("A repeated patch with a period of 2.5 um across 0 degrees: first-order colors at 9 to 16"
                         + " degrees under light from above");
     }
 }

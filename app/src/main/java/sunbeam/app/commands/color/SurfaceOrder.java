@@ -12,9 +12,10 @@ import sunbeam.precompute.patch.Patch;
  *
  * @param plane in which the surface spreads most color: that of the strip along
  * @param found whether anything in the surface repeats
+ * @param sentence what {@code inspect} says of it
  * @param grating the period that {@code inspect} tells; empty where the scan tells none
  */
-record SurfaceOrder(PrincipalDirection plane, boolean found, Optional<Grating> grating) {
+record SurfaceOrder(PrincipalDirection plane, boolean found, String sentence, Optional<Grating> grating) {
 
     // Degrees to either side that hold every axis.
     private static final double ANY_DIRECTION = 90;
@@ -54,14 +55,15 @@ record SurfaceOrder(PrincipalDirection plane, boolean found, Optional<Grating> g
         boolean periodic = patch.repetition() == Patch.Repetition.PERIODIC;
         PrincipalDirection plane =
                 periodic ? PrincipalDirection.ofPeriod(patch.heights()) : PrincipalDirection.of(patch.heights());
-        if (patch.isMirror()) {
-            return new SurfaceOrder(plane, false, Optional.empty());
-        }
         GratingPeriod period = GratingPeriod.of(patch);
+        String sentence = sunbeam.precompute.analysis.Verdict.of(patch, period);
+        if (patch.isMirror()) {
+            return new SurfaceOrder(plane, false, sentence, Optional.empty());
+        }
         Optional<Grating> grating = period.isTold()
                 ? Optional.of(new Grating(period.period(), period.low(), period.high(), towards(plane, period)))
                 : Optional.empty();
-        return new SurfaceOrder(plane, period.hasOrder(), grating);
+        return new SurfaceOrder(plane, period.hasOrder(), sentence, grating);
     }
 
     /** Of the two azimuths across the lines, degrees, the one on the plane's side. */

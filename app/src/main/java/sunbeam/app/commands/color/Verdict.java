@@ -26,7 +26,7 @@ record Verdict(String sentence, boolean colored) {
      */
     static Verdict of(Patch patch, SurfaceOrder order, Direction light, double coherenceLength, boolean allGloss) {
         if (patch.isMirror()) {
-            return without("A mirror: the surface is flat and has no color of its own");
+            return without(order.sentence());
         }
         if (allGloss) {
             return without("No color can be told: light that is coherent over only "
@@ -35,7 +35,7 @@ record Verdict(String sentence, boolean colored) {
                     + " into the gloss");
         }
         if (!order.found()) {
-            return without("No order found: a white gloss without color");
+            return without(order.sentence() + ": a white gloss without color");
         }
         if (order.grating().isEmpty()) {
             return with(
@@ -109,10 +109,6 @@ record Verdict(String sentence, boolean colored) {
     }
 
     private static String period(SurfaceOrder.Grating grating) {
-        if (grating.low() == grating.high()) {
-            return Lengths.rounded(grating.period(), 4);
-        }
-        return Lengths.rounded(grating.period(), 3) + " (" + Lengths.rounded(grating.low(), 3) + " to "
-                + Lengths.rounded(grating.high(), 3) + ")";
+        return sunbeam.precompute.analysis.Verdict.length(grating.period(), grating.low(), grating.high());
     }
 }

@@ -41,7 +41,7 @@ class ColorSheetTest {
         HeightMap flat = new HeightMap(2, 2, 1e-6, 1e-6, new double[4]);
         return new ColorReport(
                 new Patch(name, flat, name, List.of()),
-                new SurfaceOrder(new PrincipalDirection(0, OptionalDouble.empty(), 1), true, Optional.empty()),
+                new SurfaceOrder(new PrincipalDirection(0, OptionalDouble.empty(), 1), true, "", Optional.empty()),
                 new Verdict("orange", true),
                 0,
                 65e-6,

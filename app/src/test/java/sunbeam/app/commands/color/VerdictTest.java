@@ -38,6 +38,7 @@ class VerdictTest {
         SurfaceOrder order = new SurfaceOrder(
                 new PrincipalDirection(0, OptionalDouble.empty(), 1),
                 true,
+                "",
                 Optional.of(new SurfaceOrder.Grating(period, low, high, 0)));
         return Verdict.of(noise(), order, light, SUNLIGHT, false);
     }
@@ -45,8 +46,10 @@ class VerdictTest {
     @Test
     void whatHasNoOrderHasNoColor() {
         assertThat(of(patch(new double[128 * 128], Patch.Repetition.NONE)))
-                .isEqualTo(new Verdict("A mirror: the surface is flat and has no color of its own", false));
-        assertThat(of(noise())).isEqualTo(new Verdict("No order found: a white gloss without color", false));
+                .isEqualTo(
+                        new Verdict("A mirror: the relief is far below a wavelength, so that it has no color", false));
+        assertThat(of(noise()).colored()).isFalse();
+        assertThat(of(noise()).sentence()).endsWith(": a white gloss without color");
     }
 
     /** A single period of a scan is waviness: its repetition is nobody's claim. */
@@ -90,9 +93,9 @@ class VerdictTest {
     void theAnglesAreNoSurerThanThePeriod() {
         // asin(0.4 / 1.25) and asin(0.7 / 0.8).
         assertThat(ofGrating(1e-6, 0.8e-6, 1.25e-6, NORMAL).sentence())
-                .contains("violet at 19 to red at 61 degrees", "1 um (800 nm to 1.25 um)");
+                .contains("violet at 19 to red at 61 degrees", "1.00 um (0.80 to 1.25)");
         assertThat(ofGrating(1e-6, 0.3e-6, 5e-6, NORMAL).sentence())
-                .isEqualTo("Order found, but its period is uncertain (1 um (300 nm to 5 um)): so are the angles of its"
+                .isEqualTo("Order found, but its period is uncertain (1.0 um (0.3 to 5.0)): so are the angles of its"
                         + " colors");
     }
 
@@ -100,7 +103,7 @@ class VerdictTest {
     void linesTooFineSendNoOrder() {
         Verdict verdict = ofGrating(200e-9, 200e-9, 200e-9, NORMAL);
         assertThat(verdict.colored()).isFalse();
-        assertThat(verdict.sentence()).startsWith("No order of visible light: lines 200 nm apart");
+        assertThat(verdict.sentence()).startsWith("No order of visible light: lines 0.200 um apart");
         // 400 nm / 450 nm is 62.7 degrees, and 80 degrees is 443 nm.
         assertThat(ofGrating(450e-9, 450e-9, 450e-9, NORMAL).sentence()).contains("violet at 63 to violet at 80");
     }
