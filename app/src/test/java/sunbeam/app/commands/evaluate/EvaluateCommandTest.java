@@ -73,7 +73,7 @@ final class EvaluateCommandTest {
         assertThat(report.at("/period/nm").doubleValue()).isCloseTo(2500, within(1e-6));
         assertThat(out.toString())
                 .startsWith(
-                        "A repeated patch with a period of 2.5 um across 0 degrees: first-order colors at 9 to 18 degrees")
+                        "A repeated patch with a period of 2.5 um across 0 degrees: first-order colors at 9 to 16 degrees")
                 .contains("blaze, light at 75 degrees, azimuth 0 degrees", "2.5003 um");
         assertThat(files()).containsExactly("result.csv", "result.json", "result.npy", "result.png");
     }
