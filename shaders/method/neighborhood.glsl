@@ -117,9 +117,44 @@ Powers bothPowers(vec3 uvw, float wavelength) {
 #define bothPowers powersOfBins
 #endif
 
+#if FEW_BINS
+const ivec2 SIDE = 2 * RADIUS + 1;
+
+// The same with terms outermost and all bins written out, as the thesis has it (algorithm 3.3).
+float coherentPower(vec3 uvw, float wavelength) {
+    Anchored middle = anchored(uvw.xy, wavelength);
+    ivec2 corner = middle.bin - RADIUS - tableFirst;
+    vec2 offset = middle.offset - vec2(RADIUS);
+    float weightsX[SIDE.x];
+    float weightsY[SIDE.y];
+    for (int i = 0; i < SIDE.x; ++i) {
+        weightsX[i] = windowAmplitude(offset.x + float(i), windowSigmaBins.x);
+    }
+    for (int j = 0; j < SIDE.y; ++j) {
+        weightsY[j] = windowAmplitude(offset.y + float(j), windowSigmaBins.y);
+    }
+    float zeta = expansionPhase(uvw.z, wavelength);
+    float coefficient = firstCoefficient(zeta);
+    vec2 amplitude = vec2(0.0);
+    for (int n = 0; n < TERMS; ++n) {
+        vec2 term = vec2(0.0);
+        for (int j = 0; j < SIDE.y; ++j) {
+            vec2 row = vec2(0.0);
+            for (int i = 0; i < SIDE.x; ++i) {
+                row += weightsX[i] * texelFetch(tableTerms, ivec3(corner + ivec2(i, j), n), 0).rg;
+            }
+            term += weightsY[j] * row;
+        }
+        amplitude += coefficient * term;
+        coefficient = nextCoefficient(coefficient, n + 1, zeta);
+    }
+    return squaredMagnitude(amplitude);
+}
+#else
 float coherentPower(vec3 uvw, float wavelength) {
     return bothPowers(uvw, wavelength).coherent;
 }
+#endif
 
 float ensemblePower(vec3 uvw, float wavelength) {
     return bothPowers(uvw, wavelength).ensemble;

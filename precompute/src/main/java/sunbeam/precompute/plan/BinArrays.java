@@ -2,6 +2,7 @@ package sunbeam.precompute.plan;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import sunbeam.precompute.expansion.CoefficientTable;
 import sunbeam.precompute.expansion.Expansion;
 import sunbeam.precompute.expansion.ExpansionKind;
@@ -17,6 +18,8 @@ import sunbeam.precompute.table.WindowPhase;
 
 /** DFT bins as shaders/method/neighborhood.glsl reads them. */
 final class BinArrays {
+    // Loops over more bins are not written out.
+    private static final int MOST_WRITTEN_OUT = 81;
     private static final String TERMS = "tableTerms";
     private static final String COEFFICIENTS = "expansionCoefficients";
 
@@ -48,6 +51,10 @@ final class BinArrays {
         tables.define("ANCHOR_FLOOR", 0)
                 .define("ANCHOR_NEAREST", 1)
                 .define("ANCHOR", floor ? "ANCHOR_FLOOR" : "ANCHOR_NEAREST")
+                .define(
+                        "RADIUS",
+                        String.format(Locale.ROOT, "ivec2(%d, %d)", neighborhood.radiusX(), neighborhood.radiusY()))
+                .define("FEW_BINS", neighborhood.bins() <= MOST_WRITTEN_OUT ? 1 : 0)
                 .integers("tableRadius", neighborhood.radiusX(), neighborhood.radiusY());
         double sigma = plan.window().sigmaFrequency();
         double width = table.patch().width();
