@@ -35,7 +35,7 @@ record Verdict(String sentence, boolean colored) {
                     + " into the gloss");
         }
         if (!order.found()) {
-            return without(order.sentence() + ": a white gloss without color");
+            return without(order.sentence());
         }
         if (order.grating().isEmpty()) {
             return with(
