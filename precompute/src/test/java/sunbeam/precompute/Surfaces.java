@@ -2,7 +2,7 @@ package sunbeam.precompute;
 
 import java.util.SplittableRandom;
 import java.util.function.DoubleBinaryOperator;
-import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.optics.HeightMap;
 
 /** Small surfaces for tests. */
 public final class Surfaces {

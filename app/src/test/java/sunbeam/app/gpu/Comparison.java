@@ -8,9 +8,8 @@ import sunbeam.app.gpu.directions.DirectionsRenderer.Query;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.optics.DirectionPair;
-import sunbeam.precompute.patch.HeightDigest;
 import sunbeam.precompute.patch.HeightLevels;
-import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.Plan;
 import sunbeam.precompute.plan.Planner;
@@ -60,7 +59,7 @@ final class Comparison {
         Plan plan = plan(queries);
         HeightLevels heights = HeightLevels.of(map);
         PatchIdentity identity = new PatchIdentity(
-                "test", map.columns(), map.rows(), map.pitchX(), map.pitchY(), HeightDigest.sha256(map));
+                "test", map.columns(), map.rows(), map.pitchX(), map.pitchY(), map.digest());
         FourierTable table =
                 new TableBuilder(identity, heights, done -> {}).build(plan.expansion(), plan.bandX(), plan.bandY());
         MethodUse use = spectral ? MethodUse.SPECTRAL : MethodUse.COLOR;

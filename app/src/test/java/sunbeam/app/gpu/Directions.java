@@ -8,7 +8,7 @@ import sunbeam.app.gpu.directions.DirectionsRenderer.Query;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
-import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.optics.HeightMap;
 
 /** Directions for tests, the same at every run. */
 final class Directions {

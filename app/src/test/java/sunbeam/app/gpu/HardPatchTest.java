@@ -6,10 +6,9 @@ import static sunbeam.app.gpu.Requests.TOLERANCE;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.SamplingCheck;
 import sunbeam.precompute.plan.Average;
-import sunbeam.precompute.prepare.HeightField;
 import sunbeam.precompute.prepare.MissingHeights;
 
 /** Patches of odd shapes and with faults. The tolerance holds for all of them, against the same samples. */
@@ -57,9 +56,7 @@ class HardPatchTest extends InAContext {
         for (int i = 0; i < heights.length; i += 17) {
             heights[i] = Double.NaN;
         }
-        HeightField filled = MissingHeights.fill(new HeightField(64, 64, 50e-9, 50e-9, heights))
-                .field();
-        assertKept(new HeightMap(64, 64, 50e-9, 50e-9, filled.heights()), 3e-6, "filled");
+        assertKept(MissingHeights.fill(new HeightMap(64, 64, 50e-9, 50e-9, heights)).field(), 3e-6, "filled");
     }
 
     @Test

@@ -4,7 +4,7 @@ import java.util.SplittableRandom;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
-import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.optics.HeightMap;
 
 /** What pairs of directions are aimed at. */
 enum RandomAim {

@@ -2,7 +2,7 @@ package sunbeam.app.promise;
 
 import java.util.SplittableRandom;
 import java.util.function.DoubleBinaryOperator;
-import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.optics.HeightMap;
 
 /** Kinds of made-up surfaces, drawn with random shapes and sizes. */
 enum RandomSurface {

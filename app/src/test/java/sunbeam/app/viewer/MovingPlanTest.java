@@ -10,7 +10,7 @@ import sunbeam.app.scene.SkinIndex;
 import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.method.NmmMethod;
 import sunbeam.precompute.method.TableMethod;
-import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.MethodSettings;

@@ -2,7 +2,7 @@ package sunbeam.precompute.analysis;
 
 import java.util.Arrays;
 import org.apache.commons.math3.distribution.TDistribution;
-import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.optics.HeightMap;
 
 /**
  * The phase of a wave in windows side by side along one direction, against the wave of exactly the given frequency: its slope is

@@ -2,7 +2,7 @@ package sunbeam.precompute.analysis;
 
 import sunbeam.precompute.fourier.Band;
 import sunbeam.precompute.fourier.PowerSpectrum2d;
-import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.SamplingCheck;
 import sunbeam.precompute.prepare.Levelling;
 
@@ -37,7 +37,7 @@ public record HeightSpectrum(Band bandX, Band bandY, double width, double height
     public static HeightSpectrum of(HeightMap map, Edges edges) {
         boolean tapered = edges == Edges.TAPERED;
         int padding = tapered && (long) map.columns() * map.rows() <= MOST_PADDED ? 2 : 1;
-        HeightMap level = map.levelled(tapered ? Levelling.PLANE : Levelling.MEAN);
+        HeightMap level = (tapered ? Levelling.PLANE : Levelling.MEAN).apply(map);
         double[] taperX = taper(map.columns(), tapered);
         double[] taperY = taper(map.rows(), tapered);
         int columns = padding * map.columns();

@@ -2,7 +2,7 @@ package sunbeam.precompute.analysis;
 
 import java.util.List;
 import java.util.stream.IntStream;
-import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.SlopeCheck;
 
 /**

@@ -1,7 +1,7 @@
 package sunbeam.precompute.analysis;
 
 import java.util.Arrays;
-import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.optics.HeightMap;
 
 /**
  * How much of the surface lies at which height.

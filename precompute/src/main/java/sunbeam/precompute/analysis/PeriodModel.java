@@ -6,7 +6,7 @@ import java.util.Optional;
 import java.util.function.Predicate;
 import org.apache.commons.math3.distribution.TDistribution;
 import org.apache.commons.math3.stat.StatUtils;
-import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.prepare.Crop;
 import sunbeam.precompute.prepare.Levelling;
 import sunbeam.precompute.units.Lengths;
@@ -47,7 +47,7 @@ final class PeriodModel {
 
     private PeriodModel(HeightMap scan, Predicate<SpatialFrequency> which) {
         this.scan = scan;
-        this.level = scan.levelled(Levelling.PLANE);
+        this.level = Levelling.PLANE.apply(scan);
         this.search = new WaveSearch(scan, which);
         this.which = which;
     }
@@ -146,7 +146,7 @@ final class PeriodModel {
             double left = scan.width() * column / side;
             double bottom = scan.height() * row / side;
             Crop crop = new Crop(left, left + scan.width() / side, bottom, bottom + scan.height() / side);
-            SpatialFrequency part = new WaveSearch(scan.part(crop), which).centroid(wave);
+            SpatialFrequency part = new WaveSearch(crop.apply(scan), which).centroid(wave);
             lengths[i] = part.length();
             turns[i] = Math.IEEEremainder(part.azimuth() - wave.azimuth(), Math.PI);
         }
@@ -182,7 +182,7 @@ final class PeriodModel {
                         new Crop(0, scan.width(), 0, y),
                         new Crop(0, scan.width(), y, scan.height()))
                 .stream()
-                .map(scan::part)
+                .map(crop -> crop.apply(scan))
                 .toArray(HeightMap[]::new);
     }
 
@@ -215,7 +215,7 @@ final class PeriodModel {
     private static SpatialFrequency near(HeightMap part, SpatialFrequency wave) {
         return new WaveSearch(part, frequency -> frequency.distance(wave) < NEAR * wave.length())
                 .strongest(frequency -> true)
-                .map(found -> corrected(part.levelled(Levelling.PLANE), found))
+                .map(found -> corrected(Levelling.PLANE.apply(part), found))
                 .orElse(wave);
     }
 

@@ -4,7 +4,7 @@ import java.util.Arrays;
 import java.util.Locale;
 import java.util.OptionalDouble;
 import org.apache.commons.math3.distribution.TDistribution;
-import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.prepare.Crop;
 
 /**
@@ -78,7 +78,7 @@ public record PrincipalDirection(double azimuthDegrees, OptionalDouble halfWidth
             int row = i / parts;
             double bottom = map.height() * row / parts;
             Crop part = new Crop(left, left + map.width() / parts, bottom, bottom + map.height() / parts);
-            double[] of = sums(map.part(part), HeightSpectrum.Edges.TAPERED);
+            double[] of = sums(part.apply(map), HeightSpectrum.Edges.TAPERED);
             // Twice the angle to the whole's axis, as a vector.
             across[i] = (of[1] * whole[0] - of[0] * whole[1]) / length;
             along += (of[0] * whole[0] + of[1] * whole[1]) / length / count;

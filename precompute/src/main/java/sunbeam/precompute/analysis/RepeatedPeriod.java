@@ -2,7 +2,7 @@ package sunbeam.precompute.analysis;
 
 import java.util.Optional;
 import java.util.function.Predicate;
-import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.optics.HeightMap;
 
 /** The exact period of a surface that repeats one patch without end: its strongest frequency, where that is most of it. */
 final class RepeatedPeriod {

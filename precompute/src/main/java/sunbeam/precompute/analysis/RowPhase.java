@@ -1,7 +1,7 @@
 package sunbeam.precompute.analysis;
 
 import java.util.Arrays;
-import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.optics.HeightMap;
 
 /** The phase of a wave from one band of rows to the next: where a scanner slips, or loses rows, few of the steps differ. */
 final class RowPhase {

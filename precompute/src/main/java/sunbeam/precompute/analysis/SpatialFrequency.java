@@ -1,6 +1,6 @@
 package sunbeam.precompute.analysis;
 
-import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.optics.HeightMap;
 
 /**
  * The frequency of a wave of the heights; its opposite is the same wave.

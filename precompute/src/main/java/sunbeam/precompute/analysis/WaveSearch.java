@@ -3,7 +3,7 @@ package sunbeam.precompute.analysis;
 import java.util.Optional;
 import java.util.function.Predicate;
 import sunbeam.precompute.numerics.LogParabola;
-import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.optics.HeightMap;
 
 /** Lines of the spectrum of a piece of a surface: the strongest, how broad it is, and what it explains. */
 final class WaveSearch {

@@ -2,7 +2,7 @@ package sunbeam.precompute.colortable;
 
 import org.apache.commons.math3.stat.StatUtils;
 import sunbeam.precompute.optics.CoherenceWindow;
-import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.GaussianArea;
 

@@ -2,7 +2,7 @@ package sunbeam.precompute.expansion;
 
 import java.util.Arrays;
 import sunbeam.precompute.patch.HeightLevels;
-import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.optics.HeightMap;
 
 /**
  * The heights of a patch by a few that stand for all.

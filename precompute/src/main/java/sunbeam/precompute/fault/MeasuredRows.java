@@ -8,7 +8,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.StringJoiner;
 import sunbeam.precompute.prepare.Crop;
-import sunbeam.precompute.prepare.HeightField;
+import sunbeam.precompute.optics.HeightMap;
 
 /**
  * Which rows of a scan were measured. The others are missing, of one height all along, or the row before once more. A surface that
@@ -23,10 +23,10 @@ final class MeasuredRows {
     private static final double ROUNDING = 4e-7;
     private static final int MOST_RUNS_TOLD = 4;
 
-    private final HeightField scan;
+    private final HeightMap scan;
     private final BitSet unmeasured = new BitSet();
 
-    MeasuredRows(HeightField scan) {
+    MeasuredRows(HeightMap scan) {
         this.scan = scan;
         double slack = ROUNDING * largest();
         for (int row = 0; row < scan.rows(); row++) {
@@ -109,7 +109,7 @@ final class MeasuredRows {
      * @param whole scan
      * @param place of the samples in it
      */
-    Optional<ScanFault> fault(HeightField whole, Crop.Samples place) {
+    Optional<ScanFault> fault(HeightMap whole, Crop.Samples place) {
         if (unmeasured.isEmpty()) {
             return Optional.empty();
         }

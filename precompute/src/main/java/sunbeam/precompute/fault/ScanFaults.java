@@ -8,7 +8,7 @@ import java.util.Optional;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import sunbeam.precompute.prepare.Crop;
-import sunbeam.precompute.prepare.HeightField;
+import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.prepare.Levelling;
 import sunbeam.precompute.units.Lengths;
 
@@ -40,7 +40,7 @@ public final class ScanFaults {
     // With farther ones: near 1 for a grating, up to three deviations by chance.
     private static final double LARGEST_BEYOND = 0.35;
 
-    private final HeightField whole;
+    private final HeightMap whole;
     private final Crop.Samples place;
     private final List<Offset> offsets;
     private final double spread;
@@ -57,7 +57,7 @@ public final class ScanFaults {
      */
     private record Offset(int row, double median, double mean, double spread) {}
 
-    private ScanFaults(HeightField whole, Crop.Samples place, HeightField scan, MeasuredRows measured) {
+    private ScanFaults(HeightMap whole, Crop.Samples place, HeightMap scan, MeasuredRows measured) {
         this.whole = whole;
         this.place = place;
         this.offsets = IntStream.range(0, scan.rows())
@@ -78,9 +78,9 @@ public final class ScanFaults {
      * @param crop the part that counts; all without it
      * @throws IllegalArgumentException when the crop does not suit the scan
      */
-    public static List<ScanFault> in(HeightField whole, Optional<Crop> crop) {
+    public static List<ScanFault> in(HeightMap whole, Optional<Crop> crop) {
         Crop.Samples place = crop.map(part -> part.samples(whole)).orElseGet(() -> Crop.Samples.allOf(whole));
-        HeightField scan = crop.isPresent() ? crop.get().apply(whole) : whole;
+        HeightMap scan = crop.isPresent() ? crop.get().apply(whole) : whole;
         if (scan.rows() < FEWEST_ROWS || scan.columns() < FEWEST_COLUMNS) {
             return List.of();
         }
@@ -91,7 +91,7 @@ public final class ScanFaults {
         return faults;
     }
 
-    private static Offset offset(HeightField scan, int row) {
+    private static Offset offset(HeightMap scan, int row) {
         int stride = (scan.columns() + MOST_COLUMNS - 1) / MOST_COLUMNS;
         double[] heights = scan.heights();
         double[] differences = IntStream.range(0, scan.columns() / stride)

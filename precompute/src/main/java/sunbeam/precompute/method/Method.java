@@ -1,7 +1,7 @@
 package sunbeam.precompute.method;
 
 import java.util.Optional;
-import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.plan.VisibleRange;
 
 /**

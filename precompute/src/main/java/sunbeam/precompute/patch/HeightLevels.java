@@ -2,6 +2,7 @@ package sunbeam.precompute.patch;
 
 import java.util.Arrays;
 import java.util.stream.IntStream;
+import sunbeam.precompute.optics.HeightMap;
 
 /**
  * The distinct heights of a patch and which of them each sample has. A scan of 8 bits has 256 levels, so that functions

@@ -1,6 +1,7 @@
 package sunbeam.precompute.patch;
 
 import java.util.Locale;
+import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.units.Decimals;
 
 /**

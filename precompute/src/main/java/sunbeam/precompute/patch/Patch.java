@@ -3,6 +3,7 @@ package sunbeam.precompute.patch;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.prepare.Crop;
 
 /**
@@ -88,7 +89,7 @@ public record Patch(
      * @throws IllegalArgumentException when that leaves the scan or holds fewer than two samples
      */
     public Patch part(Crop area) {
-        HeightMap part = scan.part(area);
+        HeightMap part = area.apply(scan);
         return new Patch(
                 name, part, part, source, channels, notes, warnings, faults, Optional.empty(), Repetition.NONE);
     }

@@ -13,7 +13,7 @@ import java.util.Optional;
 import sunbeam.precompute.fault.ScanFault;
 import sunbeam.precompute.fault.ScanFaults;
 import sunbeam.precompute.prepare.Edges;
-import sunbeam.precompute.prepare.HeightField;
+import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.prepare.Levelling;
 import sunbeam.precompute.prepare.OnePeriod;
 import sunbeam.precompute.prepare.Preparation;
@@ -63,8 +63,8 @@ record PatchAssembler(String name, String file, Choices choices, Kind kind) {
         Edges edges = choices.get(EDGES, piece ? Edges.BLEND : Edges.REPEAT);
         Preparation preparation = new Preparation(choices.find(CROP), levelling, choices.get(DESPIKE, false), edges);
         Preparation.Prepared prepared = prepared(preparation, measured);
-        HeightMap scan = HeightMap.of(prepared.scan());
-        HeightMap heights = edges == Edges.REPEAT ? scan : HeightMap.of(prepared.surface());
+        HeightMap scan = prepared.scan();
+        HeightMap heights = edges == Edges.REPEAT ? scan : prepared.surface();
         boolean periodic = repetition == Patch.Repetition.PERIODIC;
         List<PatchFault> faults = periodic ? List.of() : faults(measured, levelling);
         List<String> warnings = new ArrayList<>();
@@ -96,7 +96,7 @@ record PatchAssembler(String name, String file, Choices choices, Kind kind) {
                 read.notes(),
                 warnings,
                 faults,
-                choices.find(CROP).map(crop -> crop.samples(measured.field()).area(measured.field())),
+                choices.find(CROP).map(crop -> crop.samples(measured).area(measured)),
                 repetition);
     }
 
@@ -107,18 +107,18 @@ record PatchAssembler(String name, String file, Choices choices, Kind kind) {
         if (choices.has(CROP) || (choices.has(EDGES) && kind != Kind.BUILT_IN) || kind == Kind.GIVEN_DIRECTLY) {
             return Patch.Repetition.NONE;
         }
-        boolean period = kind == Kind.BUILT_IN || OnePeriod.isDrawn(measured.field());
+        boolean period = kind == Kind.BUILT_IN || OnePeriod.isDrawn(measured);
         return period ? Patch.Repetition.PERIODIC : Patch.Repetition.ASSUMED;
     }
 
     private Preparation.Prepared prepared(Preparation preparation, HeightMap measured) {
         try {
-            preparation.cropped(measured.field());
+            preparation.cropped(measured);
         } catch (IllegalArgumentException wrong) {
             throw new SettingException(CROP, wrong.getMessage());
         }
         try {
-            return preparation.apply(measured.field());
+            return preparation.apply(measured);
         } catch (IllegalArgumentException nothing) {
             throw new PatchException(
                     file + ": " + nothing.getMessage() + " (NaN, infinite or transparent); export the scan again",
@@ -129,7 +129,7 @@ record PatchAssembler(String name, String file, Choices choices, Kind kind) {
     /** Those that stay, with what leaves them out or takes them away. */
     private List<PatchFault> faults(HeightMap measured, Levelling levelling) {
         boolean levelled = levelling == Levelling.ROWS || levelling == Levelling.MEDIAN_ROWS;
-        return ScanFaults.in(measured.field(), choices.find(CROP)).stream()
+        return ScanFaults.in(measured, choices.find(CROP)).stream()
                 .filter(fault -> !levelled || fault.levelling().isEmpty())
                 .map(fault -> new PatchFault(fault.words(), remedy(fault, measured), fault.unmeasured()))
                 .toList();
@@ -158,8 +158,8 @@ record PatchAssembler(String name, String file, Choices choices, Kind kind) {
             Levelling levelling,
             Edges edges,
             Patch.Repetition repetition) {
-        HeightField scan = prepared.scan();
-        if (repetition == Patch.Repetition.NONE && levelling.takesTilt() && OnePeriod.isDrawn(measured.field())) {
+        HeightMap scan = prepared.scan();
+        if (repetition == Patch.Repetition.NONE && levelling.takesTilt() && OnePeriod.isDrawn(measured)) {
             return Optional.of(
                     "its lines are the same all along one axis, as drawn ones are; if it is a period of a grating, say so ("
                             + choices.origin(PatchSettings.PATCH).name(PERIODIC) + ")");

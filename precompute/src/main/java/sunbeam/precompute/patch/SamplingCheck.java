@@ -2,6 +2,7 @@ package sunbeam.precompute.patch;
 
 import java.util.Locale;
 import java.util.Optional;
+import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.units.Decimals;
 import sunbeam.precompute.units.Lengths;
 

@@ -2,6 +2,7 @@ package sunbeam.precompute.patch;
 
 import java.util.Locale;
 import java.util.Optional;
+import sunbeam.precompute.optics.HeightMap;
 
 /**
  * Whether a surface is flat enough for scalar theory, which takes every point for a mirror that shifts the phase and

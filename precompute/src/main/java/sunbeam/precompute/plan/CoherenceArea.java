@@ -1,7 +1,7 @@
 package sunbeam.precompute.plan;
 
 import sunbeam.precompute.color.CieTable;
-import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.reference.ExactLight;
 
 /** The part of a surface from which light adds up by amplitude. */

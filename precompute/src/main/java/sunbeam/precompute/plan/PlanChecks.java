@@ -9,7 +9,7 @@ import java.util.Locale;
 import sunbeam.precompute.expansion.ExpansionKind;
 import sunbeam.precompute.expansion.TaylorExpansion;
 import sunbeam.precompute.optics.CoherenceWindow;
-import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.units.Lengths;
 

@@ -8,7 +8,7 @@ import java.util.Locale;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.expansion.Expansion;
 import sunbeam.precompute.expansion.LowRankExpansion;
-import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.setting.Sentence;
 import sunbeam.precompute.units.Lengths;
 

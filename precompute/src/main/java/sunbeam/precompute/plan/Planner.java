@@ -10,7 +10,7 @@ import sunbeam.precompute.expansion.HeightScale;
 import sunbeam.precompute.expansion.LowRankExpansion;
 import sunbeam.precompute.expansion.TaylorExpansion;
 import sunbeam.precompute.patch.HeightLevels;
-import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.setting.Sentence;
 
 /** Makes a {@link Plan} for a patch, what the user fixes, and the directions that a scene can reach. */

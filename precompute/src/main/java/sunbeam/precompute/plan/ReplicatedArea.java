@@ -2,7 +2,7 @@ package sunbeam.precompute.plan;
 
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.optics.Replicas;
-import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.reference.ExactLight;
 import sunbeam.precompute.reference.ReplicaEvaluator;
 import sunbeam.precompute.reference.ReplicaLight;

@@ -5,7 +5,7 @@ import java.util.Optional;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.patch.HeightLevels;
-import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.resample.InterpolationDesign;
 
 /** Chooses how the windowed spectrum is sampled: single orders where the window resolves them, a grid elsewhere. */

@@ -3,6 +3,7 @@ package sunbeam.precompute.prepare;
 import java.util.Locale;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.setting.Kinds;
 import sunbeam.precompute.setting.ValueKind;
 import sunbeam.precompute.text.Quoted;
@@ -83,12 +84,12 @@ public record Crop(double left, double right, double bottom, double top) {
      */
     public record Samples(int firstColumn, int endColumn, int firstRow, int endRow) {
         /** Those of a whole scan. */
-        public static Samples allOf(HeightField field) {
+        public static Samples allOf(HeightMap field) {
             return new Samples(0, field.columns(), 0, field.rows());
         }
 
         /** The area that holds these samples of a scan and no others. */
-        public Crop area(HeightField field) {
+        public Crop area(HeightMap field) {
             return new Crop(
                     firstColumn * field.pitchX(),
                     endColumn * field.pitchX(),
@@ -129,7 +130,7 @@ public record Crop(double left, double right, double bottom, double top) {
      *
      * @throws IllegalArgumentException when the area leaves the scan or holds fewer than two samples; the message continues "--crop AREA"
      */
-    public Samples samples(HeightField field) {
+    public Samples samples(HeightMap field) {
         if (right > field.width() * (1 + SLACK) || top > field.height() * (1 + SLACK)) {
             throw new IllegalArgumentException(String.format(
                     Locale.ROOT,
@@ -163,7 +164,7 @@ public record Crop(double left, double right, double bottom, double top) {
      *
      * @throws IllegalArgumentException as {@link #samples}
      */
-    public HeightField apply(HeightField field) {
+    public HeightMap apply(HeightMap field) {
         Samples samples = samples(field);
         int columns = samples.endColumn - samples.firstColumn;
         int rows = samples.endRow - samples.firstRow;
@@ -172,7 +173,7 @@ public record Crop(double left, double right, double bottom, double top) {
             int from = (samples.firstRow + row) * field.columns() + samples.firstColumn;
             System.arraycopy(field.heights(), from, heights, row * columns, columns);
         }
-        return new HeightField(columns, rows, field.pitchX(), field.pitchY(), heights);
+        return HeightMap.owning(columns, rows, field.pitchX(), field.pitchY(), heights);
     }
 
     /** Of the samples whose middles lie at or beyond a place. */

@@ -1,6 +1,7 @@
 package sunbeam.precompute.prepare;
 
 import java.util.Locale;
+import sunbeam.precompute.optics.HeightMap;
 
 /** What becomes of a scan's border, where its repetition begins. */
 public enum Edges {
@@ -18,7 +19,7 @@ public enum Edges {
     }
 
     /** The heights with their borders treated, on the same grid. */
-    public HeightField apply(HeightField field) {
+    public HeightMap apply(HeightMap field) {
         if (this == REPEAT) {
             return field;
         }

@@ -2,6 +2,7 @@ package sunbeam.precompute.prepare;
 
 import java.util.Arrays;
 import java.util.Locale;
+import sunbeam.precompute.optics.HeightMap;
 
 /**
  * What is subtracted from measured heights: a scan sits micrometres, at times millimetres, above zero, is tilted against
@@ -33,7 +34,7 @@ public enum Levelling {
     }
 
     /** The levelled heights, on the same grid. */
-    public HeightField apply(HeightField field) {
+    public HeightMap apply(HeightMap field) {
         return switch (this) {
             case NONE -> field;
             case MEAN -> centred(Polynomial.fit(field, 1).subtracted());
@@ -44,7 +45,7 @@ public enum Levelling {
     }
 
     /** What rounding, and the fit's, left of the mean: sums over values that are large against their differences. */
-    private static HeightField centred(HeightField field) {
+    private static HeightMap centred(HeightMap field) {
         double[] heights = field.heights().clone();
         double mean = mean(heights, 0, heights.length);
         for (int i = 0; i < heights.length; i++) {
@@ -53,7 +54,7 @@ public enum Levelling {
         return field.with(heights);
     }
 
-    private HeightField withoutRows(HeightField field) {
+    private HeightMap withoutRows(HeightMap field) {
         double[] heights = field.heights().clone();
         for (int row = 0; row < field.rows(); row++) {
             int start = row * field.columns();

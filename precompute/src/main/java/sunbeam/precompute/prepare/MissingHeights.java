@@ -2,6 +2,7 @@ package sunbeam.precompute.prepare;
 
 import java.util.Arrays;
 import java.util.stream.IntStream;
+import sunbeam.precompute.optics.HeightMap;
 
 /**
  * Fills missing samples (NaN or infinite) from their surroundings: ring by ring from the edge of each hole inwards,
@@ -25,9 +26,9 @@ public final class MissingHeights {
      * @param field the heights without missing samples
      * @param count how many samples were filled
      */
-    public record Filled(HeightField field, int count) {}
+    public record Filled(HeightMap field, int count) {}
 
-    private MissingHeights(HeightField field) {
+    private MissingHeights(HeightMap field) {
         columns = field.columns();
         rows = field.rows();
         heights = field.heights().clone();
@@ -47,7 +48,7 @@ public final class MissingHeights {
      *
      * @throws IllegalArgumentException when all samples are missing
      */
-    public static Filled fill(HeightField field) {
+    public static Filled fill(HeightMap field) {
         MissingHeights filling = new MissingHeights(field);
         if (filling.count == 0) {
             return new Filled(field, 0);

@@ -1,5 +1,7 @@
 package sunbeam.precompute.prepare;
 
+import sunbeam.precompute.optics.HeightMap;
+
 /** Recognises heights that somebody drew or computed as a period of a grating: lines that are the same all along one axis. */
 public final class OnePeriod {
     // Larger patches are scans: half of sunlight's coherence length.
@@ -10,13 +12,13 @@ public final class OnePeriod {
     private OnePeriod() {}
 
     /** False of heights of which some are missing, and of a side beyond 32.5 um. */
-    public static boolean isDrawn(HeightField field) {
+    public static boolean isDrawn(HeightMap field) {
         return Math.max(field.width(), field.height()) <= LARGEST
                 && ((field.columns() > 1 && isSame(field, 1, 0)) || (field.rows() > 1 && isSame(field, 0, 1)));
     }
 
     /** Whether all heights are those of the first row (factors 1, 0) or column (0, 1), and not all one. */
-    private static boolean isSame(HeightField field, int columnFactor, int rowFactor) {
+    private static boolean isSame(HeightMap field, int columnFactor, int rowFactor) {
         double largest = 0;
         double least = Double.POSITIVE_INFINITY;
         double highest = Double.NEGATIVE_INFINITY;

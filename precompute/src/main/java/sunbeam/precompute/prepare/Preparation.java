@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.units.Lengths;
 
 /**
@@ -26,7 +27,7 @@ public record Preparation(Optional<Crop> crop, Levelling levelling, boolean desp
      * @param missing how many samples were missing and are filled
      * @param steps what was done, with its figures, a few words each
      */
-    public record Prepared(HeightField scan, HeightField surface, int missing, List<String> steps) {
+    public record Prepared(HeightMap scan, HeightMap surface, int missing, List<String> steps) {
         public Prepared {
             steps = List.copyOf(steps);
         }
@@ -37,7 +38,7 @@ public record Preparation(Optional<Crop> crop, Levelling levelling, boolean desp
      *
      * @throws IllegalArgumentException as {@link Crop#apply}
      */
-    public HeightField cropped(HeightField measured) {
+    public HeightMap cropped(HeightMap measured) {
         return crop.isPresent() ? crop.get().apply(measured) : measured;
     }
 
@@ -46,9 +47,9 @@ public record Preparation(Optional<Crop> crop, Levelling levelling, boolean desp
      *
      * @throws IllegalArgumentException when all samples are missing, or as {@link #cropped}
      */
-    public Prepared apply(HeightField measured) {
+    public Prepared apply(HeightMap measured) {
         List<String> steps = new ArrayList<>();
-        HeightField field = cropped(measured);
+        HeightMap field = cropped(measured);
         if (crop.isPresent()) {
             steps.add(String.format(
                     Locale.ROOT, "cropped from %s x %s", rounded(measured.width()), rounded(measured.height())));
@@ -77,7 +78,7 @@ public record Preparation(Optional<Crop> crop, Levelling levelling, boolean desp
             field = levelling == Levelling.NONE ? filled.field() : Levelling.MEAN.apply(filled.field());
             steps.add(String.format(Locale.ROOT, "%d missing samples filled", filled.count()));
         }
-        HeightField surface = edges.apply(field);
+        HeightMap surface = edges.apply(field);
         if (edges == Edges.BLEND) {
             steps.add(String.format(
                     Locale.ROOT,

@@ -1,5 +1,7 @@
 package sunbeam.precompute.prepare;
 
+import sunbeam.precompute.optics.HeightMap;
+
 /**
  * How opposite borders of a scan fit together where it repeats, along the axis along which they fit worse.
  *
@@ -16,7 +18,7 @@ public record Seam(double jump, double inside, double steepest) {
     private static final double ALIKE = 1.1;
 
     /** Of heights of which none is missing. */
-    public static Seam of(HeightField field) {
+    public static Seam of(HeightMap field) {
         double[] columns = new double[field.columns()];
         double[] rows = new double[field.rows()];
         for (int row = 0; row < rows.length; row++) {

@@ -3,6 +3,7 @@ package sunbeam.precompute.prepare;
 import java.util.Arrays;
 import java.util.Optional;
 import java.util.stream.IntStream;
+import sunbeam.precompute.optics.HeightMap;
 
 /**
  * Samples that stand alone, far above or below all around them: dust, a slipping tip. A spike differs from the median of its
@@ -13,7 +14,7 @@ import java.util.stream.IntStream;
  * @param count how many samples were replaced
  * @param largest difference that was taken away, metres
  */
-public record Spikes(HeightField field, int count, double largest) {
+public record Spikes(HeightMap field, int count, double largest) {
     // Relief over the range of nearly all heights, before anything is looked for, and then over the relief without
     // spikes: noise has 2.
     private static final double CONSPICUOUS = 2.5;
@@ -29,7 +30,7 @@ public record Spikes(HeightField field, int count, double largest) {
      *
      * @param field levelled
      */
-    public static Optional<Spikes> conspicuous(HeightField field) {
+    public static Optional<Spikes> conspicuous(HeightMap field) {
         double relief = relief(field.heights());
         if (!(relief > CONSPICUOUS * usualRange(field.heights()))) {
             return Optional.empty();
@@ -63,7 +64,7 @@ public record Spikes(HeightField field, int count, double largest) {
         return some.length == 0 ? Double.NaN : some[some.length - 1 - outside] - some[outside];
     }
 
-    static Spikes removed(HeightField field) {
+    static Spikes removed(HeightMap field) {
         double[] medians = new double[field.heights().length];
         IntStream.range(0, field.rows()).parallel().forEach(row -> {
             double[] around = new double[(2 * REACH + 1) * (2 * REACH + 1)];
@@ -88,14 +89,14 @@ public record Spikes(HeightField field, int count, double largest) {
     }
 
     /** Of the samples that are there around a place; NaN where none is. */
-    private static double median(HeightField field, int index, double[] around) {
+    private static double median(HeightMap field, int index, double[] around) {
         int count = gather(field, index % field.columns(), index / field.columns(), around);
         Arrays.sort(around, 0, count);
         return count == 0 ? Double.NaN : around[count / 2];
     }
 
     /** The samples that are there around a place. */
-    private static int gather(HeightField field, int column, int row, double[] around) {
+    private static int gather(HeightMap field, int column, int row, double[] around) {
         int count = 0;
         for (int r = Math.max(0, row - REACH); r <= Math.min(field.rows() - 1, row + REACH); r++) {
             for (int c = Math.max(0, column - REACH); c <= Math.min(field.columns() - 1, column + REACH); c++) {
@@ -108,7 +109,7 @@ public record Spikes(HeightField field, int count, double largest) {
         return count;
     }
 
-    private static boolean isAlone(HeightField field, int index, double median, double difference, double[] around) {
+    private static boolean isAlone(HeightMap field, int index, double median, double difference, double[] around) {
         int count = gather(field, index % field.columns(), index / field.columns(), around);
         int company = 0;
         for (int i = 0; i < count; i++) {

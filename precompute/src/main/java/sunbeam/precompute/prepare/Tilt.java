@@ -1,5 +1,7 @@
 package sunbeam.precompute.prepare;
 
+import sunbeam.precompute.optics.HeightMap;
+
 /**
  * The plane in a scan.
  *
@@ -11,10 +13,10 @@ public record Tilt(double rise, double share) {
     public static final Tilt NONE = new Tilt(0, 0);
 
     /** Of heights, of which some may be missing. */
-    public static Tilt of(HeightField field) {
+    public static Tilt of(HeightMap field) {
         Polynomial plane = Polynomial.fit(field, 3);
         double all = Polynomial.fit(field, 1).variance();
         double rest = plane.variance();
-        return new Tilt(Math.abs(plane.riseX()) + Math.abs(plane.riseY()), all > 0 ? Math.max(0, 1 - rest / all) : 0);
+        return new Tilt(plane.rise(), all > 0 ? Math.max(0, 1 - rest / all) : 0);
     }
 }

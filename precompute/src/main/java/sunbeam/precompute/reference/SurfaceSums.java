@@ -2,7 +2,7 @@ package sunbeam.precompute.reference;
 
 import sunbeam.precompute.numerics.UnitCircle;
 import sunbeam.precompute.patch.HeightLevels;
-import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.optics.HeightMap;
 
 /** Sums of p = exp(i k w h) over the rows of a patch, one running sum per column and weighting. */
 final class SurfaceSums {

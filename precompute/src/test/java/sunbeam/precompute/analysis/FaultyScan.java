@@ -8,9 +8,8 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.SplittableRandom;
 import sunbeam.precompute.fault.ScanFaults;
-import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.PatchFault;
-import sunbeam.precompute.prepare.HeightField;
 import sunbeam.precompute.prepare.Levelling;
 
 /**
@@ -62,8 +61,7 @@ record FaultyScan(HeightMap map, double[] truths, boolean anyBetween, String wor
 
     /** What the program answers: nothing of rows that are no measurement, nor where it refuses what it found. */
     Optional<GratingPeriod> estimate() {
-        HeightField field = new HeightField(map.columns(), map.rows(), map.pitchX(), map.pitchY(), map.toArray());
-        List<PatchFault> faults = ScanFaults.in(field, Optional.empty()).stream()
+        List<PatchFault> faults = ScanFaults.in(map, Optional.empty()).stream()
                 .map(fault -> new PatchFault(fault.words(), "", fault.unmeasured()))
                 .toList();
         return PeriodModel.of(map, wave -> true)
@@ -212,7 +210,7 @@ record FaultyScan(HeightMap map, double[] truths, boolean anyBetween, String wor
     }
 
     private static HeightMap level(int columns, int rows, double pitch, double[] heights) {
-        return new HeightMap(columns, rows, pitch, pitch, heights).levelled(Levelling.PLANE);
+        return Levelling.PLANE.apply(new HeightMap(columns, rows, pitch, pitch, heights));
     }
 
     private static FaultyScan lattice(Kind kind, long seed, SplittableRandom random) {

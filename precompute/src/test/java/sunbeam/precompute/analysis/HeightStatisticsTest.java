@@ -7,7 +7,7 @@ import java.util.Arrays;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import sunbeam.precompute.Surfaces;
-import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.optics.HeightMap;
 
 final class HeightStatisticsTest {
     private static final double PITCH = 20e-9;

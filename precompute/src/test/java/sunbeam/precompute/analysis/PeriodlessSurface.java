@@ -3,7 +3,7 @@ package sunbeam.precompute.analysis;
 import java.util.Arrays;
 import java.util.SplittableRandom;
 import java.util.function.DoubleUnaryOperator;
-import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.prepare.Levelling;
 
 /** Scans of surfaces that have no period, drawn at random, noisy, and level by their plane as commands take them. */
@@ -49,7 +49,7 @@ enum PeriodlessSurface {
         for (int i = 0; i < heights.length; i++) {
             heights[i] = 1e-7 * (heights[i] / scale + noise * random.nextGaussian());
         }
-        return new HeightMap(columns, rows, PITCH, PITCH, heights).levelled(Levelling.PLANE);
+        return Levelling.PLANE.apply(new HeightMap(columns, rows, PITCH, PITCH, heights));
     }
 
     private double[] heights(int columns, int rows, SplittableRandom random) {

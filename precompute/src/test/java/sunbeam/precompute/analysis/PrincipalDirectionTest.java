@@ -9,7 +9,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.precompute.Surfaces;
-import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.prepare.Levelling;
 
 class PrincipalDirectionTest {
@@ -36,7 +36,7 @@ class PrincipalDirectionTest {
     void whatIsToldOfAScanHoldsTheGratingsDirection() {
         for (long seed = 1; seed <= 6; seed++) {
             SimulatedGrating grating = SimulatedGrating.draw(SimulatedGrating.Kind.NOISY, seed);
-            PrincipalDirection found = PrincipalDirection.of(grating.map().levelled(Levelling.PLANE));
+            PrincipalDirection found = PrincipalDirection.of(Levelling.PLANE.apply(grating.map()));
             double error = Math.IEEEremainder(found.azimuthDegrees() - Math.toDegrees(grating.azimuth()), 180);
             found.halfWidthDegrees()
                     .ifPresent(half ->

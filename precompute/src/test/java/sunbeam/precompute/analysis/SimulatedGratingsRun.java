@@ -32,7 +32,7 @@ class SimulatedGratingsRun {
             int told = 0;
             for (long seed = FIRST_SEED; seed < FIRST_SEED + DRAWS; seed++) {
                 SimulatedGrating grating = SimulatedGrating.draw(kind, seed);
-                PrincipalDirection found = PrincipalDirection.of(grating.map().levelled(Levelling.PLANE));
+                PrincipalDirection found = PrincipalDirection.of(Levelling.PLANE.apply(grating.map()));
                 double error = Math.IEEEremainder(found.azimuthDegrees() - Math.toDegrees(grating.azimuth()), 180);
                 told += found.halfWidthDegrees().isPresent() ? 1 : 0;
                 held += Math.abs(error) <= found.halfWidthDegrees().orElse(-1) ? 1 : 0;

@@ -6,8 +6,7 @@ import java.util.Optional;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import sunbeam.precompute.fault.ScanFaults;
-import sunbeam.precompute.patch.HeightMap;
-import sunbeam.precompute.prepare.HeightField;
+import sunbeam.precompute.optics.HeightMap;
 
 /** Scans of gratings that chance drew have nothing that a scan's faults look like, in floats and in few levels. */
 class SoundGratingsTest {
@@ -26,12 +25,12 @@ class SoundGratingsTest {
     }
 
     /** @param levels 0 for heights as they are */
-    private static HeightField rounded(HeightMap map, int levels) {
+    private static HeightMap rounded(HeightMap map, int levels) {
         double[] heights = map.toArray();
         double step = map.relief() / (levels - 1);
         for (int i = 0; i < heights.length && levels > 0; i++) {
             heights[i] = map.minimum() + step * Math.rint((heights[i] - map.minimum()) / step);
         }
-        return new HeightField(map.columns(), map.rows(), map.pitchX(), map.pitchY(), heights);
+        return map.with(heights);
     }
 }

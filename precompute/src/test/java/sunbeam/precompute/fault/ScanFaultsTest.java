@@ -13,7 +13,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.precompute.prepare.Crop;
-import sunbeam.precompute.prepare.HeightField;
+import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.prepare.Levelling;
 
 class ScanFaultsTest {
@@ -38,8 +38,8 @@ class ScanFaultsTest {
         return heights;
     }
 
-    private static HeightField field(double[] heights) {
-        return new HeightField(COLUMNS, ROWS, PITCH, PITCH, heights);
+    private static HeightMap field(double[] heights) {
+        return new HeightMap(COLUMNS, ROWS, PITCH, PITCH, heights);
     }
 
     private static List<ScanFault> faults(double[] heights) {
@@ -254,9 +254,9 @@ class ScanFaultsTest {
 
     @Test
     void fewSamplesAreNotJudged() {
-        assertThat(ScanFaults.in(new HeightField(3, 2, PITCH, PITCH, new double[6]), Optional.empty()))
+        assertThat(ScanFaults.in(new HeightMap(3, 2, PITCH, PITCH, new double[6]), Optional.empty()))
                 .isEmpty();
-        assertThat(ScanFaults.in(new HeightField(1, 1, PITCH, PITCH, new double[1]), Optional.empty()))
+        assertThat(ScanFaults.in(new HeightMap(1, 1, PITCH, PITCH, new double[1]), Optional.empty()))
                 .isEmpty();
     }
 }

@@ -6,6 +6,7 @@ import java.util.Arrays;
 import java.util.Random;
 import java.util.function.IntToDoubleFunction;
 import org.junit.jupiter.api.Test;
+import sunbeam.precompute.optics.HeightMap;
 
 class HeightLevelsTest {
     private static final int SIDE = 40;

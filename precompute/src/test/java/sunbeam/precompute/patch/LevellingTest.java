@@ -8,6 +8,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
+import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.prepare.Levelling;
 
 class LevellingTest {
@@ -28,7 +29,7 @@ class LevellingTest {
     }
 
     private static HeightMap apply(Levelling levelling, HeightMap map) {
-        return map.levelled(levelling);
+        return levelling.apply(map);
     }
 
     private static double mean(HeightMap map) {

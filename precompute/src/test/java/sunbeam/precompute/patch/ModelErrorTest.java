@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.api.Test;
 import sunbeam.precompute.Surfaces;
+import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.ModelError.Incidence;
 
 class ModelErrorTest {

@@ -3,6 +3,7 @@ package sunbeam.precompute.patch;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.Test;
+import sunbeam.precompute.optics.HeightMap;
 
 class SamplingCheckTest {
     @Test

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.Test;
 import sunbeam.precompute.Surfaces;
+import sunbeam.precompute.optics.HeightMap;
 
 class SlopeCheckTest {
     private static final double PITCH = 50e-9;

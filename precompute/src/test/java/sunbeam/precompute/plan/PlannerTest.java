@@ -16,7 +16,7 @@ import sunbeam.precompute.expansion.ExpansionKind;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.patch.HeightLevels;
-import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.setting.Origin;
 import sunbeam.precompute.setting.SettingException;
 

@@ -12,9 +12,8 @@ import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.WindowOrigin;
-import sunbeam.precompute.patch.HeightDigest;
 import sunbeam.precompute.patch.HeightLevels;
-import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.shader.ArrayLayout;
 import sunbeam.precompute.shader.MethodUse;
 import sunbeam.precompute.shader.ShaderTables;
@@ -86,7 +85,7 @@ class SamplingTablesTest {
 
     private static ShaderTables tables(Plan plan, MethodUse use) {
         PatchIdentity identity = new PatchIdentity(
-                "skin", SKIN.columns(), SKIN.rows(), SKIN.pitchX(), SKIN.pitchY(), HeightDigest.sha256(SKIN));
+                "skin", SKIN.columns(), SKIN.rows(), SKIN.pitchX(), SKIN.pitchY(), SKIN.digest());
         FourierTable table = new TableBuilder(identity, HeightLevels.of(SKIN), done -> {})
                 .build(plan.expansion(), plan.bandX(), plan.bandY());
         return plan.sampling().tables(plan, table, use, CIE);

@@ -6,17 +6,18 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.util.Arrays;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
+import sunbeam.precompute.optics.HeightMap;
 
 class MissingHeightsTest {
     private static final double NAN = Double.NaN;
 
-    private static HeightField map(int columns, int rows, double... heights) {
-        return new HeightField(columns, rows, 1e-9, 1e-9, heights);
+    private static HeightMap map(int columns, int rows, double... heights) {
+        return new HeightMap(columns, rows, 1e-9, 1e-9, heights);
     }
 
     @Test
     void leavesACompleteMapAlone() {
-        HeightField map = map(2, 2, 1, 2, 3, 4);
+        HeightMap map = map(2, 2, 1, 2, 3, 4);
 
         MissingHeights.Filled filled = MissingHeights.fill(map);
 
@@ -43,7 +44,7 @@ class MissingHeightsTest {
 
     @Test
     void samplesOfOneRingDoNotSeeEachOther() {
-        HeightField filled =
+        HeightMap filled =
                 MissingHeights.fill(map(6, 1, 0, NAN, NAN, NAN, NAN, 8)).field();
 
         assertThat(filled.heights()).containsExactly(0, 0, 0, 8, 8, 8);
@@ -51,7 +52,7 @@ class MissingHeightsTest {
 
     @Test
     void doesNotLookAcrossTheEdge() {
-        HeightField filled = MissingHeights.fill(map(4, 1, NAN, 1, 50, 100)).field();
+        HeightMap filled = MissingHeights.fill(map(4, 1, NAN, 1, 50, 100)).field();
 
         assertThat(filled.at(0, 0)).isEqualTo(1);
     }

@@ -12,16 +12,17 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import sunbeam.precompute.optics.HeightMap;
 
 class PreparationTest {
     private static final int COLUMNS = 80;
     private static final int ROWS = 60;
     private static final double PITCH = 50e-9;
 
-    private static HeightField field(IntToDoubleFunction height) {
+    private static HeightMap field(IntToDoubleFunction height) {
         double[] heights = new double[COLUMNS * ROWS];
         Arrays.setAll(heights, height);
-        return new HeightField(COLUMNS, ROWS, PITCH, PITCH, heights);
+        return new HeightMap(COLUMNS, ROWS, PITCH, PITCH, heights);
     }
 
     private static int row(int i) {
@@ -32,16 +33,16 @@ class PreparationTest {
         return new SplittableRandom(i).nextDouble() * 10e-9;
     }
 
-    private static double largest(HeightField field) {
+    private static double largest(HeightMap field) {
         return Arrays.stream(field.heights()).map(Math::abs).max().orElseThrow();
     }
 
     @Test
     void rowsLoseTheirOffsetsAndNothingElse() {
-        HeightField lines = field(i -> 40e-9 * Math.sin(row(i)) + rough(i % COLUMNS));
+        HeightMap lines = field(i -> 40e-9 * Math.sin(row(i)) + rough(i % COLUMNS));
         // Every row is the same but for its offset.
-        HeightField level = Levelling.ROWS.apply(lines);
-        HeightField median = Levelling.MEDIAN_ROWS.apply(lines);
+        HeightMap level = Levelling.ROWS.apply(lines);
+        HeightMap median = Levelling.MEDIAN_ROWS.apply(lines);
         for (int i = COLUMNS; i < level.heights().length; i++) {
             // The plane under the offsets is the same for all rows along x: what differs is rounding of 1e-8 m.
             assertThat(level.heights()[i]).isCloseTo(level.heights()[i - COLUMNS], within(1e-22));
@@ -52,9 +53,9 @@ class PreparationTest {
     @Test
     void aGrainOfDustDrawsTheMeanOfItsRowButNotTheMedian() {
         int dusty = 30;
-        HeightField dust = field(i -> i / COLUMNS == dusty && i % COLUMNS < 20 ? 1e-6 : rough(i));
-        HeightField mean = Levelling.ROWS.apply(dust);
-        HeightField median = Levelling.MEDIAN_ROWS.apply(dust);
+        HeightMap dust = field(i -> i / COLUMNS == dusty && i % COLUMNS < 20 ? 1e-6 : rough(i));
+        HeightMap mean = Levelling.ROWS.apply(dust);
+        HeightMap median = Levelling.MEDIAN_ROWS.apply(dust);
         // A quarter of the row at 1 um, less what the plane takes: the rest sinks by some 250 nm.
         assertThat(mean.at(60, dusty)).isLessThan(-200e-9);
         assertThat(median.at(60, dusty)).isBetween(-20e-9, 20e-9);
@@ -62,7 +63,7 @@ class PreparationTest {
 
     @Test
     void quadraticTakesTiltAndBow() {
-        HeightField bow = field(i ->
+        HeightMap bow = field(i ->
                 1e-3 + 2e-9 * (i % COLUMNS) + 1e-12 * Math.pow(i % COLUMNS - 30, 2) - 3e-12 * (i % COLUMNS) * row(i));
         // Heights near 1 mm are doubles to 2.2e-19 m.
         assertThat(largest(Levelling.QUADRATIC.apply(bow))).isLessThan(1e-18);
@@ -73,7 +74,7 @@ class PreparationTest {
     void spikesGoAndLinesStay() {
         // Lines four samples wide, whose corners and edges are no spikes, and three grains.
         IntToDoubleFunction lines = i -> (i % COLUMNS / 4 % 2 == 0 && i / COLUMNS > 9 ? 100e-9 : 0) + 0.1 * rough(i);
-        HeightField dusty =
+        HeightMap dusty =
                 field(i -> lines.applyAsDouble(i) + (i == 1234 ? 400e-9 : i == 2345 ? -300e-9 : i == 7 ? 500e-9 : 0));
         Spikes spikes = Spikes.removed(dusty);
         assertThat(spikes.count()).isEqualTo(3);
@@ -85,8 +86,8 @@ class PreparationTest {
 
     @Test
     void theCropIsMeasuredFromTheLowerLeftCorner() {
-        HeightField numbered = field(i -> i);
-        HeightField part = Crop.KIND.parse("0.5um:1.5um,0:0.25um").apply(numbered);
+        HeightMap numbered = field(i -> i);
+        HeightMap part = Crop.KIND.parse("0.5um:1.5um,0:0.25um").apply(numbered);
         assertThat(part.columns()).isEqualTo(20);
         assertThat(part.rows()).isEqualTo(5);
         // The lowest five rows, from the tenth column on.
@@ -104,7 +105,7 @@ class PreparationTest {
 
     @Test
     void anAreaOutsideTheScanIsSaid() {
-        HeightField scan = field(PreparationTest::rough);
+        HeightMap scan = field(PreparationTest::rough);
         assertThatThrownBy(() -> Crop.KIND.parse("0:5um,0:1um").apply(scan))
                 .hasMessageContaining("which is 4 um x 3 um");
         assertThatThrownBy(() -> Crop.KIND.parse("0:1nm,0:1nm").apply(scan)).hasMessageContaining("0 x 0 samples");
@@ -113,8 +114,8 @@ class PreparationTest {
     @ParameterizedTest
     @EnumSource
     void blendedEdgesGoOnWithoutAStepAndLeaveTheMiddle(Edges edges) {
-        HeightField slope = field(i -> 3e-9 * (i % COLUMNS) + 1e-9 * row(i));
-        HeightField treated = edges.apply(slope);
+        HeightMap slope = field(i -> 3e-9 * (i % COLUMNS) + 1e-9 * row(i));
+        HeightMap treated = edges.apply(slope);
         if (edges == Edges.BLEND) {
             assertThat(Seam.of(treated).fits()).isTrue();
         } else {
@@ -129,7 +130,7 @@ class PreparationTest {
 
     @Test
     void stepsAreToldInTheirOrderWithTheirFigures() {
-        HeightField measured = field(i -> i == 2000 ? Double.NaN : i == 500 ? 2e-6 : rough(i) + 2e-9 * (i % COLUMNS));
+        HeightMap measured = field(i -> i == 2000 ? Double.NaN : i == 500 ? 2e-6 : rough(i) + 2e-9 * (i % COLUMNS));
         Preparation.Prepared prepared = new Preparation(
                         Optional.of(new Crop(0, 3e-6, 0, 3e-6)), Levelling.PLANE, true, Edges.BLEND)
                 .apply(measured);
@@ -149,7 +150,7 @@ class PreparationTest {
                 .isTrue();
         assertThat(OnePeriod.isDrawn(field(i -> 1e-7 * Math.cos(2 * Math.PI * row(i) / ROWS))))
                 .isTrue();
-        HeightField terrace = field(i -> (i % COLUMNS < COLUMNS / 2 ? 1e-7 : 0) + 0.01 * rough(i));
+        HeightMap terrace = field(i -> (i % COLUMNS < COLUMNS / 2 ? 1e-7 : 0) + 0.01 * rough(i));
         assertThat(OnePeriod.isDrawn(terrace)).isFalse();
         assertThat(OnePeriod.isDrawn(field(i -> 0))).isFalse();
         assertThat(OnePeriod.isDrawn(field(i -> i == 7 ? Double.NaN : 1e-9 * (i % COLUMNS))))

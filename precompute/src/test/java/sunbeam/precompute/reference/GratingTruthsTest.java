@@ -12,7 +12,7 @@ import sunbeam.precompute.Surfaces;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.WindowOrigin;
-import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.optics.HeightMap;
 
 /** Gratings whose orders are known in closed form: one period, 1 x N samples, seen through the coherence window. */
 class GratingTruthsTest {

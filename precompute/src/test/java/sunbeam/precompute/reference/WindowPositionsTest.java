@@ -9,7 +9,7 @@ import sunbeam.precompute.Surfaces;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.WindowOrigin;
-import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.optics.HeightMap;
 
 /** The ensemble average is the mean over positions of the window; moving the window is moving the periodic patch. */
 class WindowPositionsTest {

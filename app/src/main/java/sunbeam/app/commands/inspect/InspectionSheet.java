@@ -17,7 +17,7 @@ import sunbeam.app.work.Meanwhile;
 import sunbeam.precompute.analysis.GratingPeriod;
 import sunbeam.precompute.analysis.HeightSpectrum;
 import sunbeam.precompute.analysis.Histogram;
-import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.units.Lengths;
 
 /** One picture with all that an inspection found: heights, power spectrum, histogram, a profile, and the text. */

@@ -1,6 +1,6 @@
 package sunbeam.app.commands.inspect;
 
-import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.optics.HeightMap;
 
 /**
  * Heights along a straight line through a patch's centre.

@@ -8,7 +8,7 @@ import java.util.Locale;
 import java.util.Optional;
 import sunbeam.precompute.method.Method;
 import sunbeam.precompute.optics.Direction;
-import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.GaussianArea;

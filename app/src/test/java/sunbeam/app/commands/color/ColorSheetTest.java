@@ -17,7 +17,7 @@ import sunbeam.precompute.color.DisplayTransform;
 import sunbeam.precompute.color.Tone;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
-import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.Patch;
 
 class ColorSheetTest {

@@ -10,7 +10,7 @@ import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import sunbeam.precompute.analysis.PrincipalDirection;
 import sunbeam.precompute.optics.Direction;
-import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.Patch;
 
 class VerdictTest {

@@ -10,7 +10,7 @@ import sunbeam.app.gpu.directions.DirectionsRenderer.Query;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
-import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.optics.HeightMap;
 
 final class DirectionSamplerTest {
     private static final CoherenceWindow WINDOW = CoherenceWindow.ofCoherenceLength(65e-6);

@@ -1,6 +1,6 @@
 package sunbeam.precompute.patch.builtin;
 
-import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.optics.HeightMap;
 
 /**
  * A sawtooth that rises towards +x. Lit from the normal it sends light towards -x: order m has the power

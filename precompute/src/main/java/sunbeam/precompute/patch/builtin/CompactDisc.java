@@ -2,7 +2,7 @@ package sunbeam.precompute.patch.builtin;
 
 import java.util.ArrayList;
 import java.util.List;
-import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.optics.HeightMap;
 
 /**
  * The data side of a compact disc, without its lacquer: straight tracks along y with pits of 3 to 11 channel bits,

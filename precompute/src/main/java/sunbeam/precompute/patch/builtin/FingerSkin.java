@@ -1,7 +1,7 @@
 package sunbeam.precompute.patch.builtin;
 
 import java.util.stream.IntStream;
-import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.optics.HeightMap;
 
 /**
  * Shed snake skin: overlapping rows of fingers on gently wavy ground, a model of what atomic force microscopy of

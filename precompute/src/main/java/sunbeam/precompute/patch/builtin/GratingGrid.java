@@ -1,7 +1,7 @@
 package sunbeam.precompute.patch.builtin;
 
 import java.util.function.DoubleUnaryOperator;
-import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.optics.HeightMap;
 
 /**
  * One period of a surface that varies along x only, as a square patch.

@@ -1,6 +1,6 @@
 package sunbeam.precompute.patch.builtin;
 
-import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.optics.HeightMap;
 
 /**
  * Rectangular ridges. With a ridge of half the period the even orders but 0 vanish; with depth = lambda / 4 the mirror

@@ -1,6 +1,6 @@
 package sunbeam.precompute.patch.builtin;
 
-import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.optics.HeightMap;
 
 /**
  * Heights amplitude * sin(2 pi x / period). Order m has the power J_m(k w amplitude)^2.

@@ -1,7 +1,7 @@
 package sunbeam.precompute.patch.builtin;
 
 import org.jtransforms.fft.DoubleFFT_2D;
-import sunbeam.precompute.patch.HeightMap;
+import sunbeam.precompute.optics.HeightMap;
 
 /** Power spectrum of a patch's heights, for tests: what share of the mean square lies where. */
 final class Spectrum {

@@ -1,4 +1,4 @@
-package sunbeam.precompute.patch;
+package sunbeam.precompute.optics;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -9,11 +9,11 @@ import java.util.HexFormat;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 
-class HeightDigestTest {
+class HeightMapTest {
     private final double[] heights = new Random(6).doubles(200 * 90).toArray();
 
     @Test
-    void isTheSha256OfTheDocumentedLayout() throws Exception {
+    void theDigestIsTheSha256OfTheDocumentedLayout() throws Exception {
         ByteBuffer layout = ByteBuffer.allocate(21 + 24 + 8 * heights.length);
         layout.put("sunbeam height map 1\n".getBytes(StandardCharsets.US_ASCII));
         layout.putInt(200).putInt(90).putDouble(1e-9).putDouble(2e-9);
@@ -23,21 +23,21 @@ class HeightDigestTest {
         String expected =
                 HexFormat.of().formatHex(MessageDigest.getInstance("SHA-256").digest(layout.array()));
 
-        assertThat(HeightDigest.sha256(new HeightMap(200, 90, 1e-9, 2e-9, heights)))
+        assertThat(new HeightMap(200, 90, 1e-9, 2e-9, heights).digest())
                 .isEqualTo(expected);
     }
 
     @Test
-    void changesWithEveryPartOfTheSurface() {
+    void theDigestChangesWithEveryPartOfTheSurface() {
         double[] touched = heights.clone();
         touched[touched.length - 1] = Math.nextUp(touched[touched.length - 1]);
 
         assertThat(new String[] {
-                    HeightDigest.sha256(new HeightMap(200, 90, 1e-9, 2e-9, heights)),
-                    HeightDigest.sha256(new HeightMap(90, 200, 1e-9, 2e-9, heights)),
-                    HeightDigest.sha256(new HeightMap(200, 90, 2e-9, 2e-9, heights)),
-                    HeightDigest.sha256(new HeightMap(200, 90, 1e-9, 1e-9, heights)),
-                    HeightDigest.sha256(new HeightMap(200, 90, 1e-9, 2e-9, touched))
+                    new HeightMap(200, 90, 1e-9, 2e-9, heights).digest(),
+                    new HeightMap(90, 200, 1e-9, 2e-9, heights).digest(),
+                    new HeightMap(200, 90, 2e-9, 2e-9, heights).digest(),
+                    new HeightMap(200, 90, 1e-9, 1e-9, heights).digest(),
+                    new HeightMap(200, 90, 1e-9, 2e-9, touched).digest()
                 })
                 .doesNotHaveDuplicates()
                 .allMatch(digest -> digest.matches("[0-9a-f]{64}"));

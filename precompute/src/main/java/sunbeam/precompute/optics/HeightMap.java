@@ -1,23 +1,21 @@
-package sunbeam.precompute.patch;
+package sunbeam.precompute.optics;
 
+import java.nio.ByteBuffer;
 import java.util.Arrays;
 import java.util.Locale;
-import java.util.Optional;
 import java.util.function.DoubleUnaryOperator;
-import sunbeam.precompute.prepare.Crop;
-import sunbeam.precompute.prepare.Edges;
-import sunbeam.precompute.prepare.HeightField;
-import sunbeam.precompute.prepare.Levelling;
-import sunbeam.precompute.prepare.Preparation;
+import sunbeam.precompute.files.Sha256;
 import sunbeam.precompute.units.Lengths;
 
 /**
- * One period of a surface: heights in metres on a rectangular grid, seen from above. Column index grows with +x, row 0
- * is the top (largest y); the surface repeats this patch periodically in both directions.
+ * Heights in metres on a rectangular grid, seen from above: a scan, or one period of a surface. Column index grows with
+ * +x, row 0 is the top (largest y).
  *
- * <p>Immutable. Missing samples are NaN until they are filled ({@link HeightField}).
+ * <p>Immutable. Missing samples are NaN or infinite until they are filled ({@code prepare.MissingHeights}).
  */
 public final class HeightMap {
+    private static final int HEIGHTS_PER_BLOCK = 8192;
+
     private final int columns;
     private final int rows;
     private final double pitchX;
@@ -38,7 +36,6 @@ public final class HeightMap {
         this(heights.clone(), columns, rows, pitchX, pitchY);
     }
 
-    /** As the public constructor, but keeps the array itself: a large scan is not held twice. */
     private HeightMap(double[] heights, int columns, int rows, double pitchX, double pitchY) {
         if (columns < 1 || rows < 1) {
             throw new IllegalArgumentException("a height map needs samples, got " + columns + " x " + rows);
@@ -56,34 +53,19 @@ public final class HeightMap {
         this.heights = heights;
     }
 
-    /** A height map that takes over the array: the caller must not touch it again. */
-    static HeightMap owning(int columns, int rows, double pitchX, double pitchY, double[] heights) {
+    /** A height map that takes over the array, so that a large scan is not held twice: the caller must not touch it again. */
+    public static HeightMap owning(int columns, int rows, double pitchX, double pitchY, double[] heights) {
         return new HeightMap(heights, columns, rows, pitchX, pitchY);
     }
 
-    /** The map of a field, whose array it takes over. */
-    static HeightMap of(HeightField field) {
-        return new HeightMap(field.heights(), field.columns(), field.rows(), field.pitchX(), field.pitchY());
+    /** The same grid with other heights, which are taken over. */
+    public HeightMap with(double[] others) {
+        return new HeightMap(others, columns, rows, pitchX, pitchY);
     }
 
-    /** The heights as preparing takes them; not to be written to. */
-    HeightField field() {
-        return new HeightField(columns, rows, pitchX, pitchY, heights);
-    }
-
-    /** The same grid with something subtracted. */
-    public HeightMap levelled(Levelling levelling) {
-        return of(levelling.apply(field()));
-    }
-
-    /**
-     * A part of it, as it is.
-     *
-     * @throws IllegalArgumentException when that leaves the map or holds fewer than two samples
-     */
-    public HeightMap part(Crop crop) {
-        Preparation cropping = new Preparation(Optional.of(crop), Levelling.NONE, false, Edges.REPEAT);
-        return of(cropping.cropped(field()));
+    /** The same grid with every height replaced by a function of it. */
+    public HeightMap map(DoubleUnaryOperator function) {
+        return with(Arrays.stream(heights).map(function).toArray());
     }
 
     public int columns() {
@@ -104,12 +86,12 @@ public final class HeightMap {
         return pitchY;
     }
 
-    /** Period along x, metres. */
+    /** Extent along x, metres: the period of a surface that repeats. */
     public double width() {
         return columns * pitchX;
     }
 
-    /** Period along y, metres. */
+    /** Extent along y, metres: the period of a surface that repeats. */
     public double height() {
         return rows * pitchY;
     }
@@ -117,6 +99,11 @@ public final class HeightMap {
     /** Height in metres at a column (0 = left) and row (0 = top). */
     public double at(int column, int row) {
         return heights[row * columns + column];
+    }
+
+    /** All heights in metres, row by row from the top; not to be written to. */
+    public double[] heights() {
+        return heights;
     }
 
     /** A copy of all heights in metres, row by row from the top. */
@@ -132,6 +119,11 @@ public final class HeightMap {
     /** Highest height in metres, ignoring missing samples; NaN when all are missing. */
     public double maximum() {
         return range().high();
+    }
+
+    /** Peak to valley, metres. */
+    public double relief() {
+        return range().high() - range().low();
     }
 
     /** Lowest and highest height; NaN when all are missing. */
@@ -152,16 +144,6 @@ public final class HeightMap {
         }
     }
 
-    /** {@link HeightDigest#sha256}, found once; threads that look at the same time find the same. */
-    String digest() {
-        String known = digest;
-        if (known == null) {
-            known = HeightDigest.sha256(this);
-            digest = known;
-        }
-        return known;
-    }
-
     /** Found once; threads that look at the same time find the same. */
     private Range range() {
         Range known = range;
@@ -172,9 +154,34 @@ public final class HeightMap {
         return known;
     }
 
-    /** Peak to valley, metres. */
-    public double relief() {
-        return range().high() - range().low();
+    /**
+     * Fingerprint for cache keys, equal for equal surfaces, whatever file they came from: SHA-256, 64 lower-case hexadecimal
+     * digits, of columns and rows (int), pitch along x and y and all heights row by row (IEEE doubles), big-endian, after a
+     * tag that names this layout. Found once, as the range.
+     */
+    public String digest() {
+        String known = digest;
+        if (known == null) {
+            known = sha256();
+            digest = known;
+        }
+        return known;
+    }
+
+    private String sha256() {
+        Sha256 sha = new Sha256();
+        sha.add("sunbeam height map 1\n");
+        ByteBuffer block = ByteBuffer.allocate(HEIGHTS_PER_BLOCK * Double.BYTES);
+        block.putInt(columns).putInt(rows).putDouble(pitchX).putDouble(pitchY);
+        for (double height : heights) {
+            if (block.remaining() < Double.BYTES) {
+                sha.add(block.flip());
+                block.clear();
+            }
+            block.putDouble(height);
+        }
+        sha.add(block.flip());
+        return sha.hex();
     }
 
     /** For people: "512 x 256 samples, 20 um x 10 um". */
@@ -186,15 +193,5 @@ public final class HeightMap {
                 rows,
                 Lengths.format(width()),
                 Lengths.format(height()));
-    }
-
-    /** The same grid with every height replaced by a function of it. */
-    public HeightMap map(DoubleUnaryOperator function) {
-        return owning(
-                columns,
-                rows,
-                pitchX,
-                pitchY,
-                Arrays.stream(heights).map(function).toArray());
     }
 }
