@@ -8,8 +8,8 @@ import sunbeam.app.gpu.directions.DirectionsRenderer.Query;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.optics.DirectionPair;
-import sunbeam.precompute.patch.HeightLevels;
 import sunbeam.precompute.optics.HeightMap;
+import sunbeam.precompute.patch.HeightLevels;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.Plan;
 import sunbeam.precompute.plan.Planner;
@@ -58,8 +58,8 @@ final class Comparison {
     private List<float[]> evaluate(List<Query> queries, boolean spectral) {
         Plan plan = plan(queries);
         HeightLevels heights = HeightLevels.of(map);
-        PatchIdentity identity = new PatchIdentity(
-                "test", map.columns(), map.rows(), map.pitchX(), map.pitchY(), map.digest());
+        PatchIdentity identity =
+                new PatchIdentity("test", map.columns(), map.rows(), map.pitchX(), map.pitchY(), map.digest());
         FourierTable table =
                 new TableBuilder(identity, heights, done -> {}).build(plan.expansion(), plan.bandX(), plan.bandY());
         MethodUse use = spectral ? MethodUse.SPECTRAL : MethodUse.COLOR;

@@ -56,7 +56,11 @@ class HardPatchTest extends InAContext {
         for (int i = 0; i < heights.length; i += 17) {
             heights[i] = Double.NaN;
         }
-        assertKept(MissingHeights.fill(new HeightMap(64, 64, 50e-9, 50e-9, heights)).field(), 3e-6, "filled");
+        assertKept(
+                MissingHeights.fill(new HeightMap(64, 64, 50e-9, 50e-9, heights))
+                        .field(),
+                3e-6,
+                "filled");
     }
 
     @Test

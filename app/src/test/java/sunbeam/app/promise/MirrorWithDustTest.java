@@ -12,8 +12,8 @@ import org.junit.jupiter.params.provider.CsvSource;
 import sunbeam.app.gpu.NeedsDisplay;
 import sunbeam.app.gpu.directions.DirectionsRenderer.Query;
 import sunbeam.precompute.optics.CoherenceWindow;
-import sunbeam.precompute.optics.WindowOrigin;
 import sunbeam.precompute.optics.HeightMap;
+import sunbeam.precompute.optics.WindowOrigin;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.GaussianArea;
 

@@ -1,8 +1,8 @@
 package sunbeam.precompute.expansion;
 
 import java.util.Arrays;
-import sunbeam.precompute.patch.HeightLevels;
 import sunbeam.precompute.optics.HeightMap;
+import sunbeam.precompute.patch.HeightLevels;
 
 /**
  * The heights of a patch by a few that stand for all.

@@ -7,8 +7,8 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.StringJoiner;
-import sunbeam.precompute.prepare.Crop;
 import sunbeam.precompute.optics.HeightMap;
+import sunbeam.precompute.prepare.Crop;
 
 /**
  * Which rows of a scan were measured. The others are missing, of one height all along, or the row before once more. A surface that

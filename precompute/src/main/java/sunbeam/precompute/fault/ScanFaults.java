@@ -7,8 +7,8 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
-import sunbeam.precompute.prepare.Crop;
 import sunbeam.precompute.optics.HeightMap;
+import sunbeam.precompute.prepare.Crop;
 import sunbeam.precompute.prepare.Levelling;
 import sunbeam.precompute.units.Lengths;
 

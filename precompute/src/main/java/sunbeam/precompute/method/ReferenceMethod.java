@@ -7,8 +7,8 @@ import static sunbeam.precompute.plan.MethodSettings.WINDOW_ORIGIN;
 
 import java.util.ArrayList;
 import java.util.List;
-import sunbeam.precompute.optics.Replicas;
 import sunbeam.precompute.optics.HeightMap;
+import sunbeam.precompute.optics.Replicas;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.CoherenceArea;
 import sunbeam.precompute.plan.GaussianArea;

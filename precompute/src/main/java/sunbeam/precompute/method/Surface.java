@@ -1,8 +1,8 @@
 package sunbeam.precompute.method;
 
 import sunbeam.precompute.color.CieTable;
-import sunbeam.precompute.patch.HeightLevels;
 import sunbeam.precompute.optics.HeightMap;
+import sunbeam.precompute.patch.HeightLevels;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.plan.Planner;
 import sunbeam.precompute.table.PatchIdentity;

@@ -9,8 +9,8 @@ import sunbeam.precompute.expansion.ExpansionKind;
 import sunbeam.precompute.expansion.HeightScale;
 import sunbeam.precompute.expansion.LowRankExpansion;
 import sunbeam.precompute.expansion.TaylorExpansion;
-import sunbeam.precompute.patch.HeightLevels;
 import sunbeam.precompute.optics.HeightMap;
+import sunbeam.precompute.patch.HeightLevels;
 import sunbeam.precompute.setting.Sentence;
 
 /** Makes a {@link Plan} for a patch, what the user fixes, and the directions that a scene can reach. */

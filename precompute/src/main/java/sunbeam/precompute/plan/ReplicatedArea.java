@@ -1,8 +1,8 @@
 package sunbeam.precompute.plan;
 
 import sunbeam.precompute.color.CieTable;
-import sunbeam.precompute.optics.Replicas;
 import sunbeam.precompute.optics.HeightMap;
+import sunbeam.precompute.optics.Replicas;
 import sunbeam.precompute.reference.ExactLight;
 import sunbeam.precompute.reference.ReplicaEvaluator;
 import sunbeam.precompute.reference.ReplicaLight;

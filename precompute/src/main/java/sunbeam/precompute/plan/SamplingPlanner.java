@@ -4,8 +4,8 @@ import java.util.List;
 import java.util.Optional;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.optics.CoherenceWindow;
-import sunbeam.precompute.patch.HeightLevels;
 import sunbeam.precompute.optics.HeightMap;
+import sunbeam.precompute.patch.HeightLevels;
 import sunbeam.precompute.resample.InterpolationDesign;
 
 /** Chooses how the windowed spectrum is sampled: single orders where the window resolves them, a grid elsewhere. */

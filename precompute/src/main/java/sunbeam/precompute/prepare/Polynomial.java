@@ -35,8 +35,10 @@ final class Polynomial {
      */
     static Polynomial fit(HeightMap map, int terms) {
         // Relative to one of them, so that a large common offset costs no digits.
-        double offset =
-                Arrays.stream(map.heights()).filter(Double::isFinite).findFirst().orElse(0);
+        double offset = Arrays.stream(map.heights())
+                .filter(Double::isFinite)
+                .findFirst()
+                .orElse(0);
         double[][] normal = new double[terms][terms];
         double[] right = new double[terms];
         double[][] moments = IntStream.range(0, map.rows())
@@ -96,8 +98,7 @@ final class Polynomial {
         IntStream.range(0, map.rows()).parallel().forEach(row -> {
             double[] ofX = new double[HIGHEST + 1];
             for (int j = 0; j < coefficients.getDimension(); j++) {
-                ofX[POWERS_OF_X[j]] +=
-                        coefficients.getEntry(j) * Math.pow(relative(row, map.rows()), POWERS_OF_Y[j]);
+                ofX[POWERS_OF_X[j]] += coefficients.getEntry(j) * Math.pow(relative(row, map.rows()), POWERS_OF_Y[j]);
             }
             for (int column = 0, i = row * map.columns(); column < map.columns(); column++, i++) {
                 double x = relative(column, map.columns());

@@ -1,7 +1,7 @@
 package sunbeam.precompute.reference;
 
-import sunbeam.precompute.optics.WindowOrigin;
 import sunbeam.precompute.optics.HeightMap;
+import sunbeam.precompute.optics.WindowOrigin;
 
 /**
  * Positions of the samples along one axis, relative to the sample under the window's maximum.

@@ -3,8 +3,8 @@ package sunbeam.precompute.reference;
 import sunbeam.precompute.numerics.UnitCircle;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.DirectionPair;
-import sunbeam.precompute.optics.WindowOrigin;
 import sunbeam.precompute.optics.HeightMap;
+import sunbeam.precompute.optics.WindowOrigin;
 
 /**
  * Coherent power by the reference's sum, sample by sample instead of height by height: for a few directions of a scan of

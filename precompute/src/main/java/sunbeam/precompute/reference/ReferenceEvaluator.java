@@ -4,9 +4,9 @@ import java.util.Arrays;
 import org.apache.commons.math3.complex.Complex;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.DirectionPair;
+import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.optics.WindowOrigin;
 import sunbeam.precompute.patch.HeightLevels;
-import sunbeam.precompute.optics.HeightMap;
 
 /**
  * Diffracted power of a patch by direct summation in double precision (design section 3):

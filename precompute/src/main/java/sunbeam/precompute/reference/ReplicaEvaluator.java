@@ -1,9 +1,9 @@
 package sunbeam.precompute.reference;
 
 import sunbeam.precompute.optics.DirectionPair;
+import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.optics.Replicas;
 import sunbeam.precompute.optics.WindowOrigin;
-import sunbeam.precompute.optics.HeightMap;
 
 /**
  * Diffracted power of replicas of a patch with sharp edges, evenly lit and nothing beyond them, by direct summation

@@ -1,8 +1,8 @@
 package sunbeam.precompute.reference;
 
 import sunbeam.precompute.numerics.UnitCircle;
-import sunbeam.precompute.patch.HeightLevels;
 import sunbeam.precompute.optics.HeightMap;
+import sunbeam.precompute.patch.HeightLevels;
 
 /** Sums of p = exp(i k w h) over the rows of a patch, one running sum per column and weighting. */
 final class SurfaceSums {

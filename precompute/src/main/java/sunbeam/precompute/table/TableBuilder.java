@@ -11,8 +11,8 @@ import sunbeam.precompute.expansion.HeightScale;
 import sunbeam.precompute.fourier.Band;
 import sunbeam.precompute.fourier.BandTransform2d;
 import sunbeam.precompute.fourier.ComplexVector;
-import sunbeam.precompute.patch.HeightLevels;
 import sunbeam.precompute.optics.HeightMap;
+import sunbeam.precompute.patch.HeightLevels;
 
 /** Transforms the terms T_n(h) of a patch into a {@link FourierTable}. */
 public final class TableBuilder {

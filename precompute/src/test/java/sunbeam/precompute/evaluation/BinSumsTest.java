@@ -8,9 +8,9 @@ import org.junit.jupiter.api.Test;
 import sunbeam.precompute.Surfaces;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.DirectionPair;
+import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.optics.WindowOrigin;
 import sunbeam.precompute.patch.HeightLevels;
-import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.reference.ReferenceEvaluator;
 import sunbeam.precompute.table.PatchIdentity;
 

@@ -10,8 +10,8 @@ import java.util.function.DoubleBinaryOperator;
 import org.junit.jupiter.api.Test;
 import sunbeam.precompute.Surfaces;
 import sunbeam.precompute.optics.CoherenceWindow;
-import sunbeam.precompute.patch.HeightLevels;
 import sunbeam.precompute.optics.HeightMap;
+import sunbeam.precompute.patch.HeightLevels;
 import sunbeam.precompute.table.PatchIdentity;
 
 final class GratingMeasurementTest {

@@ -12,8 +12,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import sunbeam.precompute.prepare.Crop;
 import sunbeam.precompute.optics.HeightMap;
+import sunbeam.precompute.prepare.Crop;
 import sunbeam.precompute.prepare.Levelling;
 
 class ScanFaultsTest {

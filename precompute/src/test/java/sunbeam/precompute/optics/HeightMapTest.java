@@ -23,8 +23,7 @@ class HeightMapTest {
         String expected =
                 HexFormat.of().formatHex(MessageDigest.getInstance("SHA-256").digest(layout.array()));
 
-        assertThat(new HeightMap(200, 90, 1e-9, 2e-9, heights).digest())
-                .isEqualTo(expected);
+        assertThat(new HeightMap(200, 90, 1e-9, 2e-9, heights).digest()).isEqualTo(expected);
     }
 
     @Test

@@ -16,9 +16,9 @@ import sunbeam.precompute.expansion.Expansion;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
+import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.optics.WindowOrigin;
 import sunbeam.precompute.patch.HeightLevels;
-import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.reference.ReferenceEvaluator;
 
 /** Sources of the budget by themselves, in double precision: what each moves the power by stays within its share. */

@@ -15,8 +15,8 @@ import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.expansion.ExpansionKind;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.Direction;
-import sunbeam.precompute.patch.HeightLevels;
 import sunbeam.precompute.optics.HeightMap;
+import sunbeam.precompute.patch.HeightLevels;
 import sunbeam.precompute.setting.Origin;
 import sunbeam.precompute.setting.SettingException;
 

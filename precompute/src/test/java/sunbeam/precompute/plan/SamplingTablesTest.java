@@ -11,9 +11,9 @@ import sunbeam.precompute.Surfaces;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.Direction;
+import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.optics.WindowOrigin;
 import sunbeam.precompute.patch.HeightLevels;
-import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.shader.ArrayLayout;
 import sunbeam.precompute.shader.MethodUse;
 import sunbeam.precompute.shader.ShaderTables;
@@ -84,8 +84,8 @@ class SamplingTablesTest {
     }
 
     private static ShaderTables tables(Plan plan, MethodUse use) {
-        PatchIdentity identity = new PatchIdentity(
-                "skin", SKIN.columns(), SKIN.rows(), SKIN.pitchX(), SKIN.pitchY(), SKIN.digest());
+        PatchIdentity identity =
+                new PatchIdentity("skin", SKIN.columns(), SKIN.rows(), SKIN.pitchX(), SKIN.pitchY(), SKIN.digest());
         FourierTable table = new TableBuilder(identity, HeightLevels.of(SKIN), done -> {})
                 .build(plan.expansion(), plan.bandX(), plan.bandY());
         return plan.sampling().tables(plan, table, use, CIE);

@@ -8,8 +8,8 @@ import org.junit.jupiter.api.Test;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
-import sunbeam.precompute.optics.WindowOrigin;
 import sunbeam.precompute.optics.HeightMap;
+import sunbeam.precompute.optics.WindowOrigin;
 
 class CoherentSamplesTest {
     private static final double WAVELENGTH = 500e-9;

@@ -13,8 +13,8 @@ import sunbeam.precompute.Surfaces;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
-import sunbeam.precompute.optics.WindowOrigin;
 import sunbeam.precompute.optics.HeightMap;
+import sunbeam.precompute.optics.WindowOrigin;
 import sunbeam.precompute.reference.ReferenceEvaluator.Power;
 
 /** The direct sums against surfaces whose power is known in closed form. */

@@ -9,8 +9,8 @@ import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
-import sunbeam.precompute.optics.Replicas;
 import sunbeam.precompute.optics.HeightMap;
+import sunbeam.precompute.optics.Replicas;
 
 class ReplicaEvaluatorTest {
     private static final double WAVELENGTH = 500e-9;

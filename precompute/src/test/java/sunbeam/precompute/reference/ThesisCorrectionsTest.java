@@ -11,8 +11,8 @@ import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.WavelengthNodes;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.DirectionPair;
-import sunbeam.precompute.optics.WindowOrigin;
 import sunbeam.precompute.optics.HeightMap;
+import sunbeam.precompute.optics.WindowOrigin;
 
 /** Corrections to the thesis that no other test shows; docs/theory.md lists them all. */
 class ThesisCorrectionsTest {

@@ -8,8 +8,8 @@ import org.junit.jupiter.api.Test;
 import sunbeam.precompute.Surfaces;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.DirectionPair;
-import sunbeam.precompute.optics.WindowOrigin;
 import sunbeam.precompute.optics.HeightMap;
+import sunbeam.precompute.optics.WindowOrigin;
 
 /** The ensemble average is the mean over positions of the window; moving the window is moving the periodic patch. */
 class WindowPositionsTest {

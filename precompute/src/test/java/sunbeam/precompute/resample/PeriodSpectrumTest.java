@@ -11,9 +11,9 @@ import sunbeam.precompute.fourier.Band;
 import sunbeam.precompute.fourier.ComplexVector;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
+import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.optics.Replicas;
 import sunbeam.precompute.patch.HeightLevels;
-import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.reference.ReplicaEvaluator;
 
 /** One period's interpolated spectrum against the exact sum over its samples. */

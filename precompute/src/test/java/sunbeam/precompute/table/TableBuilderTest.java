@@ -10,8 +10,8 @@ import sunbeam.precompute.Surfaces;
 import sunbeam.precompute.expansion.HeightScale;
 import sunbeam.precompute.expansion.TaylorExpansion;
 import sunbeam.precompute.fourier.Band;
-import sunbeam.precompute.patch.HeightLevels;
 import sunbeam.precompute.optics.HeightMap;
+import sunbeam.precompute.patch.HeightLevels;
 
 class TableBuilderTest {
 

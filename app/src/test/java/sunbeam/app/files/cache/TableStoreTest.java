@@ -23,8 +23,8 @@ import sunbeam.precompute.method.MethodPlan;
 import sunbeam.precompute.method.Surface;
 import sunbeam.precompute.method.TableSources;
 import sunbeam.precompute.optics.Direction;
-import sunbeam.precompute.patch.HeightLevels;
 import sunbeam.precompute.optics.HeightMap;
+import sunbeam.precompute.patch.HeightLevels;
 import sunbeam.precompute.patch.builtin.BuiltInPatches;
 import sunbeam.precompute.plan.MemoryNeed;
 import sunbeam.precompute.plan.Plan;
@@ -96,8 +96,8 @@ class TableStoreTest {
 
     private static Surface surface(String name) {
         HeightMap map = BuiltInPatches.generate("blaze");
-        PatchIdentity identity = new PatchIdentity(
-                name, map.columns(), map.rows(), map.pitchX(), map.pitchY(), map.digest());
+        PatchIdentity identity =
+                new PatchIdentity(name, map.columns(), map.rows(), map.pitchX(), map.pitchY(), map.digest());
         return new Surface(map, HeightLevels.of(map), identity, CieTable.load());
     }
 
