@@ -21,7 +21,7 @@ class BrdfMapInterruptionTest {
         Sunbeam hours = workplace.command(
                 "brdf-map", "--patch", "blaze", "--size", "8192", "--output", "a.png", "--linear", "a.npy");
 
-        try (RunningSunbeam running = hours.interruptible().start()) {
+        try (RunningSunbeam running = hours.start()) {
             awaitDrawing(workplace);
             running.signal(signal);
             SunbeamResult result = running.end(Duration.ofSeconds(30));

@@ -89,15 +89,6 @@ class BrdfMapTest {
         assertThat(ImageIO.read(file.toFile()).getWidth()).isEqualTo(8);
     }
 
-    @Test
-    void aNameThatSunbeamChoosesGetsANumberWhereItIsTaken() throws Exception {
-        String[] small = {"brdf-map", "--patch", "blaze", "--size", "8"};
-        workplace.succeed(small);
-
-        assertThat(workplace.succeed(small).stdout()).isEqualTo("brdf-blaze-2.png\n");
-        assertThat(workplace.files()).containsExactly("brdf-blaze-2.png", "brdf-blaze.png");
-    }
-
     private SunbeamResult blaze(String... options) throws IOException {
         String[] arguments = new String[options.length + 3];
         System.arraycopy(new String[] {"brdf-map", "--patch", "blaze"}, 0, arguments, 0, 3);

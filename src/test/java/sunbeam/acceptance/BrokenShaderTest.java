@@ -8,7 +8,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.BeforeEach;
-import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -49,19 +48,6 @@ class BrokenShaderTest {
                 MISSPELT,
                 "`" + lines.get(line).strip() + "`",
                 "[compiling ");
-        assertThat(workplace.files()).containsExactly("in.csv");
-    }
-
-    @Test
-    void aMissingIncludedFile() throws Exception {
-        List<String> lines = Files.readAllLines(shader("brdf_map.frag"));
-        lines.add(1, "#include \"include/nowhere.glsl\"");
-
-        Complaint.assertThatIt(
-                run("brdf-map --patch blaze --size 8 --output map.png", "brdf_map.frag", lines),
-                Complaint.NO_GRAPHICS,
-                "sunbeam: brdf_map.frag:2: ",
-                "include/nowhere.glsl");
         assertThat(workplace.files()).containsExactly("in.csv");
     }
 

@@ -51,37 +51,6 @@ final class CertificateTest {
         assertThat(workplace.resolve("map.png")).exists();
     }
 
-    @Test
-    void theThesissPictureIsJudgedByTheToleranceToo() throws Exception {
-        SunbeamResult result = map("--preset", "thesis");
-        assertThat(result.stdout()).as(result::toString).contains("certificate: 40 random pixels");
-        // 5 nm steps: sharp orders are wrong by several percent.
-        assertThat(result.exitCode()).as(result::toString).isEqualTo(3);
-        assertThat(result.stderr()).contains("leave out --preset");
-    }
-
-    @Test
-    void colorsWithoutAScaleAreNotCertified() throws Exception {
-        SunbeamResult result = map("--method", "gem");
-        assertThat(result.exitCode()).as(result::toString).isEqualTo(2);
-        assertThat(result.stderr()).contains("--certify").contains("gem").contains("leave out --certify");
-        assertThat(workplace.resolve("map.png")).doesNotExist();
-    }
-
-    @Test
-    void whatThePlanCannotPromiseIsNotCertifiedEvenWhereItIsKept() throws Exception {
-        SunbeamResult result = map("--tolerance", "1e-5");
-        assertThat(result.exitCode()).as(result::toString).isEqualTo(3);
-        assertThat(result.stderr()).contains("float32").doesNotContain("smaller --tolerance");
-    }
-
-    @Test
-    void aCertificateOfNoPixelsIsRefused() throws Exception {
-        SunbeamResult result = workplace.here("brdf-map", "--size", "32", "--certify", "0");
-        assertThat(result.exitCode()).as(result::toString).isEqualTo(2);
-        assertThat(result.stderr()).contains("--certify 0");
-    }
-
     /** Rows in and beside the first orders of a grating of 2.5 um. */
     private SunbeamResult reflectance(String... options) throws Exception {
         Files.writeString(
@@ -123,19 +92,5 @@ final class CertificateTest {
         assertThat(result.stderr())
                 .contains("--method table has colors, but no power")
                 .doesNotContain("plan:");
-    }
-
-    @Test
-    void aTableFromOneTermMissesItsTolerance() throws Exception {
-        SunbeamResult result = reflectance("--terms", "1");
-        assertThat(result.exitCode()).as(result::toString).isEqualTo(3);
-        assertThat(workplace.resolve("out.csv")).exists();
-    }
-
-    @Test
-    void theReferenceIsNotComparedWithItself() throws Exception {
-        SunbeamResult result = reflectance("--method", "reference");
-        assertThat(result.exitCode()).as(result::toString).isEqualTo(2);
-        assertThat(result.stderr()).contains("--certify compares with --method reference");
     }
 }

@@ -59,16 +59,6 @@ class LauncherBuildTest {
     }
 
     @Test
-    void buildsAgainAfterASourceWasDeleted() throws Exception {
-        sandbox.command("inspect").run();
-
-        Files.delete(sandbox.repository().resolve("app/src/main/java/App.java"));
-        sandbox.command("inspect").run();
-
-        assertThat(sandbox.builds()).isEqualTo(2);
-    }
-
-    @Test
     void removesJarsOfAnotherVersionFromTheClassPath() throws Exception {
         Path target = sandbox.repository().resolve("app/target");
         Path library = Files.createDirectories(target.resolve("lib")).resolve("precompute-0.0.9.jar");
@@ -152,30 +142,6 @@ class LauncherBuildTest {
         assertThat(result.stderr().lines().skip(1))
                 .containsExactly("sunbeam: the build failed: App.java:[3,1] no such color; Maven's own words: " + log);
         assertThat(log).content().contains("[INFO] so far");
-    }
-
-    @Test
-    void afterAFailedBuildTheNextStartTriesAgain() throws Exception {
-        sandbox.installProgram("mvn", "exit 1");
-        sandbox.command("inspect").run();
-        sandbox.installMaven();
-
-        assertThat(sandbox.command("inspect").run().exitCode()).isZero();
-        assertThat(sandbox.builds()).isEqualTo(1);
-    }
-
-    @Test
-    void whatIsBuiltRunsWithoutMavenAndCompiler() throws Exception {
-        sandbox.command("inspect").run();
-        Files.delete(folder.resolve("programs/mvn"));
-        Files.delete(folder.resolve("jdk/bin/javac"));
-
-        SunbeamResult result = sandbox.command("inspect")
-                .with("PATH", sandbox.pathOfABareMachine())
-                .run();
-
-        assertThat(result.exitCode()).as("%s", result).isZero();
-        assertThat(result.stderr()).isEmpty();
     }
 
     @Test

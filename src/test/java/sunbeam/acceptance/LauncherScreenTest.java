@@ -29,28 +29,13 @@ class LauncherScreenTest {
         sandbox = LauncherSandbox.in(folder);
     }
 
-    @Test
-    void aPrivateScreenEndsWithTheProgram() throws Exception {
-        Path signal = folder.resolve("end now");
-        sandbox.installJava("jdk", "17.0.1", "until [ -e '" + signal + "' ]; do sleep 0.05; done; exit 3");
-
-        try (RunningSunbeam running = sandbox.command("brdf-map").start()) {
-            Screen screen = Screen.of(running);
-            assertThat(screen.isUp()).isTrue();
-            Files.createFile(signal);
-
-            assertThat(running.end(PATIENCE).exitCode()).isEqualTo(3);
-            screen.assertGone();
-        }
-    }
-
     @ParameterizedTest
     @CsvSource({"INT, 130", "TERM, 143", "KILL, 137"})
     void aPrivateScreenEndsWhenTheProgramIsKilled(String signal, int exitCode) throws Exception {
         sandbox.installJava("jdk", "17.0.1", "exec sleep 60");
 
         try (RunningSunbeam running =
-                sandbox.command("brdf-map").interruptible().start()) {
+                sandbox.command("brdf-map").start()) {
             Screen screen = Screen.of(running);
             assertThat(screen.isUp()).isTrue();
             running.signal(signal);
@@ -71,16 +56,6 @@ class LauncherScreenTest {
             assertThat(keeper.destroyForcibly()).isTrue();
 
             screen.assertGone();
-        }
-    }
-
-    @Test
-    void twoProgramsHaveAScreenEach() throws Exception {
-        sandbox.installJava("jdk", "17.0.1", "exec sleep 60");
-
-        try (RunningSunbeam one = sandbox.command("brdf-map").start();
-                RunningSunbeam other = sandbox.command("brdf-map").start()) {
-            assertThat(Screen.of(one)).isNotEqualTo(Screen.of(other));
         }
     }
 
@@ -182,20 +157,6 @@ class LauncherScreenTest {
         assertThat(result.stderr())
                 .startsWith("sunbeam: missing: xvfb (Xvfb, a screen in memory")
                 .contains("apt-get install --no-install-recommends xvfb")
-                .hasLineCount(1);
-    }
-
-    @Test
-    void anXvfbThatDoesNotStartIsNamedWithItsOwnWords() throws Exception {
-        sandbox.command("inspect").run();
-        sandbox.installProgram("Xvfb", "echo 'Fatal server error: no memory' >&2", "exit 1");
-
-        SunbeamResult result = sandbox.command("brdf-map").run();
-
-        assertThat(result.exitCode()).as("%s", result).isEqualTo(NO_SCREEN);
-        assertThat(result.stdout()).isEmpty();
-        assertThat(result.stderr())
-                .startsWith("sunbeam: Xvfb did not start (Fatal server error: no memory)")
                 .hasLineCount(1);
     }
 

@@ -41,17 +41,6 @@ class LauncherSetupTest {
     }
 
     @Test
-    void toldNotToInstallItOnlyListsWhatIsMissing() throws Exception {
-        sandbox.installProgram("apt-get", "touch '" + folder + "/called'");
-
-        SunbeamResult result = sandbox.command("inspect").with("PATH", path).run();
-
-        assertThat(result.exitCode()).as("%s", result).isEqualTo(SET_UP_FAILED);
-        assertThat(result.stderr()).contains("maven (Maven, to build)").doesNotContain("xvfb");
-        assertThat(folder.resolve("called")).doesNotExist();
-    }
-
-    @Test
     void withAptGetItSaysWhatIsMissingAndInstallsIt() throws Exception {
         Path calls = folder.resolve("apt calls");
         sandbox.installMaven();

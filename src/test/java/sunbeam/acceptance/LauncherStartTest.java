@@ -62,22 +62,6 @@ class LauncherStartTest {
                         + Pattern.quote(repository + "/app/target/run/") + "\\1/lib/\\*"));
     }
 
-    @Test
-    void endsWithTheProgramsOwnExitCode() throws Exception {
-        sandbox.installJava("jdk", "17.0.1", "exit 3");
-
-        assertThat(sandbox.command("inspect").run().exitCode()).isEqualTo(3);
-    }
-
-    @Test
-    void theUsersJavaOptionsComeAfterTheDefaultsAndSoWin() throws Exception {
-        SunbeamResult result = sandbox.command("inspect")
-                .with("SUNBEAM_JAVA_OPTIONS", "-Xmx3g -Dcolor=red")
-                .run();
-
-        assertThat(result.stdout().lines()).containsSubsequence("-XX:MaxRAMPercentage=50", "-Xmx3g", "-Dcolor=red");
-    }
-
     /** Java refuses two collectors, and a heap as small as what new objects may take has no room for others. */
     @ParameterizedTest
     @ValueSource(strings = {"-Xmx911m", "-XX:MaxRAMPercentage=20", "-XX:+UseG1GC"})
@@ -131,33 +115,6 @@ class LauncherStartTest {
         assertThat(plain.stdout().lines()).endsWith("locale C.UTF-8");
         assertThat(missing.stdout().lines()).endsWith("locale C.UTF-8");
         assertThat(unicode.stdout().lines()).endsWith("locale en_GB.UTF-8");
-    }
-
-    @Test
-    void aFolderMayHaveANameThatPatternsUnderstand(@TempDir Path place) throws Exception {
-        LauncherSandbox odd = LauncherSandbox.in(Files.createDirectories(place.resolve("br[x] *?")));
-
-        assertThat(odd.command("inspect").run().exitCode()).isZero();
-        assertThat(odd.command("inspect").run().exitCode()).isZero();
-        assertThat(odd.builds()).isEqualTo(1);
-    }
-
-    /** Unpacked by the build: else JOGL takes them from a folder of /tmp that another user may have made. */
-    @Test
-    void librariesComeFromTheBuildsOwnFolder() throws Exception {
-        sandbox.installMaven(
-                "for machine in amd64 aarch64 armv6hf; do",
-                "mkdir -p app/target/natives/linux-$machine && touch app/target/natives/linux-$machine/libjogl.so",
-                "done");
-        SunbeamResult result =
-                sandbox.command("brdf-map").with("DISPLAY", "elsewhere:0").run();
-        Path repository = sandbox.repository().toRealPath();
-
-        assertThat(result.stdout().lines())
-                .as("%s", result)
-                .contains("-Djogamp.gluegen.UseTempJarCache=false")
-                .anyMatch(line -> line.matches(Pattern.quote("-Djava.library.path=" + repository + "/app/target/run/")
-                        + "[-0-9]+/natives/linux-.*"));
     }
 
     /** Mesa maps its cache of shaders into memory: on a full disk that would kill Java. */

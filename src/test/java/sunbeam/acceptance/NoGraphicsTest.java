@@ -48,27 +48,6 @@ class NoGraphicsTest {
     }
 
     @Test
-    void aScreenThatIsGoneIsReplacedWithAWord() throws Exception {
-        SunbeamResult result = brdfMap().with("DISPLAY", ":9876").run();
-
-        assertThat(result.exitCode()).as("%s", result).isZero();
-        assertThat(result.stderr()).contains("there is no screen :9876 any more");
-    }
-
-    /** Libraries come from the build: a place where files may have 32 kB only takes none. */
-    @Test
-    void nativeLibrariesAreNotUnpackedAtStart() throws Exception {
-        Path launcher = launcherWith(Xvfb.USUAL, "ulimit -f 64");
-
-        // gem's tables are smaller than that; of others it would be said, too, that they cannot be kept.
-        SunbeamResult result = workplace
-                .equip(Sunbeam.launcher(launcher, "brdf-map", "--patch", "blaze", "--size", "8", "--method", "gem"))
-                .run();
-
-        assertThat(result.exitCode()).as("%s", result).isZero();
-    }
-
-    @Test
     void theDoctorSaysWhatToDoAndFails() throws Exception {
         SunbeamResult result =
                 workplace.command("doctor").with("DISPLAY", "localhost:9876").run();
@@ -76,16 +55,6 @@ class NoGraphicsTest {
         assertThat(result.exitCode()).as("%s", result).isEqualTo(Complaint.NO_GRAPHICS);
         assertThat(result.stdout())
                 .contains("ok    Java", "FAIL  Graphics", "DISPLAY=localhost:9876 does not answer. Set");
-    }
-
-    @Test
-    void theDoctorIsContentWhereRenderingWorks() throws Exception {
-        SunbeamResult result = workplace.succeed("doctor");
-
-        assertThat(result.stdout())
-                .contains("ok    GL renderer", "ok    Cache folder")
-                .doesNotContain("FAIL");
-        assertThat(result.stderr()).isEmpty();
     }
 
     @Test

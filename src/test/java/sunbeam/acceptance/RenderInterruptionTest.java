@@ -25,7 +25,7 @@ class RenderInterruptionTest {
         Path folder = workplace.resolve("sweep");
         Path first = folder.resolve("frame-0001.png");
 
-        try (RunningSunbeam running = sweep(workplace, FRAMES).interruptible().start()) {
+        try (RunningSunbeam running = sweep(workplace, FRAMES).start()) {
             await(first);
             running.signal("INT");
             SunbeamResult result = running.end(Duration.ofSeconds(30));

@@ -71,14 +71,6 @@ public final class Sunbeam {
         return this;
     }
 
-    /**
-     * Lets SIGINT end it as it does from a terminal, also where these tests run in a shell that ignores the signal (nohup,
-     * cron), which processes inherit.
-     */
-    Sunbeam interruptible() {
-        return startedBy(List.of("env", "--default-signal=INT"));
-    }
-
     /** Sets an environment variable. */
     public Sunbeam with(String variable, String value) {
         environment.put(variable, value);
@@ -117,7 +109,10 @@ public final class Sunbeam {
      * @throws IOException if it cannot be started
      */
     public RunningSunbeam start() throws IOException {
-        ProcessBuilder builder = new ProcessBuilder(commandLine).directory(folder.toFile());
+        // Signals end it as from a terminal, also where these tests run in the background or under nohup.
+        List<String> command = new ArrayList<>(List.of("env", "--default-signal=INT,HUP,QUIT,TERM"));
+        command.addAll(commandLine);
+        ProcessBuilder builder = new ProcessBuilder(command).directory(folder.toFile());
         builder.environment().putAll(environment);
         builder.environment().keySet().removeAll(removed);
         return RunningSunbeam.start(builder);

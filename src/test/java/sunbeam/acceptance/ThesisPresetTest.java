@@ -55,22 +55,6 @@ class ThesisPresetTest {
         assertThat(median(errors)).isBetween(0.04, 0.16);
     }
 
-    /**
-     * At a single wavelength the power between orders is speckle, which does not average out: medians of 14.9 % and
-     * 18.5 % are measured. The ensemble's weights are squares, so that it loses 1 % and 2 % only.
-     */
-    @ParameterizedTest
-    @CsvSource({"elaphe, 0.10, 0.20, 0.005, 0.02", "xenopeltis, 0.13, 0.25, 0.01, 0.04"})
-    void atOneWavelengthItsErrorIsThatOfTheNeighborhood(
-            String patch, double least, double most, double leastEnsemble, double mostEnsemble) throws Exception {
-        CsvFile exact = SharedData.reference("power", patch);
-
-        CsvFile ours = thesisPowers(patch);
-
-        assertThat(median(errors(exact, ours, "power"))).isBetween(least, most);
-        assertThat(median(errors(exact, ours, "power_ensemble"))).isBetween(leastEnsemble, mostEnsemble);
-    }
-
     /** The same nine bins, added by other code in double precision without an expansion. */
     @Test
     void itIsTheSumOfNineBinsByDefinition() throws Exception {

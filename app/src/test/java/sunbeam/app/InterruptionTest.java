@@ -1,7 +1,6 @@
 package sunbeam.app;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
 import java.io.InputStream;
@@ -13,7 +12,6 @@ import java.util.Set;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import sunbeam.app.files.output.AtomicFile;
@@ -86,20 +84,6 @@ final class InterruptionTest {
         }
     }
 
-    @BeforeEach
-    void assumeThatInterruptionsArrive() throws IOException {
-        Path status = Path.of("/proc/self/status");
-        assumeTrue(Files.exists(status), "needs Linux's /proc and kill");
-        String ignored = Files.readAllLines(status).stream()
-                .filter(line -> line.startsWith("SigIgn:"))
-                .findFirst()
-                .orElseThrow()
-                .replaceAll("\\s", "")
-                .substring("SigIgn:".length());
-        boolean interruptIgnored = (Long.parseUnsignedLong(ignored, 16) & 2) != 0;
-        assumeTrue(!interruptIgnored, "the tests were started with SIGINT ignored, which processes inherit");
-    }
-
     @Test
     void theFileThatIsBeingWrittenGoes() throws Exception {
         interrupt(Waiting.class);
@@ -121,8 +105,25 @@ final class InterruptionTest {
         }
     }
 
+    /** A file is whole at any moment, also where nothing of ours can tidy up. */
+    @Test
+    void whatIsKilledLeavesTheOldFileOrTheNewOne() throws Exception {
+        for (int attempt = 0; attempt < 3; attempt++) {
+            end(Rewriting.class, "KILL", 137);
+            assertThat(names()).contains("out.bin");
+            assertThat(Files.size(folder.resolve("out.bin"))).isEqualTo(LENGTH);
+        }
+    }
+
     private void interrupt(Class<?> program) throws Exception {
+        end(program, "INT", 130);
+    }
+
+    private void end(Class<?> program, String signal, int exitCode) throws Exception {
+        // The signal's default, which a shell in the background and nohup replace.
         Process process = new ProcessBuilder(
+                        "env",
+                        "--default-signal=INT",
                         Path.of(System.getProperty("java.home"), "bin", "java").toString(),
                         "-XX:TieredStopAtLevel=1",
                         "-cp",
@@ -133,11 +134,11 @@ final class InterruptionTest {
         try (InputStream out = process.getInputStream();
                 InputStream err = process.getErrorStream()) {
             assertThat(new String(out.readNBytes(5), StandardCharsets.US_ASCII)).isEqualTo("ready");
-            new ProcessBuilder("kill", "-INT", Long.toString(process.pid()))
+            new ProcessBuilder("kill", "-" + signal, Long.toString(process.pid()))
                     .start()
                     .waitFor();
             assertThat(process.waitFor(30, TimeUnit.SECONDS)).isTrue();
-            assertThat(process.exitValue()).isEqualTo(130);
+            assertThat(process.exitValue()).isEqualTo(exitCode);
             assertThat(new String(err.readAllBytes(), StandardCharsets.UTF_8)).isEmpty();
         } finally {
             process.destroyForcibly();

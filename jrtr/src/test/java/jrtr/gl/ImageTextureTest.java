@@ -1,7 +1,6 @@
 package jrtr.gl;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import jrtr.Binding;
@@ -84,19 +83,5 @@ class ImageTextureTest {
 
         // Half of the light, within an 8-bit sRGB step (1/255 in code is 0.006 in light there); averaged codes: 0.21.
         assertThat(rendering.drawn(program, 1, 1, new Binding("t", texture))[0]).isCloseTo(0.5f, within(0.007f));
-    }
-
-    @Test
-    void missingOrMisfittingBytesAreRefused() {
-        ImageTexture texture = rendering.context.createImageTexture(
-                "image", new ImageTextureSpec(2, 2, ColorEncoding.SRGB, Wrap.REPEAT));
-        ShaderProgram program = rendering.program("uniform sampler2D t;", "texture(t, vec2(0.5))");
-
-        assertThatThrownBy(() -> texture.upload(new byte[15]))
-                .isInstanceOf(IllegalArgumentException.class)
-                .hasMessageContaining("16 bytes, not 15");
-        assertThatThrownBy(() -> rendering.drawn(program, 1, 1, new Binding("t", texture)))
-                .isInstanceOf(IllegalStateException.class)
-                .hasMessageContaining("before it was uploaded");
     }
 }

@@ -56,17 +56,6 @@ class ShaderProgramTest {
     }
 
     @Test
-    void aBrokenDefineIsReportedInThePrologue() {
-        ShaderSource broken = ShaderTexts.of(
-                        Map.of("x.frag.glsl", "#version 330 core\nout vec4 c;\nvoid main() { c = vec4(TERMS); }\n"))
-                .load("x.frag.glsl", Map.of("TERMS", "37)"));
-
-        assertThatThrownBy(() -> rendering.context.createFullScreenProgram(broken))
-                .isInstanceOf(ShaderException.class)
-                .hasMessageStartingWith("x.frag.glsl:3: ");
-    }
-
-    @Test
     void aLinkErrorNamesBothStages() {
         ShaderSource fragment =
                 Rendering.fragment("float missing();\nout vec4 c;\nvoid main() { c = vec4(missing()); }\n");

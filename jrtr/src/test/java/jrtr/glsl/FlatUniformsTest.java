@@ -1,7 +1,6 @@
 package jrtr.glsl;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.List;
 import java.util.stream.IntStream;
@@ -66,23 +65,5 @@ class FlatUniformsTest {
         assertThat(flat.fragment().text().lines().filter(line -> line.startsWith("flat in")))
                 .hasSize(2);
         assertThat(flat.vertex().text()).containsOnlyOnce("flat out float x_perDraw;");
-    }
-
-    @Test
-    void whatHasNoRoomStays() {
-        String[] lines =
-                IntStream.range(0, 16).mapToObj(i -> "uniform vec4 u" + i + ";").toArray(String[]::new);
-        FlatUniforms flat = FlatUniforms.of(VERTEX, source("a.frag", lines));
-
-        // 15 vectors of 4 are 60 components.
-        assertThat(flat.fragment().text().lines().filter(line -> line.startsWith("uniform")))
-                .containsExactly("uniform vec4 u15;");
-    }
-
-    @Test
-    void aVertexShaderWithoutMainIsRefused() {
-        assertThatThrownBy(() -> FlatUniforms.of(source("a.vert", "x"), source("a.frag", "uniform float x;")))
-                .isInstanceOf(IllegalArgumentException.class)
-                .hasMessageContaining("a.vert");
     }
 }

@@ -14,33 +14,6 @@ class FrustumTest {
     private static final Frustum FRUSTUM = new Frustum(FIELD, 0.5f, 20);
 
     @Test
-    void theMatrixIsTheOneByHand() {
-        float focal = (float) (1 / Math.tan(FIELD / 2));
-        Matrix4f byHand = new Matrix4f(
-                focal * 3 / 4,
-                0,
-                0,
-                0,
-                0,
-                focal,
-                0,
-                0,
-                0,
-                0,
-                (20 + 0.5f) / (0.5f - 20),
-                -1,
-                0,
-                0,
-                2 * 20 * 0.5f / (0.5f - 20),
-                0);
-
-        Matrix4f matrix = FRUSTUM.cameraToClip(PictureArea.whole(400, 300));
-
-        // Float32 rounding of numbers of order 1.
-        assertThat(matrix.equals(byHand, 1e-6f)).isTrue();
-    }
-
-    @Test
     void cornersOfTheFrustumAreCornersOfTheCube() {
         Matrix4f matrix = FRUSTUM.cameraToClip(PictureArea.whole(400, 300));
         float top = (float) Math.tan(FIELD / 2);

@@ -4,14 +4,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import jrtr.ContextOptions;
 import jrtr.FloatTarget;
 import jrtr.FloatTargetSpec;
 import jrtr.RenderContext;
-import jrtr.ShaderException;
 import jrtr.ShaderProgram;
 import jrtr.Tile;
 import jrtr.VertexData;
@@ -251,29 +249,5 @@ class SceneRendererTest {
         float[] pixels = drawn(scene(root));
 
         assertThat(pixels).contains(1, 2).doesNotContain(3);
-    }
-
-    @Test
-    void misuseIsRefused() {
-        Shape square = shape(TestMeshes.square(), program("", "vec4(1)"));
-        List<Node> lights = new ArrayList<>();
-        Group root = new Group();
-        for (int i = 0; i < 5; i++) {
-            lights.add(new LightNode(new Light(new Vector3f(0, 0, 1), new Vector3f(1))));
-            root.add(lights.get(i));
-        }
-
-        assertThatThrownBy(() -> drawn(scene(root))).hasMessageContaining("5 lights");
-        Shape unknown = shape(TestMeshes.square(), square.material().program(), Map.of("noSuchThing", 1f));
-        assertThatThrownBy(() -> drawn(scene(new ShapeNode(unknown))))
-                .isInstanceOf(ShaderException.class)
-                .hasMessageContaining("noSuchThing");
-        try (FloatTarget flat = context.createFloatTarget("flat", FloatTargetSpec.color(WIDTH, HEIGHT))) {
-            assertThatThrownBy(() -> draw(scene(new ShapeNode(square)), flat, Tile.whole(WIDTH, HEIGHT)))
-                    .isInstanceOf(IllegalStateException.class)
-                    .hasMessageContaining("no depth");
-        }
-        square.vertices().close();
-        assertThatThrownBy(() -> drawn(scene(new ShapeNode(square)))).hasMessageContaining("closed");
     }
 }

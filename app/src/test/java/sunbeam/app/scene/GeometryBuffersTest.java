@@ -1,7 +1,6 @@
 package sunbeam.app.scene;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.lang.reflect.InvocationTargetException;
 import java.lang.reflect.Proxy;
@@ -85,17 +84,6 @@ class GeometryBuffersTest {
                 assertThat(session.draw(WIDTH, HEIGHT).rgba()).isEqualTo(fresh(data, WIDTH, HEIGHT));
                 assertThat(session.draw(40, 30).rgba()).isEqualTo(fresh(data, 40, 30));
             }
-        }
-    }
-
-    @Test
-    void aDrawThatFailedIsDoneAgain() {
-        SceneData data = PlaneScenes.load(PlaneScenes.blaze(), folder);
-        try (SceneSession session = new SceneSession(context, data)) {
-            drawsFail = true;
-            assertThatThrownBy(() -> session.draw(WIDTH, HEIGHT)).isInstanceOf(GraphicsException.class);
-            drawsFail = false;
-            assertThat(session.draw(WIDTH, HEIGHT).rgba()).isEqualTo(fresh(data, WIDTH, HEIGHT));
         }
     }
 

@@ -1,7 +1,6 @@
 package sunbeam.app.scene;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 import static sunbeam.precompute.method.Methods.METHOD;
 import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
@@ -153,13 +152,5 @@ class PartSumTest {
             }
         }
         return sum;
-    }
-
-    @Test
-    void whatDrawsOnePartTakesNoIndexByWavelength() throws IOException {
-        Scene scene = PlaneScenes.blaze().withIndex(file("wl,n\n0.3,2\n0.9,2.1\n"));
-        assertThatThrownBy(() -> loader.load(scene))
-                .isInstanceOf(IllegalArgumentException.class)
-                .hasMessageContaining("sum of its parts");
     }
 }

@@ -4,9 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.junit.jupiter.api.Assertions.assertTimeoutPreemptively;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
-import static sunbeam.precompute.method.Methods.METHOD;
 import static sunbeam.precompute.plan.MethodSettings.AVERAGE;
-import static sunbeam.precompute.plan.MethodSettings.PRESET;
 import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
 
 import java.io.IOException;
@@ -23,11 +21,8 @@ import sunbeam.app.files.input.InputException;
 import sunbeam.app.files.output.OutputException;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.precompute.json.JsonException;
-import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.plan.Average;
-import sunbeam.precompute.plan.Preset;
-import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.SettingException;
 
 class SceneFileTest {
@@ -166,21 +161,6 @@ class SceneFileTest {
     }
 
     @Test
-    void brokenJsonIsExplainedToUsersAndNotToProgrammers() throws IOException {
-        Path deep = write("\n\n{ \"mesh\": " + "[".repeat(30) + "]".repeat(30) + " }");
-        assertThatThrownBy(() -> SceneReader.read(deep))
-                .hasMessageContaining("line 3: no valid JSON (")
-                .satisfies(failure -> assertThat(failure.getMessage())
-                        .contains("depth (21) exceeds the maximum allowed (20)")
-                        .doesNotContain("StreamReadConstraints"));
-        Path word = write(SCENE.replace("\"exposure\": 2", "\"exposure\": NaN"));
-        assertThatThrownBy(() -> SceneReader.read(word))
-                .hasMessageContainingAll("line 9", "NaN")
-                .satisfies(failure -> assertThat(failure.getMessage()).doesNotContain("ALLOW_NON_NUMERIC"));
-        refused(SCENE.replace("\"exposure\": 2", "\"exposure\": 2." + "7".repeat(2000)), "line 9", "length (2001)");
-    }
-
-    @Test
     void linksMayNotLeadOut() throws IOException {
         Path outside = Files.createTempFile("sunbeam", ".png");
         try {
@@ -217,16 +197,6 @@ class SceneFileTest {
     }
 
     @Test
-    void thesisScenesAreWrittenWithoutATolerance() throws IOException {
-        Scene planned = SceneReader.read(write(SCENE));
-        Path copy = folder.resolve("copy.json");
-        Choices thesis = Choices.none().with(METHOD, FullMethod.TYPE).with(PRESET, Preset.THESIS);
-        SceneWriter.write(copy, Overwrite.REFUSE, planned.with(thesis));
-        assertThat(SceneReader.read(copy).method().isThesis()).isTrue();
-        assertThat(copy).content().doesNotContain("tolerance");
-    }
-
-    @Test
     void filesAreWrittenRelativeToTheScene() throws IOException {
         Files.createDirectory(folder.resolve("textures"));
         Path texture = Files.write(folder.resolve("textures/skin.png"), new byte[1]);
@@ -243,12 +213,5 @@ class SceneFileTest {
         assertThatThrownBy(() -> SceneWriter.write(elsewhere, Overwrite.REFUSE, moved))
                 .isInstanceOf(OutputException.class)
                 .hasMessageContaining("copy it there");
-    }
-
-    @Test
-    void unknownScenesAreAnsweredWithTheNames() {
-        assertThatThrownBy(() -> Scenes.load("elafe"))
-                .isInstanceOf(InputException.class)
-                .hasMessageContainingAll("elafe", "elaphe-body");
     }
 }

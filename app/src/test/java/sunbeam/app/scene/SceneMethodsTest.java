@@ -154,13 +154,4 @@ class SceneMethodsTest {
                 .as("named, if as the standard is")
                 .isEqualTo(1e-2);
     }
-
-    @Test
-    void aMethodWithoutAPlanKeepsWhatAnotherHadForWhenItIsChosenAgain() {
-        Choices coarse = Choices.none().with(TOLERANCE, 0.05).with(AVERAGE, Average.COHERENT);
-        SceneMethod full = new SceneMethod(coarse.with(METHOD, FullMethod.TYPE));
-        SceneMethod gem = full.with(Choices.none().with(METHOD, GemMethod.TYPE).with(SPACING, 1e-6));
-        assertThat(gem.method()).isEqualTo(gem(1e-6).method().method());
-        assertThat(gem.with(Choices.none().with(METHOD, FullMethod.TYPE))).isEqualTo(full);
-    }
 }

@@ -1,7 +1,6 @@
 package sunbeam.app.scene;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import java.awt.image.BufferedImage;
@@ -9,28 +8,21 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Comparator;
-import java.util.Map;
 import java.util.stream.IntStream;
 import javax.imageio.ImageIO;
 import jrtr.RenderContext;
 import jrtr.Tile;
 import jrtr.gl.RenderContexts;
 import jrtr.scene.Camera;
-import org.joml.Quaternionf;
 import org.joml.Vector3f;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import sunbeam.app.gpu.NeedsDisplay;
-import sunbeam.app.terminal.Environment;
 import sunbeam.precompute.color.CieTable;
-import sunbeam.precompute.color.DisplayTransform;
-import sunbeam.precompute.color.Tone;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.Gain;
-import sunbeam.precompute.optics.RefractiveIndex;
-import sunbeam.precompute.patch.PatchRequest;
 import sunbeam.precompute.reference.ReferenceColor;
 import sunbeam.precompute.reference.ReferenceEvaluator;
 
@@ -65,26 +57,6 @@ class SceneSessionTest {
     private static float[] pixel(ScenePicture picture, int x, int y) {
         int at = 4 * (y * picture.width() + x);
         return Arrays.copyOfRange(picture.rgba(), at, at + 4);
-    }
-
-    /** Under light at 70 degrees a mirror of metal reflects hardly more than along the normal, keratin many times as much. */
-    @Test
-    void theIndexIsThatOfTheScene() {
-        Scene grazing = PlaneScenes.blaze().withLight(new SceneLight(new Vector3f(-0.94f, 0.1f, 0.34f), 1));
-        float[] keratin = draw(grazing).rgba();
-        float[] metal = draw(grazing.withIndex(SkinIndex.of(RefractiveIndex.constant(0.97, 6.5))))
-                .rgba();
-        double largest = 0;
-        double least = 1;
-        for (int i = 1; i < keratin.length; i += 4) {
-            if (keratin[i] > 1e-6) {
-                largest = Math.max(largest, metal[i] / keratin[i]);
-                least = Math.min(least, metal[i] / keratin[i]);
-            }
-        }
-        // Half-angles around 35 degrees: (1 - cos 35 degrees)^5 = 2e-4, of 24 and of 0.1.
-        assertThat(largest).isLessThan(1);
-        assertThat(least).isBetween(0.9, 0.999);
     }
 
     @Test
@@ -138,35 +110,6 @@ class SceneSessionTest {
     }
 
     @Test
-    void tilesOfSupersampledPicturesCoverThemOnce() {
-        for (int supersample = 1; supersample <= 8; supersample++) {
-            int[] hits = new int[500 * 300];
-            for (Tile tile : SceneSession.tiles(500, 300, supersample)) {
-                assertThat(tile.fitsIn(500, 300)).isTrue();
-                for (int pixel = 0; pixel < tile.pixels(); pixel++) {
-                    hits[(tile.y() + pixel / tile.width()) * 500 + tile.x() + pixel % tile.width()]++;
-                }
-            }
-            assertThat(hits).as("supersample %d", supersample).containsOnly(1);
-        }
-    }
-
-    @Test
-    void morePixelsThanArePackedAtATimeAreAllLit() {
-        int width = 320;
-        int height = 240; // 77 thousand; 33 thousand are packed at a time
-        Scene near = PlaneScenes.blaze()
-                .withView(new Viewpoint(
-                        new Camera(new Vector3f(0, -0.02f, 0.05f), new Vector3f(), new Vector3f(0, 1, 0)), 0.6));
-        session.update(near);
-        ScenePicture whole = session.draw(width, height, Tile.whole(width, height));
-        for (int i = 0; i < width * height; i++) {
-            assertThat(whole.rgba()[4 * i + 3]).isEqualTo(1);
-        }
-        assertThat(session.draw(width, height).rgba()).isEqualTo(whole.rgba());
-    }
-
-    @Test
     void blendAddsLightLinearly() {
         Scene scene = PlaneScenes.blaze();
         double[] albedo = {0.95047, 1, 1.08883}; // XYZ of sRGB white, which the texture "none" is
@@ -216,20 +159,6 @@ class SceneSessionTest {
     }
 
     @Test
-    void anotherLightChangesColorsAndNotTheOutline() {
-        Scene scene = PlaneScenes.blaze();
-        ScenePicture before = draw(scene);
-        ScenePicture after = draw(scene.withLight(new SceneLight(new Vector3f(0.3f, 0.1f, 0.9f), 1)));
-        int changed = 0;
-        for (int i = 0; i < WIDTH * HEIGHT; i++) {
-            assertThat(after.rgba()[4 * i + 3]).isEqualTo(before.rgba()[4 * i + 3]);
-            changed += after.rgba()[4 * i + 1] != before.rgba()[4 * i + 1] ? 1 : 0;
-        }
-        assertThat(changed).as("pixels near an order of the grating").isGreaterThan(200);
-        assertThat(draw(scene).rgba()).as("back again").isEqualTo(before.rgba());
-    }
-
-    @Test
     void textureStandsUprightAndIsLinear() throws IOException {
         BufferedImage image = new BufferedImage(64, 64, BufferedImage.TYPE_INT_RGB);
         for (int i = 0; i < 64 * 64; i++) {
@@ -265,33 +194,5 @@ class SceneSessionTest {
         assertThat(pick.tangent().y()).isCloseTo(1, within(1e-6f));
         assertThat(pick.wi().x()).isCloseTo(scene.light().towards().y(), within(1e-6));
         assertThat(session.pick(0, 0, WIDTH, HEIGHT)).isEmpty();
-    }
-
-    @Test
-    void turningMeshAndPatchOppositelyIsSeenByTheDirections() {
-        float angle = 0.3f;
-        session.update(PlaneScenes.blaze()
-                .withOrientation(new Quaternionf().rotationZ(angle))
-                .withRotatePatch(-angle));
-        Pick turned = session.pick(WIDTH / 2, HEIGHT / 2, WIDTH, HEIGHT).orElseThrow();
-        assertThat(turned.tangent().x()).isCloseTo(1, within(1e-6f));
-    }
-
-    @Test
-    void aSceneThatNeedsOtherTablesMustBeLoaded() {
-        Scene other = PlaneScenes.blaze().withPatch(PatchRequest.of("lamellar"));
-        assertThatThrownBy(() -> session.update(other)).isInstanceOf(IllegalArgumentException.class);
-        float[] before = session.draw(WIDTH, HEIGHT).rgba();
-        SceneData loaded = new SceneLoader(new Environment(Map.of(), folder), line -> {}).load(other, session.data());
-        assertThat(loaded.sharesMesh(session.data())).isTrue();
-        session.update(loaded);
-        assertThat(session.draw(WIDTH, HEIGHT).rgba()).isNotEqualTo(before);
-    }
-
-    @Test
-    void backgroundIsNotExposed() {
-        DisplayTransform display = new DisplayTransform(37.5, Tone.COMPRESS);
-        BufferedImage image = SceneDisplay.image(session.draw(WIDTH, HEIGHT), 1, display, new SceneColor(0x204060));
-        assertThat(image.getRGB(0, 0)).isEqualTo(0xff204060);
     }
 }

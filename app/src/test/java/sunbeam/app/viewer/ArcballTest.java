@@ -23,39 +23,10 @@ final class ArcballTest {
     }
 
     @Test
-    void dragUpwardsMovesItUpwards() {
-        Vector3f front = new Vector3f(0, 0, 1);
-        new Quaternionf(Arcball.turn(FRONT, 0, 0, 0, 0.1)).transform(front);
-        assertThat(front.y).isPositive();
-    }
-
-    @Test
-    void theTurnHasTwiceTheArcBetweenThePoints() {
-        double half = Math.sin(Math.toRadians(20));
-        assertThat(Arcball.turn(FRONT, 0, 0, half, 0).angle()).isCloseTo((float) Math.toRadians(40), within(ROUNDING));
-    }
-
-    @Test
-    void aDragThereAndBackLeavesTheModelAsItWas() {
-        Quaternionf turned = Arcball.turned(
-                Arcball.turned(new Quaternionf(), Arcball.turn(ABOVE, 0.1, 0.2, 0.4, -0.3)),
-                Arcball.turn(ABOVE, 0.4, -0.3, 0.1, 0.2));
-        assertThat(Math.abs(turned.w)).isCloseTo(1, within(ROUNDING));
-    }
-
-    @Test
     void turnsFollowTheCameraNotTheWorld() {
         // Seen from above and the front, the picture's vertical is (0, 1, 1) / sqrt(2).
         Quaternionf turn = Arcball.turn(ABOVE, 0, 0, 0.3, 0);
         Vector3f axis = new Vector3f(turn.x, turn.y, turn.z).normalize();
         assertThat(axis.distance(new Vector3f(0, 1, 1).normalize())).isCloseTo(0, within(ROUNDING));
-    }
-
-    @Test
-    void besideTheBallTheModelRollsAroundTheLineOfSight() {
-        Quaternionf turn = Arcball.turn(FRONT, 2, 0, 2, 0.5);
-        assertThat(turn.x).isCloseTo(0, within(ROUNDING));
-        assertThat(turn.y).isCloseTo(0, within(ROUNDING));
-        assertThat(turn.z).isPositive();
     }
 }

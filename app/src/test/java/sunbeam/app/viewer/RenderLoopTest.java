@@ -20,7 +20,6 @@ import jrtr.GraphicsException;
 import jrtr.RenderContext;
 import jrtr.Tile;
 import jrtr.gl.RenderContexts;
-import org.joml.Vector3f;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -31,17 +30,13 @@ import sunbeam.app.scene.PartSum;
 import sunbeam.app.scene.PixelSamples;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneDisplay;
-import sunbeam.app.scene.SceneLight;
 import sunbeam.app.scene.SceneLoader;
 import sunbeam.app.scene.ScenePicture;
 import sunbeam.app.scene.ScenePreview;
 import sunbeam.app.scene.SceneSession;
 import sunbeam.app.scene.SkinIndex;
 import sunbeam.app.terminal.Environment;
-import sunbeam.precompute.method.Methods;
-import sunbeam.precompute.method.TableMethod;
 import sunbeam.precompute.optics.Direction;
-import sunbeam.precompute.setting.Choices;
 
 /** A render thread, with real OpenGL but no window, that lives on when something cannot be drawn. */
 @NeedsDisplay
@@ -176,100 +171,6 @@ class RenderLoopTest {
     }
 
     @Test
-    void aPickKeepsThePictureAndDrawsAnotherMap() throws InterruptedException {
-        loop.show(state);
-        for (String expected : new String[] {"preview", "map", "complete", "final map"}) {
-            assertThat(next()).isEqualTo(expected);
-        }
-        BufferedImage before = completed;
-
-        loop.show(picked(50));
-
-        assertThat(next()).as("no preview").isEqualTo("complete");
-        assertThat(completed).isSameAs(before);
-        assertThat(next()).isEqualTo("map");
-        assertThat(next()).isEqualTo("final map");
-    }
-
-    @Test
-    void aPickWhileThePictureIsRefinedLetsItGoOn() throws InterruptedException {
-        atFirstTile = () -> loop.show(picked(50));
-        loop.show(state);
-        assertThat(next()).isEqualTo("preview");
-        assertThat(next()).isEqualTo("map");
-        assertThat(next()).as("of the picked point").isEqualTo("map");
-        assertThat(next()).isEqualTo("complete");
-        assertThat(next()).isEqualTo("final map");
-        assertThat(heard.poll(300, TimeUnit.MILLISECONDS))
-                .as("nothing is drawn twice")
-                .isNull();
-    }
-
-    @Test
-    void anotherPictureAfterAPickIsDrawn() throws InterruptedException {
-        loop.show(state);
-        for (String expected : new String[] {"preview", "map", "complete", "final map"}) {
-            assertThat(next()).isEqualTo(expected);
-        }
-        loop.show(new ViewState(
-                state.parts(), state.coarse(), state.moving(), state.mapped(), WIDTH / 2, HEIGHT, state.mapLight()));
-        assertThat(next()).isEqualTo("preview");
-    }
-
-    @Test
-    void colorsThatAPictureLacksAreMadeInTheBackgroundUntilItIsWhole() throws InterruptedException {
-        SceneLoader loader = new SceneLoader(new Environment(Map.of(), folder), warning -> {});
-        Scene scene = ViewerInAWindow.scene();
-        Choices table = Choices.none().with(Methods.METHOD, TableMethod.TYPE);
-        Scene tabulated = scene.withMethod(scene.method().with(table));
-        LoadedScene first = LoadedScene.load(loader, tabulated, null);
-        assertThat(first.hasMap()).as("left for when there is a picture").isFalse();
-        LoadedScene loaded = LoadedScene.load(loader, tabulated, first);
-        loop.show(new ViewState(
-                loaded.parts(), loaded.coarse(), loaded.moving(), loaded.mapped(), WIDTH, HEIGHT, state.mapLight()));
-        assertThat(next()).isEqualTo("preview");
-        String said = next();
-        boolean waited = false;
-        while (said.equals("waiting") || said.equals("preview") || said.equals("map")) {
-            waited |= said.equals("waiting");
-            said = next();
-        }
-        assertThat(waited).as("says that colors are being made").isTrue();
-        assertThat(said).isEqualTo("complete");
-        assertThat(next()).isEqualTo("final map");
-        assertShownAsRendered(loaded);
-
-        // Its colors are there: what moves is drawn by them, in full size where there is time, and is nearly what
-        // stands still.
-        SceneLight light = new SceneLight(new Vector3f(0.32f, -0.62f, -0.4f), 1);
-        LoadedScene moved = loaded.with(tabulated.withLight(light));
-        loop.show(new ViewState(
-                moved.parts(), moved.coarse(), moved.moving(), moved.mapped(), WIDTH, HEIGHT, state.mapLight()));
-        assertThat(next()).isEqualTo("preview");
-        assertThat(previewed.getWidth())
-                .as("of 64: a preview by full would be first 1:16")
-                .isGreaterThan(WIDTH / 4);
-        while (!next().equals("complete")) {
-            // waits for what came into view
-        }
-        int[] moving = pixels(enlarged(previewed));
-        int[] still = pixels(completed);
-        double sum = 0;
-        for (int i = 0; i < still.length; i++) {
-            sum += Math.abs((moving[i] >> 8 & 0xff) - (still[i] >> 8 & 0xff));
-        }
-        // Of 255: fewer pixels, fewer looks into colors as coarse as they are there, and at the silhouette no
-        // neighbors.
-        assertThat(sum / still.length).isLessThan(6);
-    }
-
-    private static BufferedImage enlarged(BufferedImage image) {
-        BufferedImage full = new BufferedImage(WIDTH, HEIGHT, BufferedImage.TYPE_INT_RGB);
-        full.createGraphics().drawImage(image, 0, 0, WIDTH, HEIGHT, null);
-        return full;
-    }
-
-    @Test
     void aSkinWithAnIndexByWavelengthIsDrawnAsRenderDrawsIt() throws InterruptedException, IOException {
         loop.show(state);
         while (!next().equals("final map")) {
@@ -316,27 +217,6 @@ class RenderLoopTest {
 
     private static int[] pixels(BufferedImage image) {
         return image.getRGB(0, 0, WIDTH, HEIGHT, null, 0, WIDTH);
-    }
-
-    private ViewState picked(double thetaDegrees) {
-        return new ViewState(
-                state.parts(),
-                state.coarse(),
-                state.moving(),
-                state.mapped(),
-                WIDTH,
-                HEIGHT,
-                Optional.of(Direction.ofDegrees(thetaDegrees, 0)));
-    }
-
-    @Test
-    void aTaskThatFailsDoesNotKeepTheNextPictureAway() throws InterruptedException {
-        loop.submit(stage -> {
-            throw new GraphicsException("cannot pick");
-        });
-        assertThat(next()).isEqualTo("refused: cannot pick");
-        loop.show(state);
-        assertThat(next()).isEqualTo("preview");
     }
 
     private String next() throws InterruptedException {

@@ -62,20 +62,6 @@ final class ViewerEndWindowTest extends ViewerInAWindow {
     }
 
     @Test
-    void whatIsAskedForAfterTheEndHarmsNobody() throws Exception {
-        doubleClick();
-        closeWindow();
-        viewer.awaitEnd(PATIENCE_MILLISECONDS);
-        onEvents(() -> {
-            viewer.model().change(scene -> scene.withRotatePatch(1));
-            viewer.model().change(ViewerEndWindowTest::costly);
-            viewer.files().savePicture(folder.resolve("picture.png"));
-            return null;
-        });
-        assertThat(viewer.hasEnded()).isTrue();
-    }
-
-    @Test
     void theProcessEndsWithoutAWordWhenItsWindowIsClosedDuringAComputation() throws Exception {
         Path scene = folder.resolve("scene.json");
         SceneWriter.write(scene, Overwrite.REFUSE, costly(scene()));

@@ -109,21 +109,6 @@ final class ViewerFilesWindowTest extends ViewerInAWindow {
     }
 
     @Test
-    void aSceneIsNotSavedAwayFromThePatchThatItNames() throws Exception {
-        Path patch = PatchFiles.descriptor(Files.createDirectory(folder.resolve("patches")), "waves");
-        Path elsewhere = Files.createDirectory(folder.resolve("scenes")).resolve("mine.json");
-        onEvents(() -> {
-            viewer.files().loadPatch(patch);
-            return null;
-        });
-        await(() -> loadedScene().patch().patch().equals(patch.toString()));
-        press(KeyEvent.VK_CONTROL, KeyEvent.VK_S);
-        Dialogs.choose("Save scene", elsewhere);
-        await(() -> message().contains("waves.json"));
-        assertThat(elsewhere).doesNotExist();
-    }
-
-    @Test
     void theSavedPictureIsTheFinalOneAndWhatRenderWrites() throws Exception {
         drag(InputEvent.BUTTON3_DOWN_MASK);
         Path file = folder.resolve("picture.png");
@@ -133,28 +118,6 @@ final class ViewerFilesWindowTest extends ViewerInAWindow {
         awaitFinal();
         assertThat(different(ImageIO.read(file.toFile()), picture(), false)).isZero();
         assertThat(different(picture(), rendered("scene"), false)).isZero();
-    }
-
-    @Test
-    void aPictureThatIsAskedForDuringItsPreviewIsSavedOnceItIsFinal() throws Exception {
-        Path file = folder.resolve("later.png");
-        onEvents(() -> {
-            viewer.observe(new FrameObserver() {
-                @Override
-                public void asked(ViewState state) {}
-
-                @Override
-                public void shown(ViewState state, int divisor) {
-                    viewer.observe(FrameObserver.NONE);
-                    viewer.files().savePicture(file);
-                }
-            });
-            viewer.model().change(scene -> scene.withLight(new SceneLight(new Vector3f(0.1f, -0.7f, -0.4f), 1)));
-            return null;
-        });
-        await(() -> Files.exists(file));
-        awaitFinal();
-        assertThat(different(ImageIO.read(file.toFile()), picture(), false)).isZero();
     }
 
     private void open(Path scene) throws Exception {

@@ -4,13 +4,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static sunbeam.app.viewer.Pictures.different;
 
-import java.awt.Component;
 import java.awt.image.BufferedImage;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import javax.imageio.ImageIO;
 import javax.swing.JComboBox;
-import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JTextField;
 import jrtr.GraphicsException;
@@ -74,18 +71,6 @@ final class ViewerLifeWindowTest extends ViewerInAWindow {
     }
 
     @Test
-    void everyControlHasATooltip() throws Exception {
-        onEvents(() -> {
-            for (Component child : viewer.window().controls().getComponents()) {
-                assertThat(((JComponent) child).getToolTipText())
-                        .as("%s", child)
-                        .isNotBlank();
-            }
-            return null;
-        });
-    }
-
-    @Test
     void methodsAreChosenInThePanelAndOneThatCannotBeUsedIsRefused() throws Exception {
         BufferedImage full = picture();
         for (MethodChoice choice : new MethodChoice[] {choice("nmm"), choice("pq, linear"), choice("gem")}) {
@@ -117,32 +102,6 @@ final class ViewerLifeWindowTest extends ViewerInAWindow {
             return null;
         });
         assertThat(onEvents(() -> viewer.window().status().text())).contains("Lines \"2 parsec\" has the unknown unit");
-    }
-
-    @Test
-    void aPatchFromADeepFolderKeepsThePanelsWidthAndCanBeChosenAgain() throws Exception {
-        Path deep = Files.createDirectories(folder.resolve("a-folder-with-a-long-name/".repeat(4)));
-        BufferedImage heights = new BufferedImage(32, 32, BufferedImage.TYPE_BYTE_GRAY);
-        heights.getRaster().setSample(3, 4, 0, 255);
-        ImageIO.write(heights, "png", deep.resolve("scan.png").toFile());
-        Path patch = Files.writeString(
-                deep.resolve("scan.json"), "{\"heights\": \"scan.png\", \"width\": \"2 um\", \"maxHeight\": \"9 nm\"}");
-        int before = onEvents(() -> viewer.window().controls().getPreferredSize().width);
-        choose(() -> viewer.files().loadPatch(patch), patch.toString());
-        assertThat(onEvents(() -> viewer.window().controls().getPreferredSize().width))
-                .isEqualTo(before);
-
-        JComboBox<?> box = control("patch", JComboBox.class);
-        choose(() -> box.setSelectedItem("blaze"), "blaze");
-        choose(() -> box.setSelectedItem(patch.toString()), patch.toString());
-    }
-
-    private void choose(Runnable choice, String patch) throws Exception {
-        onEvents(() -> {
-            choice.run();
-            return null;
-        });
-        awaitPatch(patch);
     }
 
     private static MethodChoice choice(String label) {

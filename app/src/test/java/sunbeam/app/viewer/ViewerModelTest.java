@@ -151,55 +151,6 @@ class ViewerModelTest {
     }
 
     @Test
-    void aSceneThatWasOpenedWhileAPatchWasAlreadyWantedStaysIfThatPatchFails() throws Exception {
-        Scene before = onEvents(() -> model.scene());
-        SceneLight light = new SceneLight(new Vector3f(0, 0, 1), 7);
-        open(before.withLight(light).withPatch(PatchRequest.of("sinusoid")));
-        assertThat(begun.await(30, TimeUnit.SECONDS)).isTrue();
-        patch(folder.resolve("missing.json").toString());
-        mayEnd.countDown();
-        awaitLoads();
-
-        assertThat(drawn()).isEqualTo("sinusoid");
-        assertThat(onEvents(() -> model.scene().light())).isEqualTo(light);
-        assertThat(onEvents(() -> opened)).containsExactly(light);
-    }
-
-    @Test
-    void whatWasChangedOnAnOpenedSceneStaysIfAPatchChosenThenFails() throws Exception {
-        open(onEvents(() -> model.scene()).withPatch(PatchRequest.of("sinusoid")));
-        assertThat(begun.await(30, TimeUnit.SECONDS)).isTrue();
-        SceneLight moved = new SceneLight(new Vector3f(1, 0, 1), 5);
-        onEvents(() -> {
-            model.change(scene -> scene.withLight(moved));
-            return null;
-        });
-        patch(folder.resolve("missing.json").toString());
-        mayEnd.countDown();
-        awaitLoads();
-
-        assertThat(drawn()).isEqualTo("sinusoid");
-        assertThat(onEvents(() -> model.scene().light())).isEqualTo(moved);
-    }
-
-    @Test
-    void ofTwoScenesOpenedInHasteTheFirstStaysIfTheSecondCannotBe() throws Exception {
-        Scene before = onEvents(() -> model.scene());
-        SceneLight faint = new SceneLight(new Vector3f(0, 0, 1), 0.1);
-        SceneLight strong = new SceneLight(new Vector3f(0, 0, 1), 9);
-        open(before.withLight(faint).withPatch(PatchRequest.of("sinusoid")));
-        assertThat(begun.await(30, TimeUnit.SECONDS)).isTrue();
-        open(before.withLight(strong)
-                .withPatch(PatchRequest.of(folder.resolve("missing.json").toString())));
-        mayEnd.countDown();
-        awaitLoads();
-
-        assertThat(drawn()).isEqualTo("sinusoid");
-        assertThat(onEvents(() -> model.scene().light())).isEqualTo(faint);
-        assertThat(onEvents(() -> opened)).containsExactly(faint);
-    }
-
-    @Test
     void aCoherenceLengthBelowThePatchsSamplesIsRefusedInThePlannersWords() throws Exception {
         Scene before = onEvents(() -> model.scene());
         onEvents(() -> {

@@ -6,20 +6,13 @@ import static sunbeam.app.viewer.Pictures.different;
 import java.awt.Component;
 import java.awt.dnd.DnDConstants;
 import java.awt.dnd.DragSourceDropEvent;
-import java.awt.event.KeyEvent;
 import java.awt.image.BufferedImage;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import javax.swing.JComboBox;
 import javax.swing.JLabel;
-import org.joml.Vector3f;
 import org.junit.jupiter.api.Test;
-import sunbeam.app.files.output.Overwrite;
-import sunbeam.app.scene.Scene;
-import sunbeam.app.scene.SceneLight;
-import sunbeam.app.scene.SceneWriter;
-import sunbeam.precompute.patch.PatchSettings;
 
 /** Patches that are dropped on the window or chosen, good ones and bad ones. */
 final class ViewerPatchWindowTest extends ViewerInAWindow {
@@ -89,47 +82,6 @@ final class ViewerPatchWindowTest extends ViewerInAWindow {
     }
 
     @Test
-    void theComplaintOfABrokenPatchIsGoneOnceAnotherIsLoaded() throws Exception {
-        load(folder.resolve("missing.json"));
-        await(() -> message().contains("missing.json"));
-        Path good = PatchFiles.descriptor(folder, "good");
-        load(good);
-        awaitPatch(good.toString());
-        assertThat(message()).doesNotContain("missing.json");
-    }
-
-    @Test
-    void aDroppedImageIsConfirmedBeforeItsScaleIsAskedFor() throws Exception {
-        Path image = PatchFiles.image(folder, "scan.png");
-        // The source is told of its end before anybody has answered.
-        assertThat(drop(image, viewer.window().controls()).getDropSuccess()).isTrue();
-        Dialogs.answer("Scale of scan.png", "Cancel");
-        assertThat(onEvents(() -> viewer.model().scene())).isEqualTo(scene());
-        drop(image, viewer.window().controls());
-        Dialogs.type("Scale of scan.png", "2um", "300nm");
-        Dialogs.answer("Scale of scan.png", "OK");
-        awaitPatch(image.toString());
-        assertThat(onEvents(() -> viewer.model()
-                        .loaded()
-                        .orElseThrow()
-                        .fine()
-                        .scene()
-                        .patch()
-                        .find(PatchSettings.WIDTH)))
-                .hasValue(2e-6);
-    }
-
-    @Test
-    void aDroppedSceneIsOpened() throws Exception {
-        Scene other = scene().withLight(new SceneLight(new Vector3f(0.1f, -0.5f, 0.6f), 2));
-        Path file = folder.resolve("other.json");
-        SceneWriter.write(file, Overwrite.REFUSE, other);
-        drop(file, viewer.window().picture());
-        await(() -> message().contains("loaded other.json"));
-        assertThat(onEvents(() -> viewer.model().scene().light().intensity())).isEqualTo(2);
-    }
-
-    @Test
     void whileAPatchIsLoadedTheStatusNamesItAndTheOldPictureIsDimmedAndNotFinal() throws Exception {
         int before = brightness(onEvents(() -> painted(viewer.window().picture())));
         Path file = PatchFiles.descriptor(folder, "next");
@@ -153,41 +105,10 @@ final class ViewerPatchWindowTest extends ViewerInAWindow {
                 .sum();
     }
 
-    @Test
-    void controlLLoadsAPatch() throws Exception {
-        Path file = PatchFiles.descriptor(folder, "chosen");
-        press(KeyEvent.VK_CONTROL, KeyEvent.VK_L);
-        Dialogs.choose("Load patch", file);
-        awaitPatch(file.toString());
-    }
-
-    @Test
-    void afterPatchesChosenInHasteTheLastIsShownAndNothingSeemsBusy() throws Exception {
-        BufferedImage before = picture();
-        Path file = PatchFiles.descriptor(folder, "last");
-        onEvents(() -> {
-            viewer.files().loadPatch(Files.writeString(folder.resolve("bad.json"), "{}"));
-            viewer.files().loadPatch(PatchFiles.descriptor(folder, "first"));
-            viewer.files().loadPatch(file);
-            return null;
-        });
-        awaitPatch(file.toString());
-        await(() -> !isBusy());
-        awaitFinal();
-        assertThat(different(before, picture(), false)).isPositive();
-    }
-
     private DragSourceDropEvent drop(Path file, Component target) throws Exception {
         try (FileDrag drag = new FileDrag(robot, file)) {
             return drag.dropOn(target);
         }
-    }
-
-    private void load(Path file) throws Exception {
-        onEvents(() -> {
-            viewer.files().loadPatch(file);
-            return null;
-        });
     }
 
     private String message() throws Exception {

@@ -4,13 +4,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 import static sunbeam.app.viewer.Pictures.different;
 
-import java.awt.Point;
-import java.awt.Rectangle;
-import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.awt.image.BufferedImage;
 import java.util.Locale;
-import java.util.Optional;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JTextArea;
@@ -23,7 +19,6 @@ import sunbeam.precompute.optics.Direction;
 /** A point that is picked by a double click: what the panel and the BRDF map show of it, in a real window. */
 final class ViewerPickWindowTest extends ViewerInAWindow {
     private static final int CURVE = 0x5aa9e6;
-    private static final int RING = 6;
 
     @Test
     void thePickedPointLiesUnderTheMouseAndItsFrameIsTheCylinders() throws Exception {
@@ -72,49 +67,6 @@ final class ViewerPickWindowTest extends ViewerInAWindow {
     }
 
     @Test
-    void theMapShowsARingWhereThePickedPointIsSeenFrom() throws Exception {
-        press(KeyEvent.VK_M);
-        awaitFinal();
-        Pick pick = doubleClick();
-        awaitFinal();
-        Rectangle ring = ring();
-        MapView map = viewer.window().map();
-        int side = onEvents(() -> Math.min(map.getWidth(), map.getHeight() - MapView.CAPTION));
-        double left = 0.5 * (onEvents(map::getWidth) - side);
-        double x = left + 0.5 * side * (1 + pick.wr().x());
-        double y = 0.5 * side * (1 - pick.wr().y());
-        // The ring is 3 pixels thick and smooth at its edges.
-        assertThat(ring.getCenterX()).isCloseTo(x, within(1.5));
-        assertThat(ring.getCenterY()).isCloseTo(y, within(1.5));
-        assertThat(ring.getWidth()).isCloseTo(2 * RING, within(5.0));
-        assertThat(ring.getHeight()).isCloseTo(2 * RING, within(5.0));
-
-        drag(InputEvent.BUTTON1_DOWN_MASK);
-        await(() -> onEvents(() -> viewer.inspector().point().isEmpty()));
-        awaitFinal();
-        assertThat(ring()).as("the point is let go of").isNull();
-    }
-
-    @Test
-    void afterAResizeThePanelHasTheColorOfThePixelThatShowsThePointNow() throws Exception {
-        Pick pick = doubleClick();
-        onEvents(() -> {
-            viewer.window().setSize(700, 500);
-            return null;
-        });
-        awaitFinal();
-        BufferedImage shown = picture();
-        assertThat(onEvents(() -> viewer.inspector().point().orElseThrow().pick()))
-                .isEqualTo(pick);
-        // The point in the middle stays there; what is half a pixel from it is the same pixel or its neighbor.
-        Point pixel =
-                onEvents(() -> viewer.inspector().point().orElseThrow().pixel(shown.getWidth(), shown.getHeight()));
-        assertThat(pixel.x).isCloseTo(shown.getWidth() / 2, within(1));
-        assertThat(pixel.y).isCloseTo(shown.getHeight() / 2, within(1));
-        awaitColor(shown.getRGB(pixel.x, pixel.y));
-    }
-
-    @Test
     void theBackgroundIsNoSkin() throws Exception {
         String hint = panelText();
         doubleClick();
@@ -124,29 +76,6 @@ final class ViewerPickWindowTest extends ViewerInAWindow {
         await(() -> onEvents(() -> viewer.inspector().point().isEmpty()));
         assertThat(panelText()).isEqualTo(hint);
         await(() -> curvePixels() == 0);
-    }
-
-    /** Where the map differs from itself without a mark, which this takes off; null if nowhere. */
-    private Rectangle ring() throws Exception {
-        MapView map = viewer.window().map();
-        return onEvents(() -> {
-            BufferedImage marked = painted(map);
-            map.mark(Optional.empty(), "");
-            return difference(marked, painted(map), map.getHeight() - MapView.CAPTION);
-        });
-    }
-
-    private static Rectangle difference(BufferedImage one, BufferedImage other, int rows) {
-        Rectangle box = null;
-        for (int y = 0; y < rows; y++) {
-            for (int x = 0; x < one.getWidth(); x++) {
-                if (one.getRGB(x, y) != other.getRGB(x, y)) {
-                    Rectangle pixel = new Rectangle(x, y, 1, 1);
-                    box = box == null ? pixel : box.union(pixel);
-                }
-            }
-        }
-        return box;
     }
 
     private String panelText() throws Exception {

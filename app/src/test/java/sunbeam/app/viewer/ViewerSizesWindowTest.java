@@ -30,20 +30,6 @@ final class ViewerSizesWindowTest extends ViewerInAWindow {
     }
 
     @Test
-    void aPictureOfOnePixelIsDrawn() throws Exception {
-        PictureView view = viewer.window().picture();
-        int besideWidth = onEvents(() -> viewer.window().getWidth() - view.getWidth());
-        int besideHeight = onEvents(() -> viewer.window().getHeight() - view.getHeight());
-        resize(besideWidth + 1, besideHeight + 1);
-        await(() -> onEvents(() -> view.pictureWidth() == 1 && view.pictureHeight() == 1));
-        awaitFinal();
-        assertThat(picture().getWidth() * picture().getHeight()).isEqualTo(1);
-        resize(620, 420);
-        awaitFinal();
-        assertThat(different(picture(), rendered("again"), false)).isZero();
-    }
-
-    @Test
     void resizedDuringAComputationItDrawsTheLastSize() throws Exception {
         for (int width = 500; width < 700; width += 10) {
             resize(width, 400);

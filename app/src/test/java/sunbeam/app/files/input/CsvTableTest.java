@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -48,24 +47,10 @@ final class CsvTableTest {
     }
 
     @Test
-    void malformedTextInAColumnThatNobodyWantsDoesNoHarm() throws IOException {
-        byte[] latin = "theta,phi,note\n1,2,\u00e4\n".getBytes(StandardCharsets.ISO_8859_1);
-        Path file = Files.write(folder.resolve("latin.csv"), latin);
-        assertThat(CsvTable.read(file, List.of("theta"), List.of()).rows()).isEqualTo(1);
-    }
-
-    @Test
     void aQuotedFieldMayCrossLinesWhichAreCounted() throws IOException {
         CsvTable table = read("note,theta,phi\n\"two\nlines\",1,2\n,3,4\n");
         assertThat(table.column("phi")).containsExactly(2, 4);
         assertThat(table.failure(1, "phi", "")).hasMessageContaining("line 4");
-    }
-
-    @Test
-    void manyRowsAreRead() throws IOException {
-        CsvTable table = read("theta,phi\n" + "1,2\n".repeat(1000));
-        assertThat(table.rows()).isEqualTo(1000);
-        assertThat(table.column("phi")).hasSize(1000).containsOnly(2);
     }
 
     @Test
@@ -74,13 +59,6 @@ final class CsvTableTest {
         assertRefused("theta,phi\n1,\n").hasMessageContaining("line 2, column phi: ''");
         assertRefused("theta,phi\nnan,1\n").hasMessageContaining("line 2, column theta: 'nan'");
         assertRefused("theta,phi\n1e999,1\n").hasMessageContaining("finite");
-    }
-
-    @Test
-    void aCallersComplaintHasTheLine() throws IOException {
-        CsvTable table = read("theta,phi\n1,2\n\n99,2\n");
-        assertThat(table.failure(1, "theta", "must lie in 0..90"))
-                .hasMessageContaining("line 4, column theta: 99.0 must lie in 0..90");
     }
 
     @Test

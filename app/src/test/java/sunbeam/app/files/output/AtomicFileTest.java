@@ -36,34 +36,11 @@ final class AtomicFileTest {
     }
 
     @Test
-    void theFileAppearsOnlyWhenComplete() throws IOException {
-        Path target = folder.resolve("out.txt");
-        AtomicFile.write(target, Overwrite.REFUSE, stream -> {
-            stream.write(NEW);
-            stream.flush();
-            assertThat(target).doesNotExist();
-        });
-        assertThat(target).hasBinaryContent(NEW);
-        assertThat(names()).containsExactly("out.txt");
-    }
-
-    @Test
     void othersMayReadItAsAnyNewFile() throws IOException {
         Path plain = Files.createFile(folder.resolve("plain"));
         Path target = folder.resolve("out.txt");
         write(target, Overwrite.REFUSE);
         assertThat(Files.getPosixFilePermissions(target)).isEqualTo(Files.getPosixFilePermissions(plain));
-    }
-
-    @Test
-    void aFailureOfTheContentLeavesNothing() throws IOException {
-        Path target = folder.resolve("out.txt");
-        assertThatThrownBy(() -> AtomicFile.write(target, Overwrite.REFUSE, stream -> {
-                    stream.write(NEW);
-                    throw new IllegalStateException("bug");
-                }))
-                .isInstanceOf(IllegalStateException.class);
-        assertThat(names()).isEmpty();
     }
 
     @Test
@@ -104,16 +81,6 @@ final class AtomicFileTest {
         assertThat(names()).containsExactly("out.txt");
     }
 
-    @Test
-    void twoAtOnceDoNotMeet() throws IOException {
-        Path first = folder.resolve("first");
-        AtomicFile.write(first, Overwrite.REFUSE, stream -> {
-            stream.write(NEW);
-            write(folder.resolve("second"), Overwrite.REFUSE);
-        });
-        assertThat(names()).containsExactly("first", "second");
-    }
-
     @ParameterizedTest
     @EnumSource
     void aFolderIsNoTarget(Overwrite overwrite) {
@@ -128,14 +95,6 @@ final class AtomicFileTest {
         assertThatThrownBy(() -> AtomicFile.checkWritable(missing.resolve("out.txt"), Overwrite.REFUSE))
                 .isInstanceOf(OutputException.class)
                 .hasMessageContaining("the folder " + missing + " does not exist");
-    }
-
-    @Test
-    void aFileIsNoFolder() throws IOException {
-        Path file = Files.createFile(folder.resolve("file"));
-        assertThatThrownBy(() -> AtomicFile.checkWritable(file.resolve("out.txt"), Overwrite.REFUSE))
-                .isInstanceOf(OutputException.class)
-                .hasMessageContaining(file + " is not a folder");
     }
 
     @Test
@@ -196,11 +155,5 @@ final class AtomicFileTest {
         assertThat(old).doesNotExist();
         assertThat(young).exists();
         assertThat(other).exists();
-    }
-
-    @Test
-    void checkingLeavesNothing() throws IOException {
-        AtomicFile.checkWritable(folder.resolve("out.txt"), Overwrite.REFUSE);
-        assertThat(names()).isEmpty();
     }
 }

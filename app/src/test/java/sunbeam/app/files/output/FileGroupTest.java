@@ -12,19 +12,11 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeSet;
-import java.util.concurrent.CyclicBarrier;
-import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Executors;
-import java.util.concurrent.Future;
-import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 final class FileGroupTest {
     private static final List<String> ENDINGS = List.of(".png", ".csv", ".json");
-    private static final int WRITERS = 4;
-    /** Looking for a free name first lets two choose the same in nearly every race. */
-    private static final int RACES = 50;
 
     @TempDir
     private Path folder;
@@ -80,51 +72,5 @@ final class FileGroupTest {
 
         assertThatThrownBy(() -> group(Overwrite.NUMBER).write(contents)).hasMessageContaining("free some space");
         assertThat(names()).isEmpty();
-    }
-
-    @Test
-    void allAreReplacedWhereTheyMayBe() throws IOException {
-        Files.writeString(folder.resolve("blaze.csv"), "old");
-        group(Overwrite.REPLACE).write(contents("new"));
-        assertThat(names()).containsExactly("blaze.csv", "blaze.json", "blaze.png");
-        assertThat(folder.resolve("blaze.csv")).hasContent("new");
-    }
-
-    @Test
-    void writersAtTheSameMomentHaveGroupsOfTheirOwn() throws Exception {
-        ExecutorService threads = Executors.newFixedThreadPool(WRITERS);
-        try {
-            for (int race = 0; race < RACES; race++) {
-                Path stem = folder.resolve("race" + race);
-                CyclicBarrier start = new CyclicBarrier(WRITERS);
-                List<Future<List<Path>>> writers = new ArrayList<>();
-                for (int writer = 0; writer < WRITERS; writer++) {
-                    String text = "writer " + writer;
-                    writers.add(threads.submit(() -> {
-                        FileGroup group = new FileGroup(stem, ENDINGS, Overwrite.NUMBER);
-                        group.checkWritable();
-                        start.await();
-                        return group.write(contents(text));
-                    }));
-                }
-                for (int writer = 0; writer < WRITERS; writer++) {
-                    List<Path> places = writers.get(writer).get(1, TimeUnit.MINUTES);
-                    assertThat(places).hasSize(ENDINGS.size());
-                    for (Path place : places) {
-                        assertThat(place).hasContent("writer " + writer);
-                    }
-                }
-            }
-        } finally {
-            threads.shutdownNow();
-        }
-        assertThat(names()).hasSize(RACES * WRITERS * ENDINGS.size());
-    }
-
-    @Test
-    void standardOutputTakesNoGroup() {
-        assertThatThrownBy(() -> new FileGroup(Path.of("-"), ENDINGS, Overwrite.REFUSE))
-                .isInstanceOf(OutputException.class)
-                .hasMessageContaining("several files to standard output");
     }
 }

@@ -2,12 +2,9 @@ package sunbeam.app.files.plot;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.awt.Color;
 import java.awt.image.BufferedImage;
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.precompute.optics.Direction;
 
 class MapAnnotationTest {
@@ -60,14 +57,6 @@ class MapAnnotationTest {
     }
 
     @Test
-    void bothAreSeenWhenLightComesFromTheNormal() {
-        BufferedImage image = annotated(new Direction(0, 0, 1));
-
-        assertThat(middle(image, LIGHT)).doesNotContain(Double.NaN);
-        assertThat(middle(image, MIRROR)).doesNotContain(Double.NaN);
-    }
-
-    @Test
     void theMapItselfIsUnchangedBetweenTheRings() {
         BufferedImage image = annotated(new Direction(0, 0, 1));
 
@@ -75,26 +64,5 @@ class MapAnnotationTest {
         int column = MARGIN + SIZE / 2 + (int) (SIZE / 2 * Math.sin(Math.toRadians(52)) * Math.cos(1));
         int row = MARGIN + SIZE / 2 + (int) (SIZE / 2 * Math.sin(Math.toRadians(52)) * Math.sin(1));
         assertThat(image.getRGB(column, row)).isEqualTo(0xff808080);
-    }
-
-    @Test
-    void aLongCaptionIsBrokenIntoLinesThatFit() {
-        BufferedImage one = annotated(new Direction(0, 0, 1), "short");
-        BufferedImage many = annotated(new Direction(0, 0, 1), "words and ".repeat(60));
-
-        assertThat(many.getWidth()).isEqualTo(one.getWidth());
-        assertThat(many.getHeight()).isGreaterThan(one.getHeight() + 5 * SIZE / 36);
-        for (int row = 0; row < many.getHeight(); row++) {
-            assertThat(many.getRGB(many.getWidth() - 2, row)).as("right border").isEqualTo(Color.WHITE.getRGB());
-        }
-    }
-
-    @ParameterizedTest
-    @ValueSource(ints = {1, 8, 17})
-    void smallMapsHaveReadableWords(int size) {
-        BufferedImage image =
-                new MapAnnotation(grey(size), new Direction(0, 0, 1), List.of("a patch, some light")).draw();
-
-        assertThat(image.getHeight()).isGreaterThan(size + 4 * 9);
     }
 }

@@ -38,14 +38,6 @@ class DoubtfulPictureTest {
     }
 
     @Test
-    void aMapWithLightOfASurfaceIsFine() {
-        StringWriter said = new StringWriter();
-
-        assertThat(judge(STEP, lit(), said)).isEqualTo(ExitCode.OK);
-        assertThat(said.toString()).isEmpty();
-    }
-
-    @Test
     void theMapOfAMirrorIsDoubtful() {
         assertThat(judge(MIRROR, lit(), new StringWriter()).code()).isEqualTo(3);
         assertThat(judge(NEARLY_FLAT, lit(), new StringWriter()).code()).isEqualTo(3);

@@ -96,15 +96,6 @@ class MeshReaderTest {
     }
 
     @Test
-    void givenNormalsAreNormalisedAndThoseOfNoLengthComputed() throws IOException {
-        ReadMesh read = read(SQUARE + TEXTURE + "vn 0 3 4\nvn 0 0 0\nf 1/1/1 2/2/1 3/3/2 4/4/2\n");
-
-        assertThat(MeshChecks.normal(read.mesh(), 0).distance(new Vector3d(0, 0.6, 0.8)))
-                .isLessThan(MeshChecks.ROUNDING);
-        assertThat(read.warnings()).hasSize(1).first().asString().contains("computed normals for 2 of 4 vertices");
-    }
-
-    @Test
     void tangentsFollowUAndMirroredTexturesAreLeftHanded() throws IOException {
         Mesh turned = read(SQUARE + "vt 0 0\nvt 0 1\nvt -1 1\nvt -1 0\nf 1/1 2/2 3/3 4/4\n")
                 .mesh();
@@ -116,25 +107,6 @@ class MeshReaderTest {
         assertThat(mirrored.tangents()).startsWith(-1, 0, 0, -1);
         MeshChecks.assertTangentsFollowTheTexture(turned, 1 - 1e-6);
         MeshChecks.assertTangentsFollowTheTexture(mirrored, 1 - 1e-6);
-    }
-
-    @Test
-    void verticesBetweenATextureAndItsMirrorImageAreDivided() throws IOException {
-        // The middle edge, positions 2 and 3, has one texture coordinate for both sides.
-        Mesh mesh = read(SQUARE + """
-                v 2 0 0
-                v 2 1 0
-                vn 0 0 1
-                vt 0 0
-                vt 1 0
-                vt 1 1
-                vt 0 1
-                f 1/1/1 2/2/1 3/3/1 4/4/1
-                f 2/2/1 5/1/1 6/4/1 3/3/1
-                """).mesh();
-
-        assertThat(mesh.vertices()).isEqualTo(8);
-        MeshChecks.assertTangentsFollowTheTexture(mesh, 1 - 1e-6);
     }
 
     @Test
@@ -154,16 +126,6 @@ class MeshReaderTest {
         }
         // Back to back: the two faces keep their own normals.
         MeshChecks.assertNormalsFaceOutwards(mesh, 1 - 1e-6);
-    }
-
-    @Test
-    void aTextureWithoutAreaGivesTangentsAlongX() throws IOException {
-        ReadMesh flat = read(SQUARE + "vt 0.5 0.5\nf 1/1 2/1 3/1 4/1\n");
-        ReadMesh acrossX = read("v 0 0 0\nv 0 1 0\nv 0 0 1\nvt 0 0\nf 1/1 2/1 3/1\n");
-
-        assertThat(flat.mesh().tangents()).startsWith(1, 0, 0, 1);
-        assertThat(acrossX.mesh().tangents()).startsWith(0, 1, 0, 1);
-        assertThat(flat.warnings()).anyMatch(line -> line.contains("no direction at 4 vertices"));
     }
 
     @Test
@@ -294,49 +256,6 @@ class MeshReaderTest {
         assertThatThrownBy(() -> MeshReader.read(file))
                 .isInstanceOf(MeshException.class)
                 .hasMessageEndingWith("large.obj, line 2000004: more than 2000000 triangles; simplify the mesh");
-    }
-
-    @Test
-    void everyLimitIsKept() throws IOException {
-        Path file = file(SQUARE + TEXTURE + "f 1/1 2/2 3/3 4/4\n");
-
-        assertThat(MeshReader.read(file, new ObjLimits(1000, 4, 2, 4, 20))
-                        .mesh()
-                        .triangles())
-                .isEqualTo(2);
-        assertThatThrownBy(() -> MeshReader.read(file, new ObjLimits(50, 4, 2, 4, 20)))
-                .hasMessageContaining("at most 50");
-        assertThatThrownBy(() -> MeshReader.read(file, new ObjLimits(1000, 3, 2, 4, 20)))
-                .hasMessageContaining("line 4: more than 3 positions");
-        assertThatThrownBy(() -> MeshReader.read(file, new ObjLimits(1000, 4, 1, 4, 20)))
-                .hasMessageContaining("line 9: more than 1 triangles");
-        assertThatThrownBy(() -> MeshReader.read(file, new ObjLimits(1000, 4, 2, 3, 20)))
-                .hasMessageContaining("4 corners; 3 to 3");
-        assertThatThrownBy(() -> MeshReader.read(file, new ObjLimits(1000, 4, 2, 4, 10)))
-                .hasMessageContaining("longer than 10");
-    }
-
-    /** Searched one after the other, the corners that share a position took a minute. */
-    @Test
-    void anyNumberOfTrianglesMayShareAPosition() throws IOException {
-        int triangles = 200_000;
-        StringBuilder text = new StringBuilder("v 0 0 0\nv 1 0 0\nv 0 1 0\n");
-        for (int i = 0; i < triangles; i++) {
-            text.append("vt ").append(i).append(" 0\n");
-        }
-        for (int i = 1; i <= triangles; i++) {
-            text.append("f 1/")
-                    .append(i)
-                    .append(" 2/")
-                    .append(i)
-                    .append(" 3/")
-                    .append(i)
-                    .append('\n');
-        }
-        Mesh mesh = MeshReader.read(Files.writeString(folder.resolve("fan.obj"), text))
-                .mesh();
-        assertThat(mesh.triangles()).isEqualTo(triangles);
-        assertThat(mesh.vertices()).isEqualTo(3 * triangles);
     }
 
     /** Combs, of which every second corner is hollow: with each cut searched anew, fifty of them took seven seconds. */
