@@ -34,8 +34,7 @@ class LauncherScreenTest {
     void aPrivateScreenEndsWhenTheProgramIsKilled(String signal, int exitCode) throws Exception {
         sandbox.installJava("jdk", "17.0.1", "exec sleep 60");
 
-        try (RunningSunbeam running =
-                sandbox.command("brdf-map").start()) {
+        try (RunningSunbeam running = sandbox.command("brdf-map").start()) {
             Screen screen = Screen.of(running);
             assertThat(screen.isUp()).isTrue();
             running.signal(signal);
