@@ -52,7 +52,6 @@ class RenderLoopTest {
     private final AtomicReference<Throwable> mapFailure = new AtomicReference<>();
     private final AtomicReference<Throwable> previewFailure = new AtomicReference<>();
     private volatile BufferedImage completed;
-    private volatile BufferedImage previewed;
     private volatile Runnable atFirstTile = () -> {};
     private RenderLoop loop;
     private ViewState state;
@@ -98,7 +97,6 @@ class RenderLoopTest {
         @Override
         public void preview(
                 ViewState shown, BufferedImage image, int divisor, boolean tables, double exposure, long nanoseconds) {
-            previewed = image;
             heard.add("preview");
         }
 
