@@ -56,7 +56,7 @@ record ChosenChannel(String label, ScanChannel channel) {
     private static ScanChannel inColumns(Path file, ScanChannel channel, Choices choices) {
         Optional<Integer> columns = choices.find(COLUMNS);
         boolean inRows = channel.rows() > 1 && channel.columns() > 1;
-        long count = (long) channel.columns() * channel.rows();
+        long count = channel.samples().count();
         if (columns.isEmpty()) {
             boolean isLine = !inRows && channel.extent().width().isEmpty() && count > 2;
             if (isLine && !choices.has(PatchSettings.HEIGHT)) {
@@ -74,6 +74,11 @@ record ChosenChannel(String label, ScanChannel channel) {
         if (count % columns.get() != 0) {
             throw new SettingException(COLUMNS, "does not divide the " + count + " numbers of " + file);
         }
-        return channel.inRows(columns.get(), (int) (count / columns.get()));
+        return new ScanChannel(
+                channel.name(),
+                channel.retrace(),
+                channel.samples().inRows(columns.get(), (int) (count / columns.get())),
+                channel.extent(),
+                channel.unit());
     }
 }

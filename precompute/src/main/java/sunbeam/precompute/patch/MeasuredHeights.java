@@ -8,7 +8,6 @@ import java.util.Locale;
 import java.util.Optional;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.scan.ChannelList;
-import sunbeam.precompute.scan.Samples;
 import sunbeam.precompute.scan.ScanBytes;
 import sunbeam.precompute.scan.ScanChannel;
 import sunbeam.precompute.scan.ScanException;
@@ -43,7 +42,7 @@ record MeasuredHeights(HeightMap map, String source, List<String> channels, List
                                             ? "is empty; copy or export it again"
                                             : "is neither an image nor a scan in a format that Sunbeam knows; open it with"
                                                     + " Gwyddion, which reads 170 others, and export it as .gwy, .gsf or text"));
-            return of(file, reader, new ChannelList(reader.channels(bytes)), choices);
+            return of(file, reader, reader.open(bytes), choices);
         } catch (ScanException unusable) {
             throw new PatchException(file + " " + unusable.getMessage(), unusable);
         } catch (IOException failure) {
@@ -55,10 +54,10 @@ record MeasuredHeights(HeightMap map, String source, List<String> channels, List
 
     private static MeasuredHeights of(Path file, ScanReader reader, ChannelList channels, Choices choices)
             throws IOException {
-        ChosenChannel chosen = ChosenChannel.of(file, channels, reader.isPicture(), choices);
+        ChosenChannel chosen = ChosenChannel.of(file, channels, ScanFormats.isPicture(reader), choices);
         FileScale scale = FileScale.of(file, chosen.channel(), choices);
         ScanChannel channel = chosen.channel();
-        double[] heights = Samples.scaled(channel.samples(), scale.metresPerUnit(), 0);
+        double[] heights = channel.samples().scaled(scale.metresPerUnit(), 0).read();
         HeightMap map = HeightMap.owning(channel.columns(), channel.rows(), scale.pitchX(), scale.pitchY(), heights);
         Plausibility.requireRelief(map, scale.heightsFrom(), file);
         String which = channels.count() == 1 && channel.name().isEmpty() ? "" : ", channel " + chosen.label();
@@ -78,7 +77,7 @@ record MeasuredHeights(HeightMap map, String source, List<String> channels, List
         }
         try (ScanBytes bytes = ScanBytes.open(file)) {
             Optional<ScanReader> reader = ScanFormats.find(bytes, Optional.empty());
-            return reader.isPresent() && !reader.get().isPicture();
+            return reader.isPresent() && !ScanFormats.isPicture(reader.get());
         } catch (ScanException | IOException unreadable) {
             // Whoever reads the heights says what is wrong.
             return false;

@@ -5,7 +5,6 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
-import java.util.Locale;
 
 /** Reads numbers and texts of a file one after the other. Every method refuses to go beyond the end. */
 public final class ByteCursor {
@@ -29,9 +28,10 @@ public final class ByteCursor {
     }
 
     /** Goes on elsewhere. */
-    public void moveTo(long target) {
+    public ByteCursor at(long target) {
         bytes.requireInside(target, 0);
         position = target;
+        return this;
     }
 
     /** Leaves bytes out. */
@@ -58,10 +58,6 @@ public final class ByteCursor {
 
     public long unsigned32() throws IOException {
         return int32() & 0xffff_ffffL;
-    }
-
-    public long int64() throws IOException {
-        return next(Long.BYTES).getLong();
     }
 
     public double float32() throws IOException {
@@ -99,10 +95,8 @@ public final class ByteCursor {
             }
             text[length] = next;
         }
-        throw new ScanException(String.format(
-                Locale.ROOT,
-                "has a text without end at position %d; the file is damaged, export it again",
-                position - most));
+        throw new ScanException(
+                "has a text without end at position " + (position - most) + "; the file is damaged, export it again");
     }
 
     private ByteBuffer next(int count) throws IOException {

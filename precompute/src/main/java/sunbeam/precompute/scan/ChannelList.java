@@ -58,7 +58,7 @@ public final class ChannelList {
         Optional<Integer> named = all().filter(
                         i -> plain(channels.get(i).name()).equals(plain))
                 .boxed()
-                .min(Comparator.comparing(i -> channels.get(i).direction() == Direction.RETRACE));
+                .min(Comparator.comparing(i -> channels.get(i).retrace()));
         return labelled.or(() -> named).or(() -> numbered(plain));
     }
 
@@ -85,7 +85,7 @@ public final class ChannelList {
                 .min(Comparator.<Integer, Boolean>comparing(
                                 i -> channels.get(i).unit().isEmpty())
                         .thenComparing(this::kind)
-                        .thenComparing(i -> channels.get(i).direction() == Direction.RETRACE));
+                        .thenComparing(i -> channels.get(i).retrace()));
     }
 
     /** How many channels may hold heights, by their units and names. */

@@ -52,7 +52,7 @@ final class ChannelNames {
         for (int i = 0; i < labels.length; i++) {
             ScanChannel channel = channels.get(i);
             String name = channel.name().isEmpty() ? "channel " + (i + 1) : channel.name();
-            boolean twin = channel.direction() == Direction.RETRACE
+            boolean twin = channel.retrace()
                     && channels.stream()
                                     .filter(other -> other.name().equals(channel.name()))
                                     .count()

@@ -1,6 +1,5 @@
 package sunbeam.precompute.scan;
 
-import java.util.Locale;
 import java.util.Optional;
 
 /**
@@ -32,18 +31,22 @@ public record Extent(Optional<Double> width, Optional<Double> height, double asp
      * @param pitchX distance of columns
      * @param pitchY distance of rows
      */
-    public static Extent ofPitches(double pitchX, double pitchY, String unit, int columns, int rows) {
+    public static Extent ofPitches(double pitchX, double pitchY, String unit, Samples samples) {
         require(pitchX);
         require(pitchY);
         return LengthUnit.metres(unit)
-                .map(metres -> of(columns * pitchX * metres, rows * pitchY * metres))
+                .map(metres -> of(samples.columns() * pitchX * metres, samples.rows() * pitchY * metres))
                 .orElseGet(() -> new Extent(Optional.empty(), Optional.empty(), pitchY / pitchX));
+    }
+
+    /** As {@link #ofPitches}, of all columns and all rows together. */
+    public static Extent ofSides(double width, double height, String unit, Samples samples) {
+        return ofPitches(width / samples.columns(), height / samples.rows(), unit, samples);
     }
 
     private static void require(double length) {
         if (!(length > 0) || !Double.isFinite(length)) {
-            throw new ScanException(
-                    String.format(Locale.ROOT, "claims a side of %s; the file is damaged, export it again", length));
+            throw new ScanException("claims a side of " + length + "; the file is damaged, export it again");
         }
     }
 }

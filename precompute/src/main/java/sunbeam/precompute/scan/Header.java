@@ -1,25 +1,38 @@
 package sunbeam.precompute.scan;
 
 import java.util.HashMap;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import sunbeam.precompute.text.Quoted;
 
 /** Keys and values of a text header, read as strictly as formats are loose: one that lacks a key is refused by its name. */
 public final class Header {
-    private static final Pattern NUMBER = Pattern.compile("[+-]?(\\d+[.,]?\\d*|[.,]\\d+)([eE][+-]?\\d{1,3})?");
-    private static final Pattern QUANTITY = Pattern.compile("\\s*(" + NUMBER + ")\\s*(.*?)\\s*");
+    /** Bytes of the longest header of text that is read: ten times the longest known. */
+    public static final int LARGEST = 1 << 20;
+
+    private static final Pattern QUANTITY =
+            Pattern.compile("\\s*([+-]?(?:\\d+[.,]?\\d*|[.,]\\d+)(?:[eE][+-]?\\d{1,3})?)\\s*(.*?)\\s*");
     private static final int LONGEST_QUANTITY = 1000;
-    private static final int LONGEST_NUMBER = 100;
 
     private final Map<String, String> values = new HashMap<>();
 
-    /** A number and what follows it. */
-    public record Quantity(double value, String unit) {}
+    /** A number, with a decimal point or comma, and what follows it. */
+    public record Quantity(double value, String unit) {
+        /** Nothing when the text does not begin with a number. */
+        public static Optional<Quantity> of(String text) {
+            Matcher found = QUANTITY.matcher(text.length() <= LONGEST_QUANTITY ? text : "");
+            return found.matches()
+                    ? Optional.of(new Quantity(Double.parseDouble(found.group(1).replace(',', '.')), found.group(2)))
+                    : Optional.empty();
+        }
+
+        /** As a length; nothing when it is in no unit of length. */
+        public Optional<Double> metres(String unitOtherwise) {
+            return LengthUnit.metres(unit.isEmpty() ? unitOtherwise : unit).map(metres -> metres * value);
+        }
+    }
 
     /** Lines of a key, a separator and a value; others are passed over. */
     public static Header of(String text, char separator) {
@@ -71,7 +84,11 @@ public final class Header {
      * @throws ScanException when it is missing or no number
      */
     public double number(String key) {
-        return number(Optional.of(text(key, ""))).orElseThrow(() -> wrong(key));
+        Quantity quantity = quantity(key);
+        if (!quantity.unit().isEmpty()) {
+            throw wrong(key);
+        }
+        return quantity.value();
     }
 
     /**
@@ -89,50 +106,18 @@ public final class Header {
      * @throws ScanException when it is missing or does not
      */
     public Quantity quantity(String key) {
-        return quantity(Optional.of(text(key, ""))).orElseThrow(() -> wrong(key));
+        return Quantity.of(text(key, "")).orElseThrow(() -> wrong(key));
     }
 
     /** A length in metres; nothing where the value is missing, no quantity, or in no unit of length. */
     public Optional<Double> metres(String key, String unitOtherwise) {
-        return metres(find(key), unitOtherwise);
-    }
-
-    /** A number with whatever follows it; nothing when the text does not begin with one. */
-    public static Optional<Quantity> quantity(Optional<String> text) {
-        return text.filter(some -> some.length() <= LONGEST_QUANTITY)
-                .map(QUANTITY::matcher)
-                .filter(Matcher::matches)
-                .map(found -> new Quantity(plain(found.group(1)), found.group(4)));
-    }
-
-    /** The same as a length in metres; nothing when it is in no unit of length. */
-    public static Optional<Double> metres(Optional<String> text, String unitOtherwise) {
-        return quantity(text)
-                .flatMap(quantity -> LengthUnit.metres(quantity.unit().isEmpty() ? unitOtherwise : quantity.unit())
-                        .map(metres -> metres * quantity.value()));
-    }
-
-    /** A number alone, with a decimal point or comma. */
-    public static OptionalDouble number(Optional<String> text) {
-        return text.map(String::strip)
-                .filter(some ->
-                        some.length() < LONGEST_NUMBER && NUMBER.matcher(some).matches())
-                .map(some -> OptionalDouble.of(plain(some)))
-                .orElse(OptionalDouble.empty());
-    }
-
-    private static double plain(String text) {
-        return Double.parseDouble(text.replace(',', '.'));
+        return find(key).flatMap(Quantity::of).flatMap(quantity -> quantity.metres(unitOtherwise));
     }
 
     private ScanException wrong(String key) {
         return new ScanException(
                 has(key)
-                        ? String.format(
-                                Locale.ROOT,
-                                "has %s for \"%s\" in its header; export it again",
-                                Quoted.of(text(key, "")),
-                                key)
+                        ? "has " + Quoted.of(text(key, "")) + " for \"" + key + "\" in its header; export it again"
                         : "has no \"" + key + "\" in its header; copy or export it again");
     }
 }

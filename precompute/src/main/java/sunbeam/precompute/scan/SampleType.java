@@ -1,7 +1,10 @@
 package sunbeam.precompute.scan;
 
+import java.io.IOException;
+import java.io.InputStream;
 import java.nio.ByteBuffer;
-import java.util.Locale;
+import java.nio.ByteOrder;
+import java.util.Map;
 
 /** How a file stores one sample. */
 @SuppressWarnings("ImmutableEnumChecker") // functions of nothing but their arguments
@@ -15,6 +18,8 @@ public enum SampleType {
     SIGNED_64(Long.BYTES, ByteBuffer::getLong),
     FLOAT_32(Float.BYTES, ByteBuffer::getFloat),
     FLOAT_64(Double.BYTES, ByteBuffer::getDouble);
+
+    private static final int BUFFER_SAMPLES = 1 << 15;
 
     private final int size;
     private final Decoder decoder;
@@ -48,17 +53,43 @@ public enum SampleType {
             case 32 -> SIGNED_32;
             case 64 -> SIGNED_64;
             default ->
-                throw new ScanException(String.format(
-                        Locale.ROOT,
-                        "stores samples of %d bits, which no reader knows; export it in another format",
-                        bits));
+                throw new ScanException(
+                        "stores samples of " + bits + " bits, which no reader knows; export it in another format");
         };
     }
 
-    /** Decodes samples from the start of a buffer, in its byte order. */
-    void decode(ByteBuffer from, double[] to, int first, int count) {
-        for (int i = 0; i < count; i++) {
-            to[first + i] = decoder.decode(from, size * i);
+    /**
+     * The type that a format's code stands for.
+     *
+     * @param types by their codes
+     * @throws ScanException for a code that the format does not have
+     */
+    public static SampleType of(Map<?, SampleType> types, Object code) {
+        SampleType type = types.get(code);
+        if (type == null) {
+            throw new ScanException("stores samples of the unknown type " + code + "; export it in another format");
         }
+        return type;
+    }
+
+    /**
+     * Reads samples of a stream that stands at the first of them, as stored, without any scale.
+     *
+     * @throws ScanException when the stream ends too early
+     */
+    public double[] read(InputStream in, int count, ByteOrder order) throws IOException {
+        double[] samples = new double[count];
+        byte[] bytes = new byte[BUFFER_SAMPLES * size];
+        ByteBuffer buffer = ByteBuffer.wrap(bytes).order(order);
+        for (int first = 0; first < count; first += BUFFER_SAMPLES) {
+            int wanted = Math.min(BUFFER_SAMPLES, count - first);
+            if (in.readNBytes(bytes, 0, wanted * size) < wanted * size) {
+                throw new ScanException("ends before the last of its " + count + " samples; copy or export it again");
+            }
+            for (int i = 0; i < wanted; i++) {
+                samples[first + i] = decoder.decode(buffer, size * i);
+            }
+        }
+        return samples;
     }
 }

@@ -1,47 +1,125 @@
 package sunbeam.precompute.scan;
 
-/** What instruments do to the order and scale of samples, undone in place. Samples stand row by row. */
-public final class Samples {
-    private Samples() {}
+import java.io.IOException;
+import java.nio.ByteOrder;
+
+/**
+ * A grid of samples in a file, read when they are asked for; what instruments do to their order and scale is undone by what
+ * they are put through.
+ *
+ * @param columns samples along x, at least 1
+ * @param rows samples along y, at least 1
+ * @param source of {@code rows * columns} samples row by row, row 0 the top of the scan, NaN where one is missing
+ */
+public record Samples(int columns, int rows, Source source) {
+    /** Where samples come from. */
+    @FunctionalInterface
+    public interface Source {
+        double[] read() throws IOException;
+    }
+
+    /** @throws ScanException when there are none, or more than any array holds */
+    public Samples {
+        if (columns < 1 || rows < 1 || (long) columns * rows > Integer.MAX_VALUE) {
+            ScanLimits.requireSize(columns, rows);
+        }
+    }
+
+    /**
+     * Samples that lie in a file one after the other.
+     *
+     * @param offset of the first, bytes
+     * @throws ScanException when the file ends before the last, so that a header cannot ask for more than is there
+     */
+    public static Samples of(ScanBytes file, long offset, int columns, int rows, SampleType type, ByteOrder order) {
+        Samples samples = new Samples(
+                columns, rows, () -> type.read(file.stream(offset), Math.multiplyExact(columns, rows), order));
+        file.requireInside(offset, samples.count() * type.size());
+        return samples;
+    }
+
+    /** As above, little-endian. */
+    public static Samples of(ScanBytes file, long offset, int columns, int rows, SampleType type) {
+        return of(file, offset, columns, rows, type, ByteOrder.LITTLE_ENDIAN);
+    }
+
+    /** How many. */
+    public long count() {
+        return (long) columns * rows;
+    }
+
+    private interface Change {
+        void in(double[] samples);
+    }
+
+    private Samples changed(Change change) {
+        return new Samples(columns, rows, () -> {
+            double[] samples = source.read();
+            change.in(samples);
+            return samples;
+        });
+    }
 
     /** {@code factor * sample + offset} of each. */
-    public static double[] scaled(double[] samples, double factor, double offset) {
-        for (int i = 0; i < samples.length; i++) {
-            samples[i] = factor * samples[i] + offset;
-        }
-        return samples;
+    public Samples scaled(double factor, double offset) {
+        return changed(samples -> {
+            for (int i = 0; i < samples.length; i++) {
+                samples[i] = factor * samples[i] + offset;
+            }
+        });
+    }
+
+    /** NaN for a value that stands for a missing sample. */
+    public Samples withMissing(double mark) {
+        return changed(samples -> {
+            for (int i = 0; i < samples.length; i++) {
+                samples[i] = samples[i] == mark ? Double.NaN : samples[i];
+            }
+        });
     }
 
     /** The last row first: of files that begin at the bottom of the scan. */
-    public static double[] upsideDown(double[] samples, int columns) {
-        int rows = samples.length / columns;
-        double[] row = new double[columns];
-        for (int top = 0, bottom = rows - 1; top < bottom; top++, bottom--) {
-            System.arraycopy(samples, top * columns, row, 0, columns);
-            System.arraycopy(samples, bottom * columns, samples, top * columns, columns);
-            System.arraycopy(row, 0, samples, bottom * columns, columns);
-        }
-        return samples;
+    public Samples upsideDown() {
+        return changed(samples -> {
+            double[] row = new double[columns];
+            for (int top = 0, bottom = rows - 1; top < bottom; top++, bottom--) {
+                System.arraycopy(samples, top * columns, row, 0, columns);
+                System.arraycopy(samples, bottom * columns, samples, top * columns, columns);
+                System.arraycopy(row, 0, samples, bottom * columns, columns);
+            }
+        });
     }
 
     /** The last column first: of files that begin at the right of the scan. */
-    public static double[] mirrored(double[] samples, int columns) {
-        for (int start = 0; start < samples.length; start += columns) {
-            for (int left = start, right = start + columns - 1; left < right; left++, right--) {
-                double sample = samples[left];
-                samples[left] = samples[right];
-                samples[right] = sample;
+    public Samples mirrored() {
+        return changed(samples -> {
+            for (int start = 0; start < samples.length; start += columns) {
+                for (int left = start, right = start + columns - 1; left < right; left++, right--) {
+                    double sample = samples[left];
+                    samples[left] = samples[right];
+                    samples[right] = sample;
+                }
             }
-        }
-        return samples;
+        });
     }
 
-    /** A value that stands for a missing sample replaced by NaN. */
-    public static double[] withMissing(double[] samples, double mark) {
-        for (int i = 0; i < samples.length; i++) {
-            if (samples[i] == mark) {
-                samples[i] = Double.NaN;
-            }
+    /** The same samples in rows of another length. */
+    public Samples inRows(int newColumns, int newRows) {
+        return new Samples(newColumns, newRows, source);
+    }
+
+    /**
+     * Reads all.
+     *
+     * @throws ScanException when they are too many, or not there
+     */
+    public double[] read() throws IOException {
+        ScanLimits.requireSize(columns, rows);
+        ScanLimits.requireMemory(count(), 0);
+        double[] samples = source.read();
+        if (samples.length != count()) {
+            throw new ScanException("has " + samples.length + " samples where " + columns + " x " + rows
+                    + " are announced; export it again");
         }
         return samples;
     }

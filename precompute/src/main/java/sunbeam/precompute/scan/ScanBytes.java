@@ -11,7 +11,6 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.util.Arrays;
-import java.util.Locale;
 
 /** The bytes of a file, read where they are asked for. Whatever lies beyond its end is refused before memory is taken. */
 public final class ScanBytes implements AutoCloseable {
@@ -74,8 +73,7 @@ public final class ScanBytes implements AutoCloseable {
     public ByteBuffer read(long offset, int count) throws IOException {
         requireInside(offset, count);
         if (count > LARGEST_HEADER) {
-            throw new ScanException(String.format(
-                    Locale.ROOT, "claims a header of %d bytes; the file is damaged, export it again", count));
+            throw new ScanException("claims a header of " + count + " bytes; the file is damaged, export it again");
         }
         ByteBuffer buffer = ByteBuffer.allocate(count);
         while (buffer.hasRemaining()) {
@@ -93,18 +91,12 @@ public final class ScanBytes implements AutoCloseable {
      */
     public void requireInside(long offset, long count) {
         if (offset < 0 || count < 0 || offset > Long.MAX_VALUE - count) {
-            throw new ScanException(String.format(
-                    Locale.ROOT,
-                    "claims %d bytes at position %d; the file is damaged, export it again",
-                    count,
-                    offset));
+            throw new ScanException(
+                    "claims " + count + " bytes at position " + offset + "; the file is damaged, export it again");
         }
         if (offset + count > size) {
-            throw new ScanException(String.format(
-                    Locale.ROOT,
-                    "ends after %d bytes, but what its header promises takes %d; copy or export it again",
-                    size,
-                    offset + count));
+            throw new ScanException("ends after " + size + " bytes, but what its header promises takes "
+                    + (offset + count) + "; copy or export it again");
         }
     }
 

@@ -23,18 +23,12 @@ public final class ScanLimits {
      */
     public static void requireSize(long columns, long rows) {
         if (columns < 1 || rows < 1) {
-            throw new ScanException(String.format(
-                    Locale.ROOT, "claims %d x %d samples; the file is damaged, export it again", columns, rows));
+            throw new ScanException(
+                    "claims " + columns + " x " + rows + " samples; the file is damaged, export it again");
         }
         if (columns > LONGEST_SIDE || rows > LONGEST_SIDE || columns * rows > MOST_SAMPLES) {
-            throw new ScanException(String.format(
-                    Locale.ROOT,
-                    "has %d x %d samples; at most %d per side and %d (8192 x 8192) in all can be used,"
-                            + " so crop the scan",
-                    columns,
-                    rows,
-                    LONGEST_SIDE,
-                    MOST_SAMPLES));
+            throw new ScanException("has " + columns + " x " + rows + " samples; at most " + LONGEST_SIDE
+                    + " per side and " + MOST_SAMPLES + " (8192 x 8192) in all can be used, so crop the scan");
         }
         if (columns == 1 && rows == 1) {
             throw new ScanException("has 1 x 1 samples, which is no surface; give at least 2 x 1 samples");
@@ -45,18 +39,18 @@ public final class ScanLimits {
      * Refuses what the heap cannot hold while it is read and levelled.
      *
      * @param samples at most {@link #MOST_SAMPLES}
-     * @param bytesPerSample memory that reading takes beside the heights
-     * @param heapBytes largest size of the heap
+     * @param otherBytes memory that reading takes beside the heights
      * @throws ScanException with both figures
      */
-    public static void requireMemory(long samples, int bytesPerSample, long heapBytes) {
-        long needed = samples * (bytesPerSample + BYTES_PER_HEIGHT);
-        if (needed > heapBytes) {
+    public static void requireMemory(long samples, long otherBytes) {
+        long needed = samples * BYTES_PER_HEIGHT + otherBytes;
+        long heap = Runtime.getRuntime().maxMemory();
+        if (needed > heap) {
             throw new ScanException(String.format(
                     Locale.ROOT,
                     "needs %.1f GB of memory, but Java may take %.1f GB; crop the scan or start Java with a larger -Xmx",
                     needed / 1e9,
-                    heapBytes / 1e9));
+                    heap / 1e9));
         }
     }
 
@@ -67,11 +61,8 @@ public final class ScanLimits {
      */
     public static void requireChannels(long count) {
         if (count > MOST_CHANNELS) {
-            throw new ScanException(String.format(
-                    Locale.ROOT,
-                    "claims %d channels; at most %d are read, so export the height channel alone",
-                    count,
-                    MOST_CHANNELS));
+            throw new ScanException("claims " + count + " channels; at most " + MOST_CHANNELS
+                    + " are read, so export the height channel alone");
         }
     }
 }

@@ -2,7 +2,6 @@ package sunbeam.precompute.scan.format;
 
 import java.io.IOException;
 import java.util.LinkedHashMap;
-import java.util.Locale;
 import java.util.Map;
 import sunbeam.precompute.scan.ByteCursor;
 import sunbeam.precompute.scan.ScanBytes;
@@ -32,8 +31,7 @@ record GwyddionObject(Map<String, Object> items) {
 
     private static GwyddionObject read(ScanBytes file, ByteCursor cursor, int depth) throws IOException {
         if (depth > DEEPEST) {
-            throw new ScanException(
-                    String.format(Locale.ROOT, "nests objects more than %d deep; save it anew with Gwyddion", DEEPEST));
+            throw new ScanException("nests objects more than " + DEEPEST + " deep; save it anew with Gwyddion");
         }
         cursor.textToNul(LONGEST_NAME);
         long size = cursor.unsigned32();
@@ -42,8 +40,7 @@ record GwyddionObject(Map<String, Object> items) {
         Map<String, Object> items = new LinkedHashMap<>();
         while (cursor.position() < end) {
             if (items.size() > MOST_ITEMS) {
-                throw new ScanException(String.format(
-                        Locale.ROOT, "has more than %d parts; save its height channel alone", MOST_ITEMS));
+                throw new ScanException("has more than " + MOST_ITEMS + " parts; save its height channel alone");
             }
             String name = cursor.textToNul(LONGEST_NAME);
             Object value = value(file, cursor, (char) cursor.unsignedByte(), depth);
@@ -52,8 +49,8 @@ record GwyddionObject(Map<String, Object> items) {
             }
         }
         if (cursor.position() != end) {
-            throw new ScanException(String.format(
-                    Locale.ROOT, "has parts that overlap at position %d; the file is damaged, save it again", end));
+            throw new ScanException(
+                    "has parts that overlap at position " + end + "; the file is damaged, save it again");
         }
         return new GwyddionObject(items);
     }
@@ -92,12 +89,8 @@ record GwyddionObject(Map<String, Object> items) {
                 }
             }
             default ->
-                throw new ScanException(String.format(
-                                Locale.ROOT,
-                                "has a part of the unknown type '%s' at position %d; save it anew with",
-                                type,
-                                cursor.position() - 1)
-                        + " Gwyddion");
+                throw new ScanException("has a part of the unknown type '" + type + "' at position "
+                        + (cursor.position() - 1) + "; save it anew with Gwyddion");
         }
     }
 
@@ -108,30 +101,29 @@ record GwyddionObject(Map<String, Object> items) {
         return numbers;
     }
 
-    int integer(String name) {
-        if (items.get(name) instanceof Integer value) {
-            return value;
+    /**
+     * A component that must be there.
+     *
+     * @throws ScanException when it is not
+     */
+    <T> T get(String name, Class<T> type) {
+        if (type.isInstance(items.get(name))) {
+            return type.cast(items.get(name));
         }
-        throw new ScanException(
-                String.format(Locale.ROOT, "has a data field without %s; save it anew with Gwyddion", name));
+        throw new ScanException("has a data field without " + name + "; save it anew with Gwyddion");
     }
 
     double number(String name, double otherwise) {
         return items.get(name) instanceof Double value ? value : otherwise;
     }
 
-    Numbers numbers(String name) {
-        if (items.get(name) instanceof Numbers value) {
-            return value;
-        }
-        throw new ScanException(
-                String.format(Locale.ROOT, "has a data field without %s; save it anew with Gwyddion", name));
+    /** Empty without one. */
+    String text(String name) {
+        return items.get(name) instanceof String text ? text : "";
     }
 
     /** The unit that a component holds as an object of its own; empty without one. */
     String unit(String name) {
-        boolean there = items.get(name) instanceof GwyddionObject;
-        Object text = there ? ((GwyddionObject) items.get(name)).items().get("unitstr") : null;
-        return text instanceof String unit ? unit : "";
+        return items.get(name) instanceof GwyddionObject unit ? unit.text("unitstr") : "";
     }
 }

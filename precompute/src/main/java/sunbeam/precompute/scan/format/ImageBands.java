@@ -9,43 +9,36 @@ import java.awt.image.SampleModel;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Locale;
 import sunbeam.precompute.scan.Extent;
+import sunbeam.precompute.scan.Samples;
 import sunbeam.precompute.scan.ScanChannel;
 import sunbeam.precompute.scan.ScanException;
 
 /** The channels of a decoded image: grey or RGB, with or without alpha, or a palette of these. */
 final class ImageBands {
-    private static final int PALETTE_BANDS = 4;
+    private static final List<String> COLORS = List.of("red", "green", "blue");
+    /** Of a color as {@link BufferedImage#getRGB} has it: red, green, blue, alpha. */
+    private static final int[] SHIFTS = {16, 8, 0, 24};
 
     private final BufferedImage image;
+    private final boolean palette;
     private final boolean color;
     private final boolean alpha;
-    /** Of each index red, green, blue and alpha; null without a palette. */
-    private final byte[][] palette;
 
     /** The sample that stands for full scale; 1 of floats. */
     private final double fullScale;
 
+    /** @throws ScanException when it is neither grey nor RGB, or has samples of an odd width */
     ImageBands(BufferedImage image) {
         this.image = image;
         ColorModel model = image.getColorModel();
         alpha = model.hasAlpha();
-        palette = model instanceof IndexColorModel indexed ? palette(indexed) : null;
-        color = palette != null || isColor(model);
-        fullScale = palette != null ? 255 : fullScale(image.getSampleModel());
-        if (alpha && model.isAlphaPremultiplied() && hasVeiledSamples()) {
+        palette = model instanceof IndexColorModel;
+        color = palette || isColor(model);
+        fullScale = palette ? 255 : fullScale(image.getSampleModel());
+        if (alpha && model.isAlphaPremultiplied()) {
             throw new ScanException("stores colors multiplied by alpha; save it without transparency");
         }
-    }
-
-    private static byte[][] palette(IndexColorModel model) {
-        byte[][] values = new byte[PALETTE_BANDS][model.getMapSize()];
-        model.getReds(values[0]);
-        model.getGreens(values[1]);
-        model.getBlues(values[2]);
-        model.getAlphas(values[3]);
-        return values;
     }
 
     private static boolean isColor(ColorModel model) {
@@ -62,17 +55,12 @@ final class ImageBands {
         if (type == DataBuffer.TYPE_FLOAT || type == DataBuffer.TYPE_DOUBLE) {
             return 1;
         }
-        int bits = model.getSampleSize(0);
-        for (int band = 1; band < model.getNumBands(); band++) {
-            bits = model.getSampleSize(band) == bits ? bits : -1;
+        int[] bits = Arrays.stream(model.getSampleSize()).distinct().toArray();
+        if (bits.length > 1 || (bits[0] != 8 && bits[0] != 16)) {
+            throw new ScanException("has " + (bits.length > 1 ? "different numbers of" : bits[0])
+                    + " bits per sample; save it with 8 or 16 bits or as 32-bit float TIFF");
         }
-        if (bits != 8 && bits != 16) {
-            throw new ScanException(String.format(
-                    Locale.ROOT,
-                    "has %s bits per sample; save it with 8 or 16 bits or as 32-bit float TIFF",
-                    bits < 0 ? "different numbers of" : Integer.toString(bits)));
-        }
-        return Math.pow(2, bits) - 1;
+        return Math.pow(2, bits[0]) - 1;
     }
 
     private int alphaBand() {
@@ -80,29 +68,19 @@ final class ImageBands {
     }
 
     /** One row of a band, as stored. */
-    private double[] row(int band, int row, double[] target) {
-        double[] read = image.getRaster().getSamples(0, row, image.getWidth(), 1, palette == null ? band : 0, target);
-        for (int column = 0; palette != null && column < read.length; column++) {
-            read[column] = palette[band][(int) read[column]] & 0xff;
+    private double[] row(int band, int row) {
+        if (!palette) {
+            return image.getRaster().getSamples(0, row, image.getWidth(), 1, band, (double[]) null);
         }
-        return read;
-    }
-
-    private boolean hasVeiledSamples() {
-        for (int row = 0; row < image.getHeight(); row++) {
-            for (double value : row(alphaBand(), row, null)) {
-                if (value != 0 && value != fullScale) {
-                    return true;
-                }
-            }
-        }
-        return false;
+        return Arrays.stream(image.getRGB(0, row, image.getWidth(), 1, null, 0, image.getWidth()))
+                .mapToDouble(argb -> argb >> SHIFTS[band] & 0xff)
+                .toArray();
     }
 
     private boolean colorsAreEqual() {
         for (int row = 0; row < image.getHeight(); row++) {
-            double[] red = row(0, row, null);
-            if (!Arrays.equals(red, row(1, row, null)) || !Arrays.equals(red, row(2, row, null))) {
+            double[] red = row(0, row);
+            if (!Arrays.equals(red, row(1, row)) || !Arrays.equals(red, row(2, row))) {
                 return false;
             }
         }
@@ -116,7 +94,7 @@ final class ImageBands {
             channels.add(channel("grey", 0));
         }
         for (int band = 0; color && band < 3; band++) {
-            channels.add(channel(List.of("red", "green", "blue").get(band), band));
+            channels.add(channel(COLORS.get(band), band));
         }
         if (alpha) {
             channels.add(channel("alpha", alphaBand()));
@@ -126,20 +104,18 @@ final class ImageBands {
 
     private ScanChannel channel(String name, int band) {
         String unit = fullScale == 1 ? "" : ScanChannel.FULL_SCALE;
-        return new ScanChannel(name, image.getWidth(), image.getHeight(), Extent.UNKNOWN, unit, () -> samples(band));
+        Samples samples = new Samples(image.getWidth(), image.getHeight(), () -> samples(band));
+        return new ScanChannel(name, samples, Extent.UNKNOWN, unit);
     }
 
+    /** Of full scale, NaN where they are transparent. */
     private double[] samples(int band) {
         int columns = image.getWidth();
         double[] samples = new double[columns * image.getHeight()];
-        double[] values = new double[columns];
-        double[] opaque = new double[columns];
         boolean masked = alpha && band != alphaBand();
         for (int row = 0; row < image.getHeight(); row++) {
-            row(band, row, values);
-            if (masked) {
-                row(alphaBand(), row, opaque);
-            }
+            double[] values = row(band, row);
+            double[] opaque = masked ? row(alphaBand(), row) : values;
             for (int column = 0; column < columns; column++) {
                 boolean missing = masked && opaque[column] == 0;
                 samples[row * columns + column] = missing ? Double.NaN : values[column] / fullScale;

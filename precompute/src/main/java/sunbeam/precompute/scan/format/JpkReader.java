@@ -3,21 +3,18 @@ package sunbeam.precompute.scan.format;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
-import sunbeam.precompute.scan.Direction;
 import sunbeam.precompute.scan.Extent;
 import sunbeam.precompute.scan.ScanBytes;
 import sunbeam.precompute.scan.ScanChannel;
 import sunbeam.precompute.scan.ScanException;
 import sunbeam.precompute.scan.ScanLimits;
-import sunbeam.precompute.scan.ScanReader;
 
 /**
  * JPK (Bruker NanoWizard) images, .jpk and .jpk-qi-image: a TIFF whose first page is a thumbnail with the grid, and whose
  * other pages are channels, from the bottom row, with linear scalings, one of which ("slot") is the default. Source: JPK, "Image file format
  * specification", tags 0x8000 to 0x80ff.
  */
-final class JpkReader implements ScanReader {
+final class JpkReader {
     private static final int GRID_WIDTH = 0x8042;
     private static final int GRID_HEIGHT = 0x8043;
     private static final int CHANNEL = 0x8050;
@@ -35,18 +32,15 @@ final class JpkReader implements ScanReader {
     private static final int MULTIPLIER = 0x14;
     private static final int OFFSET = 0x15;
 
-    @Override
-    public String format() {
-        return "JPK";
+    private JpkReader() {}
+
+    /** The thumbnail has a channel's name in some files only. */
+    static boolean recognises(ScanBytes file) throws IOException {
+        return TiffPages.has(file, 1, GRID_WIDTH)
+                && (TiffPages.has(file, 1, CHANNEL) || TiffPages.has(file, 2, CHANNEL));
     }
 
-    @Override
-    public boolean recognises(ScanBytes file) throws IOException {
-        return TiffPages.firstHas(file, CHANNEL) && TiffPages.firstHas(file, GRID_WIDTH);
-    }
-
-    @Override
-    public List<ScanChannel> channels(ScanBytes file) throws IOException {
+    static List<ScanChannel> channels(ScanBytes file) throws IOException {
         List<TiffPages.Page> pages = TiffPages.read(file, ScanLimits.MOST_CHANNELS + 2);
         TiffPages.Page grid = pages.get(0);
         Extent extent = Extent.of(grid.number(GRID_WIDTH), grid.number(GRID_HEIGHT));
@@ -58,23 +52,18 @@ final class JpkReader implements ScanReader {
     }
 
     private static ScanChannel channel(TiffPages.Page page, Extent extent) throws IOException {
-        int columns = (int) page.number(TiffPages.WIDTH);
-        int rows = (int) page.number(TiffPages.LENGTH);
         String title = page.text(CHANNEL_TITLE);
         int slot = slot(page);
         boolean linear = page.text(slot + SCALING).equals("LinearScaling");
         double factor = linear ? page.number(slot + MULTIPLIER) : 1;
         double offset = linear ? page.number(slot + OFFSET) : 0;
-        // Without a scaling samples are steps of a converter, whatever they measure.
-        String unit = linear ? page.text(slot + UNIT) : "steps";
         return new ScanChannel(
                 title.isEmpty() ? page.text(CHANNEL) : title,
-                page.number(RETRACE) == 0 ? Direction.TRACE : Direction.RETRACE,
-                columns,
-                rows,
+                page.number(RETRACE) != 0,
+                page.samples().upsideDown().scaled(factor, offset),
                 extent,
-                unit,
-                page.samples().upsideDown(columns).scaled(factor, offset));
+                // Without a scaling samples are steps of a converter, whatever they measure.
+                linear ? page.text(slot + UNIT) : "steps");
     }
 
     /** First tag of the slot that is the default. */
@@ -87,7 +76,6 @@ final class JpkReader implements ScanReader {
                 return first;
             }
         }
-        throw new ScanException(
-                String.format(Locale.ROOT, "has a channel without its scaling \"%s\"; export it again", wanted));
+        throw new ScanException("has a channel without its scaling \"" + wanted + "\"; export it again");
     }
 }

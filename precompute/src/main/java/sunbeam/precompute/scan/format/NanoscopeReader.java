@@ -1,23 +1,20 @@
 package sunbeam.precompute.scan.format;
 
 import java.io.IOException;
-import java.nio.ByteOrder;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import sunbeam.precompute.scan.Direction;
 import sunbeam.precompute.scan.Extent;
 import sunbeam.precompute.scan.Header;
 import sunbeam.precompute.scan.LengthUnit;
-import sunbeam.precompute.scan.SampleBlock;
 import sunbeam.precompute.scan.SampleType;
+import sunbeam.precompute.scan.Samples;
 import sunbeam.precompute.scan.ScanBytes;
 import sunbeam.precompute.scan.ScanChannel;
 import sunbeam.precompute.scan.ScanException;
-import sunbeam.precompute.scan.ScanReader;
 
 /**
  * Bruker (Digital Instruments, Veeco) Nanoscope, since version 4.2: lists of {@code \key: value}, one list an image;
@@ -25,8 +22,7 @@ import sunbeam.precompute.scan.ScanReader;
  * together) over the number of steps, times a sensitivity (nm/V) that stands in another list. Source: Nanoscope
  * software's manual, "File format", and files.
  */
-final class NanoscopeReader implements ScanReader {
-    private static final int LARGEST_HEADER = 1 << 20;
+final class NanoscopeReader {
     private static final Pattern LINE = Pattern.compile("\\\\@?(?:\\d+:)?\\s*([^:]+):\\s*(.*)");
     /** {@code V [Sens. Zsens] (0.0050354 V/LSB) 329.995 V}; sensitivity and unit may be missing. */
     private static final Pattern SCALE =
@@ -35,25 +31,16 @@ final class NanoscopeReader implements ScanReader {
     private static final Pattern SENSITIVITY = Pattern.compile("V\\s+([-+0-9.eE]+)\\s*(?:([^/\\s]*)/V)?.*");
     private static final Pattern NAME = Pattern.compile("S\\s*(?:\\[([^\\]]*)\\])?\\s*\"?([^\"]*)\"?\\s*");
 
-    @Override
-    public String format() {
-        return "Bruker Nanoscope";
-    }
+    private NanoscopeReader() {}
 
-    @Override
-    public boolean recognises(ScanBytes file) throws IOException {
-        return file.startsWith("\\*File list") || file.startsWith("\\*Force file list");
-    }
-
-    @Override
-    public List<ScanChannel> channels(ScanBytes file) throws IOException {
+    static List<ScanChannel> channels(ScanBytes file) throws IOException {
         if (file.startsWith("\\*Force")) {
             throw new ScanException("holds force curves and no scan; export its height channel as an image file");
         }
         Header all = new Header();
         List<Header> images = new ArrayList<>();
         Header list = all;
-        for (String line : file.headText(LARGEST_HEADER).lines().toList()) {
+        for (String line : file.headText(Header.LARGEST).lines().toList()) {
             if (line.startsWith("\\*File list end")) {
                 break;
             }
@@ -84,26 +71,19 @@ final class NanoscopeReader implements ScanReader {
         // Since version 9.2 samples have 32 bits, while "Bytes/pixel" still tells how many steps "Z scale" is about.
         long bytes = length / count;
         if (bytes * count != length) {
-            throw new ScanException(String.format(
-                    Locale.ROOT,
-                    "has %d bytes for %d x %d samples; the file is damaged, copy or export it again",
-                    length,
-                    columns,
-                    rows));
+            throw new ScanException("has " + length + " bytes for " + columns + " x " + rows
+                    + " samples; the file is damaged, copy or export it again");
         }
         SampleType type = SampleType.signed((int) Math.min(64, 8 * bytes));
-        Scale scale = scale(all, image);
-        double perStep = scale.value / Math.pow(256, image.count("bytes/pixel"));
+        Header.Quantity scale = scale(all, image);
+        double perStep = scale.value() / Math.pow(256, image.count("bytes/pixel"));
+        Samples samples = Samples.of(file, offset, columns, rows, type);
         return new ScanChannel(
                 name(image),
-                direction(image.text("line direction", "")),
-                columns,
-                rows,
-                extent(all, image, columns, rows),
-                scale.unit,
-                SampleBlock.of(file, offset, count, type, ByteOrder.LITTLE_ENDIAN)
-                        .upsideDown(columns)
-                        .scaled(perStep, 0));
+                image.text("line direction", "").equalsIgnoreCase("retrace"),
+                samples.upsideDown().scaled(perStep, 0),
+                extent(image.text("scan size", all.text("scan size", "")), samples),
+                scale.unit());
     }
 
     private static String name(Header image) {
@@ -114,18 +94,7 @@ final class NanoscopeReader implements ScanReader {
         return name.group(1) == null || name.group(1).isBlank() ? name.group(2) : name.group(1);
     }
 
-    private static Direction direction(String word) {
-        return switch (word.toLowerCase(Locale.ROOT)) {
-            case "trace" -> Direction.TRACE;
-            case "retrace" -> Direction.RETRACE;
-            default -> Direction.UNKNOWN;
-        };
-    }
-
-    /** What all steps of a sample are worth together. */
-    private record Scale(double value, String unit) {}
-
-    private static Scale scale(Header all, Header image) {
+    private static Header.Quantity scale(Header all, Header image) {
         Matcher hard = SCALE.matcher(image.text("z scale", ""));
         if (!hard.matches()) {
             throw new ScanException(
@@ -134,37 +103,32 @@ final class NanoscopeReader implements ScanReader {
         }
         double volts = number(hard.group(2));
         String unit = hard.group(3);
-        Optional<Matcher> soft = Optional.ofNullable(hard.group(1))
-                .map(name -> SENSITIVITY.matcher(all.text(name.toLowerCase(Locale.ROOT), "")))
-                .filter(Matcher::matches)
-                .filter(matcher -> matcher.group(2) != null && !matcher.group(2).isEmpty());
-        if (soft.isEmpty()) {
-            return new Scale(volts, unit);
+        String name = hard.group(1) == null ? "" : hard.group(1).toLowerCase(Locale.ROOT);
+        Matcher soft = SENSITIVITY.matcher(all.text(name, ""));
+        if (!soft.matches() || soft.group(2) == null || soft.group(2).isEmpty()) {
+            return new Header.Quantity(volts, unit);
         }
         double perVolt = unit.equals("mV") ? 1e-3 : 1;
-        return new Scale(
-                volts * perVolt * number(soft.get().group(1)), soft.get().group(2));
+        return new Header.Quantity(volts * perVolt * number(soft.group(1)), soft.group(2));
     }
 
     private static double number(String text) {
-        return Header.number(Optional.of(text))
-                .orElseThrow(() -> new ScanException("has a scale that is no number; the file is damaged"));
+        return Header.Quantity.of(text)
+                .filter(quantity -> quantity.unit().isEmpty())
+                .orElseThrow(() -> new ScanException("has a scale that is no number; the file is damaged"))
+                .value();
     }
 
-    /** "500 500 nm", "500 nm", "10 10 ~m": of the image, else of the scan. */
-    private static Extent extent(Header all, Header image, int columns, int rows) {
-        String text = image.text("scan size", all.text("scan size", ""));
+    /** "500 500 nm", "500 nm", "10 10 ~m". */
+    private static Extent extent(String text, Samples samples) {
         String[] words = text.split("\\s+", -1);
-        boolean both = words.length == 3;
-        if (words.length < 2) {
-            return Extent.UNKNOWN;
-        }
         Optional<Double> metres = LengthUnit.metres(words[words.length - 1]);
-        if (metres.isEmpty()) {
+        if (words.length < 2 || metres.isEmpty()) {
             return Extent.UNKNOWN;
         }
         double width = number(words[0]) * metres.get();
-        double height = both ? number(words[1]) * metres.get() : width * rows / columns;
+        double height =
+                words.length == 3 ? number(words[1]) * metres.get() : width * samples.rows() / samples.columns();
         return Extent.of(width, height);
     }
 }

@@ -4,42 +4,29 @@ import java.io.IOException;
 import java.nio.ByteOrder;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.TreeMap;
-import sunbeam.precompute.scan.Direction;
 import sunbeam.precompute.scan.Extent;
 import sunbeam.precompute.scan.Header;
-import sunbeam.precompute.scan.SampleBlock;
 import sunbeam.precompute.scan.SampleType;
+import sunbeam.precompute.scan.Samples;
 import sunbeam.precompute.scan.ScanBytes;
 import sunbeam.precompute.scan.ScanChannel;
 import sunbeam.precompute.scan.ScanException;
-import sunbeam.precompute.scan.ScanReader;
 
 /**
  * Nanosurf: sections of {@code key=value}; the mark {@code #!}; the channels' samples one after the other in the order
  * of the groups, from the bottom row. A sample of b bits stands for {@code Dim2Min + Dim2Range (s / 2^b + 1/2)}. Source:
  * Nanosurf, "NID file format", and files.
  */
-final class NanosurfReader implements ScanReader {
-    private static final int LARGEST_HEADER = 1 << 20;
+final class NanosurfReader {
     private static final int MOST_GROUPS = 64;
     private static final int MOST_PER_GROUP = 64;
 
-    @Override
-    public String format() {
-        return "Nanosurf (.nid)";
-    }
+    private NanosurfReader() {}
 
-    @Override
-    public boolean recognises(ScanBytes file) throws IOException {
-        return file.startsWith("[DataSet]");
-    }
-
-    @Override
-    public List<ScanChannel> channels(ScanBytes file) throws IOException {
-        String head = file.headText(LARGEST_HEADER);
+    static List<ScanChannel> channels(ScanBytes file) throws IOException {
+        String head = file.headText(Header.LARGEST);
         int mark = head.indexOf("#!");
         if (mark < 0) {
             throw new ScanException("has no samples after its header; copy or export it again");
@@ -51,7 +38,7 @@ final class NanosurfReader implements ScanReader {
         int groups = Math.min(MOST_GROUPS, set.count("GroupCount"));
         for (int group = 0; group < groups; group++) {
             for (int number = 0; number < MOST_PER_GROUP; number++) {
-                Header section = sections.get(set.text(String.format(Locale.ROOT, "Gr%d-Ch%d", group, number), ""));
+                Header section = sections.get(set.text("Gr" + group + "-Ch" + number, ""));
                 if (section != null) {
                     offset += add(channels, file, section, offset);
                 }
@@ -78,41 +65,33 @@ final class NanosurfReader implements ScanReader {
 
     /** Adds a channel of an image; its bytes. */
     private static long add(List<ScanChannel> channels, ScanBytes file, Header section, long offset) {
-        int columns = section.count("Points");
-        int rows = section.count("Lines");
         int bits = section.count("SaveBits");
         String mode = section.text("SaveMode", "Binary");
         String sign = section.text("SaveSign", "Signed");
         if (!mode.equals("Binary") || !sign.equals("Signed")) {
-            throw new ScanException(
-                    String.format(Locale.ROOT, "stores samples as %s, %s; export it in another format", mode, sign));
+            throw new ScanException("stores samples as " + mode + ", " + sign + "; export it in another format");
         }
-        ByteOrder order =
-                section.text("SaveOrder", "Intel").equals("Intel") ? ByteOrder.LITTLE_ENDIAN : ByteOrder.BIG_ENDIAN;
+        boolean little = section.text("SaveOrder", "Intel").equals("Intel");
         SampleType type = SampleType.signed(bits);
-        ScanChannel.Source samples = SampleBlock.of(file, offset, (long) columns * rows, type, order);
-        boolean image = section.text("Dim1Unit", "").equals(section.text("Dim0Unit", ""));
-        if (image) {
+        Samples samples = Samples.of(
+                file,
+                offset,
+                section.count("Points"),
+                section.count("Lines"),
+                type,
+                little ? ByteOrder.LITTLE_ENDIAN : ByteOrder.BIG_ENDIAN);
+        String unit = section.text("Dim0Unit", "");
+        if (section.text("Dim1Unit", "").equals(unit)) {
             double range = section.number("Dim2Range");
-            double least = section.number("Dim2Min");
-            double perStep = range / Math.pow(2, bits);
-            String frame = section.text("Frame", "");
-            boolean backward = frame.contains("backward");
-            Extent extent = Extent.ofPitches(
-                    section.number("Dim0Range") / columns,
-                    section.number("Dim1Range") / rows,
-                    section.text("Dim0Unit", ""),
-                    columns,
-                    rows);
+            double middle = section.number("Dim2Min") + 0.5 * range;
+            boolean backward = section.text("Frame", "").contains("backward");
             channels.add(new ScanChannel(
                     section.text("Dim2Name", "") + (backward ? " backward" : " forward"),
-                    backward ? Direction.RETRACE : Direction.TRACE,
-                    columns,
-                    rows,
-                    extent,
-                    section.text("Dim2Unit", ""),
-                    samples.upsideDown(columns).scaled(perStep, least + 0.5 * range)));
+                    backward,
+                    samples.upsideDown().scaled(range / Math.pow(2, bits), middle),
+                    Extent.ofSides(section.number("Dim0Range"), section.number("Dim1Range"), unit, samples),
+                    section.text("Dim2Unit", "")));
         }
-        return (long) columns * rows * type.size();
+        return samples.count() * type.size();
     }
 }

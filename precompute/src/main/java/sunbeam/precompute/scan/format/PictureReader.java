@@ -7,6 +7,7 @@ import java.io.IOException;
 import java.util.Iterator;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 import javax.imageio.ImageIO;
 import javax.imageio.ImageReader;
@@ -16,14 +17,13 @@ import sunbeam.precompute.scan.ScanBytes;
 import sunbeam.precompute.scan.ScanChannel;
 import sunbeam.precompute.scan.ScanException;
 import sunbeam.precompute.scan.ScanLimits;
-import sunbeam.precompute.scan.ScanReader;
 
 /**
  * PNG, TIFF (its first image) and BMP of 8 or 16 bits a sample, TIFF also of floats: samples as stored, without gamma or color
  * management, row 0 on top. Whole numbers are divided by full scale (255 or 65535); a transparent sample is missing. Decoded by the
  * JDK's ImageIO, after sizes and tags are checked: it takes some TIFFs for others without a word.
  */
-final class PictureReader implements ScanReader {
+final class PictureReader {
     private static final int MOST_BANDS = 4;
     private static final int BMP_COMPRESSION = 30;
     private static final int EMBEDDED_JPEG = 4;
@@ -35,52 +35,29 @@ final class PictureReader implements ScanReader {
     private static final int TILE_WIDTH = 322;
     private static final int TILE_LENGTH = 323;
 
-    /** Pictures of any kind by their first characters; those without a name for ImageIO are refused. */
-    private enum Kind {
-        PNG("\u0089PNG\r\n\u001a\n"),
-        TIFF("II*\0"),
-        TIFF_BIG_ENDIAN("MM\0*"),
-        BMP("BM"),
-        JPEG("\u00ff\u00d8\u00ff"),
-        GIF("GIF8"),
-        WEBP("RIFF"),
-        PDF("%PDF");
+    /** Kinds of pictures by their first characters, with their names for ImageIO. */
+    private static final Map<String, String> KINDS = Map.of(
+            "\u0089PNG\r\n\u001a\n", "png",
+            "II*\0", "tiff",
+            "MM\0*", "tiff",
+            "BM", "bmp",
+            "\u00ff\u00d8\u00ff", "JPEG",
+            "GIF8", "GIF");
 
-        private final String magic;
+    private PictureReader() {}
 
-        Kind(String magic) {
-            this.magic = magic;
-        }
-
-        static Optional<Kind> of(ScanBytes file) throws IOException {
-            for (Kind kind : values()) {
-                if (file.startsWith(kind.magic)) {
-                    return Optional.of(kind);
-                }
-            }
-            return Optional.empty();
-        }
+    private static Optional<String> kind(ScanBytes file) throws IOException {
+        String head = file.headText(8);
+        return KINDS.keySet().stream().filter(head::startsWith).map(KINDS::get).findFirst();
     }
 
-    @Override
-    public String format() {
-        return "image";
+    static boolean recognises(ScanBytes file) throws IOException {
+        return kind(file).isPresent();
     }
 
-    @Override
-    public boolean isPicture() {
-        return true;
-    }
-
-    @Override
-    public boolean recognises(ScanBytes file) throws IOException {
-        return Kind.of(file).isPresent();
-    }
-
-    @Override
-    public List<ScanChannel> channels(ScanBytes file) throws IOException {
+    static List<ScanChannel> channels(ScanBytes file) throws IOException {
         try {
-            return new ImageBands(decoded(file, Kind.of(file).orElseThrow())).channels();
+            return new ImageBands(decoded(file, kind(file).orElseThrow())).channels();
         } catch (ScanException told) {
             throw told;
         } catch (IOException | RuntimeException broken) {
@@ -90,29 +67,21 @@ final class PictureReader implements ScanReader {
         }
     }
 
-    private static BufferedImage decoded(ScanBytes file, Kind kind) throws IOException {
-        String name = switch (kind) {
-            case PNG -> "png";
-            case TIFF, TIFF_BIG_ENDIAN -> "tiff";
-            case BMP -> "bmp";
-            case JPEG, GIF, WEBP, PDF ->
+    private static BufferedImage decoded(ScanBytes file, String kind) throws IOException {
+        switch (kind) {
+            case "tiff" -> requirePlain(TiffPages.read(file, 1).get(0));
+            case "bmp" -> requirePlainBmp(file);
+            case "png" -> {}
+            default ->
                 throw new ScanException("is a " + kind + ", which is not exact; export the scan as PNG, TIFF or BMP");
-        };
-        boolean tiff = name.equals("tiff");
-        if (tiff) {
-            requirePlain(TiffPages.read(file, 1).get(0));
         }
-        if (kind == Kind.BMP) {
-            requirePlainBmp(file);
-        }
-        ImageReader reader = ImageIO.getImageReadersByFormatName(name).next();
+        ImageReader reader = ImageIO.getImageReadersByFormatName(kind).next();
         try (FileImageInputStream in = new FileImageInputStream(file.path().toFile())) {
             reader.setInput(in, true, true);
             long columns = reader.getWidth(0);
             long rows = reader.getHeight(0);
             ScanLimits.requireSize(columns, rows);
-            ScanLimits.requireMemory(
-                    columns * rows, bytesPerPixel(reader), Runtime.getRuntime().maxMemory());
+            ScanLimits.requireMemory(columns * rows, columns * rows * bytesPerPixel(reader));
             return reader.read(0);
         } finally {
             reader.dispose();
@@ -126,8 +95,7 @@ final class PictureReader implements ScanReader {
         }
         SampleModel model = types.next().getSampleModel();
         if (model.getNumBands() > MOST_BANDS) {
-            throw new ScanException(
-                    String.format(Locale.ROOT, "has %d channels; save it as grey or RGB", model.getNumBands()));
+            throw new ScanException("has " + model.getNumBands() + " channels; save it as grey or RGB");
         }
         return model.getNumDataElements() * DataBuffer.getDataTypeSize(model.getDataType()) / Byte.SIZE;
     }
@@ -160,11 +128,8 @@ final class PictureReader implements ScanReader {
         int format = (int) page.number(TiffPages.SAMPLE_FORMAT);
         boolean known = format <= 1 || (format == 2 && bits == 16) || (format == 3 && (bits == 32 || bits == 64));
         if (!known) {
-            throw new ScanException(String.format(
-                    Locale.ROOT,
-                    "is a TIFF with %d-bit samples of format %d; save it as 16-bit or 32-bit float",
-                    bits,
-                    format));
+            throw new ScanException("is a TIFF with " + bits + "-bit samples of format " + format
+                    + "; save it as 16-bit or 32-bit float");
         }
         double tile = page.number(TILE_WIDTH) * page.number(TILE_LENGTH);
         if (tile > ScanLimits.MOST_SAMPLES) {

@@ -10,39 +10,48 @@ import sunbeam.precompute.scan.text.TextReader;
 
 /** The formats that Sunbeam reads by itself. A new reader needs one line here. */
 public final class ScanFormats {
+    /** Pictures, which know no scale. */
+    private static final ScanReader PICTURE =
+            new ScanReader("image", PictureReader::recognises, PictureReader::channels);
+
+    /** In the order in which they are asked; text and pictures come after them. */
+    private static final List<ScanReader> ALL = List.of(
+            ScanReader.of("Gwyddion (.gwy)", GwyddionReader::channels, "GWYP", "GWYO"),
+            ScanReader.of("Gwyddion Simple Field (.gsf)", SimpleFieldReader::channels, "Gwyddion Simple Field 1.0\n"),
+            ScanReader.of("Bruker Nanoscope", NanoscopeReader::channels, "\\*File list", "\\*Force file list"),
+            ScanReader.of("Nanosurf (.nid)", NanosurfReader::channels, "[DataSet]"),
+            new ScanReader("WSxM", WsxmReader::recognises, WsxmReader::channels),
+            ScanReader.of("Molecular Imaging (.mi)", AgilentReader::channels, "fileType      Image"),
+            ScanReader.of("Digital Surf (.sur)", DigitalSurfReader::channels, "DIGITAL SURF", "DSCOMPRESSED"),
+            new ScanReader("ISO 25178-71 (.sdf)", SurfaceDataReader::recognises, SurfaceDataReader::channels),
+            ScanReader.of("NumPy (.npy)", NumpyReader::channels, "\u0093NUMPY"),
+            new ScanReader("ISO 25178-72 (.x3p)", X3pReader::recognises, X3pReader::channels),
+            new ScanReader("JPK", JpkReader::recognises, JpkReader::channels),
+            new ScanReader("Park Systems TIFF", ParkReader::recognises, ParkReader::channels),
+            new ScanReader("Igor binary wave (.ibw)", IgorWaveReader::recognises, IgorWaveReader::channels));
+
     private ScanFormats() {}
 
     /**
-     * All readers, in the order in which they are asked; text after those that begin with some.
+     * The reader that knows a file's content; nothing for what is not known.
      *
      * @param mark of decimals in a text, where the user says it
      */
-    public static List<ScanReader> all(Optional<DecimalMark> mark) {
-        return List.of(
-                new GwyddionReader(),
-                new SimpleFieldReader(),
-                new NanoscopeReader(),
-                new NanosurfReader(),
-                new WsxmReader(),
-                new AgilentReader(),
-                new DigitalSurfReader(),
-                new SurfaceDataReader(),
-                new NumpyReader(),
-                new X3pReader(),
-                new JpkReader(),
-                new ParkReader(),
-                new IgorWaveReader(),
-                new TextReader(mark),
-                new PictureReader());
-    }
-
-    /** The reader that knows a file's content; nothing for what is not known. */
     public static Optional<ScanReader> find(ScanBytes file, Optional<DecimalMark> mark) throws IOException {
-        for (ScanReader reader : all(mark)) {
-            if (reader.recognises(file)) {
+        for (ScanReader reader : ALL) {
+            if (reader.check().recognises(file)) {
                 return Optional.of(reader);
             }
         }
-        return Optional.empty();
+        TextReader text = new TextReader(mark);
+        if (text.recognises(file)) {
+            return Optional.of(new ScanReader("text", text::recognises, text::channels));
+        }
+        return PICTURE.check().recognises(file) ? Optional.of(PICTURE) : Optional.empty();
+    }
+
+    /** Whether files of a format are pictures. */
+    public static boolean isPicture(ScanReader reader) {
+        return reader.equals(PICTURE);
     }
 }

@@ -6,14 +6,12 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 import sunbeam.precompute.scan.ByteCursor;
-import sunbeam.precompute.scan.SampleBlock;
 import sunbeam.precompute.scan.SampleType;
+import sunbeam.precompute.scan.Samples;
 import sunbeam.precompute.scan.ScanBytes;
-import sunbeam.precompute.scan.ScanChannel;
 import sunbeam.precompute.scan.ScanException;
 import sunbeam.precompute.scan.ScanLimits;
 
@@ -37,21 +35,14 @@ final class TiffPages {
 
     private TiffPages() {}
 
+    /** Samples that follow each other. */
+    private record Strip(long offset, int count) {}
+
     /** Where a tag's values stand. */
-    private record Tag(int type, long count, long position) {}
+    record Tag(int type, long count, long position) {}
 
     /** One directory. */
-    static final class Page {
-        private final ScanBytes file;
-        private final ByteOrder order;
-        private final Map<Integer, Tag> tags;
-
-        private Page(ScanBytes file, ByteOrder order, Map<Integer, Tag> tags) {
-            this.file = file;
-            this.order = order;
-            this.tags = tags;
-        }
-
+    record Page(ScanBytes file, ByteOrder order, Map<Integer, Tag> tags) {
         boolean has(int tag) {
             return tags.containsKey(tag);
         }
@@ -102,39 +93,41 @@ final class TiffPages {
          *
          * @throws ScanException when the file does not have them
          */
-        ScanChannel.Source samples() throws IOException {
-            long columns = (long) number(WIDTH);
-            long rows = (long) number(LENGTH);
+        Samples samples() throws IOException {
+            int columns = (int) number(WIDTH);
+            int rows = (int) number(LENGTH);
             ScanLimits.requireSize(columns, rows);
-            List<SampleBlock> strips = strips(sampleType(), columns * rows);
-            return () -> {
-                double[] samples = new double[(int) (columns * rows)];
+            SampleType type = sampleType();
+            List<Strip> strips = strips(type, (long) columns * rows);
+            return new Samples(columns, rows, () -> {
+                double[] samples = new double[columns * rows];
                 int first = 0;
-                for (SampleBlock strip : strips) {
-                    double[] some = strip.read(file.stream(strip.offset()));
+                for (Strip strip : strips) {
+                    double[] some = type.read(file.stream(strip.offset), strip.count, order);
                     System.arraycopy(some, 0, samples, first, some.length);
                     first += some.length;
                 }
                 return samples;
-            };
+            });
         }
 
-        private List<SampleBlock> strips(SampleType type, long count) throws IOException {
+        private List<Strip> strips(SampleType type, long count) throws IOException {
             Tag offsets = tags.get(STRIP_OFFSETS);
             Tag bytes = tags.get(STRIP_BYTES);
             if (offsets == null || bytes == null || number(COMPRESSION) > 1) {
                 throw new ScanException("stores its samples compressed or in tiles; export it again without");
             }
-            List<SampleBlock> strips = new ArrayList<>();
+            List<Strip> strips = new ArrayList<>();
             long rest = count;
             for (long i = 0; i < offsets.count && rest > 0; i++) {
-                long samples = Math.min(rest, (long) number(bytes, i) / type.size());
-                strips.add(new SampleBlock((long) number(offsets, i), samples, type, order).requireIn(file));
+                int samples = (int) Math.min(rest, (long) number(bytes, i) / type.size());
+                strips.add(new Strip((long) number(offsets, i), samples));
+                file.requireInside((long) number(offsets, i), (long) samples * type.size());
                 rest -= samples;
             }
             if (rest > 0) {
-                throw new ScanException(String.format(
-                        Locale.ROOT, "has %d samples fewer than its size asks for; copy or export it again", rest));
+                throw new ScanException(
+                        "has " + rest + " samples fewer than its size asks for; copy or export it again");
             }
             return strips;
         }
@@ -150,14 +143,11 @@ final class TiffPages {
         }
     }
 
-    static boolean isTiff(ScanBytes file) throws IOException {
-        return file.size() > 8 && (file.startsWith("II*\0") || file.startsWith("MM\0*"));
-    }
-
-    /** Whether the first page of a TIFF file has a tag; false for whatever cannot be read. */
-    static boolean firstHas(ScanBytes file, int tag) throws IOException {
+    /** Whether one of the first pages of a TIFF file has a tag; false for whatever cannot be read. */
+    static boolean has(ScanBytes file, int pages, int tag) throws IOException {
         try {
-            return isTiff(file) && read(file, 1).get(0).has(tag);
+            boolean tiff = file.size() > 8 && (file.startsWith("II*\0") || file.startsWith("MM\0*"));
+            return tiff && read(file, pages).stream().anyMatch(page -> page.has(tag));
         } catch (ScanException damaged) {
             return false;
         }
@@ -191,8 +181,7 @@ final class TiffPages {
     private static Map<Integer, Tag> tags(ScanBytes file, ByteCursor cursor) throws IOException {
         int count = cursor.unsigned16();
         if (count > MOST_TAGS) {
-            throw new ScanException(
-                    String.format(Locale.ROOT, "claims %d TIFF tags; the file is damaged, export it again", count));
+            throw new ScanException("claims " + count + " TIFF tags; the file is damaged, export it again");
         }
         Map<Integer, Tag> tags = new HashMap<>();
         for (int i = 0; i < count; i++) {

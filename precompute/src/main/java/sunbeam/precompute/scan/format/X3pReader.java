@@ -7,7 +7,7 @@ import java.nio.ByteOrder;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.List;
-import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipFile;
@@ -17,13 +17,12 @@ import javax.xml.stream.XMLStreamException;
 import javax.xml.stream.XMLStreamReader;
 import sunbeam.precompute.scan.Extent;
 import sunbeam.precompute.scan.Header;
-import sunbeam.precompute.scan.SampleBlock;
 import sunbeam.precompute.scan.SampleType;
+import sunbeam.precompute.scan.Samples;
 import sunbeam.precompute.scan.ScanBytes;
 import sunbeam.precompute.scan.ScanChannel;
 import sunbeam.precompute.scan.ScanException;
 import sunbeam.precompute.scan.ScanLimits;
-import sunbeam.precompute.scan.ScanReader;
 
 /**
  * ISO 25178-72 .x3p: a zip archive with main.xml and the samples as a binary member, from the top row, metres. Only the
@@ -31,18 +30,20 @@ import sunbeam.precompute.scan.ScanReader;
  * for: an archive that unpacks to terabytes is not unpacked. NaN and, where there is a list of valid points, its zeros
  * mark missing samples.
  */
-final class X3pReader implements ScanReader {
+final class X3pReader {
     private static final String MAIN = "main.xml";
     /** Bytes of main.xml; it has a few thousand. */
     private static final int LARGEST_MAIN = 1 << 20;
 
-    @Override
-    public String format() {
-        return "ISO 25178-72 (.x3p)";
-    }
+    private static final Map<String, SampleType> TYPES = Map.of(
+            "I", SampleType.SIGNED_16,
+            "L", SampleType.SIGNED_32,
+            "F", SampleType.FLOAT_32,
+            "D", SampleType.FLOAT_64);
 
-    @Override
-    public boolean recognises(ScanBytes file) throws IOException {
+    private X3pReader() {}
+
+    static boolean recognises(ScanBytes file) throws IOException {
         if (!file.startsWith("PK\u0003\u0004")) {
             return false;
         }
@@ -53,8 +54,7 @@ final class X3pReader implements ScanReader {
         }
     }
 
-    @Override
-    public List<ScanChannel> channels(ScanBytes file) throws IOException {
+    static List<ScanChannel> channels(ScanBytes file) throws IOException {
         try (ZipFile archive = new ZipFile(file.path().toFile())) {
             Header main = main(member(archive, MAIN, 0));
             if (!main.text("CX/AxisType", "I").equals("I")
@@ -67,21 +67,17 @@ final class X3pReader implements ScanReader {
             int columns = main.count("MatrixDimension/SizeX");
             int rows = main.count("MatrixDimension/SizeY");
             ScanLimits.requireSize(columns, rows);
-            SampleType type = type(main.text("CZ/DataType", "D"));
-            SampleBlock block = new SampleBlock(0, (long) columns * rows, type, ByteOrder.LITTLE_ENDIAN);
+            SampleType type = SampleType.of(TYPES, main.text("CZ/DataType", "D"));
             String points = main.find("DataLink/PointDataLink")
                     .orElseThrow(() -> new ScanException("has its samples in main.xml; export them as binary data"));
-            member(archive, points, block.bytes()).close();
-            Extent extent =
-                    Extent.ofPitches(main.number("CX/Increment"), main.number("CY/Increment"), "m", columns, rows);
-            ScanChannel.Source samples = () -> samples(file, block, points, main.find("DataLink/ValidPointsLink"));
+            member(archive, points, (long) columns * rows * type.size()).close();
+            Optional<String> valid = main.find("DataLink/ValidPointsLink");
+            Samples samples = new Samples(columns, rows, () -> samples(file, columns * rows, type, points, valid));
             return List.of(new ScanChannel(
                     "Topography",
-                    columns,
-                    rows,
-                    extent,
-                    "m",
-                    samples.scaled(main.number("CZ/Increment", 1), main.number("CZ/Offset", 0))));
+                    samples.scaled(main.number("CZ/Increment", 1), main.number("CZ/Offset", 0)),
+                    Extent.ofPitches(main.number("CX/Increment"), main.number("CY/Increment"), "m", samples),
+                    "m"));
         } catch (IOException damaged) {
             throw broken(damaged);
         }
@@ -118,34 +114,20 @@ final class X3pReader implements ScanReader {
         return header;
     }
 
-    private static SampleType type(String code) {
-        return switch (code) {
-            case "I" -> SampleType.SIGNED_16;
-            case "L" -> SampleType.SIGNED_32;
-            case "F" -> SampleType.FLOAT_32;
-            case "D" -> SampleType.FLOAT_64;
-            default -> throw new ScanException("stores samples of the unknown type " + code + "; export it again");
-        };
-    }
-
     private static InputStream member(ZipFile archive, String name, long bytes) throws IOException {
         ZipEntry entry = archive.getEntry(name);
         if (entry == null || entry.isDirectory() || entry.getSize() < bytes) {
-            throw new ScanException(String.format(
-                    Locale.ROOT,
-                    "has %s bytes of %s, where its matrix takes %d; copy or export it again",
-                    entry == null ? "no" : Long.toString(entry.getSize()),
-                    name,
-                    bytes));
+            throw new ScanException("has " + (entry == null ? "no" : entry.getSize()) + " bytes of " + name
+                    + ", where its matrix takes " + bytes + "; copy or export it again");
         }
         return archive.getInputStream(entry);
     }
 
-    private static double[] samples(ScanBytes file, SampleBlock block, String points, Optional<String> valid)
+    private static double[] samples(ScanBytes file, int count, SampleType type, String points, Optional<String> valid)
             throws IOException {
         try (ZipFile archive = new ZipFile(file.path().toFile());
-                InputStream in = member(archive, points, block.bytes())) {
-            double[] samples = block.read(in);
+                InputStream in = member(archive, points, (long) count * type.size())) {
+            double[] samples = type.read(in, count, ByteOrder.LITTLE_ENDIAN);
             if (valid.isPresent()) {
                 try (InputStream bits = member(archive, valid.get(), 0)) {
                     dropInvalid(samples, bits);

@@ -66,8 +66,8 @@ record TextFacts(String channel, Optional<Integer> columns, Optional<Integer> ro
         if (values.size() != 4) {
             return Optional.empty();
         }
-        Optional<Double> width = Header.metres(Optional.of(values.get(1)), "");
-        Optional<Double> height = Header.metres(Optional.of(values.get(2)), "");
+        Optional<Double> width = Header.Quantity.of(values.get(1)).flatMap(some -> some.metres(""));
+        Optional<Double> height = Header.Quantity.of(values.get(2)).flatMap(some -> some.metres(""));
         return width.isPresent() && height.isPresent()
                 ? Optional.of(new TextFacts(
                         values.get(0), Optional.empty(), Optional.empty(), new Extent(width, height, 1), values.get(3)))

@@ -1,8 +1,8 @@
 package sunbeam.precompute.scan.text;
 
+import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.InputStreamReader;
-import java.io.Reader;
 import java.nio.ByteBuffer;
 import java.nio.CharBuffer;
 import java.nio.charset.Charset;
@@ -13,6 +13,8 @@ import java.util.Optional;
 import java.util.StringTokenizer;
 import java.util.regex.Pattern;
 import sunbeam.precompute.scan.ScanBytes;
+import sunbeam.precompute.scan.ScanException;
+import sunbeam.precompute.scan.ScanLimits;
 
 /**
  * Where the numbers of a text begin, and how they are written.
@@ -113,13 +115,19 @@ record TextFile(ScanBytes file, Charset charset, List<String> header, long start
                 && !SIGNED.matcher(numbers).find();
     }
 
-    /** The numbers, one after the other. */
-    NumberStream numbers() throws IOException {
-        Reader reader = new InputStreamReader(file.stream(0), charset);
+    /**
+     * The numbers.
+     *
+     * @throws ScanException when there are too many, or something that is no number
+     */
+    TextNumbers numbers() throws IOException {
+        // All numbers may stand in one line, which is held as text.
+        ScanLimits.requireMemory(0, file.size());
+        BufferedReader reader = new BufferedReader(new InputStreamReader(file.stream(0), charset));
         for (long left = start; left > 0; ) {
             long skipped = reader.skip(left);
             left = skipped > 0 ? left - skipped : 0;
         }
-        return new NumberStream(reader, decimalComma, header.size() + 1L);
+        return TextNumbers.read(reader, decimalComma, header.size() + 1L, Long.MAX_VALUE);
     }
 }

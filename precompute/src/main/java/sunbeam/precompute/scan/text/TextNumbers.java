@@ -1,96 +1,181 @@
 package sunbeam.precompute.scan.text;
 
+import java.io.BufferedReader;
 import java.io.IOException;
 import java.util.Arrays;
 import java.util.Locale;
+import java.util.Set;
 import sunbeam.precompute.scan.ScanException;
 import sunbeam.precompute.scan.ScanLimits;
+import sunbeam.precompute.text.Quoted;
 
 /**
- * All numbers of a text.
- *
- * @param values in their order; only the first {@code count} are any
- * @param columns numbers of the first line
- * @param rows lines with numbers
- * @param raggedLine the first line with another number of numbers than the first has; 0 when there is none
- * @param raggedCount its numbers
+ * The numbers of a text. They are separated by blanks, tabs, semicolons or, where it is no decimal mark, commas; an empty
+ * field between two separators is a missing sample.
  */
-record TextNumbers(double[] values, int count, long columns, long rows, long raggedLine, long raggedCount) {
+public final class TextNumbers {
+    private static final Set<String> MISSING = Set.of(
+            "nan",
+            "-nan",
+            "nan(ind)",
+            "-nan(ind)",
+            "inf",
+            "-inf",
+            "+inf",
+            "infinity",
+            "-infinity",
+            "bad",
+            "---",
+            "--",
+            "#n/a",
+            "n/a");
     private static final int FIRST_CAPACITY = 1 << 12;
     /** Three numbers a point. */
     private static final long MOST = 3 * ScanLimits.MOST_SAMPLES;
 
+    private static final int LONGEST_WORD = 100;
+
+    private final boolean decimalComma;
+    private double[] values = new double[FIRST_CAPACITY];
+    private int count;
+    private int columns;
+    private int rows;
+    private String ragged = "";
+
+    private TextNumbers(boolean decimalComma) {
+        this.decimalComma = decimalComma;
+    }
+
     /**
      * Reads; memory grows with what is there.
      *
+     * @param in at the begin of a line
+     * @param line number of that line, for messages
+     * @param most numbers; whatever follows them is passed over
      * @throws ScanException when there are too many, or something that is no number
      */
-    static TextNumbers read(NumberStream numbers) throws IOException {
-        double[] values = new double[FIRST_CAPACITY];
-        int count = 0;
-        long columns = 0;
-        long rows = 0;
-        long inRow = 0;
-        long line = 0;
-        long raggedLine = 0;
-        long raggedCount = 0;
-        for (boolean more = true; more; ) {
-            more = numbers.next();
-            if (rows > 0 && (!more || numbers.firstOfLine())) {
-                columns = rows == 1 ? inRow : columns;
-                if (raggedLine == 0 && inRow != columns) {
-                    raggedLine = line;
-                    raggedCount = inRow;
-                }
-                inRow = 0;
-            }
-            if (more) {
-                values = count < values.length ? values : grown(values);
-                values[count++] = numbers.value();
-                rows += numbers.firstOfLine() ? 1 : 0;
-                line = numbers.line();
-                inRow++;
-            }
+    public static TextNumbers read(BufferedReader in, boolean decimalComma, long line, long most) throws IOException {
+        TextNumbers numbers = new TextNumbers(decimalComma);
+        long number = line;
+        for (String text = in.readLine(); text != null && numbers.count < most; text = in.readLine()) {
+            numbers.add(text, number++);
         }
-        return new TextNumbers(values, count, columns, rows, raggedLine, raggedCount);
+        return numbers;
     }
 
-    private static double[] grown(double[] values) {
-        long capacity = 2L * values.length;
-        if (values.length >= MOST) {
-            throw new ScanException(
-                    String.format(Locale.ROOT, "has more than %d numbers, more than can be used; crop the scan", MOST));
+    private void add(String text, long line) {
+        int before = count;
+        boolean separated = false;
+        for (int i = 0; i < text.length(); ) {
+            char c = text.charAt(i);
+            if (isSeparator(c)) {
+                if (separated) {
+                    add(Double.NaN);
+                }
+                separated = true;
+                i++;
+            } else if (isBlank(c)) {
+                i++;
+            } else {
+                int end = i;
+                while (end < text.length() && !isBlank(text.charAt(end)) && !isSeparator(text.charAt(end))) {
+                    end++;
+                }
+                add(parse(text.substring(i, end), line));
+                // The separator after a number belongs to it.
+                i = end < text.length() && isSeparator(text.charAt(end)) ? end + 1 : end;
+                separated = i > end;
+            }
         }
-        ScanLimits.requireMemory(capacity, 0, Runtime.getRuntime().maxMemory());
-        return Arrays.copyOf(values, (int) Math.min(MOST, capacity));
+        int added = count - before;
+        rows += added > 0 ? 1 : 0;
+        columns = rows == 1 && added > 0 ? added : columns;
+        if (added > 0 && added != columns && ragged.isEmpty()) {
+            ragged = added + " numbers in line " + line;
+        }
+    }
+
+    private boolean isSeparator(char c) {
+        return c == ';' || (c == ',' && !decimalComma);
+    }
+
+    private static boolean isBlank(char c) {
+        return c == ' ' || c == '\t' || c == '"' || c == '\f';
+    }
+
+    private double parse(String word, long line) {
+        // Of 1,5, 2,5 the comma before the blank.
+        boolean trailing = decimalComma && word.length() > 1 && word.endsWith(",");
+        String text = (trailing ? word.substring(0, word.length() - 1) : word).replace(',', '.');
+        // Double.parseDouble alone takes 1d, 0x1p3 and Infinity, too.
+        if (text.length() <= LONGEST_WORD && text.chars().allMatch(c -> (c >= '0' && c <= '9') || "+-.eE".indexOf(c) >= 0)) {
+            try {
+                return Double.parseDouble(text);
+            } catch (NumberFormatException none) {
+                // Told below.
+            }
+        }
+        if (MISSING.contains(text.toLowerCase(Locale.ROOT))) {
+            return Double.NaN;
+        }
+        throw new ScanException("has " + Quoted.of(text) + " in line " + line
+                + ", where a number should be; remove it, or say which mark its decimals have");
+    }
+
+    private void add(double value) {
+        if (count == values.length) {
+            if (count >= MOST) {
+                throw new ScanException("has more than " + MOST + " numbers, more than can be used; crop the scan");
+            }
+            ScanLimits.requireMemory(2L * count, 0);
+            values = Arrays.copyOf(values, (int) Math.min(MOST, 2L * count));
+        }
+        values[count++] = value;
+    }
+
+    int count() {
+        return count;
+    }
+
+    /** Numbers of the first line. */
+    int columns() {
+        return columns;
+    }
+
+    /** Lines with numbers. */
+    int rows() {
+        return rows;
     }
 
     boolean isRectangular() {
-        return raggedLine == 0;
+        return ragged.isEmpty();
     }
 
     /** @throws ScanException naming the line with more or fewer numbers than the first */
     void requireRectangular() {
         if (!isRectangular()) {
-            throw new ScanException(String.format(
-                    Locale.ROOT,
-                    "has %d numbers in line %d, but %d in its first row; export it again",
-                    raggedCount,
-                    raggedLine,
-                    columns));
+            throw new ScanException("has " + ragged + ", but " + columns + " in its first row; export it again");
         }
     }
 
-    /** A copy of all. */
-    double[] all() {
-        return Arrays.copyOf(values, count);
+    /**
+     * A copy of the first numbers.
+     *
+     * @throws ScanException when there are fewer
+     */
+    public double[] first(int wanted) {
+        if (wanted > count) {
+            throw new ScanException(
+                    "has " + count + " numbers where its header announces " + wanted + "; copy or export it again");
+        }
+        return Arrays.copyOf(values, wanted);
     }
 
     /** A copy of one of several columns. */
     double[] column(int column) {
-        double[] some = new double[Math.toIntExact(rows)];
-        for (int row = 0; row < some.length; row++) {
-            some[row] = values[Math.toIntExact(row * columns + column)];
+        double[] some = new double[rows];
+        for (int row = 0; row < rows; row++) {
+            some[row] = values[row * columns + column];
         }
         return some;
     }

@@ -2,16 +2,15 @@ package sunbeam.precompute.scan.text;
 
 import java.io.IOException;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import sunbeam.precompute.scan.Extent;
 import sunbeam.precompute.scan.LengthUnit;
+import sunbeam.precompute.scan.Samples;
 import sunbeam.precompute.scan.ScanBytes;
 import sunbeam.precompute.scan.ScanChannel;
 import sunbeam.precompute.scan.ScanException;
-import sunbeam.precompute.scan.ScanReader;
 
 /**
  * Text: a matrix of numbers from the top row, or points x y z on a grid, below any header. Numbers may have decimal commas
@@ -19,29 +18,27 @@ import sunbeam.precompute.scan.ScanReader;
  *
  * @param decimalMark where the user says it
  */
-public record TextReader(Optional<DecimalMark> decimalMark) implements ScanReader {
+public record TextReader(Optional<DecimalMark> decimalMark) {
     private static final int POINT = 3;
     /** As few triples on no grid may well be a matrix of three columns. */
     private static final int SURELY_POINTS = 16;
 
+    private static final int FEWEST_COUNTED = 8;
+    // Of the step: places are rounded when they are written.
+    private static final double ROUNDING = 0.2;
+
     private static final Pattern AXES = Pattern.compile(
             "(?i)[#%;*\\s\"]*x\\s*[\\[(]([^\\])]+)[\\])]\\W+y\\s*[\\[(]([^\\])]+)[\\])]\\W+z\\s*[\\[(]([^\\])]+)[\\])].*");
 
-    @Override
-    public String format() {
-        return "text";
-    }
-
-    @Override
     public boolean recognises(ScanBytes file) throws IOException {
         return TextFile.of(file, decimalMark).isPresent();
     }
 
-    @Override
+    /** @throws ScanException when the file cannot be used */
     public List<ScanChannel> channels(ScanBytes file) throws IOException {
         TextFile text = TextFile.of(file, decimalMark).orElseThrow();
         TextFacts facts = TextFacts.of(text.header());
-        TextNumbers numbers = TextNumbers.read(text.numbers());
+        TextNumbers numbers = text.numbers();
         boolean matrix = facts.extent().width().isPresent() || facts.columns().isPresent();
         if (!matrix && numbers.columns() == POINT && numbers.isRectangular() && numbers.rows() > POINT) {
             Optional<ScanChannel> points = points(text, numbers);
@@ -56,22 +53,59 @@ public record TextReader(Optional<DecimalMark> decimalMark) implements ScanReade
         if (facts.columns().isEmpty()) {
             numbers.requireRectangular();
         }
-        long columns = facts.columns().map(Integer::longValue).orElse(numbers.columns());
-        boolean asSaid = facts.columns().isPresent() && facts.rows().isPresent();
-        long rows = asSaid ? facts.rows().get() : numbers.count() / columns;
-        if (columns * rows != numbers.count()) {
-            throw new ScanException(String.format(
-                    Locale.ROOT,
-                    "has %d numbers where its header announces %d x %d; export it again",
-                    numbers.count(),
-                    columns,
-                    rows));
+        int columns = facts.columns().orElse(numbers.columns());
+        boolean announced = facts.columns().isPresent() && facts.rows().isPresent();
+        int rows = announced ? facts.rows().get() : numbers.count() / columns;
+        if ((long) columns * rows != numbers.count()) {
+            throw new ScanException("has " + numbers.count() + " numbers where its header announces " + columns + " x "
+                    + rows + "; export it again");
         }
-        return new ScanChannel(facts.channel(), (int) columns, (int) rows, facts.extent(), facts.unit(), () -> {
-            double[] heights = numbers.all();
-            CountedLines.refuse(heights, (int) columns);
+        Samples samples = new Samples(columns, rows, () -> {
+            double[] heights = numbers.first(numbers.count());
+            refuseCounted(heights, columns, rows);
             return heights;
         });
+        return new ScanChannel(facts.channel(), samples, facts.extent(), facts.unit());
+    }
+
+    /**
+     * Refuses numbers that are no heights of a surface: a profile, and a first column or row that counts up evenly beside
+     * others that do not, places or numbers of rows that were exported with the heights.
+     */
+    private static void refuseCounted(double[] heights, int columns, int rows) {
+        if (columns == 2 && rows > 2) {
+            throw new ScanException(
+                    "has two columns, places and heights: a profile is no surface; export the whole image");
+        }
+        // The corner may be anything.
+        if (columns > 1
+                && counts(heights, columns, columns, rows - 1)
+                && !counts(heights, columns + 1, columns, rows - 1)) {
+            throw counted("column");
+        }
+        if (rows > 1 && counts(heights, 1, 1, columns - 1) && !counts(heights, columns + 1, 1, columns - 1)) {
+            throw counted("row");
+        }
+    }
+
+    private static ScanException counted(String line) {
+        return new ScanException("has a first " + line + " that counts evenly, as places or numbers of rows do, beside"
+                + " others that do not; remove it, so that only heights are left");
+    }
+
+    /** Whether numbers at even distances are as even themselves; false where there are few of them. */
+    private static boolean counts(double[] numbers, int first, int stride, int count) {
+        int last = first + (count - 1) * stride;
+        if (count < FEWEST_COUNTED || last >= numbers.length) {
+            return false;
+        }
+        double step = (numbers[last] - numbers[first]) / (count - 1);
+        boolean even = Math.abs(step) > 0;
+        for (int i = 0; i < count && even; i++) {
+            double off = numbers[first + i * stride] - numbers[first] - i * step;
+            even = Math.abs(off) <= ROUNDING * Math.abs(step);
+        }
+        return even;
     }
 
     private static Optional<ScanChannel> points(TextFile text, TextNumbers numbers) {
@@ -92,12 +126,11 @@ public record TextReader(Optional<DecimalMark> decimalMark) implements ScanReade
         double metresX = LengthUnit.metres(unitX).orElse(1.0);
         double metresY =
                 axes.flatMap(matcher -> LengthUnit.metres(matcher.group(2))).orElse(1.0);
-        int columns = grid.axisX().count();
-        int rows = grid.axisY().count();
+        Samples samples = new Samples(
+                grid.axisX().count(), grid.axisY().count(), () -> grid.heights().clone());
         Extent extent =
-                Extent.ofPitches(grid.axisX().pitch(), grid.axisY().pitch() * metresY / metresX, unitX, columns, rows);
-        String unit = axes.map(matcher -> matcher.group(3)).orElse("");
+                Extent.ofPitches(grid.axisX().pitch(), grid.axisY().pitch() * metresY / metresX, unitX, samples);
         return Optional.of(new ScanChannel(
-                "z", columns, rows, extent, unit, () -> grid.heights().clone()));
+                "z", samples, extent, axes.map(matcher -> matcher.group(3)).orElse("")));
     }
 }

@@ -42,7 +42,7 @@ class ScanFormatsTest {
     void readsTheHeightsTheirSizeAndWhichWayIsUp(String format) throws IOException {
         try (ScanBytes bytes = ScanBytes.open(file(TestScans.all().get(format)))) {
             ScanReader reader = ScanFormats.find(bytes, Optional.empty()).orElseThrow();
-            ChannelList channels = new ChannelList(reader.channels(bytes));
+            ChannelList channels = reader.open(bytes);
             ScanChannel channel = channels.channels().get(channels.heights().orElseThrow());
 
             assertThat(channel.columns()).isEqualTo(TestField.COLUMNS);
@@ -50,7 +50,9 @@ class ScanFormatsTest {
             assertThat(channel.extent().width().orElseThrow()).isCloseTo(TestField.WIDTH, within(1e-6 * 1e-6));
             assertThat(channel.extent().height().orElseThrow()).isCloseTo(TestField.HEIGHT, within(1e-6 * 1e-6));
             double metres = channel.metresPerUnit().orElseThrow();
-            assertThat(Arrays.stream(channel.samples()).map(s -> s * metres).toArray())
+            assertThat(Arrays.stream(channel.samples().read())
+                            .map(s -> s * metres)
+                            .toArray())
                     .containsExactly(TestField.metres(), within(ROUNDING));
         }
     }
@@ -89,8 +91,8 @@ class ScanFormatsTest {
             if (reader == null) {
                 return;
             }
-            for (ScanChannel channel : new ChannelList(reader.channels(bytes)).channels()) {
-                channel.samples();
+            for (ScanChannel channel : reader.open(bytes).channels()) {
+                channel.samples().read();
             }
         } catch (ScanException complaint) {
             assertThat(complaint.getMessage()).as(what).doesNotContain("\n").hasSizeBetween(10, 400);

@@ -59,8 +59,8 @@ class SharedScansTest {
     void agreesWithOtherPrograms(String name) throws IOException {
         JsonNode expected = expected(name);
         try (ScanBytes bytes = ScanBytes.open(SCANS.resolve(name))) {
-            ChannelList channels = new ChannelList(
-                    ScanFormats.find(bytes, Optional.empty()).orElseThrow().channels(bytes));
+            ChannelList channels =
+                    ScanFormats.find(bytes, Optional.empty()).orElseThrow().open(bytes);
             assertThat(channels.count()).isEqualTo(expected.get("channels").size());
             Map<String, Integer> seen = new HashMap<>();
             for (JsonNode heights : expected.get("heights")) {
@@ -99,7 +99,8 @@ class SharedScansTest {
                         .isCloseTo(side * expected.get("height").asDouble(), within(1e-6 * height)));
         double unit = expected.get("unit_z").asText().equals("mm") ? 1e-3 : 1;
         double metres = channel.metresPerUnit().orElse(1.0);
-        double[] samples = Arrays.stream(channel.samples()).map(s -> metres * s).toArray();
+        double[] samples =
+                Arrays.stream(channel.samples().read()).map(s -> metres * s).toArray();
         DoubleSummaryStatistics statistics =
                 Arrays.stream(samples).filter(Double::isFinite).summaryStatistics();
         double tolerance = 1e-6 * (statistics.getMax() - statistics.getMin());

@@ -146,16 +146,22 @@ final class TestInstruments {
         return file.array();
     }
 
-    /** A thumbnail with the grid, then the height's retrace and trace with a raw slot and a default one. */
-    static byte[] jpk() {
+    /**
+     * A thumbnail with the grid, then the height's retrace and trace with a raw slot and a default one.
+     *
+     * @param named whether the thumbnail has a channel's name; in .jpk-qi-image it has none
+     */
+    static byte[] jpk(boolean named) {
         TestTiff tiff = new TestTiff(TestBytes.big());
-        tiff.page()
+        TestTiff.Page thumbnail = tiff.page()
                 .number(256, 4, 1)
                 .number(257, 4, 1)
                 .number(262, 3, 1)
                 .number(0x8042, TestField.WIDTH)
-                .number(0x8043, TestField.HEIGHT)
-                .text(0x8050, "thumbnail");
+                .number(0x8043, TestField.HEIGHT);
+        if (named) {
+            thumbnail.text(0x8050, "thumbnail");
+        }
         for (int retrace = 1; retrace >= 0; retrace--) {
             TestBytes samples = TestBytes.big();
             boolean backward = retrace == 1;

@@ -25,7 +25,8 @@ final class TestScans {
         all.put("nid", TestInstruments.nanosurf());
         all.put("stp", TestInstruments.wsxm("double"));
         all.put("top", TestInstruments.wsxm("short"));
-        all.put("jpk", TestInstruments.jpk());
+        all.put("jpk", TestInstruments.jpk(true));
+        all.put("jpk-qi-image", TestInstruments.jpk(false));
         all.put("park", TestInstruments.park());
         all.put("sdf-text", TestInstruments.surfaceData(false));
         all.put("sdf-binary", TestInstruments.surfaceData(true));
