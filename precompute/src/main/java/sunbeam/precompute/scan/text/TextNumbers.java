@@ -108,7 +108,8 @@ public final class TextNumbers {
         boolean trailing = decimalComma && word.length() > 1 && word.endsWith(",");
         String text = (trailing ? word.substring(0, word.length() - 1) : word).replace(',', '.');
         // Double.parseDouble alone takes 1d, 0x1p3 and Infinity, too.
-        if (text.length() <= LONGEST_WORD && text.chars().allMatch(c -> (c >= '0' && c <= '9') || "+-.eE".indexOf(c) >= 0)) {
+        if (text.length() <= LONGEST_WORD
+                && text.chars().allMatch(c -> (c >= '0' && c <= '9') || "+-.eE".indexOf(c) >= 0)) {
             try {
                 return Double.parseDouble(text);
             } catch (NumberFormatException none) {
