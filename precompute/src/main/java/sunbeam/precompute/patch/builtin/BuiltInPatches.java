@@ -3,6 +3,7 @@ package sunbeam.precompute.patch.builtin;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.DoubleUnaryOperator;
 import java.util.function.Supplier;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.PatchException;
@@ -12,15 +13,26 @@ import sunbeam.precompute.patch.PatchException;
  * every run. Parameters and their sources: docs/guide.md.
  */
 public final class BuiltInPatches {
+    /** Of the gratings, the thesis's, metres. */
+    private static final double PERIOD = 2.5e-6;
+    /** The orders in sight (up to 13 for 2.5 um and 380 nm) are free of aliases. */
+    private static final int COLUMNS = 128;
+    /** All alike; 78 nm apart and so finer than a quarter of 380 nm. */
+    private static final int ROWS = 32;
+
     private static final Map<String, Supplier<HeightMap>> GENERATORS = new LinkedHashMap<>();
 
     static {
-        GENERATORS.put("blaze", () -> BlazedGrating.standard().generate());
-        GENERATORS.put("sinusoid", () -> SinusoidalGrating.standard().generate());
-        GENERATORS.put("lamellar", () -> LamellarGrating.standard().generate());
-        GENERATORS.put("disc", () -> CompactDisc.standard().generate());
-        GENERATORS.put("elaphe-like", () -> SnakeSkins.elapheLike().generate());
-        GENERATORS.put("xenopeltis-like", () -> SnakeSkins.xenopeltisLike().generate());
+        // A sawtooth of 250 nm that rises towards +x and sends light towards -x: order m has the power
+        // sinc^2(k w H / (2 pi) - m), w = -2 near the normal.
+        GENERATORS.put("blaze", () -> grating(place -> 250e-9 * place));
+        // Order m has the power J_m(k w amplitude)^2.
+        GENERATORS.put("sinusoid", () -> grating(place -> 100e-9 * StrictMath.sin(2 * StrictMath.PI * place)));
+        // Ridges of half the period: no even orders but 0; of lambda / 4 at 550 nm: dark in the mirror direction.
+        GENERATORS.put("lamellar", () -> grating(place -> place < 0.5 ? 137.5e-9 : 0));
+        GENERATORS.put("disc", CompactDisc::generate);
+        GENERATORS.put("elaphe-like", () -> FingerSkin.ELAPHE.generate());
+        GENERATORS.put("xenopeltis-like", () -> FingerSkin.XENOPELTIS.generate());
     }
 
     private BuiltInPatches() {}
@@ -42,5 +54,14 @@ public final class BuiltInPatches {
                     "no built-in patch is called '" + name + "'; there are " + String.join(", ", names()));
         }
         return generator.get();
+    }
+
+    /** One period, sampled mid-interval, by a function of the place within it, which goes from 0 (left) to 1 (right). */
+    private static HeightMap grating(DoubleUnaryOperator profile) {
+        double[] heights = new double[ROWS * COLUMNS];
+        for (int i = 0; i < heights.length; i++) {
+            heights[i] = profile.applyAsDouble((i % COLUMNS + 0.5) / COLUMNS);
+        }
+        return HeightMap.owning(COLUMNS, ROWS, PERIOD / COLUMNS, PERIOD / ROWS, heights);
     }
 }

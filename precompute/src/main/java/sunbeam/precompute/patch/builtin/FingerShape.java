@@ -21,7 +21,7 @@ package sunbeam.precompute.patch.builtin;
  * @param notchLength distance in metres over which it gets so deep
  * @param edgeWidth standard deviation in metres of the slope that rounds the edges (the probe's tip)
  */
-public record FingerShape(
+record FingerShape(
         double length,
         double tipExponent,
         double baseExponent,

@@ -5,16 +5,93 @@ import sunbeam.precompute.optics.HeightMap;
 
 /**
  * Shed snake skin: overlapping rows of fingers on gently wavy ground, a model of what atomic force microscopy of
- * Elaphe and Xenopeltis skin shows. Where every number comes from stands in docs/guide.md.
+ * Elaphe and Xenopeltis skin shows. docs/guide.md has the measurements beside these numbers.
  *
- * @param side width and height of the patch in metres
- * @param samples samples along each side
  * @param layout where the fingers are
  * @param shape what one of them looks like
- * @param ground waviness and grain
+ * @param wavinessExponent the density of the ground's waviness falls as frequency to minus this power
+ * @param grain of the ground, root mean square in metres
  * @param seed of everything random
  */
-public record FingerSkin(double side, int samples, RowLayout layout, FingerShape shape, Ground ground, long seed) {
+record FingerSkin(RowLayout layout, FingerShape shape, double wavinessExponent, double grain, long seed) {
+    /** Elaphe guttata: long pointed fingers in columns that run on over many rows, so colors lie along x only. */
+    static final FingerSkin ELAPHE = new FingerSkin(
+            new RowLayout(
+                    21, // rows: 3.1 um apart
+                    63, // fingers: 1.03 um apart
+                    0.09, // row spread
+                    0.16, // finger spread
+                    4, // rows over which columns continue
+                    0, // count spread: none, columns continue
+                    0.6e-6, // wander
+                    9, // wander modes along x
+                    6, // wander modes along y
+                    0.4e-6, // tip spread
+                    7e-9, // height spread
+                    0), // lean
+            new FingerShape(
+                    0.97, // length
+                    2.4, // tip exponent
+                    2.6, // base exponent
+                    38e-9, // crest
+                    0, // fall
+                    6e-9, // bulge
+                    48e-9, // dome
+                    0.25, // fade
+                    -31e-9, // floor
+                    5e-9, // floor fall
+                    55e-9, // notch depth
+                    220e-9, // notch length
+                    35e-9), // edge width
+            3.6,
+            6e-9,
+            1);
+
+    /** Xenopeltis unicolor: blunt short fingers in independent, meandering rows, so colors spread about y. */
+    static final FingerSkin XENOPELTIS = new FingerSkin(
+            new RowLayout(
+                    42, // rows: 1.55 um apart
+                    118, // fingers: 0.55 um apart
+                    0.02, // row spread
+                    0.15, // finger spread
+                    0, // rows are independent
+                    2, // count spread
+                    0.9e-6, // wander
+                    14, // wander modes along x
+                    4, // wander modes along y
+                    0.1e-6, // tip spread
+                    11e-9, // height spread
+                    0.07), // lean: 4 degrees
+            new FingerShape(
+                    0.72, // length
+                    3.2, // tip exponent
+                    1.7, // base exponent
+                    78e-9, // crest
+                    125e-9, // fall
+                    0, // bulge
+                    30e-9, // dome
+                    0.2, // fade
+                    -42e-9, // floor
+                    0, // floor fall
+                    70e-9, // notch depth
+                    200e-9, // notch length
+                    35e-9), // edge width
+            3.2,
+            7e-9,
+            2);
+
+    /** Width and height of the patch, metres. */
+    private static final double SIDE = 65e-6;
+    /** A power of two for the Fourier transforms; 63.5 nm apart, finer than the 95 nm that 380 nm light needs. */
+    private static final int SAMPLES = 1024;
+
+    /** Of the ground, root mean square in metres. */
+    private static final double WAVINESS = 34e-9;
+    /** Most periods of the waviness along the side. */
+    private static final int WAVINESS_MODES = 24;
+    /** Correlation length of the grain in metres (standard deviation of the Gaussian that smooths it). */
+    private static final double GRAIN_LENGTH = 60e-9;
+
     /** Table places per sample: places are 16 nm apart, a quarter of a sample, and are interpolated linearly. */
     private static final int OVERSAMPLING = 4;
 
@@ -24,44 +101,37 @@ public record FingerSkin(double side, int samples, RowLayout layout, FingerShape
     /** The closest that rows may come, as a fraction of their mean distance. */
     private static final double CLOSEST = 0.35;
 
-    public FingerSkin {
-        Parameters.requirePositive("side", side);
-        Parameters.requireSamples("samples", samples, 2 * ground.modes() + 1);
-        Parameters.requirePositive("edge width", shape.edgeWidth());
-        Parameters.requirePositive("finger length", shape.length());
-        if (shape.length() > 1) {
-            throw new IllegalArgumentException("fingers must end in their own row, got length " + shape.length());
-        }
-    }
-
     /** The patch, heights in metres about 0; the same for the same parameters. */
     public HeightMap generate() {
         SeededNoise noise = new SeededNoise(seed);
-        int tableSize = OVERSAMPLING * samples;
-        FingerRow[] rows = new RowPlacer(layout, shape, side, tableSize, noise).place();
-        double[] heights = ground.heights(samples, side, noise);
-        IntStream.range(0, samples).parallel().forEach(column -> addColumn(column, rows, heights));
-        double pitch = side / samples;
-        return new HeightMap(samples, samples, pitch, pitch, heights);
+        FingerRow[] rows = new RowPlacer(layout, shape, SIDE, OVERSAMPLING * SAMPLES, noise).place();
+        double[] heights = PeriodicField.powerLaw(
+                SAMPLES, SAMPLES, WAVINESS, wavinessExponent, WAVINESS_MODES, WAVINESS_MODES, noise);
+        double[] grains = PeriodicField.grain(SAMPLES, GRAIN_LENGTH * SAMPLES / SIDE, noise);
+        for (int i = 0; i < heights.length; i++) {
+            heights[i] += grain * grains[i];
+        }
+        IntStream.range(0, SAMPLES).parallel().forEach(column -> addColumn(column, rows, heights));
+        return HeightMap.owning(SAMPLES, SAMPLES, SIDE / SAMPLES, SIDE / SAMPLES, heights);
     }
 
     private void addColumn(int column, FingerRow[] rows, double[] heights) {
         double[] lines = lines(column * OVERSAMPLING, rows);
-        double x = column * side / samples;
+        double x = column * SIDE / SAMPLES;
         int band = 0;
         Band plates = band(band, lines, rows);
-        for (int row = 0; row < samples; row++) {
+        for (int row = 0; row < SAMPLES; row++) {
             // A sample above the first line lies below the last one, a period further down.
-            double down = row * side / samples;
+            double down = row * SIDE / SAMPLES;
             while (down < lines[0]) {
-                down += side;
+                down += SIDE;
             }
             int next = bandOf(down, lines, band);
             if (next != band) {
                 band = next;
                 plates = band(band, lines, rows);
             }
-            heights[row * samples + column] += height(x, down - lines[band], plates);
+            heights[row * SAMPLES + column] += height(x, down - lines[band], plates);
         }
     }
 
@@ -85,18 +155,18 @@ public record FingerSkin(double side, int samples, RowLayout layout, FingerShape
     /** The rows' lines at one place and again one period later, kept apart so that each row remains in its order. */
     private double[] lines(int place, FingerRow[] rows) {
         int count = rows.length;
-        double least = CLOSEST * side / count;
+        double least = CLOSEST * SIDE / count;
         double[] lines = new double[2 * count + 1];
         lines[0] = rows[0].line(place);
         for (int i = 1; i < count; i++) {
             lines[i] = Math.max(rows[i].line(place), lines[i - 1] + least);
         }
-        lines[count] = lines[0] + side;
+        lines[count] = lines[0] + SIDE;
         for (int i = count - 1; i > 0; i--) {
             lines[i] = Math.min(lines[i], lines[i + 1] - least);
         }
         for (int i = count + 1; i < lines.length; i++) {
-            lines[i] = lines[i - count] + side;
+            lines[i] = lines[i - count] + SIDE;
         }
         return lines;
     }
@@ -135,7 +205,7 @@ public record FingerSkin(double side, int samples, RowLayout layout, FingerShape
     }
 
     private double place(double x) {
-        double periods = x / side;
-        return (periods - Math.floor(periods)) * OVERSAMPLING * samples;
+        double periods = x / SIDE;
+        return (periods - Math.floor(periods)) * OVERSAMPLING * SAMPLES;
     }
 }

@@ -2,30 +2,13 @@ package sunbeam.precompute.patch.builtin;
 
 import java.util.stream.IntStream;
 
-/**
- * A smooth random field that repeats with the grid: a sum of plane waves with whole numbers of periods (p, q) across
- * the two sides, with random phases and a power spectral density that falls as a power of sqrt(p^2 + q^2) and ends at
- * an ellipse. Its mean is 0 and its root mean square over the grid is the one asked for.
- */
+/** Random fields that repeat with the grid, {@code rows * columns} values, row by row. */
 final class PeriodicField {
-    private final int columns;
-    private final int rows;
-    private final double exponent;
-    private final int modesX;
-    private final int modesY;
-    private final SeededNoise noise;
-
-    private PeriodicField(int columns, int rows, double exponent, int modesX, int modesY, SeededNoise noise) {
-        this.columns = columns;
-        this.rows = rows;
-        this.exponent = exponent;
-        this.modesX = modesX;
-        this.modesY = modesY;
-        this.noise = noise;
-    }
+    private PeriodicField() {}
 
     /**
-     * Draws a field.
+     * A smooth field: a sum of plane waves with whole numbers of periods (p, q) across the two sides, with random phases and a
+     * power spectral density that falls as a power of sqrt(p^2 + q^2) and ends at an ellipse. Its mean is 0.
      *
      * @param columns samples along the first axis
      * @param rows samples along the second axis
@@ -33,59 +16,49 @@ final class PeriodicField {
      * @param exponent the density falls as frequency to minus this power
      * @param modesX most periods along the first axis, at least 1 and below {@code columns / 2}
      * @param modesY most periods along the second axis, at least 1 and below {@code rows / 2}
-     * @return {@code rows * columns} values, row by row
      */
     static double[] powerLaw(
             int columns, int rows, double rms, double exponent, int modesX, int modesY, SeededNoise noise) {
-        if (modesX < 1 || 2 * modesX >= columns || modesY < 1 || 2 * modesY >= rows) {
-            throw new IllegalArgumentException(
-                    modesX + " x " + modesY + " periods do not fit into " + columns + " x " + rows + " samples");
-        }
-        return scaledToRms(new PeriodicField(columns, rows, exponent, modesX, modesY, noise).sum(), rms);
-    }
-
-    /** Sums over p once for each q, so that the cost is rows * columns * modesY, not times the number of waves. */
-    private double[] sum() {
         double[][] real = new double[modesY + 1][columns];
         double[][] imaginary = new double[modesY + 1][columns];
+        double[][] circle = circle(columns);
         for (int q = 0; q <= modesY; q++) {
-            sumOverP(q, real[q], imaginary[q]);
+            // Of each wave and its mirror image (-p, -q) only one is needed, and (0, 0) would shift the mean.
+            for (int p = q == 0 ? 1 : -modesX; p <= modesX; p++) {
+                if (StrictMath.hypot((double) p / modesX, (double) q / modesY) > 1) {
+                    continue;
+                }
+                double amplitude = StrictMath.pow(StrictMath.hypot(p, q), -exponent / 2);
+                double re = amplitude * noise.normal();
+                double im = amplitude * noise.normal();
+                for (int column = 0; column < columns; column++) {
+                    double cos = circle[0][Math.floorMod(p * column, columns)];
+                    double sin = circle[1][Math.floorMod(p * column, columns)];
+                    real[q][column] += re * cos - im * sin;
+                    imaginary[q][column] += re * sin + im * cos;
+                }
+            }
         }
+        return scaledToRms(sumOverRows(real, imaginary, rows), rms);
+    }
+
+    /** The sum over p is there for each q, so that the cost is rows * columns * modesY, not times the number of waves. */
+    private static double[] sumOverRows(double[][] real, double[][] imaginary, int rows) {
+        int columns = real[0].length;
         double[][] circle = circle(rows);
         double[] field = new double[rows * columns];
         IntStream.range(0, rows).parallel().forEach(row -> {
             double[] sum = new double[columns];
-            for (int q = 0; q <= modesY; q++) {
+            for (int q = 0; q < real.length; q++) {
                 double cos = circle[0][q * row % rows];
                 double sin = circle[1][q * row % rows];
-                double[] realOfQ = real[q];
-                double[] imaginaryOfQ = imaginary[q];
                 for (int column = 0; column < columns; column++) {
-                    sum[column] += realOfQ[column] * cos - imaginaryOfQ[column] * sin;
+                    sum[column] += real[q][column] * cos - imaginary[q][column] * sin;
                 }
             }
             System.arraycopy(sum, 0, field, row * columns, columns);
         });
         return field;
-    }
-
-    private void sumOverP(int q, double[] real, double[] imaginary) {
-        double[][] circle = circle(columns);
-        // Of each wave and its mirror image (-p, -q) only one is needed, and (0, 0) would shift the mean.
-        for (int p = q == 0 ? 1 : -modesX; p <= modesX; p++) {
-            if (StrictMath.hypot((double) p / modesX, (double) q / modesY) > 1) {
-                continue;
-            }
-            double amplitude = StrictMath.pow(StrictMath.hypot(p, q), -exponent / 2);
-            double re = amplitude * noise.normal();
-            double im = amplitude * noise.normal();
-            for (int column = 0; column < columns; column++) {
-                double cos = circle[0][Math.floorMod(p * column, columns)];
-                double sin = circle[1][Math.floorMod(p * column, columns)];
-                real[column] += re * cos - im * sin;
-                imaginary[column] += re * sin + im * cos;
-            }
-        }
     }
 
     /** Cosines and sines of {@code count} equal steps round the circle. */
@@ -108,5 +81,55 @@ final class PeriodicField {
             field[i] *= factor;
         }
         return field;
+    }
+
+    /**
+     * Grain: white noise under a Gaussian, of standard deviation 1.
+     *
+     * @param samples along each side
+     * @param sigma standard deviation of the Gaussian, samples
+     */
+    static double[] grain(int samples, double sigma, SeededNoise noise) {
+        double[] grains = new double[samples * samples];
+        for (int i = 0; i < grains.length; i++) {
+            grains[i] = noise.normal();
+        }
+        double[] kernel = kernel(sigma);
+        return smoothed(smoothed(grains, kernel, samples, 1, samples), kernel, samples, samples, 1);
+    }
+
+    /** Half of a Gaussian, from its centre on, with squares that sum to 1, so that noise keeps its variance. */
+    private static double[] kernel(double sigma) {
+        double[] kernel = new double[1 + (int) Math.ceil(3 * sigma)];
+        double squares = 0;
+        for (int i = 0; i < kernel.length; i++) {
+            kernel[i] = StrictMath.exp(-i * i / (2 * sigma * sigma));
+            squares += (i == 0 ? 1 : 2) * kernel[i] * kernel[i];
+        }
+        for (int i = 0; i < kernel.length; i++) {
+            kernel[i] /= StrictMath.sqrt(squares);
+        }
+        return kernel;
+    }
+
+    /** Convolution along one axis, round the period. */
+    private static double[] smoothed(double[] values, double[] kernel, int size, int step, int lineStep) {
+        int reach = kernel.length - 1;
+        double[] result = new double[values.length];
+        IntStream.range(0, size).parallel().forEach(line -> {
+            double[] wrapped = new double[size + 2 * reach];
+            for (int i = 0; i < wrapped.length; i++) {
+                wrapped[i] = values[line * lineStep + Math.floorMod(i - reach, size) * step];
+            }
+            for (int i = 0; i < size; i++) {
+                int middle = i + reach;
+                double sum = kernel[0] * wrapped[middle];
+                for (int k = 1; k <= reach; k++) {
+                    sum += kernel[k] * (wrapped[middle - k] + wrapped[middle + k]);
+                }
+                result[line * lineStep + i * step] = sum;
+            }
+        });
+        return result;
     }
 }

@@ -19,7 +19,7 @@ package sunbeam.precompute.patch.builtin;
  * @param heightSpread standard deviation in metres of the height of single fingers
  * @param lean by how much a finger moves to +x per distance downwards
  */
-public record RowLayout(
+record RowLayout(
         int rows,
         int fingers,
         double rowSpread,
@@ -31,10 +31,4 @@ public record RowLayout(
         int wanderModesY,
         double tipSpread,
         double heightSpread,
-        double lean) {
-    public RowLayout {
-        if (rows < 3 || fingers < 3) {
-            throw new IllegalArgumentException("a skin needs 3 rows of 3 fingers, got " + rows + " x " + fingers);
-        }
-    }
-}
+        double lean) {}

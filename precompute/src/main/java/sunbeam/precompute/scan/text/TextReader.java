@@ -34,7 +34,11 @@ public record TextReader(Optional<DecimalMark> decimalMark) {
         return TextFile.of(file, decimalMark).isPresent();
     }
 
-    /** @throws ScanException when the file cannot be used */
+    /**
+     * The one channel of a text that was recognised.
+     *
+     * @throws ScanException when the file cannot be used
+     */
     public List<ScanChannel> channels(ScanBytes file) throws IOException {
         TextFile text = TextFile.of(file, decimalMark).orElseThrow();
         TextFacts facts = TextFacts.of(text.header());

@@ -1,7 +1,6 @@
 package sunbeam.precompute.patch.builtin;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.ArrayList;
@@ -74,13 +73,6 @@ class CompactDiscTest {
         }
         // Counted in samples of 50 nm, one more or less.
         assertThat(width * disc.pitchX()).isCloseTo(500e-9, within(51e-9));
-    }
-
-    @Test
-    void pitsWiderThanTheirTrackAreRefused() {
-        assertThatThrownBy(() -> new CompactDisc(4, 128, 1e-6, 184, 1e-6, 1e-7, 1e-7, 0))
-                .isInstanceOf(IllegalArgumentException.class)
-                .hasMessageContaining("tracks");
     }
 
     /** 400 nm of full depth before and after: away from the round ends. */

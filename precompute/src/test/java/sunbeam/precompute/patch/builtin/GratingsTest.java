@@ -1,7 +1,6 @@
 package sunbeam.precompute.patch.builtin;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.stream.IntStream;
@@ -71,17 +70,5 @@ class GratingsTest {
                 .count();
         assertThat(ridge).isEqualTo(lamellar.columns() / 2);
         assertThat(new Spectrum(lamellar).meanSquare((p, q) -> p % 2 == 0)).isLessThan(ROUNDING);
-    }
-
-    @Test
-    void senselessParametersAreNamed() {
-        GratingGrid grid = GratingGrid.ofPeriod(1e-6);
-        assertThatThrownBy(() -> new BlazedGrating(grid, -1))
-                .hasMessageContaining("depth")
-                .hasMessageContaining("-1");
-        assertThatThrownBy(() -> new SinusoidalGrating(grid, Double.NaN)).hasMessageContaining("NaN");
-        assertThatThrownBy(() -> new LamellarGrating(grid, 1e-7, 1)).hasMessageContaining("ridge");
-        assertThatThrownBy(() -> new GratingGrid(0, 8, 8)).hasMessageContaining("period");
-        assertThatThrownBy(() -> new GratingGrid(1e-6, 1 << 20, 8)).hasMessageContaining("columns");
     }
 }

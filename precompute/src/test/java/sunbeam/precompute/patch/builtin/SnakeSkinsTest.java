@@ -1,7 +1,6 @@
 package sunbeam.precompute.patch.builtin;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.api.BeforeAll;
@@ -103,38 +102,13 @@ class SnakeSkinsTest {
 
     @Test
     void anotherSeedGivesAnotherSkinOfTheSameKind() {
-        FingerSkin skin = SnakeSkins.xenopeltisLike();
+        FingerSkin skin = FingerSkin.XENOPELTIS;
         HeightMap other =
-                new FingerSkin(skin.side(), skin.samples(), skin.layout(), skin.shape(), skin.ground(), 99).generate();
+                new FingerSkin(skin.layout(), skin.shape(), skin.wavinessExponent(), skin.grain(), 99).generate();
         assertThat(other.toArray()).isNotEqualTo(xenopeltis.toArray());
         double fingers = xenopeltisSpectrum.rms((p, q) -> Math.abs(p) >= 100 && Math.abs(p) < 140);
         // Thousands of fingers: their share hardly depends on the draw.
         assertThat(new Spectrum(other).rms((p, q) -> Math.abs(p) >= 100 && Math.abs(p) < 140))
                 .isCloseTo(fingers, within(0.05 * fingers));
-    }
-
-    @Test
-    void rowsStayInOrderHoweverWildTheDisorder() {
-        FingerSkin skin = SnakeSkins.elapheLike();
-        RowLayout wild = new RowLayout(21, 63, 0.5, 0.5, 0, 20, 5e-6, 9, 6, 3e-6, 0, 1);
-        FingerShape shape = skin.shape();
-        HeightMap patch =
-                new FingerSkin(skin.side(), 128, wild, shape, new Ground(1e-12, 2, 4, 0, 60e-9), 5).generate();
-        // Nothing but plates: between the crest and the bottom of the deepest notch.
-        double highest = shape.crest() + shape.bulge() + 1e-9;
-        double lowest = shape.floor() - shape.floorFall() - shape.notchDepth() - 1e-9;
-        assertThat(patch.maximum()).isLessThanOrEqualTo(highest);
-        assertThat(patch.minimum()).isGreaterThanOrEqualTo(lowest);
-    }
-
-    @Test
-    void senselessParametersAreNamed() {
-        FingerSkin skin = SnakeSkins.elapheLike();
-        assertThatThrownBy(() -> new FingerSkin(-1, skin.samples(), skin.layout(), skin.shape(), skin.ground(), 1))
-                .hasMessageContaining("side");
-        assertThatThrownBy(() -> new FingerSkin(65e-6, 20, skin.layout(), skin.shape(), skin.ground(), 1))
-                .hasMessageContaining("samples");
-        assertThatThrownBy(() -> new RowLayout(2, 2, 0, 0, 0, 0, 0, 1, 1, 0, 0, 0))
-                .hasMessageContaining("2 x 2");
     }
 }
