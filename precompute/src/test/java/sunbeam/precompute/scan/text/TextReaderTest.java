@@ -123,8 +123,14 @@ class TextReaderTest {
     @ParameterizedTest
     @CsvSource({"UTF-16LE, true", "UTF-16BE, true", "UTF-8, true", "UTF-8, false"})
     void wideCharactersAreReadAsOthers(String charset, boolean marked) throws IOException {
-        String text = "# Channel: H\u00f6he\r\n# Width: 5 \u03bcm\r\n# Height: 2,5 \u00b5m\r\n# Value units: nm\r\n"
-                + "1,5\t2,5\t-3\r\n4,25\t5\t6\r\n";
+        String text = """
+                # Channel: H\u00f6he
+                # Width: 5 \u03bcm
+                # Height: 2,5 \u00b5m
+                # Value units: nm
+                1,5\t2,5\t-3
+                4,25\t5\t6
+                """.replace("\n", "\r\n");
         Path path = folder.resolve("scan.txt");
         Files.write(path, ((marked ? "\ufeff" : "") + text).getBytes(Charset.forName(charset)));
         try (ScanBytes bytes = ScanBytes.open(path)) {
