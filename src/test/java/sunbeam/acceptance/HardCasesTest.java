@@ -8,7 +8,6 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Set;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeAll;
@@ -21,14 +20,8 @@ import org.junit.jupiter.params.provider.MethodSource;
  * orders, weak orders, steps, dust, reliefs of a few nanometres and of micrometres, windows of 1 um and 1 mm, grazing light.
  */
 class HardCasesTest {
-    private static final double TOLERANCE = 1e-3;
     // The promise is made where there is light, or where the program sees some.
     private static final double LEAST_POWER = 1e-9;
-
-    // An ensemble's basis that is good in the mean over all phases is not where w is nearly 0, and the plan does not
-    // say so
-    // (docs/accuracy-and-speed.md).
-    private static final Set<String> MISSED = Set.of("grazing_rms150_ens");
 
     @TempDir
     static Path root;
@@ -56,19 +49,34 @@ class HardCasesTest {
                 .map(cells -> new HardCase(cells[0], cells[1], words(cells[2])));
     }
 
+    static Stream<HardCase> coarselyPlanned() throws IOException {
+        return cases().filter(hard -> List.of("grazing_rms150_ens", "lamellar_10um").contains(hard.name()));
+    }
+
     private static List<String> words(String text) {
         return Arrays.stream(text.split(" ")).filter(word -> !word.isEmpty()).toList();
     }
 
     @ParameterizedTest
     @MethodSource("cases")
-    void theToleranceIsKeptSaveWhereItIsKnownToBeMissed(HardCase hard) throws Exception {
+    void theStandardToleranceIsKept(HardCase hard) throws Exception {
+        keeps(1e-3, hard);
+    }
+
+    /** Coarse plans that a finer one hides: a basis of few functions, few wavelengths across fringes. */
+    @ParameterizedTest
+    @MethodSource("coarselyPlanned")
+    void aCoarseToleranceIsKept(HardCase hard) throws Exception {
+        keeps(1e-2, hard);
+    }
+
+    private static void keeps(double tolerance, HardCase hard) throws Exception {
         Path folder = SharedData.present("hard-cases/" + hard.name());
         String patch =
                 hard.patch().endsWith(".json") ? folder.resolve(hard.patch()).toString() : hard.patch();
         CsvFile exact = CsvFile.read(folder.resolve("in.csv"));
         List<String> options = new ArrayList<>(hard.options());
-        options.addAll(List.of("--tolerance", Double.toString(TOLERANCE)));
+        options.addAll(List.of("--tolerance", Double.toString(tolerance)));
 
         CsvFile ours = Reflectance.of(workplace, patch, exact, options.toArray(String[]::new));
 
@@ -82,9 +90,9 @@ class HardCasesTest {
                         .mapToDouble(row -> error(exact, ours, columns, row))
                         .sorted()
                         .toArray();
-                assertThat(keeps(errors))
+                assertThat(keeps(tolerance, errors))
                         .as("%s of %s", Arrays.toString(errors), columns)
-                        .isEqualTo(!MISSED.contains(hard.name()));
+                        .isTrue();
             }
         }
         assertThat(compared).isPositive();
@@ -106,9 +114,9 @@ class HardCasesTest {
     }
 
     /** The promise itself: median at most the tolerance, 95th percentile at most three times it. */
-    private static boolean keeps(double... errors) {
+    private static boolean keeps(double tolerance, double... errors) {
         assertThat(errors).isNotEmpty();
-        return errors[(errors.length - 1) / 2] <= TOLERANCE
-                && errors[(int) (0.95 * (errors.length - 1))] <= 3 * TOLERANCE;
+        return errors[(errors.length - 1) / 2] <= tolerance
+                && errors[(int) (0.95 * (errors.length - 1))] <= 3 * tolerance;
     }
 }

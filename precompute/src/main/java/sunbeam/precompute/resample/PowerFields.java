@@ -5,26 +5,26 @@ import java.util.PriorityQueue;
 import java.util.SplittableRandom;
 import java.util.stream.IntStream;
 import org.apache.commons.math3.linear.Array2DRowRealMatrix;
-import org.apache.commons.math3.linear.RealMatrix;
 import org.apache.commons.math3.linear.SingularValueDecomposition;
 import sunbeam.precompute.expansion.CoefficientTable;
 import sunbeam.precompute.expansion.Expansion;
 import sunbeam.precompute.expansion.PhaseNodes;
+import sunbeam.precompute.fourier.Band;
 import sunbeam.precompute.table.FourierTable;
 
 /**
  * Powers |F_j|^2 of the bins as a function of the phase, in the shortest real basis: the singular vectors of the powers of
- * the strongest bins and of a sample of all, each relative to its own mean, so that weak bins count as much as strong ones.
+ * the strongest bins and of a sample of all. Weak bins count as much as strong ones, and grazing light, whose phases are
+ * small, as much as other light: each bin is relative to its own mean, each phase to the mean of all bins' powers in the
+ * octave around it. An octave is what a color adds up.
  */
 public final class PowerFields implements Fields {
     private static final int STRONGEST_BINS = 300;
     private static final int RANDOM_BINS = 300;
     // Bins this much of the strongest are seen alone, a mirror's among grains for instance: none of them may be missed.
     private static final double BRILLIANT = 0.01;
-    // A bin this dark is not worth a function of its own: the promise begins at a power of 1e-9.
+    // A power this dark is not worth a function of its own: the promise begins at 1e-9.
     private static final double DARKEST = 1e-10;
-    // Of a row whose bin has no light, squared.
-    private static final double SMALLEST_ROW = 1e-4;
     // The sample of bins is the same at every run.
     private static final long SEED = 20140507;
 
@@ -35,85 +35,156 @@ public final class PowerFields implements Fields {
     /**
      * Projects all bins on the basis.
      *
-     * @param tolerance relative root-mean-square error of the powers over the phases
+     * @param tolerance relative root-mean-square error of the powers over an octave of phases
      */
     public PowerFields(FourierTable table, Expansion expansion, double tolerance) {
         // Two heights differ by at most 2 in s.
         nodes = new PhaseNodes(expansion.minimumPhase(), expansion.maximumPhase(), 2);
+        PhaseOctaves octaves = new PhaseOctaves(nodes);
         BinPowers powers = new BinPowers(table, expansion, nodes);
-        functions = basis(powers, tolerance);
+        int[] bins = sample(powers);
+        double[][] rows = Arrays.stream(bins).mapToObj(powers::at).toArray(double[][]::new);
+        double[] mirror = mirror(table, powers);
+        double[] typical = typical(rows, octaves, mirror);
+        // Inner products of functions have these weights.
+        double[] weights = new double[nodes.count()];
+        Arrays.setAll(weights, q -> nodes.weight(q) / (typical[q] * typical[q]));
+        functions = basis(rows, mirror, weights, brilliant(bins, powers), octaves, tolerance);
         double[][] weighted = new double[functions.length][nodes.count()];
         for (int n = 0; n < weighted.length; n++) {
             for (int q = 0; q < nodes.count(); q++) {
-                weighted[n][q] = nodes.weight(q) * functions[n][q];
+                weighted[n][q] = weights[q] * functions[n][q];
             }
         }
         fields = powers.sums(weighted);
     }
 
-    private double[][] basis(BinPowers powers, double tolerance) {
-        int[] bins = sample(powers);
-        double[][] rows = new double[bins.length][nodes.count()];
-        for (int i = 0; i < bins.length; i++) {
-            double[] row = rows[i];
-            double[] power = powers.at(bins[i]);
-            double mean = 0;
-            for (int q = 0; q < power.length; q++) {
-                mean += nodes.weight(q) * power[q];
-            }
-            for (int q = 0; q < power.length; q++) {
-                row[q] = power[q] / (mean + DARKEST) * Math.sqrt(nodes.weight(q));
+    /**
+     * The power of bin (0, 0): all light where the phase is 0, where other bins have none. Zeros where the table lacks
+     * it.
+     */
+    private double[] mirror(FourierTable table, BinPowers powers) {
+        Band x = table.bandX();
+        Band y = table.bandY();
+        return x.holds(0) && y.holds(0)
+                ? powers.at(-y.first() * x.count() - x.first())
+                : new double[nodes.count()];
+    }
+
+    /** The mean power in the octave around each phase, of all rows that are not the mirror's, each relative to its own mean. */
+    private double[] typical(double[][] rows, PhaseOctaves octaves, double[] mirror) {
+        double[] sums = new double[nodes.count()];
+        for (double[] row : rows) {
+            if (!Arrays.equals(row, mirror)) {
+                double mean = mean(row) + DARKEST;
+                double[] around = octaves.means(row);
+                for (int q = 0; q < sums.length; q++) {
+                    sums[q] += (around[q] + DARKEST) / mean / rows.length;
+                }
             }
         }
-        // Columns of the right singular vectors; transposed so that the matrix has more rows than columns.
-        SingularValueDecomposition decomposition =
-                new SingularValueDecomposition(new Array2DRowRealMatrix(rows, false));
-        double strongest =
-                Arrays.stream(bins).mapToDouble(powers::strength).max().orElse(0);
+        // Nothing but a mirror.
+        Arrays.setAll(sums, q -> sums[q] == 0 ? 1 : sums[q]);
+        return sums;
+    }
+
+    private double mean(double[] row) {
+        double mean = 0;
+        for (int q = 0; q < row.length; q++) {
+            mean += nodes.weight(q) * row[q];
+        }
+        return mean;
+    }
+
+    private static boolean[] brilliant(int[] bins, BinPowers powers) {
+        double[] strengths = Arrays.stream(bins).mapToDouble(powers::strength).toArray();
+        double strongest = Arrays.stream(strengths).max().orElse(0);
         boolean[] brilliant = new boolean[bins.length];
         for (int i = 0; i < bins.length; i++) {
-            brilliant[i] = powers.strength(bins[i]) >= BRILLIANT * strongest;
+            brilliant[i] = strengths[i] >= BRILLIANT * strongest;
         }
-        int rank = rank(decomposition, brilliant, tolerance);
-        double[][] result = new double[rank][nodes.count()];
-        for (int n = 0; n < rank; n++) {
-            for (int q = 0; q < nodes.count(); q++) {
-                result[n][q] = decomposition.getV().getEntry(q, n) / Math.sqrt(nodes.weight(q));
+        return brilliant;
+    }
+
+    /** The mirror's power, which is like no other, and the best functions for what it leaves of the rows; orthonormal. */
+    private double[][] basis(
+            double[][] rows,
+            double[] mirror,
+            double[] weights,
+            boolean[] brilliant,
+            PhaseOctaves octaves,
+            double tolerance) {
+        double[] first = mirror.clone();
+        double length = Math.sqrt(product(mirror, mirror, weights));
+        Arrays.setAll(first, q -> length > 0 ? mirror[q] / length : 0);
+        double[][] left = new double[rows.length][nodes.count()];
+        for (int i = 0; i < rows.length; i++) {
+            double share = product(rows[i], first, weights);
+            double mean = mean(rows[i]) + DARKEST;
+            for (int q = 0; q < weights.length; q++) {
+                left[i][q] = (rows[i][q] - share * first[q]) / mean * Math.sqrt(weights[q]);
             }
         }
-        return result;
+        // Columns of the right singular vectors; transposed by it where the matrix has fewer rows than columns.
+        SingularValueDecomposition decomposition =
+                new SingularValueDecomposition(new Array2DRowRealMatrix(left, false));
+        int most = decomposition.getSingularValues().length;
+        double[][] all = new double[most + 1][nodes.count()];
+        all[0] = first;
+        for (int n = 0; n < most; n++) {
+            for (int q = 0; q < weights.length; q++) {
+                all[n + 1][q] = decomposition.getV().getEntry(q, n) / Math.sqrt(weights[q]);
+            }
+        }
+        int[] needed = IntStream.range(0, rows.length)
+                .parallel()
+                .map(i -> needed(rows[i], all, weights, octaves, tolerance))
+                .toArray();
+        return Arrays.copyOf(all, rank(needed, brilliant));
+    }
+
+    private static double product(double[] a, double[] b, double[] weights) {
+        double sum = 0;
+        for (int q = 0; q < weights.length; q++) {
+            sum += weights[q] * a[q] * b[q];
+        }
+        return sum;
+    }
+
+    /** The fewest functions that leave of a row, in no octave, more than the tolerance. */
+    private static int needed(
+            double[] row, double[][] all, double[] weights, PhaseOctaves octaves, double tolerance) {
+        double[] allowed = octaves.means(squares(row));
+        Arrays.setAll(allowed, q -> tolerance * tolerance * allowed[q] + DARKEST * DARKEST);
+        double[] rest = row.clone();
+        for (int n = 0; n < all.length; n++) {
+            double share = product(row, all[n], weights);
+            for (int q = 0; q < rest.length; q++) {
+                rest[q] -= share * all[n][q];
+            }
+            double[] left = octaves.means(squares(rest));
+            if (IntStream.range(0, rest.length).allMatch(q -> left[q] <= allowed[q])) {
+                return n + 1;
+            }
+        }
+        return all.length;
+    }
+
+    private static double[] squares(double[] values) {
+        return Arrays.stream(values).map(value -> value * value).toArray();
     }
 
     /**
-     * The fewest functions that leave of each row, but for one in a hundred that is not brilliant, no more than the
-     * tolerance. A mean over all rows would let the few of a grating's weak orders go.
+     * What suffices for each row, but for one in a hundred that is not brilliant. A mean over all rows would let the few of a
+     * grating's weak orders go.
      */
-    private static int rank(SingularValueDecomposition decomposition, boolean[] brilliant, double tolerance) {
-        RealMatrix left = decomposition.getU();
-        double[] values = decomposition.getSingularValues();
-        int rows = left.getRowDimension();
-        double[] rest = new double[rows];
-        double[] norm = new double[rows];
-        for (int row = 0; row < rows; row++) {
-            for (int n = 0; n < values.length; n++) {
-                norm[row] += Math.pow(left.getEntry(row, n) * values[n], 2);
-            }
-            rest[row] = norm[row];
+    private static int rank(int[] needed, boolean[] brilliant) {
+        int[] sorted = Arrays.stream(needed).sorted().toArray();
+        int most = sorted[sorted.length - 1 - sorted.length / 100];
+        for (int i = 0; i < needed.length; i++) {
+            most = brilliant[i] ? Math.max(most, needed[i]) : most;
         }
-        for (int rank = 1; rank < values.length; rank++) {
-            int missed = 0;
-            for (int row = 0; row < rows; row++) {
-                rest[row] -= Math.pow(left.getEntry(row, rank - 1) * values[rank - 1], 2);
-                // What is left of a row that is represented is rounding, which may be negative.
-                if (rest[row] > tolerance * tolerance * Math.max(norm[row], SMALLEST_ROW)) {
-                    missed += brilliant[row] ? rows : 1;
-                }
-            }
-            if (missed <= rows / 100) {
-                return rank;
-            }
-        }
-        return values.length;
+        return most;
     }
 
     /** The strongest bins, which outshine their surroundings through the window's tails, and some of all. */
