@@ -50,7 +50,8 @@ class HardCasesTest {
     }
 
     static Stream<HardCase> coarselyPlanned() throws IOException {
-        return cases().filter(hard -> List.of("grazing_rms150_ens", "lamellar_10um").contains(hard.name()));
+        return cases().filter(
+                        hard -> List.of("grazing_rms150_ens", "lamellar_10um").contains(hard.name()));
     }
 
     private static List<String> words(String text) {

@@ -66,9 +66,7 @@ public final class PowerFields implements Fields {
     private double[] mirror(FourierTable table, BinPowers powers) {
         Band x = table.bandX();
         Band y = table.bandY();
-        return x.holds(0) && y.holds(0)
-                ? powers.at(-y.first() * x.count() - x.first())
-                : new double[nodes.count()];
+        return x.holds(0) && y.holds(0) ? powers.at(-y.first() * x.count() - x.first()) : new double[nodes.count()];
     }
 
     /** The mean power in the octave around each phase, of all rows that are not the mirror's, each relative to its own mean. */
@@ -152,8 +150,7 @@ public final class PowerFields implements Fields {
     }
 
     /** The fewest functions that leave of a row, in no octave, more than the tolerance. */
-    private static int needed(
-            double[] row, double[][] all, double[] weights, PhaseOctaves octaves, double tolerance) {
+    private static int needed(double[] row, double[][] all, double[] weights, PhaseOctaves octaves, double tolerance) {
         double[] allowed = octaves.means(squares(row));
         Arrays.setAll(allowed, q -> tolerance * tolerance * allowed[q] + DARKEST * DARKEST);
         double[] rest = row.clone();
