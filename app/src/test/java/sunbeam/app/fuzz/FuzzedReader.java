@@ -13,7 +13,6 @@ import sunbeam.app.files.cache.CacheEntry;
 import sunbeam.app.files.input.CsvTable;
 import sunbeam.app.files.input.DirectionList;
 import sunbeam.app.files.input.PngText;
-import sunbeam.app.files.input.TextTable;
 import sunbeam.app.scene.SceneReader;
 import sunbeam.app.scene.mesh.MeshReader;
 import sunbeam.app.scene.texture.BodyTextures;
@@ -71,7 +70,6 @@ enum FuzzedReader {
     TABLE("table.csv", "table") {
         @Override
         void read(Path file) {
-            TextTable.read(file, List.of("name"));
             CsvTable.read(file, List.of(), List.of("x"));
         }
     },
@@ -162,15 +160,19 @@ enum FuzzedReader {
     /** Good inputs, from which mutations start. */
     List<byte[]> seeds() throws IOException {
         return switch (this) {
-            case HEIGHTS, SCAN ->
-                List.of(Seeds.image("png"), Seeds.image("bmp"), Seeds.image("tiff"), Seeds.gsf(), Seeds.numberText());
+            case HEIGHTS ->
+                List.of(Seeds.image("png"), Seeds.image("bmp"), Seeds.image("tiff"), Seeds.numberText(""));
+            case SCAN ->
+                List.of(
+                        Seeds.gsf(),
+                        Seeds.numberText("# Channel: z\n# Width: 3 um\n# Height: 3 um\n# Value units: nm\n"));
             case TEXTURE -> List.of(Seeds.image("png"), Seeds.image("jpeg"), Seeds.image("gif"), Seeds.image("bmp"));
             case PICTURE -> List.of(Seeds.pictureWithText());
             case DESCRIPTOR -> List.of(text("""
-                    {"heights": "scan.png", "width": "10 um", "maxHeight": "300 nm", "level": "plane"}
+                    {"heights": "scan.png", "width": "10 um", "maxHeight": "300 nm", "levelling": "plane"}
                     """));
             case SCENE -> List.of(text("""
-                    {"mesh": "snake", "patch": {"patch": "elaphe-like"}, "texture": "none", "rotatePatch": "30 deg",
+                    {"mesh": "snake", "patch": {"file": "elaphe-like"}, "texture": "none", "rotatePatch": "30 deg",
                      "camera": {"position": ["10 cm", "-20 cm", "15 cm"], "lookAt": ["0 m", "0 m", "0 m"],
                                 "fieldOfView": "30 deg"},
                      "light": {"direction": [0, 0, 2], "intensity": 1}, "exposure": 2, "background": "#102030",

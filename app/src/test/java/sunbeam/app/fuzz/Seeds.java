@@ -42,7 +42,7 @@ final class Seeds {
     private static BufferedImage picture(int type) {
         BufferedImage image = new BufferedImage(SIDE, SIDE, type);
         for (int pixel = 0; pixel < SIDE * SIDE; pixel++) {
-            image.setRGB(pixel % SIDE, pixel / SIDE, 0x030405 * pixel);
+            image.setRGB(pixel % SIDE, pixel / SIDE, 0x030303 * pixel);
         }
         return image;
     }
@@ -81,8 +81,8 @@ final class Seeds {
         return bytes.array();
     }
 
-    static byte[] numberText() {
-        return "# x y\n1.0 2.0 3.0\n4.0 5.5 6e-1\n7,0 8 9\n".getBytes(StandardCharsets.UTF_8);
+    static byte[] numberText(String header) {
+        return (header + "1.0 2.0 3.0\n4.0 5.5 6e-1\n7. 8 nan\n").getBytes(StandardCharsets.UTF_8);
     }
 
     static byte[] fourierTable() throws IOException {

@@ -3,7 +3,7 @@ package sunbeam.precompute.analysis;
 import java.util.List;
 import java.util.stream.IntStream;
 import sunbeam.precompute.optics.HeightMap;
-import sunbeam.precompute.patch.SlopeCheck;
+import sunbeam.precompute.patch.ModelError;
 
 /**
  * Heights and slopes of a patch in numbers.
@@ -20,7 +20,7 @@ public record HeightStatistics(double relief, double rms, double largestSlope, d
      * Above this angle the scalar theory's picture fails: light meets a facet more than once, and one height per
      * position, lit from above, no longer tells its path.
      */
-    public static final double STEEP_DEGREES = SlopeCheck.STEEPEST;
+    public static final double STEEP_DEGREES = ModelError.STEEPEST;
 
     /** Measures a map without missing samples. */
     public static HeightStatistics of(HeightMap map) {

@@ -41,7 +41,8 @@ record FileScale(double metresPerUnit, double pitchX, double pitchY, Optional<Se
         double pitchX = width.get() / channel.columns();
         double pitchY = height.map(side -> side / channel.rows())
                 .orElse(pitchX * channel.extent().aspect());
-        Plausibility.requireSides(pitchX * channel.columns(), pitchY * channel.rows(), file);
+        boolean own = channel.extent().width().isPresent();
+        Plausibility.requireSides(pitchX * channel.columns(), pitchY * channel.rows(), file, own);
         if (whole && metresPerUnit.get() > Plausibility.LARGEST_RELIEF) {
             throw new SettingException(
                     MAX_HEIGHT,

@@ -51,23 +51,15 @@ public final class HeightLevels {
      * @throws IllegalArgumentException when a sample is missing: fill it first
      */
     public static HeightLevels of(HeightMap map) {
-        for (int row = 0; row < map.rows(); row++) {
-            for (int column = 0; column < map.columns(); column++) {
-                if (Double.isNaN(map.at(column, row))) {
-                    throw new IllegalArgumentException("missing samples must be filled first");
-                }
-            }
+        if (Arrays.stream(map.heights()).anyMatch(Double::isNaN)) {
+            throw new IllegalArgumentException("missing samples must be filled first");
         }
         return new HeightLevels(map);
     }
 
     /** -0 becomes 0: they are one height, but sorting and searching tell them apart. */
     private double[] heights() {
-        double[] heights = map.toArray();
-        for (int i = 0; i < heights.length; i++) {
-            heights[i] += 0.0;
-        }
-        return heights;
+        return map.map(height -> height + 0.0).heights();
     }
 
     private synchronized Distinct distinct() {
@@ -113,13 +105,11 @@ public final class HeightLevels {
             }
         }
         Arrays.fill(first, step + 1, first.length, levels.length);
-        int[] found = new int[map.columns() * map.rows()];
-        IntStream.range(0, map.rows()).parallel().forEach(row -> {
-            for (int column = 0, i = row * map.columns(); column < map.columns(); column++, i++) {
-                double height = map.at(column, row) + 0.0;
-                int from = step(height, lowest, perMetre, levels.length);
-                found[i] = Arrays.binarySearch(levels, first[from], first[from + 1], height);
-            }
+        int[] found = new int[map.heights().length];
+        Arrays.parallelSetAll(found, i -> {
+            double height = map.heights()[i] + 0.0;
+            int from = step(height, lowest, perMetre, levels.length);
+            return Arrays.binarySearch(levels, first[from], first[from + 1], height);
         });
         return found;
     }
@@ -146,11 +136,10 @@ public final class HeightLevels {
      * sample as at the levels, which would have to be looked for first.
      */
     public boolean areMany() {
-        int samples = map.columns() * map.rows();
+        int samples = map.heights().length;
         int glance = Math.min(GLANCE, samples);
         double[] some = IntStream.range(0, glance)
-                .map(i -> (int) ((long) i * samples / glance))
-                .mapToDouble(i -> map.at(i % map.columns(), i / map.columns()) + 0.0)
+                .mapToDouble(i -> map.heights()[(int) ((long) i * samples / glance)] + 0.0)
                 .toArray();
         double distinct = Arrays.stream(some).distinct().count();
         // Of L levels n samples have n^2 / 2 L pairs of the same, where those are few (the birthday problem).

@@ -1,19 +1,32 @@
 package sunbeam.precompute.patch;
 
 import java.util.Locale;
+import java.util.Optional;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.units.Decimals;
 
 /**
- * How much of the reflected light scalar theory sends elsewhere than Maxwell's equations do, by a rule: a power of the mean
- * slope, fitted to 1500 gratings by rigorous coupled-wave analysis (docs/theory.md, docs/examples/coupled_waves.py). The
- * sum over all directions of what is drawn too bright or too dark, over all that is reflected.
+ * Whether a surface is flat enough for scalar theory, which takes every point for a mirror that shifts the phase and knows
+ * neither shadows nor second reflections; and how much of the reflected light it sends elsewhere than Maxwell's equations
+ * do, by a rule: a power of the mean slope, fitted to 1500 gratings by rigorous coupled-wave analysis (docs/theory.md,
+ * docs/examples/coupled_waves.py). The sum over all directions of what is drawn too bright or too dark, over all that is
+ * reflected.
  *
  * @param meanSlope mean of |grad h| over the patch, without unit; for a grating twice its depth over its period
+ * @param steepShare share of the surface, 0..1, that is steeper than {@link #STEEPEST}
  */
-public record ModelError(double meanSlope) {
+public record ModelError(double meanSlope, double steepShare) {
     /** Steeper surfaces have no rule: as much light goes elsewhere as where it is drawn. */
     public static final double LARGEST_SLOPE = 1.2;
+
+    /**
+     * Steepest slope that passes, degrees. Light from the normal leaves a facet of 30 degrees 60 degrees off the normal,
+     * where the next rise of the same slope just lets it pass; steeper ones shadow each other and reflect twice.
+     */
+    public static final double STEEPEST = 30;
+
+    /** Largest share of steeper surface that passes without a word: the walls of a grating take less. */
+    private static final double LARGEST_SHARE = 0.02;
 
     /** Light from 0 to 30, 30 to 60, 60 to 75 degrees off the normal. */
     public enum Incidence {
@@ -36,60 +49,72 @@ public record ModelError(double meanSlope) {
 
     /** Of a surface without missing samples; the seam between repetitions is no measured slope. */
     public static ModelError of(HeightMap map) {
+        double limit = Math.tan(Math.toRadians(STEEPEST));
         double sum = 0;
+        double steep = 0;
         int columns = Math.max(1, map.columns() - 1);
         int rows = Math.max(1, map.rows() - 1);
         for (int row = 0; row < rows; row++) {
             for (int column = 0; column < columns; column++) {
-                sum += SlopeCheck.slope(map, column, row);
+                double slope = slope(map, column, row);
+                sum += slope;
+                steep += slope > limit ? 1 : 0;
             }
         }
-        return new ModelError(sum / ((double) columns * rows));
+        double count = (double) columns * rows;
+        return new ModelError(sum / count, steep / count);
     }
 
-    /** Whether the rule knows anything. */
-    public boolean hasRule() {
-        return meanSlope <= LARGEST_SLOPE;
+    /** The slope between a sample and its right and lower neighbors. */
+    private static double slope(HeightMap map, int column, int row) {
+        double here = map.at(column, row);
+        double alongX = map.columns() > 1 ? (map.at(column + 1, row) - here) / map.pitchX() : 0;
+        double alongY = map.rows() > 1 ? (map.at(column, row + 1) - here) / map.pitchY() : 0;
+        return Math.sqrt(alongX * alongX + alongY * alongY);
     }
 
     /** The expected share of the reflected light; of ten gratings eight lie between {@link #low} and {@link #high}. */
-    public double expected(Incidence incidence) {
+    double expected(Incidence incidence) {
         return incidence.factor * Math.pow(meanSlope, incidence.exponent);
     }
 
-    public double low(Incidence incidence) {
+    double low(Incidence incidence) {
         return incidence.low * expected(incidence);
     }
 
-    public double high(Incidence incidence) {
+    double high(Incidence incidence) {
         return incidence.high * expected(incidence);
     }
 
-    /** What light near the normal is drawn wrong, for people: "about 12 %". */
-    String share() {
-        return hasRule() ? "about " + percent(expected(Incidence.NEAR_NORMAL)) : "half or more";
+    /** A warning where more than 2 % of the surface are steeper than {@link #STEEPEST}. */
+    Optional<String> warning() {
+        if (steepShare <= LARGEST_SHARE) {
+            return Optional.empty();
+        }
+        String share = meanSlope <= LARGEST_SLOPE
+                ? "about " + percent(expected(Incidence.NEAR_NORMAL))
+                : "half or more";
+        return Optional.of(String.format(
+                Locale.ROOT,
+                "slopes too steep for scalar theory: %.1f %% of the surface are steeper than %.0f degrees, and %s of the light is"
+                        + " drawn elsewhere than it goes (docs/theory.md)",
+                100 * steepShare,
+                STEEPEST,
+                share));
     }
 
     /** One line for people. */
     public String describe() {
-        if (!hasRule()) {
-            return String.format(
-                    Locale.ROOT,
-                    "mean slope %.2f, beyond the rule: about as much light goes elsewhere as where it is drawn (docs/theory.md)",
-                    meanSlope);
-        }
-        return String.format(
-                        Locale.ROOT,
-                        "about %s of the reflected light is drawn elsewhere than it goes (%s to %s) with light up to 30 degrees from the",
-                        percent(expected(Incidence.NEAR_NORMAL)),
-                        percent(low(Incidence.NEAR_NORMAL)),
-                        percent(high(Incidence.NEAR_NORMAL)))
-                + String.format(
-                        Locale.ROOT,
-                        " normal, %s up to 60, %s up to 75 (mean slope %s; docs/theory.md)",
-                        percent(expected(Incidence.OBLIQUE)),
-                        percent(expected(Incidence.GRAZING)),
-                        Decimals.rounded(meanSlope, 2));
+        String slope = Decimals.rounded(meanSlope, 2);
+        return meanSlope > LARGEST_SLOPE
+                ? "mean slope " + slope + ", beyond the rule: about as much light goes elsewhere as where it is drawn"
+                        + " (docs/theory.md)"
+                : "about " + percent(expected(Incidence.NEAR_NORMAL)) + " of the reflected light is drawn elsewhere than it"
+                        + " goes (" + percent(low(Incidence.NEAR_NORMAL)) + " to "
+                        + percent(high(Incidence.NEAR_NORMAL)) + ") with light up to 30 degrees from the normal, "
+                        + percent(expected(Incidence.OBLIQUE)) + " up to 60, "
+                        + percent(expected(Incidence.GRAZING)) + " up to 75 (mean slope " + slope
+                        + "; docs/theory.md)";
     }
 
     private static String percent(double share) {

@@ -8,11 +8,11 @@ import static sunbeam.precompute.patch.PatchSettings.PERIODIC;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import sunbeam.precompute.fault.ScanFault;
 import sunbeam.precompute.fault.ScanFaults;
 import sunbeam.precompute.optics.HeightMap;
+import sunbeam.precompute.prepare.Crop;
 import sunbeam.precompute.prepare.Edges;
 import sunbeam.precompute.prepare.Levelling;
 import sunbeam.precompute.prepare.OnePeriod;
@@ -59,44 +59,37 @@ record PatchAssembler(String name, String file, Choices choices, Kind kind) {
         HeightMap measured = read.map();
         Patch.Repetition repetition = repetition(measured);
         boolean piece = repetition == Patch.Repetition.NONE && kind == Kind.GIVEN_DIRECTLY;
-        Levelling levelling = choices.get(LEVEL, piece ? Levelling.PLANE : Levelling.MEAN);
-        Edges edges = choices.get(EDGES, piece ? Edges.BLEND : Edges.REPEAT);
-        Preparation preparation = new Preparation(choices.find(CROP), levelling, choices.get(DESPIKE, false), edges);
+        Preparation preparation = new Preparation(
+                choices.find(CROP),
+                choices.get(LEVEL, piece ? Levelling.PLANE : Levelling.MEAN),
+                choices.get(DESPIKE, false),
+                choices.get(EDGES, piece ? Edges.BLEND : Edges.REPEAT));
+        Optional<Crop> crop = crop(measured);
         Preparation.Prepared prepared = prepared(preparation, measured);
-        HeightMap scan = prepared.scan();
-        HeightMap heights = edges == Edges.REPEAT ? scan : prepared.surface();
-        boolean periodic = repetition == Patch.Repetition.PERIODIC;
-        List<PatchFault> faults = periodic ? List.of() : faults(measured, levelling);
+        List<PatchFault> faults = repetition == Patch.Repetition.PERIODIC
+                ? List.of()
+                : faults(measured, preparation.levelling());
         List<String> warnings = new ArrayList<>();
         if (kind != Kind.BUILT_IN) {
             warnings.addAll(Plausibility.oddities(measured));
         }
         faults.forEach(fault -> warnings.add(fault.line()));
-        if (prepared.missing() > 0) {
-            warnings.add(String.format(
-                    Locale.ROOT,
-                    "%d of %d samples are missing and were filled from their neighbors",
-                    prepared.missing(),
-                    (long) scan.columns() * scan.rows()));
-        }
-        if (kind != Kind.BUILT_IN && !preparation.despike()) {
-            Spikes.conspicuous(prepared.scan()).map(this::spikes).ifPresent(warnings::add);
-        }
-        repetitionWarning(measured, prepared, levelling, edges, repetition).ifPresent(warnings::add);
-        Plausibility.mirror(heights).ifPresent(warnings::add);
-        SamplingCheck.pitch(heights).ifPresent(warnings::add);
+        warnings.addAll(warnings(preparation, prepared));
+        repetitionWarning(measured, prepared.scan(), preparation, repetition).ifPresent(warnings::add);
+        Plausibility.mirror(prepared.surface()).ifPresent(warnings::add);
+        SamplingCheck.pitch(prepared.surface()).ifPresent(warnings::add);
         // Of what was measured, as inspect tells it: blending bends the border.
-        SlopeCheck.slopes(scan).ifPresent(warnings::add);
+        ModelError.of(prepared.scan()).warning().ifPresent(warnings::add);
         return new Patch(
                 name,
-                heights,
-                scan,
+                prepared.surface(),
+                prepared.scan(),
                 read.source() + ", " + String.join(", ", prepared.steps()),
                 read.channels(),
                 read.notes(),
                 warnings,
                 faults,
-                choices.find(CROP).map(crop -> crop.samples(measured).area(measured)),
+                crop,
                 repetition);
     }
 
@@ -111,12 +104,16 @@ record PatchAssembler(String name, String file, Choices choices, Kind kind) {
         return period ? Patch.Repetition.PERIODIC : Patch.Repetition.ASSUMED;
     }
 
-    private Preparation.Prepared prepared(Preparation preparation, HeightMap measured) {
+    /** The part of the file on its samples' borders. */
+    private Optional<Crop> crop(HeightMap measured) {
         try {
-            preparation.cropped(measured);
+            return choices.find(CROP).map(crop -> crop.samples(measured).area(measured));
         } catch (IllegalArgumentException wrong) {
             throw new SettingException(CROP, wrong.getMessage());
         }
+    }
+
+    private Preparation.Prepared prepared(Preparation preparation, HeightMap measured) {
         try {
             return preparation.apply(measured);
         } catch (IllegalArgumentException nothing) {
@@ -142,58 +139,59 @@ record PatchAssembler(String name, String file, Choices choices, Kind kind) {
                 .orElse("");
     }
 
-    private String spikes(Spikes spikes) {
-        return String.format(
-                Locale.ROOT,
-                "%d samples stand alone, up to %s off all around them, as dust does, and make most of the relief; remove them (%s)",
-                spikes.count(),
-                Lengths.rounded(spikes.largest(), 3),
-                choices.origin(PatchSettings.PATCH).name(DESPIKE));
+    /** About samples that are missing or stand alone. */
+    private List<String> warnings(Preparation preparation, Preparation.Prepared prepared) {
+        List<String> warnings = new ArrayList<>();
+        if (prepared.missing() > 0) {
+            warnings.add(prepared.missing() + " of " + prepared.scan().heights().length
+                    + " samples are missing and were filled from their neighbors");
+        }
+        if (kind != Kind.BUILT_IN && !preparation.despike()) {
+            Spikes.conspicuous(prepared.scan())
+                    .map(spikes -> spikes.count() + " samples stand alone, up to "
+                            + Lengths.rounded(spikes.largest(), 3)
+                            + " off all around them, as dust does, and make most of the relief; remove them ("
+                            + named(DESPIKE) + ")")
+                    .ifPresent(warnings::add);
+        }
+        return warnings;
     }
 
     /** What is wrong with the patch as it repeats, or does not. */
     private Optional<String> repetitionWarning(
-            HeightMap measured,
-            Preparation.Prepared prepared,
-            Levelling levelling,
-            Edges edges,
-            Patch.Repetition repetition) {
-        HeightMap scan = prepared.scan();
-        if (repetition == Patch.Repetition.NONE && levelling.takesTilt() && OnePeriod.isDrawn(measured)) {
-            return Optional.of(
-                    "its lines are the same all along one axis, as drawn ones are; if it is a period of a grating, say so ("
-                            + choices.origin(PatchSettings.PATCH).name(PERIODIC) + ")");
+            HeightMap measured, HeightMap scan, Preparation preparation, Patch.Repetition repetition) {
+        boolean takesTilt = preparation.levelling().takesTilt();
+        if (repetition == Patch.Repetition.NONE && takesTilt && OnePeriod.isDrawn(measured)) {
+            return Optional.of("its lines are the same all along one axis, as drawn ones are; if it is a period of a"
+                    + " grating, say so (" + named(PERIODIC) + ")");
         }
         boolean said = choices.get(PERIODIC, false);
-        if (edges == Edges.BLEND || (repetition == Patch.Repetition.PERIODIC && !said)) {
+        if (preparation.edges() == Edges.BLEND || (repetition == Patch.Repetition.PERIODIC && !said)) {
             return Optional.empty();
         }
-        Tilt tilt = levelling.takesTilt() || said ? Tilt.NONE : Tilt.of(scan);
+        String step = "the scan's repetition has a step that draws a cross: ";
+        Tilt tilt = takesTilt || said ? Tilt.NONE : Tilt.of(scan);
         if (tilt.share() > TILTED) {
-            return Optional.of(String.format(
-                    Locale.ROOT,
-                    "the scan's repetition has a step that draws a cross: it is tilted by %s from corner to corner; level it (%s)",
-                    Lengths.rounded(tilt.rise(), 3),
-                    named(LEVEL, Levelling.PLANE.label())));
+            return Optional.of(step + "it is tilted by " + Lengths.rounded(tilt.rise(), 3)
+                    + " from corner to corner; level it (" + named(LEVEL, Levelling.PLANE.label()) + ")");
         }
         Seam seam = Seam.of(scan);
         if (seam.ratio() <= TORN || (said && seam.fits())) {
             return Optional.empty();
         }
-        return Optional.of(String.format(
-                Locale.ROOT,
-                "the scan's repetition has a step that draws a cross: opposite borders differ by %s rms (neighbors by"
-                        + " %s); %s",
-                Lengths.rounded(seam.jump(), 2),
-                Lengths.rounded(seam.inside(), 2),
-                said
-                        ? "crop it to a period ("
-                                + choices.origin(PatchSettings.PATCH).name(CROP) + ")"
-                        : "blend them (" + named(EDGES, Edges.BLEND.label()) + ")"));
+        String remedy = said
+                ? "crop it to a period (" + named(CROP) + ")"
+                : "blend them (" + named(EDGES, Edges.BLEND.label()) + ")";
+        return Optional.of(step + "opposite borders differ by " + Lengths.rounded(seam.jump(), 2)
+                + " rms (neighbors by " + Lengths.rounded(seam.inside(), 2) + "); " + remedy);
     }
 
-    /** A choice as it may be written where the patch was named. */
+    /** A setting as it may be written where the patch was named. */
+    private String named(Setting<?> setting) {
+        return choices.origin(PatchSettings.PATCH).name(setting);
+    }
+
     private String named(Setting<?> setting, String value) {
-        return choices.origin(PatchSettings.PATCH).name(setting) + " " + value;
+        return named(setting) + " " + value;
     }
 }

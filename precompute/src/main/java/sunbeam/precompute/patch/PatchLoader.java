@@ -138,11 +138,8 @@ public final class PatchLoader {
         if (both && !request.find(setting).equals(described.find(setting))) {
             throw new SettingException(
                     setting,
-                    String.format(
-                            Locale.ROOT,
-                            "contradicts %s, which says %s; leave it out or edit the descriptor",
-                            what,
-                            described.written(setting)));
+                    "contradicts " + what + ", which says " + described.written(setting)
+                            + "; leave it out or edit the descriptor");
         }
     }
 

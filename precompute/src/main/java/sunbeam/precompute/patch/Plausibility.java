@@ -38,21 +38,25 @@ final class Plausibility {
 
     private Plausibility() {}
 
-    /** @throws SettingException about the width when the sides are absurd */
-    static void requireSides(double width, double height, Path file) {
+    /**
+     * Refuses sides that are absurd.
+     *
+     * @param own whether the file says them itself
+     * @throws SettingException about the width where it was chosen
+     * @throws PatchException where it was not
+     */
+    static void requireSides(double width, double height, Path file, boolean own) {
         double longSide = Math.max(width, height);
-        if (longSide < SHORTEST_LONG_SIDE || longSide > LONGEST_SIDE) {
-            throw new SettingException(
-                    PatchSettings.WIDTH,
-                    String.format(
-                            Locale.ROOT,
-                            "is absurd: %s would be %s x %s; a patch's longer side is %s to %s (is the unit right?)",
-                            file,
-                            Lengths.format(width),
-                            Lengths.format(height),
-                            Lengths.format(SHORTEST_LONG_SIDE),
-                            Lengths.format(LONGEST_SIDE)));
+        if (longSide >= SHORTEST_LONG_SIDE && longSide <= LONGEST_SIDE) {
+            return;
         }
+        String sides = Lengths.format(width) + " x " + Lengths.format(height) + "; a patch's longer side is "
+                + Lengths.format(SHORTEST_LONG_SIDE) + " to " + Lengths.format(LONGEST_SIDE);
+        if (own) {
+            throw new PatchException(file + " claims to be " + sides + "; its scale is wrong, export it again");
+        }
+        throw new SettingException(
+                PatchSettings.WIDTH, "is absurd: " + file + " would be " + sides + " (is the unit right?)");
     }
 
     /**
@@ -66,24 +70,16 @@ final class Plausibility {
         double relief = map.relief();
         double longSide = Math.max(map.width(), map.height());
         if (relief == 0 && (long) map.columns() * map.rows() > MOST_FLAT_SAMPLES) {
-            throw new PatchException(String.format(
-                    Locale.ROOT,
-                    "%s: all of its %d x %d samples are equal: it is empty; export the scan again"
-                            + " (of a flat mirror 2048 x 2048 samples are enough)",
-                    file,
-                    map.columns(),
-                    map.rows()));
+            throw new PatchException(file + ": all of its " + map.columns() + " x " + map.rows()
+                    + " samples are equal: it is empty; export the scan again"
+                    + " (of a flat mirror 2048 x 2048 samples are enough)");
         }
         boolean flat = relief > 0 && relief < SMALLEST_RELIEF;
         if (!flat && !(relief > LARGEST_RELIEF) && !(relief > STEEPEST_RELIEF * longSide)) {
             return;
         }
-        String absurd = String.format(
-                Locale.ROOT,
-                "a relief of %s on a patch of %s, which is absurd%s",
-                Lengths.format(relief),
-                Lengths.format(longSide),
-                flat ? ": less than a hundredth of an atom" : "");
+        String absurd = "a relief of " + Lengths.format(relief) + " on a patch of " + Lengths.format(longSide)
+                + ", which is absurd" + (flat ? ": less than a hundredth of an atom" : "");
         if (from.isPresent()) {
             throw new SettingException(from.get(), "makes " + absurd + "; check both units");
         }
@@ -95,27 +91,18 @@ final class Plausibility {
         List<String> told = new ArrayList<>();
         double side = Math.max(map.width(), map.height());
         if (side < USUAL_FROM || side > USUAL_TO) {
-            told.add(String.format(
-                    Locale.ROOT,
-                    "the scan is %s wide, and microscopes of heights scan %s to %s: is its unit of length right?",
-                    Lengths.rounded(side, 3),
-                    Lengths.format(USUAL_FROM),
-                    Lengths.format(USUAL_TO)));
+            told.add("the scan is " + Lengths.rounded(side, 3) + " wide, and microscopes of heights scan "
+                    + Lengths.format(USUAL_FROM) + " to " + Lengths.format(USUAL_TO)
+                    + ": is its unit of length right?");
         }
         if (map.relief() > side) {
-            told.add(String.format(
-                    Locale.ROOT,
-                    "the relief of %s is larger than the patch (%s): is the unit of the heights right?",
-                    Lengths.format(map.relief()),
-                    Lengths.format(side)));
+            told.add("the relief of " + Lengths.format(map.relief()) + " is larger than the patch ("
+                    + Lengths.format(side) + "): is the unit of the heights right?");
         }
         double aspect = Math.max(map.pitchX() / map.pitchY(), map.pitchY() / map.pitchX());
         if (map.columns() > 1 && map.rows() > 1 && aspect > ODD_ASPECT) {
-            told.add(String.format(
-                    Locale.ROOT,
-                    "samples are %s apart along x and %s along y: is the height, the extent along y, right?",
-                    Lengths.format(map.pitchX()),
-                    Lengths.format(map.pitchY())));
+            told.add("samples are " + Lengths.format(map.pitchX()) + " apart along x and "
+                    + Lengths.format(map.pitchY()) + " along y: is the height, the extent along y, right?");
         }
         SamplingCheck.heightStep(smallestStep(map)).ifPresent(told::add);
         return told;

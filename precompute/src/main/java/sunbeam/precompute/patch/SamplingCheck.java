@@ -1,6 +1,5 @@
 package sunbeam.precompute.patch;
 
-import java.util.Locale;
 import java.util.Optional;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.units.Decimals;
@@ -37,14 +36,11 @@ public final class SamplingCheck {
         if (coarsest <= COARSEST_PITCH * (1 + 1e-9)) {
             return Optional.empty();
         }
-        return Optional.of(String.format(
-                Locale.ROOT,
-                "sampling too coarse: samples are %s apart along %s, but light of %s sees structure down to %s, and lines closer than %s show as lines farther apart; use a finer scan or expect wrong colors far from the specular direction, and periods that are none",
-                Lengths.format(coarsest),
-                pitchX >= pitchY ? "x" : "y",
-                Lengths.format(SHORTEST_WAVELENGTH),
-                Lengths.format(COARSEST_PITCH),
-                Lengths.rounded(2 * coarsest, 3)));
+        return Optional.of("sampling too coarse: samples are " + Lengths.format(coarsest) + " apart along "
+                + (pitchX >= pitchY ? "x" : "y") + ", but light of " + Lengths.format(SHORTEST_WAVELENGTH)
+                + " sees structure down to " + Lengths.format(COARSEST_PITCH) + ", and lines closer than "
+                + Lengths.rounded(2 * coarsest, 3) + " show as lines farther apart; use a finer scan or expect wrong"
+                + " colors far from the specular direction, and periods that are none");
     }
 
     /**
@@ -57,10 +53,8 @@ public final class SamplingCheck {
             return Optional.empty();
         }
         double phase = 2 * 2 * Math.PI / SHORTEST_WAVELENGTH * step;
-        return Optional.of(String.format(
-                Locale.ROOT,
-                "heights are coarse: one grey level is %s, which scatters about %s %% of the light at random; use a 16-bit or float image",
-                Lengths.format(step),
-                Decimals.rounded(100 * Math.min(1, phase * phase / 12), 2)));
+        return Optional.of("heights are coarse: one grey level is " + Lengths.format(step) + ", which scatters about "
+                + Decimals.rounded(100 * Math.min(1, phase * phase / 12), 2)
+                + " % of the light at random; use a 16-bit or float image");
     }
 }

@@ -24,6 +24,11 @@ public record ScanChannel(String name, boolean retrace, Samples samples, Extent 
         this(name, false, samples, extent, unit);
     }
 
+    /** The same samples in rows of another length. */
+    public ScanChannel inRows(int columns, int rows) {
+        return new ScanChannel(name, retrace, samples.inRows(columns, rows), extent, unit);
+    }
+
     public int columns() {
         return samples.columns();
     }

@@ -94,6 +94,20 @@ class FileScaleTest {
     }
 
     @Test
+    void whatIsWrongWithAFileIsNoChoiceOfTheUser() throws IOException {
+        Path tiny = file((HEADER + NUMBERS).replace("4.0 um", "4.0 fm").replace("3.0 um", "3.0 fm"));
+        assertThatThrownBy(() -> load(tiny))
+                .isInstanceOf(PatchException.class)
+                .hasMessageContaining("scan.txt claims to be 0.004 pm")
+                .hasMessageNotContaining("--width");
+        Path volts = file((HEADER + NUMBERS).replace("units: nm", "units: V"));
+        assertThatThrownBy(() -> load(volts))
+                .isInstanceOf(PatchException.class)
+                .hasMessageContaining("holds no heights: none of its channels has a unit of length")
+                .hasMessageNotContaining("--channel");
+    }
+
+    @Test
     void asksForWhatAFileDoesNotSay() throws IOException {
         Path file = file(NUMBERS);
 

@@ -25,8 +25,8 @@ class ModelErrorTest {
         ModelError flat = ModelError.of(Surfaces.of(8, 8, PITCH, (x, y) -> 0));
         assertThat(flat.expected(Incidence.NEAR_NORMAL)).isZero();
         for (Incidence incidence : Incidence.values()) {
-            assertThat(new ModelError(0.3).expected(incidence)).isGreaterThan(new ModelError(0.2).expected(incidence));
-            assertThat(new ModelError(0.3).low(incidence)).isLessThan(new ModelError(0.3).expected(incidence));
+            assertThat(new ModelError(0.3, 0).expected(incidence)).isGreaterThan(new ModelError(0.2, 0).expected(incidence));
+            assertThat(new ModelError(0.3, 0).low(incidence)).isLessThan(new ModelError(0.3, 0).expected(incidence));
         }
     }
 
@@ -44,13 +44,13 @@ class ModelErrorTest {
     }
 
     private static boolean between(double meanSlope, Incidence incidence, double error) {
-        ModelError rule = new ModelError(meanSlope);
+        ModelError rule = new ModelError(meanSlope, 0);
         return rule.low(incidence) <= error && error <= rule.high(incidence);
     }
 
     @Test
     void beyondTheRuleItSaysSo() {
-        assertThat(new ModelError(1.3).describe()).contains("beyond the rule");
-        assertThat(new ModelError(0.2).describe()).contains("9.6 %").contains("mean slope 0.20;");
+        assertThat(new ModelError(1.3, 0).describe()).contains("beyond the rule");
+        assertThat(new ModelError(0.2, 0).describe()).contains("9.6 %").contains("mean slope 0.20;");
     }
 }

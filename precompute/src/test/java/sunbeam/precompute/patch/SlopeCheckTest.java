@@ -11,8 +11,8 @@ class SlopeCheckTest {
 
     @Test
     void isSilentOnSlopesUpToThirtyDegrees() {
-        assertThat(SlopeCheck.slopes(ramp(29.9))).isEmpty();
-        assertThat(SlopeCheck.slopes(new HeightMap(1, 1, PITCH, PITCH, new double[1])))
+        assertThat(ModelError.of(ramp(29.9)).warning()).isEmpty();
+        assertThat(ModelError.of(new HeightMap(1, 1, PITCH, PITCH, new double[1])).warning())
                 .isEmpty();
     }
 
@@ -22,7 +22,7 @@ class SlopeCheckTest {
         double rise = Math.tan(Math.toRadians(40));
         HeightMap half = Surfaces.of(64, 8, PITCH, (x, y) -> rise * Math.max(0, x - 32 * PITCH));
 
-        assertThat(SlopeCheck.slopes(half).orElseThrow()).contains("49.2 % of the surface", "steeper than 30 degrees");
+        assertThat(ModelError.of(half).warning().orElseThrow()).contains("49.2 % of the surface", "steeper than 30 degrees");
     }
 
     @Test
@@ -31,17 +31,17 @@ class SlopeCheckTest {
         double rise = Math.tan(Math.toRadians(25));
         HeightMap tilted = Surfaces.of(8, 8, PITCH, (x, y) -> rise * (x + y));
 
-        assertThat(SlopeCheck.slopes(tilted).orElseThrow()).contains("100.0 %");
+        assertThat(ModelError.of(tilted).warning().orElseThrow()).contains("100.0 %");
     }
 
     @Test
     void looksAlongTheOnlyAxisOfAProfile() {
         double rise = Math.tan(Math.toRadians(60));
 
-        assertThat(SlopeCheck.slopes(Surfaces.of(8, 1, PITCH, (x, y) -> rise * x))
+        assertThat(ModelError.of(Surfaces.of(8, 1, PITCH, (x, y) -> rise * x)).warning()
                         .orElseThrow())
                 .contains("half or more of the light");
-        assertThat(SlopeCheck.slopes(Surfaces.of(1, 8, PITCH, (x, y) -> rise * y))
+        assertThat(ModelError.of(Surfaces.of(1, 8, PITCH, (x, y) -> rise * y)).warning()
                         .orElseThrow())
                 .contains("half or more of the light");
     }
@@ -49,7 +49,7 @@ class SlopeCheckTest {
     @Test
     void forgivesTheWallOfAGratingAndTheSeam() {
         // One wall in 127 steps, and the jump from the ramp's end to its start that is not looked at.
-        assertThat(SlopeCheck.slopes(Surfaces.of(128, 1, PITCH, (x, y) -> x < 64 * PITCH ? 0 : 1e-6)))
+        assertThat(ModelError.of(Surfaces.of(128, 1, PITCH, (x, y) -> x < 64 * PITCH ? 0 : 1e-6)).warning())
                 .isEmpty();
     }
 
