@@ -160,8 +160,7 @@ enum FuzzedReader {
     /** Good inputs, from which mutations start. */
     List<byte[]> seeds() throws IOException {
         return switch (this) {
-            case HEIGHTS ->
-                List.of(Seeds.image("png"), Seeds.image("bmp"), Seeds.image("tiff"), Seeds.numberText(""));
+            case HEIGHTS -> List.of(Seeds.image("png"), Seeds.image("bmp"), Seeds.image("tiff"), Seeds.numberText(""));
             case SCAN ->
                 List.of(
                         Seeds.gsf(),

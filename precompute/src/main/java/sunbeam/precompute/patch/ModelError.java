@@ -91,9 +91,8 @@ public record ModelError(double meanSlope, double steepShare) {
         if (steepShare <= LARGEST_SHARE) {
             return Optional.empty();
         }
-        String share = meanSlope <= LARGEST_SLOPE
-                ? "about " + percent(expected(Incidence.NEAR_NORMAL))
-                : "half or more";
+        String share =
+                meanSlope <= LARGEST_SLOPE ? "about " + percent(expected(Incidence.NEAR_NORMAL)) : "half or more";
         return Optional.of(String.format(
                 Locale.ROOT,
                 "slopes too steep for scalar theory: %.1f %% of the surface are steeper than %.0f degrees, and %s of the light is"
@@ -109,7 +108,8 @@ public record ModelError(double meanSlope, double steepShare) {
         return meanSlope > LARGEST_SLOPE
                 ? "mean slope " + slope + ", beyond the rule: about as much light goes elsewhere as where it is drawn"
                         + " (docs/theory.md)"
-                : "about " + percent(expected(Incidence.NEAR_NORMAL)) + " of the reflected light is drawn elsewhere than it"
+                : "about " + percent(expected(Incidence.NEAR_NORMAL))
+                        + " of the reflected light is drawn elsewhere than it"
                         + " goes (" + percent(low(Incidence.NEAR_NORMAL)) + " to "
                         + percent(high(Incidence.NEAR_NORMAL)) + ") with light up to 30 degrees from the normal, "
                         + percent(expected(Incidence.OBLIQUE)) + " up to 60, "

@@ -66,9 +66,8 @@ record PatchAssembler(String name, String file, Choices choices, Kind kind) {
                 choices.get(EDGES, piece ? Edges.BLEND : Edges.REPEAT));
         Optional<Crop> crop = crop(measured);
         Preparation.Prepared prepared = prepared(preparation, measured);
-        List<PatchFault> faults = repetition == Patch.Repetition.PERIODIC
-                ? List.of()
-                : faults(measured, preparation.levelling());
+        List<PatchFault> faults =
+                repetition == Patch.Repetition.PERIODIC ? List.of() : faults(measured, preparation.levelling());
         List<String> warnings = new ArrayList<>();
         if (kind != Kind.BUILT_IN) {
             warnings.addAll(Plausibility.oddities(measured));

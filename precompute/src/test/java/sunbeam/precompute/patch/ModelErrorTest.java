@@ -25,7 +25,8 @@ class ModelErrorTest {
         ModelError flat = ModelError.of(Surfaces.of(8, 8, PITCH, (x, y) -> 0));
         assertThat(flat.expected(Incidence.NEAR_NORMAL)).isZero();
         for (Incidence incidence : Incidence.values()) {
-            assertThat(new ModelError(0.3, 0).expected(incidence)).isGreaterThan(new ModelError(0.2, 0).expected(incidence));
+            assertThat(new ModelError(0.3, 0).expected(incidence))
+                    .isGreaterThan(new ModelError(0.2, 0).expected(incidence));
             assertThat(new ModelError(0.3, 0).low(incidence)).isLessThan(new ModelError(0.3, 0).expected(incidence));
         }
     }

@@ -12,7 +12,8 @@ class SlopeCheckTest {
     @Test
     void isSilentOnSlopesUpToThirtyDegrees() {
         assertThat(ModelError.of(ramp(29.9)).warning()).isEmpty();
-        assertThat(ModelError.of(new HeightMap(1, 1, PITCH, PITCH, new double[1])).warning())
+        assertThat(ModelError.of(new HeightMap(1, 1, PITCH, PITCH, new double[1]))
+                        .warning())
                 .isEmpty();
     }
 
@@ -22,7 +23,8 @@ class SlopeCheckTest {
         double rise = Math.tan(Math.toRadians(40));
         HeightMap half = Surfaces.of(64, 8, PITCH, (x, y) -> rise * Math.max(0, x - 32 * PITCH));
 
-        assertThat(ModelError.of(half).warning().orElseThrow()).contains("49.2 % of the surface", "steeper than 30 degrees");
+        assertThat(ModelError.of(half).warning().orElseThrow())
+                .contains("49.2 % of the surface", "steeper than 30 degrees");
     }
 
     @Test
@@ -38,10 +40,12 @@ class SlopeCheckTest {
     void looksAlongTheOnlyAxisOfAProfile() {
         double rise = Math.tan(Math.toRadians(60));
 
-        assertThat(ModelError.of(Surfaces.of(8, 1, PITCH, (x, y) -> rise * x)).warning()
+        assertThat(ModelError.of(Surfaces.of(8, 1, PITCH, (x, y) -> rise * x))
+                        .warning()
                         .orElseThrow())
                 .contains("half or more of the light");
-        assertThat(ModelError.of(Surfaces.of(1, 8, PITCH, (x, y) -> rise * y)).warning()
+        assertThat(ModelError.of(Surfaces.of(1, 8, PITCH, (x, y) -> rise * y))
+                        .warning()
                         .orElseThrow())
                 .contains("half or more of the light");
     }
@@ -49,7 +53,8 @@ class SlopeCheckTest {
     @Test
     void forgivesTheWallOfAGratingAndTheSeam() {
         // One wall in 127 steps, and the jump from the ramp's end to its start that is not looked at.
-        assertThat(ModelError.of(Surfaces.of(128, 1, PITCH, (x, y) -> x < 64 * PITCH ? 0 : 1e-6)).warning())
+        assertThat(ModelError.of(Surfaces.of(128, 1, PITCH, (x, y) -> x < 64 * PITCH ? 0 : 1e-6))
+                        .warning())
                 .isEmpty();
     }
 
