@@ -1,6 +1,5 @@
 package sunbeam.precompute.prepare;
 
-import java.util.Locale;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import sunbeam.precompute.optics.HeightMap;
@@ -25,7 +24,7 @@ public record Crop(double left, double right, double bottom, double top) {
             ValueKind.Form.TEXT,
             Crop::parse,
             crop -> crop,
-            Crop::format,
+            crop -> format(crop.left, crop.right, crop.bottom, crop.top),
             "LEFT:RIGHT,BOTTOM:TOP, such as 5um:25um,0um:10um");
 
     private static final Pattern FORM = Pattern.compile("([^:,]+):([^:,]+),([^:,]+):([^:,]+)");
@@ -39,13 +38,8 @@ public record Crop(double left, double right, double bottom, double top) {
 
     public Crop {
         if (!(left >= 0 && bottom >= 0 && right > left && top > bottom)) {
-            throw new IllegalArgumentException(String.format(
-                    Locale.ROOT,
-                    "%s:%s,%s:%s is no area: give LEFT:RIGHT,BOTTOM:TOP from 0 upwards",
-                    Lengths.format(left),
-                    Lengths.format(right),
-                    Lengths.format(bottom),
-                    Lengths.format(top)));
+            throw new IllegalArgumentException(
+                    format(left, right, bottom, top) + " is no area: give LEFT:RIGHT,BOTTOM:TOP from 0 upwards");
         }
     }
 
@@ -64,14 +58,9 @@ public record Crop(double left, double right, double bottom, double top) {
         return text.strip().equals("0") ? 0 : Lengths.parse(text.strip());
     }
 
-    private String format() {
-        return String.format(
-                Locale.ROOT,
-                "%s:%s,%s:%s",
-                Lengths.exact(left),
-                Lengths.exact(right),
-                Lengths.exact(bottom),
-                Lengths.exact(top));
+    private static String format(double left, double right, double bottom, double top) {
+        return Lengths.exact(left) + ":" + Lengths.exact(right) + "," + Lengths.exact(bottom) + ":"
+                + Lengths.exact(top);
     }
 
     /**
@@ -132,13 +121,10 @@ public record Crop(double left, double right, double bottom, double top) {
      */
     public Samples samples(HeightMap field) {
         if (right > field.width() * (1 + SLACK) || top > field.height() * (1 + SLACK)) {
-            throw new IllegalArgumentException(String.format(
-                    Locale.ROOT,
-                    "leaves the scan, which is %s x %s; give an area within 0:%s,0:%s",
-                    Lengths.format(field.width()),
-                    Lengths.format(field.height()),
-                    edge(field.width(), field.pitchX(), true),
-                    edge(field.height(), field.pitchY(), true)));
+            throw new IllegalArgumentException("leaves the scan, which is " + Lengths.format(field.width()) + " x "
+                    + Lengths.format(field.height()) + "; give an area within 0:"
+                    + edge(field.width(), field.pitchX(), true) + ",0:"
+                    + edge(field.height(), field.pitchY(), true));
         }
         int firstColumn = first(left, field.pitchX());
         int endColumn = Math.min(field.columns(), first(right, field.pitchX()));
@@ -148,13 +134,9 @@ public record Crop(double left, double right, double bottom, double top) {
         int columns = Math.max(0, endColumn - firstColumn);
         int rows = Math.max(0, endRow - firstRow);
         if ((long) columns * rows < 2) {
-            throw new IllegalArgumentException(String.format(
-                    Locale.ROOT,
-                    "holds %d x %d samples, which lie %s x %s apart; give a larger area",
-                    columns,
-                    rows,
-                    Lengths.format(field.pitchX()),
-                    Lengths.format(field.pitchY())));
+            throw new IllegalArgumentException("holds " + columns + " x " + rows + " samples, which lie "
+                    + Lengths.format(field.pitchX()) + " x " + Lengths.format(field.pitchY())
+                    + " apart; give a larger area");
         }
         return new Samples(firstColumn, endColumn, firstRow, endRow);
     }

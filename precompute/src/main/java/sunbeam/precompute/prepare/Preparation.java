@@ -2,7 +2,6 @@ package sunbeam.precompute.prepare;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.units.Lengths;
@@ -34,31 +33,21 @@ public record Preparation(Optional<Crop> crop, Levelling levelling, boolean desp
     }
 
     /**
-     * The part of the scan that counts.
-     *
-     * @throws IllegalArgumentException as {@link Crop#apply}
-     */
-    public HeightMap cropped(HeightMap measured) {
-        return crop.isPresent() ? crop.get().apply(measured) : measured;
-    }
-
-    /**
      * Prepares heights as they were measured.
      *
-     * @throws IllegalArgumentException when all samples are missing, or as {@link #cropped}
+     * @throws IllegalArgumentException when all samples are missing, or as {@link Crop#apply}
      */
     public Prepared apply(HeightMap measured) {
         List<String> steps = new ArrayList<>();
-        HeightMap field = cropped(measured);
+        HeightMap field = crop.isPresent() ? crop.get().apply(measured) : measured;
         if (crop.isPresent()) {
-            steps.add(String.format(
-                    Locale.ROOT, "cropped from %s x %s", rounded(measured.width()), rounded(measured.height())));
+            steps.add("cropped from " + rounded(measured.width()) + " x " + rounded(measured.height()));
         }
         Tilt tilt = Tilt.of(field);
         field = levelling.apply(field);
         steps.add("levelling " + levelling.label()
                 + (levelling.takesTilt() && tilt.share() > WORTH_SAYING
-                        ? String.format(Locale.ROOT, " (tilt of %s across the scan removed)", rounded(tilt.rise()))
+                        ? " (tilt of " + rounded(tilt.rise()) + " across the scan removed)"
                         : ""));
         if (despike) {
             Spikes spikes = Spikes.removed(field);
@@ -66,26 +55,19 @@ public record Preparation(Optional<Crop> crop, Levelling levelling, boolean desp
             steps.add(
                     spikes.count() == 0
                             ? "no spikes"
-                            : String.format(
-                                    Locale.ROOT,
-                                    "%d spike samples removed, the highest by %s",
-                                    spikes.count(),
-                                    rounded(spikes.largest())));
+                            : spikes.count() + " spike samples removed, the highest by " + rounded(spikes.largest()));
         }
         MissingHeights.Filled filled = MissingHeights.fill(field);
         if (filled.count() > 0) {
             // A plane fitted to filled samples would be bent by them; the mean is that of all samples again.
             field = levelling == Levelling.NONE ? filled.field() : Levelling.MEAN.apply(filled.field());
-            steps.add(String.format(Locale.ROOT, "%d missing samples filled", filled.count()));
+            steps.add(filled.count() + " missing samples filled");
         }
         HeightMap surface = edges.apply(field);
         if (edges == Edges.BLEND) {
-            steps.add(String.format(
-                    Locale.ROOT,
-                    "edges blended over %s x %s (a step of %s rms)",
-                    rounded(Edges.MARGIN * field.width()),
-                    rounded(Edges.MARGIN * field.height()),
-                    rounded(Seam.of(field).jump())));
+            steps.add("edges blended over " + rounded(Edges.MARGIN * field.width()) + " x "
+                    + rounded(Edges.MARGIN * field.height()) + " (a step of "
+                    + rounded(Seam.of(field).jump()) + " rms)");
         }
         return new Prepared(field, surface, filled.count(), steps);
     }

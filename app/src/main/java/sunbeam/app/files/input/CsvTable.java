@@ -18,6 +18,7 @@ import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.stream.DoubleStream;
 import java.util.stream.LongStream;
+import java.util.stream.Stream;
 import sunbeam.precompute.units.Decimals;
 
 /**
@@ -103,12 +104,12 @@ public final class CsvTable {
 
     /** A copy of a column, one value for each row. */
     public double[] column(String name) {
-        return present(name).clone();
+        return columns.get(name).clone();
     }
 
     /** The value in a row (from 0) and column. */
     public double at(int row, String column) {
-        return present(column)[row];
+        return columns.get(column)[row];
     }
 
     /**
@@ -120,33 +121,20 @@ public final class CsvTable {
         return fieldFailure(file, lineNumbers[row], column, Double.toString(at(row, column)), remedy);
     }
 
-    private double[] present(String column) {
-        double[] values = columns.get(column);
-        if (values == null) {
-            throw new IllegalArgumentException("no column " + column + " was read from " + file);
-        }
-        return values;
-    }
-
     /** Position in the header of each wanted column that is there. */
     private static Map<String, Integer> wantedColumns(
             Path file, List<String> header, List<String> required, List<String> optional) {
         Map<String, Integer> positions = new LinkedHashMap<>();
+        Stream.concat(required.stream(), optional.stream())
+                .filter(name -> position(file, header, name) >= 0)
+                .forEach(name -> positions.put(name, position(file, header, name)));
         for (String name : required) {
-            int position = position(file, header, name);
-            if (position < 0) {
+            if (!positions.containsKey(name)) {
                 String remedy = header.size() == 1 && header.get(0).contains(";")
                         ? "; separate columns by commas, not by semicolons"
                         : "; needed: " + String.join(",", required);
                 throw new InputException("cannot use " + file + ": it has no column " + name + ", only "
                         + abbreviated(String.join(",", header)) + remedy);
-            }
-            positions.put(name, position);
-        }
-        for (String name : optional) {
-            int position = position(file, header, name);
-            if (position >= 0) {
-                positions.put(name, position);
             }
         }
         return positions;

@@ -3,7 +3,7 @@ package sunbeam.app.files.input;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import sunbeam.precompute.color.CieTable;
+import java.util.stream.IntStream;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
 
@@ -40,24 +40,22 @@ public final class DirectionList {
             double[] cells = new double[columns.size()];
             for (int c = 0; c < cells.length; c++) {
                 cells[c] = table.at(row, columns.get(c));
-                check(table, row, columns.get(c), cells[c]);
+                requireWithin(table, row, columns.get(c));
             }
             rows.add(cells);
         }
         return new DirectionList(columns, rows);
     }
 
-    private static void check(CsvTable table, int row, String column, double value) {
+    private static void requireWithin(CsvTable table, int row, String column) {
+        double value = table.at(row, column);
         if (column.startsWith("theta") && !(value >= 0 && value <= LARGEST_THETA)) {
             throw table.failure(row, column, "must lie in 0.." + LARGEST_THETA + " degrees");
         }
         if (column.startsWith("phi") && !(Math.abs(value) <= LARGEST_PHI)) {
             throw table.failure(row, column, "must lie in -" + LARGEST_PHI + ".." + LARGEST_PHI + " degrees");
         }
-        double nanometres = 1e9;
-        if (column.equals(WAVELENGTH)
-                && !(value >= CieTable.MINIMUM_WAVELENGTH * nanometres - 1e-6
-                        && value <= CieTable.MAXIMUM_WAVELENGTH * nanometres + 1e-6)) {
+        if (column.equals(WAVELENGTH) && !(value >= 380 - 1e-6 && value <= 780 + 1e-6)) {
             throw table.failure(row, column, "must lie in 380..780 nm");
         }
     }
@@ -91,10 +89,6 @@ public final class DirectionList {
     }
 
     public List<DirectionPair> pairs() {
-        List<DirectionPair> all = new ArrayList<>(size());
-        for (int i = 0; i < size(); i++) {
-            all.add(pair(i));
-        }
-        return all;
+        return IntStream.range(0, size()).mapToObj(this::pair).toList();
     }
 }

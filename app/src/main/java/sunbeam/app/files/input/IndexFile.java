@@ -4,11 +4,11 @@ import java.io.IOException;
 import java.nio.charset.MalformedInputException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.NavigableMap;
 import java.util.TreeMap;
+import java.util.TreeSet;
 import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.units.Decimals;
 
@@ -67,9 +67,8 @@ public final class IndexFile {
         if (!imaginary.isEmpty()) {
             requireVisible(file, "k", imaginary);
         }
-        List<Double> wavelengths = new ArrayList<>(real.keySet());
-        imaginary.keySet().stream().filter(wl -> !real.containsKey(wl)).forEach(wavelengths::add);
-        wavelengths.sort(null);
+        TreeSet<Double> wavelengths = new TreeSet<>(real.keySet());
+        wavelengths.addAll(imaginary.keySet());
         double[] metres = wavelengths.stream().mapToDouble(wl -> wl * 1e-6).toArray();
         double[] n = wavelengths.stream().mapToDouble(wl -> at(real, wl)).toArray();
         double[] k = wavelengths.stream()
@@ -101,14 +100,8 @@ public final class IndexFile {
         double first = 1e3 * values.firstKey();
         double last = 1e3 * values.lastKey();
         if (first > FIRST_NM || last < LAST_NM) {
-            throw new InputException(String.format(
-                    Locale.ROOT,
-                    "cannot use %s: its %s reaches from %.0f to %.0f nm, but 380 to 780 nm are needed (wavelengths are"
-                            + " micrometres)",
-                    file,
-                    column,
-                    first,
-                    last));
+            throw new InputException("cannot use " + file + ": its " + column + " reaches from " + Math.round(first)
+                    + " to " + Math.round(last) + " nm, but 380 to 780 nm are needed (wavelengths are micrometres)");
         }
     }
 

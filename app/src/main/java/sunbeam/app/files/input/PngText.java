@@ -12,6 +12,7 @@ import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.zip.CRC32;
+import java.util.zip.CheckedInputStream;
 import sunbeam.precompute.text.Quoted;
 
 /**
@@ -21,7 +22,6 @@ import sunbeam.precompute.text.Quoted;
 public final class PngText {
     private static final byte[] SIGNATURE = {(byte) 0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
     private static final int LONGEST_TEXT_BYTES = 1 << 20;
-    private static final int BLOCK_BYTES = 1 << 16;
 
     private PngText() {}
 
@@ -44,49 +44,30 @@ public final class PngText {
             throw new InputException("cannot read " + file + ": not a PNG file");
         }
         Map<String, String> text = new LinkedHashMap<>();
+        CRC32 checksum = new CRC32();
+        InputStream checked = new CheckedInputStream(stream, checksum);
         while (true) {
             long length = Integer.toUnsignedLong(stream.readInt());
-            String type = new String(stream.readNBytes(4), StandardCharsets.ISO_8859_1);
+            checksum.reset();
+            String type = new String(checked.readNBytes(4), StandardCharsets.ISO_8859_1);
             if (type.equals("IEND")) {
                 return text;
             }
-            if (type.equals("tEXt") || type.equals("iTXt")) {
-                addEntry(file, text, type, chunk(file, stream, type, length));
-            } else {
-                check(file, stream, type, length);
+            boolean isText = type.equals("tEXt") || type.equals("iTXt");
+            if (isText && length > LONGEST_TEXT_BYTES) {
+                throw new InputException("cannot read " + file + ": a text of " + length + " bytes");
+            }
+            byte[] data = checked.readNBytes(isText ? (int) length : 0);
+            // A picture with damaged pixels is not the one that its texts describe.
+            checked.skipNBytes(length - data.length);
+            if ((int) checksum.getValue() != stream.readInt()) {
+                throw new InputException("cannot read " + file + ": it is damaged (checksum of "
+                        + (isText ? "its text" : Quoted.oneLine(type)) + ")");
+            }
+            if (isText) {
+                addEntry(file, text, type, data);
             }
         }
-    }
-
-    /** Reads a chunk that says nothing here, pixels above all: a picture with damaged ones is not the one described. */
-    private static void check(Path file, DataInputStream stream, String type, long length) throws IOException {
-        CRC32 checksum = new CRC32();
-        checksum.update(type.getBytes(StandardCharsets.ISO_8859_1));
-        byte[] block = new byte[BLOCK_BYTES];
-        for (long left = length; left > 0; ) {
-            int portion = (int) Math.min(left, block.length);
-            stream.readFully(block, 0, portion);
-            checksum.update(block, 0, portion);
-            left -= portion;
-        }
-        if ((int) checksum.getValue() != stream.readInt()) {
-            throw new InputException(
-                    "cannot read " + file + ": it is damaged (checksum of " + Quoted.oneLine(type) + ")");
-        }
-    }
-
-    private static byte[] chunk(Path file, DataInputStream stream, String type, long length) throws IOException {
-        if (length > LONGEST_TEXT_BYTES) {
-            throw new InputException("cannot read " + file + ": a text of " + length + " bytes");
-        }
-        byte[] data = stream.readNBytes((int) length);
-        CRC32 checksum = new CRC32();
-        checksum.update(type.getBytes(StandardCharsets.ISO_8859_1));
-        checksum.update(data);
-        if ((int) checksum.getValue() != stream.readInt()) {
-            throw new InputException("cannot read " + file + ": its text is damaged (checksum)");
-        }
-        return data;
     }
 
     private static void addEntry(Path file, Map<String, String> text, String type, byte[] data) {
