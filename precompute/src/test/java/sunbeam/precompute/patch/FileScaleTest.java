@@ -149,24 +149,6 @@ class FileScaleTest {
                 .hasMessageContaining("--columns 5 does not divide the 12 numbers");
     }
 
-    @ParameterizedTest
-    @CsvSource({"m, relief of 110 m", "pm, ''"})
-    void aUnitThatCannotBeIsRefused(String unit, String complaint) throws IOException {
-        Path file = file(NUMBERS);
-        if (complaint.isEmpty()) {
-            // 110 pm are little, but more than a hundredth of an atom.
-            assertThat(load(file, PatchSettings.WIDTH, "4um", PatchSettings.HEIGHT_UNIT, unit)
-                            .heights()
-                            .relief())
-                    .isCloseTo(110e-12, within(1e-24));
-            return;
-        }
-        assertThatThrownBy(() -> load(file, PatchSettings.WIDTH, "4um", PatchSettings.HEIGHT_UNIT, unit))
-                .isInstanceOf(SettingException.class)
-                .hasMessageContaining("--height-unit " + unit)
-                .hasMessageContaining(complaint);
-    }
-
     @Test
     void aUnitThatIsTooSmallIsRefusedWithTheRemedy() throws IOException {
         Path metres = file("0 1e-7\n1e-7 0\n");
@@ -253,13 +235,5 @@ class FileScaleTest {
                 .isInstanceOf(SettingException.class)
                 .hasMessageContaining("--height-unit nm is for numbers without unit")
                 .hasMessageContaining("--max-height");
-    }
-
-    @Test
-    void aDescriptorOfAScanNeedsNoScale() throws IOException {
-        file(HEADER + NUMBERS);
-        Path json = Files.writeString(folder.resolve("skin.json"), "{\"heights\": \"scan.txt\"}");
-
-        assertThat(load(json).source()).contains("scan.txt (text, channel Height), 4 x 3 samples, 4 um x 3 um");
     }
 }

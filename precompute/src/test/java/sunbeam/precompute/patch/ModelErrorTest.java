@@ -54,4 +54,31 @@ class ModelErrorTest {
         assertThat(new ModelError(1.3, 0).describe()).contains("beyond the rule");
         assertThat(new ModelError(0.2, 0).describe()).contains("9.6 %").contains("mean slope 0.20;");
     }
+
+    @Test
+    void namesTheShareOfTheSurface() {
+        // Left half flat, right half at 40 degrees: 31 of 63 steps climb.
+        double rise = Math.tan(Math.toRadians(40));
+        HeightMap half = Surfaces.of(64, 8, PITCH, (x, y) -> rise * Math.max(0, x - 32 * PITCH));
+
+        assertThat(ModelError.of(half).warning().orElseThrow())
+                .contains("49.2 % of the surface", "steeper than 30 degrees");
+    }
+
+    @Test
+    void takesTheSteepestDirectionAcrossBothAxes() {
+        // 25 degrees along each axis are 33 along the diagonal.
+        double rise = Math.tan(Math.toRadians(25));
+        HeightMap tilted = Surfaces.of(8, 8, PITCH, (x, y) -> rise * (x + y));
+
+        assertThat(ModelError.of(tilted).warning().orElseThrow()).contains("100.0 %");
+    }
+
+    @Test
+    void forgivesTheWallOfAGratingAndTheSeam() {
+        // One wall in 127 steps, and the jump from the ramp's end to its start that is not looked at.
+        assertThat(ModelError.of(Surfaces.of(128, 1, PITCH, (x, y) -> x < 64 * PITCH ? 0 : 1e-6))
+                        .warning())
+                .isEmpty();
+    }
 }

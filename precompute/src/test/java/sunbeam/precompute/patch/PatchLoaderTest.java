@@ -125,13 +125,6 @@ class PatchLoaderTest {
     }
 
     @Test
-    void refusesAChannelForABuiltInPatch() {
-        assertChoiceRefused(
-                PatchRequests.parse("step", null, null, null, "red", null),
-                "--channel red contradicts the built-in patch step");
-    }
-
-    @Test
     void refusesOptionsThatContradictTheDescriptor() throws IOException {
         String file = descriptor(", \"levelling\": \"plane\", \"channel\": \"grey\"");
 
@@ -160,53 +153,6 @@ class PatchLoaderTest {
         assertRefused(PatchRequests.of(folder.toString()), folder.toString(), "is a folder");
         Path json = Files.createDirectory(folder.resolve("x.json"));
         assertRefused(PatchRequests.of(json.toString()), "is a folder");
-    }
-
-    @ParameterizedTest
-    @CsvSource({"--width, 65", "--height, 65 inch", "--max-height, high", "--level, flat"})
-    void namesTheOptionOfAWordThatItCannotRead(String option, String word) {
-        assertThatThrownBy(() -> request(option, word))
-                .isInstanceOf(SettingException.class)
-                .hasMessageStartingWith(option + " \"" + word + '"');
-    }
-
-    @ParameterizedTest
-    @CsvSource({
-        "--width, 0um, --width 0 m is out of range; give 1 nm to 100 mm",
-        "--width, -65um, --width -65 um is out of range",
-        "--width, 65m, --width 65 m is out of range",
-        "--height, 0um, --height 0 m is out of range; give 1 nm to 100 mm",
-        "--max-height, 0nm, --max-height 0 m is out of range; give 1 pm to 1 m",
-        "--max-height, -375nm, --max-height -375 nm is out of range",
-        "--max-height, 375m, --max-height 375 m is out of range",
-        "--max-height, 0.01pm, --max-height 0.01 pm is out of range"
-    })
-    void namesTheOptionTheValueAndTheLimitsOfAnImpossibleLength(String option, String word, String complaint) {
-        assertThatThrownBy(() -> request(option, word))
-                .isInstanceOf(SettingException.class)
-                .hasMessageStartingWith(complaint);
-    }
-
-    private static PatchRequest request(String option, String word) {
-        return PatchRequests.parse(
-                "scan.png",
-                word(option, "--width", word),
-                word(option, "--height", word),
-                word(option, "--max-height", word),
-                word(option, "--channel", word),
-                word(option, "--level", word));
-    }
-
-    private static String word(String given, String option, String word) {
-        return given.equals(option) ? word : null;
-    }
-
-    @Test
-    void namesTheChannelsThatAnImageHas() throws IOException {
-        assertChoiceRefused(
-                PatchRequests.parse(ramp(), "12.8um", null, "255nm", "cyan", null),
-                "--channel cyan is no channel of",
-                "ramp.png, which has grey");
     }
 
     @Test
