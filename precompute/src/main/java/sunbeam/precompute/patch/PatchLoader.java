@@ -8,7 +8,6 @@ import static sunbeam.precompute.patch.PatchSettings.WIDTH;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.Function;
@@ -77,20 +76,7 @@ public final class PatchLoader {
         } catch (InvalidPathException e) {
             throw unusable("is no file name (" + e.getReason() + "); ");
         }
-        boolean several = name.indexOf(',') > 0
-                && Arrays.stream(name.split(",", -1)).map(String::strip).allMatch(this::isKnown);
-        throw unusable(
-                several
-                        ? "names several, of which it takes one; commands that compare have an option for the others; "
-                        : "is no file that is there; ");
-    }
-
-    private boolean isKnown(String name) {
-        try {
-            return builtIn.contains(name) || (!name.isEmpty() && Files.exists(Path.of(name)));
-        } catch (InvalidPathException none) {
-            return false;
-        }
+        throw unusable("is no file that is there; ");
     }
 
     private SettingException unusable(String problem) {

@@ -2,9 +2,12 @@ package sunbeam.precompute.scan;
 
 import java.util.ArrayList;
 import java.util.Comparator;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.Set;
+import java.util.regex.Pattern;
 import java.util.stream.IntStream;
 import sunbeam.precompute.text.Similar;
 
@@ -12,6 +15,15 @@ import sunbeam.precompute.text.Similar;
 public final class ChannelList {
     /** Labels that a message bears. */
     private static final int MOST_NAMED = 12;
+
+    // Instruments call heights by a few dozen names.
+    private static final Pattern OTHER = Pattern.compile(
+            "amplitude|deflection|error|phase|friction|lateral|adhesion|potential|current|stiffness|modulus|dissipation"
+                    + "|deformation|indentation|frequency|drive|mask|\\bvdefl|\\bhdefl|slope|intensity|colou?r"
+                    + "|\\bred\\b|\\bgreen\\b|\\bblue\\b|\\balpha\\b");
+    private static final Pattern HEIGHT =
+            Pattern.compile("height|topo|\\bz\\b|\\bz[- _]?(axis|sensor|scan|piezo|drive)|hoehe|h\u00f6he|hauteur");
+    private static final Pattern SENSOR = Pattern.compile("sensor|measured|\\blvdt|closed loop");
 
     private final List<ScanChannel> channels;
     private final List<String> labels;
@@ -23,7 +35,7 @@ public final class ChannelList {
         }
         ScanLimits.requireChannels(channels.size());
         this.channels = List.copyOf(channels);
-        this.labels = ChannelNames.labels(channels);
+        this.labels = labels(channels);
     }
 
     public List<ScanChannel> channels() {
@@ -94,12 +106,11 @@ public final class ChannelList {
     }
 
     private IntStream possible() {
-        return all().filter(i -> channels.get(i).maybeHeights())
-                .filter(i -> count() == 1 || kind(i) != ChannelNames.Kind.OTHER);
+        return all().filter(i -> channels.get(i).maybeHeights()).filter(i -> count() == 1 || kind(i) != Kind.OTHER);
     }
 
-    private ChannelNames.Kind kind(int index) {
-        return ChannelNames.kind(channels.get(index).name());
+    private Kind kind(int index) {
+        return kind(channels.get(index).name());
     }
 
     /** For each channel a line: number, label, samples, unit. */
@@ -108,14 +119,8 @@ public final class ChannelList {
         for (int i = 0; i < count(); i++) {
             ScanChannel channel = channels.get(i);
             String unit = channel.unit().isEmpty() ? "no unit" : "in " + channel.unit();
-            lines.add(String.format(
-                    Locale.ROOT,
-                    "%d %s: %d x %d samples, %s",
-                    i + 1,
-                    labels.get(i),
-                    channel.columns(),
-                    channel.rows(),
-                    unit));
+            lines.add((i + 1) + " " + labels.get(i) + ": " + channel.columns() + " x " + channel.rows() + " samples, "
+                    + unit);
         }
         return lines;
     }
@@ -126,5 +131,58 @@ public final class ChannelList {
 
     private static String plain(String name) {
         return name.strip().toLowerCase(Locale.ROOT);
+    }
+
+    /** Order of preference, best first. */
+    enum Kind {
+        /** Heights as a sensor saw them. */
+        SENSOR_HEIGHT,
+        /** Heights from the voltage at the piezo, or from an unnamed source. */
+        HEIGHT,
+        /** A name that says nothing. */
+        UNNAMED,
+        /** Something that is no height, whatever its unit. */
+        OTHER
+    }
+
+    static Kind kind(String name) {
+        // ZSensor and HeightTrace are two words each.
+        String words = name.replaceAll("(?<=[a-z])(?=[A-Z])|(?<=Z)(?=[A-Z][a-z])", " ")
+                .replace('_', ' ')
+                .toLowerCase(Locale.ROOT);
+        if (OTHER.matcher(words).find()) {
+            return Kind.OTHER;
+        }
+        boolean height = HEIGHT.matcher(words).find();
+        return height ? (SENSOR.matcher(words).find() ? Kind.SENSOR_HEIGHT : Kind.HEIGHT) : Kind.UNNAMED;
+    }
+
+    /**
+     * Labels that tell channels apart: the name; " (retrace)" where the same name is there as trace; the number where
+     * that does not help.
+     */
+    static List<String> labels(List<ScanChannel> channels) {
+        String[] labels = new String[channels.size()];
+        Set<String> taken = new HashSet<>();
+        for (int i = 0; i < labels.length; i++) {
+            ScanChannel channel = channels.get(i);
+            String name = channel.name().isEmpty() ? "channel " + (i + 1) : channel.name();
+            boolean twin = channel.retrace()
+                    && channels.stream()
+                                    .filter(other -> other.name().equals(channel.name()))
+                                    .count()
+                            > 1;
+            String label = twin ? name + " (retrace)" : name;
+            labels[i] = taken.add(label) ? label : numbered(label, taken);
+        }
+        return List.of(labels);
+    }
+
+    private static String numbered(String label, Set<String> taken) {
+        int number = 2;
+        while (!taken.add(label + " #" + number)) {
+            number++;
+        }
+        return label + " #" + number;
     }
 }

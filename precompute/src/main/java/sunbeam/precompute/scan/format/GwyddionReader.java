@@ -3,11 +3,13 @@ package sunbeam.precompute.scan.format;
 import java.io.IOException;
 import java.nio.ByteOrder;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import sunbeam.precompute.scan.ByteCursor;
 import sunbeam.precompute.scan.Extent;
 import sunbeam.precompute.scan.SampleType;
 import sunbeam.precompute.scan.Samples;
@@ -24,12 +26,15 @@ final class GwyddionReader {
 
     private GwyddionReader() {}
 
+    /** An array of doubles that was left in the file. */
+    private record Numbers(long offset, long count) {}
+
     static List<ScanChannel> channels(ScanBytes file) throws IOException {
         if (file.startsWith("GWYO")) {
             throw new ScanException(
                     "was written by Gwyddion 1, which nobody has used since 2006; save it anew with Gwyddion 2");
         }
-        GwyddionObject container = GwyddionObject.read(file, file.cursor(4, ByteOrder.LITTLE_ENDIAN));
+        GwyddionObject container = GwyddionObject.read(file, file.cursor(4, ByteOrder.LITTLE_ENDIAN), 0);
         Map<Integer, ScanChannel> channels = new TreeMap<>();
         for (Map.Entry<String, Object> item : container.items().entrySet()) {
             Matcher field = FIELD.matcher(item.getKey());
@@ -44,7 +49,7 @@ final class GwyddionReader {
     private static ScanChannel channel(ScanBytes file, String title, GwyddionObject field) {
         int columns = field.get("xres", Integer.class);
         int rows = field.get("yres", Integer.class);
-        GwyddionObject.Numbers data = field.get("data", GwyddionObject.Numbers.class);
+        Numbers data = field.get("data", Numbers.class);
         if (data.count() != (long) columns * rows) {
             throw new ScanException("has " + data.count() + " samples where " + columns + " x " + rows
                     + " are announced; the file is damaged, export it again");
@@ -53,5 +58,119 @@ final class GwyddionReader {
         Extent extent =
                 Extent.ofSides(field.number("xreal", 1), field.number("yreal", 1), field.unit("si_unit_xy"), samples);
         return new ScanChannel(title, samples, extent, field.unit("si_unit_z"));
+    }
+
+    /**
+     * One object of Gwyddion's serialisation: a type's name, the size of what follows, then components, each a name, a type's
+     * letter and a value. Arrays are left in the file.
+     *
+     * @param items components by name: Integer, Double, String, {@link Numbers} or GwyddionObject; others are passed over
+     */
+    private record GwyddionObject(Map<String, Object> items) {
+        /** Containers of containers of data fields go three deep; a hostile file could nest until the stack ends. */
+        private static final int DEEPEST = 8;
+
+        private static final int MOST_ITEMS = 100_000;
+        private static final int LONGEST_NAME = 4096;
+        private static final int LONGEST_TEXT = 1 << 20;
+
+        /** Reads the object at a cursor, which is nested so deep. */
+        static GwyddionObject read(ScanBytes file, ByteCursor cursor, int depth) throws IOException {
+            if (depth > DEEPEST) {
+                throw new ScanException("nests objects more than " + DEEPEST + " deep; save it anew with Gwyddion");
+            }
+            cursor.textToNul(LONGEST_NAME);
+            long size = cursor.unsigned32();
+            file.requireInside(cursor.position(), size);
+            long end = cursor.position() + size;
+            Map<String, Object> items = new LinkedHashMap<>();
+            while (cursor.position() < end) {
+                if (items.size() > MOST_ITEMS) {
+                    throw new ScanException("has more than " + MOST_ITEMS + " parts; save its height channel alone");
+                }
+                String name = cursor.textToNul(LONGEST_NAME);
+                Object value = value(file, cursor, (char) cursor.unsignedByte(), depth);
+                if (value != null) {
+                    items.put(name, value);
+                }
+            }
+            if (cursor.position() != end) {
+                throw new ScanException(
+                        "has parts that overlap at position " + end + "; the file is damaged, save it again");
+            }
+            return new GwyddionObject(items);
+        }
+
+        /** Null for types that no height field needs. */
+        private static Object value(ScanBytes file, ByteCursor cursor, char type, int depth) throws IOException {
+            return switch (type) {
+                case 'i' -> cursor.int32();
+                case 'd' -> cursor.float64();
+                case 's' -> cursor.textToNul(LONGEST_TEXT);
+                case 'o' -> read(file, cursor, depth + 1);
+                case 'D' -> numbers(cursor);
+                default -> {
+                    skip(cursor, type);
+                    yield null;
+                }
+            };
+        }
+
+        private static void skip(ByteCursor cursor, char type) throws IOException {
+            switch (type) {
+                case 'b', 'c' -> cursor.skip(1);
+                case 'q' -> cursor.skip(Long.BYTES);
+                case 'C' -> cursor.skip(cursor.unsigned32());
+                case 'I' -> cursor.skip(Integer.BYTES * cursor.unsigned32());
+                case 'Q' -> cursor.skip(Long.BYTES * cursor.unsigned32());
+                case 'S' -> {
+                    for (long i = cursor.unsigned32(); i > 0; i--) {
+                        cursor.textToNul(LONGEST_TEXT);
+                    }
+                }
+                case 'O' -> {
+                    for (long i = cursor.unsigned32(); i > 0; i--) {
+                        cursor.textToNul(LONGEST_NAME);
+                        cursor.skip(cursor.unsigned32());
+                    }
+                }
+                default ->
+                    throw new ScanException("has a part of the unknown type '" + type + "' at position "
+                            + (cursor.position() - 1) + "; save it anew with Gwyddion");
+            }
+        }
+
+        private static Numbers numbers(ByteCursor cursor) throws IOException {
+            long count = cursor.unsigned32();
+            Numbers numbers = new Numbers(cursor.position(), count);
+            cursor.skip(Double.BYTES * count);
+            return numbers;
+        }
+
+        /**
+         * A component that must be there.
+         *
+         * @throws ScanException when it is not
+         */
+        <T> T get(String name, Class<T> type) {
+            if (type.isInstance(items.get(name))) {
+                return type.cast(items.get(name));
+            }
+            throw new ScanException("has a data field without " + name + "; save it anew with Gwyddion");
+        }
+
+        double number(String name, double otherwise) {
+            return items.get(name) instanceof Double value ? value : otherwise;
+        }
+
+        /** Empty without one. */
+        String text(String name) {
+            return items.get(name) instanceof String text ? text : "";
+        }
+
+        /** The unit that a component holds as an object of its own; empty without one. */
+        String unit(String name) {
+            return items.get(name) instanceof GwyddionObject unit ? unit.text("unitstr") : "";
+        }
     }
 }

@@ -3,7 +3,7 @@ package sunbeam.precompute.scan.text;
 import java.util.Arrays;
 import java.util.Locale;
 import java.util.Optional;
-import java.util.stream.DoubleStream;
+import java.util.stream.IntStream;
 import sunbeam.precompute.scan.ScanException;
 
 /**
@@ -44,20 +44,16 @@ record PointGrid(Axis axisX, Axis axisY, double[] heights) {
             if (!(range > 0) || !Double.isFinite(range)) {
                 return Optional.empty();
             }
-            double[] gaps = new double[sorted.length - 1];
-            for (int i = 0; i < gaps.length; i++) {
-                gaps[i] = sorted[i + 1] - sorted[i];
+            double largest = 0;
+            for (int i = 1; i < sorted.length; i++) {
+                largest = Math.max(largest, sorted[i] - sorted[i - 1]);
             }
-            Arrays.sort(gaps);
-            double standstill = MOST_OFF * 2 * gaps[gaps.length - 1];
-            double[] steps = Arrays.stream(gaps).filter(gap -> gap > standstill).toArray();
-            // A line at each different coordinate, or, where lines lack all points, in steps as most neighbors have.
-            double usual = range / steps[steps.length / 2];
-            return DoubleStream.of(steps.length, Math.rint(usual))
-                    .filter(intervals -> intervals >= 1 && intervals <= sorted.length)
-                    .mapToObj(intervals -> new Axis(least, range / intervals, (int) intervals + 1))
-                    .filter(axis -> Arrays.stream(sorted).allMatch(axis::holds))
-                    .findFirst();
+            double standstill = 2 * MOST_OFF * largest;
+            int steps = (int) IntStream.range(1, sorted.length)
+                    .filter(i -> sorted[i] - sorted[i - 1] > standstill)
+                    .count();
+            Axis axis = new Axis(least, range / steps, steps + 1);
+            return Arrays.stream(sorted).allMatch(axis::holds) ? Optional.of(axis) : Optional.empty();
         }
 
         private boolean holds(double coordinate) {

@@ -50,9 +50,9 @@ class PointGridTest {
     }
 
     @Test
-    void linesWithoutPointsAreMissingSamples() {
+    void cellsWithoutPointsAreMissingSamples() {
         List<Integer> cells = shuffled();
-        cells.removeIf(cell -> cell % COLUMNS == 5 || cell % COLUMNS == 6 || cell / COLUMNS == 9 || cell == 50);
+        cells.removeIf(cell -> cell % 5 == 0);
         PointGrid grid = grid(cells, 1e-3);
         assertThat(grid.axisX().count()).isEqualTo(COLUMNS);
         assertThat(grid.axisY().count()).isEqualTo(ROWS);
