@@ -8,9 +8,6 @@ package jrtr;
  * @param version version of the graphics API and the driver
  * @param shadingLanguageVersion version of the shading language
  * @param software whether a processor renders rather than a graphics card, as far as the renderer's name tells
- * @param debugOutputAvailable whether the driver can report its own messages
- * @param debugOutputActive whether it does in this context; asked for by {@link ContextOptions#withDebugOutput}
- * @param timerQueryBits bits of the driver's clock for elapsed time; 0 where it has none
  * @param limits what the driver allows at most
  */
 public record ContextInfo(
@@ -19,7 +16,4 @@ public record ContextInfo(
         String version,
         String shadingLanguageVersion,
         boolean software,
-        boolean debugOutputAvailable,
-        boolean debugOutputActive,
-        int timerQueryBits,
         ContextLimits limits) {}

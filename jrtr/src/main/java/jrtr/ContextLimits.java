@@ -5,19 +5,8 @@ package jrtr;
  *
  * @param textureSize texels along a side of a texture
  * @param arrayLayers layers of a texture array
- * @param renderbufferSize pixels along a side of a depth image
- * @param viewportWidth pixels per row that can be drawn
- * @param viewportHeight rows that can be drawn
- * @param textureUnits textures that one fragment shader can sample
- * @param fragmentUniformComponents floats in a fragment shader's uniforms
+ * @param targetWidth pixels per row of what is drawn to
+ * @param targetHeight rows of what is drawn to
  * @param colors images that one draw can write
  */
-public record ContextLimits(
-        int textureSize,
-        int arrayLayers,
-        int renderbufferSize,
-        int viewportWidth,
-        int viewportHeight,
-        int textureUnits,
-        int fragmentUniformComponents,
-        int colors) {}
+public record ContextLimits(int textureSize, int arrayLayers, int targetWidth, int targetHeight, int colors) {}

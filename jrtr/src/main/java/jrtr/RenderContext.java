@@ -64,9 +64,6 @@ public interface RenderContext extends AutoCloseable {
      */
     FloatTarget createFloatTarget(String label, FloatTargetSpec spec);
 
-    /** Makes a timer. */
-    GpuTimer createTimer();
-
     /**
      * Runs the fragment shader once for each pixel of the tile and for no other, without depth test and blending.
      * {@code gl_FragCoord} is that of the whole target: tiles that cover a target draw the same picture as one draw.

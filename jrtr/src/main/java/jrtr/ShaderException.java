@@ -16,20 +16,14 @@ public class ShaderException extends GraphicsException {
 
     /**
      * @param doing what was being done, such as "compiling full.frag.glsl"
-     * @param problems all that the compiler said, the first error first in the message; not empty
+     * @param problems the errors that the compiler named; not empty
      */
     public ShaderException(String doing, List<ShaderProblem> problems) {
         super(summary(doing, problems));
     }
 
     private static String summary(String doing, List<ShaderProblem> problems) {
-        List<ShaderProblem> errors =
-                problems.stream().filter(ShaderProblem::isError).toList();
-        List<ShaderProblem> shown = errors.isEmpty() ? problems : errors;
-        if (shown.isEmpty()) {
-            throw new IllegalArgumentException("no problem to report for " + doing);
-        }
-        int more = shown.size() - 1;
-        return shown.get(0).describe() + " [" + doing + (more > 0 ? ", and " + more + " more" : "") + "]";
+        int more = problems.size() - 1;
+        return problems.get(0).describe() + " [" + doing + (more > 0 ? ", and " + more + " more" : "") + "]";
     }
 }

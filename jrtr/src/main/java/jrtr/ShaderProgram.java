@@ -4,7 +4,6 @@ import org.joml.Matrix3fc;
 import org.joml.Matrix4fc;
 import org.joml.Vector2fc;
 import org.joml.Vector3fc;
-import org.joml.Vector4fc;
 
 /**
  * A linked pair of a vertex and a fragment shader with its uniforms. Values stay set until they are set again.
@@ -29,9 +28,6 @@ public interface ShaderProgram extends Resource {
 
     /** Sets a {@code vec3}. */
     void set(String name, Vector3fc value);
-
-    /** Sets a {@code vec4}. */
-    void set(String name, Vector4fc value);
 
     /** Sets a {@code mat3}. */
     void set(String name, Matrix3fc value);

@@ -3,7 +3,6 @@ package sunbeam.acceptance;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.BeforeEach;
@@ -74,19 +73,6 @@ class BrdfMapTest {
                 .hasEntrySatisfying("Light", light -> assertThat(light).isEqualTo("theta 20, phi 0 degrees"));
         assertThat(workplace.resolve("lit.npy")).hasSameBinaryContentAs(workplace.resolve("dim.npy"));
         assertThat(brightness("lit.png")).isGreaterThan(brightness("dim.png"));
-    }
-
-    @Test
-    void aNamedFileIsOverwrittenOnlyByForce() throws Exception {
-        Path file = workplace.resolve("map.png");
-        Files.writeString(file, "precious");
-
-        Complaint.assertThatItExists(
-                workplace.here("brdf-map", "--patch", "blaze", "--size", "8", "--output", "map.png"), "map.png");
-        assertThat(file).hasContent("precious");
-
-        blaze("--size", "8", "--no-annotate", "--output", "map.png", "--force");
-        assertThat(ImageIO.read(file.toFile()).getWidth()).isEqualTo(8);
     }
 
     private SunbeamResult blaze(String... options) throws IOException {

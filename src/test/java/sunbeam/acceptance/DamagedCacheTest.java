@@ -6,9 +6,6 @@ import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
-import java.nio.file.attribute.BasicFileAttributes;
-import java.nio.file.attribute.FileTime;
 import java.util.Arrays;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
@@ -35,34 +32,10 @@ class DamagedCacheTest {
     }
 
     @Test
-    void aGoodTableIsUsedAgain() throws Exception {
-        Files.write(table, goodTable);
-        Files.setLastModifiedTime(table, FileTime.fromMillis(0));
-        Object written = fileKey();
-
-        assertThat(map("second").complaints()).isEmpty();
-
-        assertThat(fileKey()).as("a table made again would be another file").isEqualTo(written);
-        assertThat(Files.getLastModifiedTime(table)).as("when it was used").isGreaterThan(FileTime.fromMillis(0));
-        assertThat(workplace.resolve("second.npy")).hasBinaryContent(goodMap);
-    }
-
-    private static Object fileKey() throws IOException {
-        return Files.readAttributes(table, BasicFileAttributes.class).fileKey();
-    }
-
-    @Test
     void aTruncatedTable() throws Exception {
         Files.write(table, Arrays.copyOf(goodTable, goodTable.length / 2));
 
         isMadeAgain("truncated: " + goodTable.length / 2 + " bytes left of " + goodTable.length);
-    }
-
-    @Test
-    void anEmptyTable() throws Exception {
-        Files.write(table, new byte[0]);
-
-        isMadeAgain("truncated: 0 bytes are no tables");
     }
 
     @Test
@@ -82,22 +55,6 @@ class DamagedCacheTest {
         Files.write(table, other);
 
         isMadeAgain("tables of version 99, this Sunbeam reads version ");
-    }
-
-    @Test
-    void aTableOfAnotherPlan() throws Exception {
-        Workplace elsewhere = Workplace.in(Files.createDirectory(root.resolve("elsewhere")));
-        elsewhere.succeedHere("brdf-map", "--patch", "sinusoid", "--size", "9", "--output", "other.png");
-        Files.copy(elsewhere.tables().get(0), table, StandardCopyOption.REPLACE_EXISTING);
-
-        isMadeAgain("tables of another surface or plan");
-    }
-
-    @Test
-    void aFileOfAnotherProgram() throws Exception {
-        Files.writeString(table, "weather in the mountains: fine, with some clouds in the evening");
-
-        isMadeAgain("not tables of Sunbeam's");
     }
 
     private static void isMadeAgain(String reason) throws Exception {

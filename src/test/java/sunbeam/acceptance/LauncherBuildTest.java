@@ -59,21 +59,6 @@ class LauncherBuildTest {
     }
 
     @Test
-    void removesJarsOfAnotherVersionFromTheClassPath() throws Exception {
-        Path target = sandbox.repository().resolve("app/target");
-        Path library = Files.createDirectories(target.resolve("lib")).resolve("precompute-0.0.9.jar");
-        Path jar = target.resolve("app-0.0.9.jar");
-        Files.createFile(library);
-        Files.createFile(jar);
-
-        sandbox.command("inspect").run();
-
-        assertThat(library).doesNotExist();
-        assertThat(jar).doesNotExist();
-        assertThat(target.resolve("app-0.1.0.jar")).exists();
-    }
-
-    @Test
     void aBuildLeavesRunningProgramsTheirLibraries() throws Exception {
         Path signal = folder.resolve("end now");
         sandbox.installJava("jdk", "17.0.1", "until [ -e '" + signal + "' ]; do sleep 0.05; done");
@@ -142,18 +127,5 @@ class LauncherBuildTest {
         assertThat(result.stderr().lines().skip(1))
                 .containsExactly("sunbeam: the build failed: App.java:[3,1] no such color; Maven's own words: " + log);
         assertThat(log).content().contains("[INFO] so far");
-    }
-
-    @Test
-    void toldNotToBuildItSaysThatNothingIsBuilt() throws Exception {
-        SunbeamResult result =
-                sandbox.command("inspect").with("SUNBEAM_NO_BUILD", "1").run();
-
-        assertThat(result.exitCode()).isEqualTo(SET_UP_FAILED);
-        assertThat(result.stderr())
-                .startsWith("sunbeam: nothing is built yet")
-                .contains("SUNBEAM_NO_BUILD")
-                .hasLineCount(1);
-        assertThat(sandbox.builds()).isZero();
     }
 }

@@ -9,8 +9,6 @@ import java.util.regex.Pattern;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.ValueSource;
 
 /** How the launcher hands the command line to the program. */
 class LauncherStartTest {
@@ -60,40 +58,6 @@ class LauncherStartTest {
                 .contains("-Dsunbeam.home=" + repository)
                 .anyMatch(line -> line.matches(Pattern.quote(repository + "/app/target/run/") + "([-0-9]+)/\\*:"
                         + Pattern.quote(repository + "/app/target/run/") + "\\1/lib/\\*"));
-    }
-
-    /** Java refuses two collectors, and a heap as small as what new objects may take has no room for others. */
-    @ParameterizedTest
-    @ValueSource(strings = {"-Xmx911m", "-XX:MaxRAMPercentage=20", "-XX:+UseG1GC"})
-    void theUsersHeapAndCollectorAreNotMixedWithOurs(String option) throws Exception {
-        // No screen is asked for where there may be one.
-        SunbeamResult result = sandbox.command("brdf-map")
-                .with("DISPLAY", "elsewhere:9876")
-                .with("SUNBEAM_JAVA_OPTIONS", option)
-                .run();
-
-        assertThat(result.stdout().lines())
-                .contains(option)
-                .noneMatch(line -> line.matches("-XX:([+]UseParallelGC|MaxNewSize.*)"));
-    }
-
-    /** Java asks the list of users, where a container's user does not stand, and else makes a folder named "?". */
-    @Test
-    void homeIsWhatTheEnvironmentSaysWhereThatIsAFolder() throws Exception {
-        Path home = Files.createDirectories(folder.resolve("a home"));
-
-        assertThat(sandbox.command("inspect")
-                        .with("HOME", home.toString())
-                        .run()
-                        .stdout()
-                        .lines())
-                .contains("-Duser.home=" + home);
-        assertThat(sandbox.command("inspect")
-                        .with("HOME", folder.resolve("none").toString())
-                        .run()
-                        .stdout()
-                        .lines())
-                .noneMatch(line -> line.startsWith("-Duser.home"));
     }
 
     @Test

@@ -8,10 +8,8 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeAll;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** {@code reflectance --method reference} against an independent program's direct sums, on measured patches. */
@@ -40,26 +38,6 @@ class SharedReferenceTest {
                 assertThat(ours.at(row, column))
                         .as("row %d, %s", row, column)
                         .isCloseTo(value, within(Math.max(1e-9 * value, 1e-20)));
-            }
-        }
-    }
-
-    /** All rows of the small patch, two of each large one, which take ten seconds a row. */
-    @Tag("thorough")
-    @ParameterizedTest
-    @CsvSource({"blaze, 8", "elaphe, 2", "xenopeltis, 2"})
-    void colorsAreTheSame(String patch, int rows) throws Exception {
-        CsvFile exact = SharedData.reference("xyz", patch).head(rows);
-
-        CsvFile ours = reference(patch, exact);
-
-        for (int row = 0; row < exact.size(); row++) {
-            for (String column : List.of("X", "Y", "Z")) {
-                double value = exact.at(row, column);
-                // The values given are trapezoids at 0.5 nm, which err by up to 2.3e-3 at the ends of the band.
-                assertThat(ours.at(row, column))
-                        .as("row %d, %s", row, column)
-                        .isCloseTo(value, within(Math.max(3e-3 * value, 1e-20)));
             }
         }
     }

@@ -17,6 +17,8 @@ public final class Main {
     public static void main(String[] arguments) {
         // The HDF5 library logs through SLF4J, which would complain on standard error that nobody listens.
         System.setProperty("slf4j.internal.verbosity", "ERROR");
+        // JOML would use sun.misc.Unsafe, of which Java 24 and later warn.
+        System.setProperty("joml.nounsafe", "true");
         // Digits that programs read are 0 to 9 in every country; Swing keeps the user's language.
         Locale.setDefault(Locale.Category.FORMAT, Locale.ROOT);
         PrintWriter out = new PrintWriter(System.out, true, Charset.defaultCharset());

@@ -61,22 +61,10 @@ final class FailuresTest {
     }
 
     @Test
-    void aMessageOfSeveralLinesBecomesOne() {
-        report(new UsageException("first\n  second\r\nthird"), false);
-        assertThat(err.toString()).isEqualToNormalizingNewlines("sunbeam: first second third\n");
-    }
-
-    @Test
     void anythingElseIsABugAndSaysSo() {
         assertThat(report(new IllegalStateException("oops"), false)).isEqualTo(1);
         assertThat(err.toString()).contains("internal error", "bug", "IllegalStateException", "oops", "--debug");
         assertThat(err.toString()).hasLineCount(1);
-    }
-
-    @Test
-    void debugAddsTheStackTrace() {
-        report(new IllegalStateException("oops"), true);
-        assertThat(err.toString()).contains("\tat " + FailuresTest.class.getName());
     }
 
     @Test

@@ -15,8 +15,12 @@ final class EndOfProcess {
     /** A driver that compiles a long shader takes seconds; one that hangs must not keep the process. */
     private static final long PATIENCE_NANOSECONDS = TimeUnit.SECONDS.toNanos(10);
 
+    /** A context that is being made waits for threads that cannot be started any more. */
+    private static final long OPENING_NANOSECONDS = TimeUnit.MILLISECONDS.toNanos(500);
+
     private static final String OPERATIONS = EndOfProcess.class.getPackageName() + ".";
     private static final List<Thread> OWNERS = new CopyOnWriteArrayList<>();
+    private static final List<Thread> OPENING = new CopyOnWriteArrayList<>();
     private static final List<Thread> RESTING = new CopyOnWriteArrayList<>();
     private static volatile boolean near;
 
@@ -37,6 +41,12 @@ final class EndOfProcess {
     /** The calling thread is about to make a context and to draw, until {@link #forget}. */
     static void watch() {
         OWNERS.add(Thread.currentThread());
+        OPENING.add(Thread.currentThread());
+    }
+
+    /** The context of the calling thread is there. */
+    static void opened() {
+        OPENING.remove(Thread.currentThread());
     }
 
     /** One context of the calling thread has been closed, or could not be made. */
@@ -67,13 +77,17 @@ final class EndOfProcess {
     static void awaitRest() {
         near = true;
         long start = System.nanoTime();
-        while (OWNERS.stream().anyMatch(EndOfProcess::isAtWork) && System.nanoTime() - start < PATIENCE_NANOSECONDS) {
+        while (OWNERS.stream().anyMatch(owner -> mustWait(owner, System.nanoTime() - start))) {
             try {
                 TimeUnit.MILLISECONDS.sleep(5);
             } catch (InterruptedException impatient) {
                 return;
             }
         }
+    }
+
+    private static boolean mustWait(Thread owner, long waited) {
+        return waited < (OPENING.contains(owner) ? OPENING_NANOSECONDS : PATIENCE_NANOSECONDS) && isAtWork(owner);
     }
 
     /** Whether the thread is within an operation of this package. */

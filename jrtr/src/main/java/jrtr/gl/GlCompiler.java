@@ -1,8 +1,7 @@
 package jrtr.gl;
 
 import com.jogamp.opengl.GL3;
-import java.lang.System.Logger.Level;
-import java.nio.charset.StandardCharsets;
+import com.jogamp.opengl.util.glsl.ShaderUtil;
 import java.util.List;
 import jrtr.ShaderException;
 import jrtr.ShaderProblem;
@@ -11,13 +10,9 @@ import jrtr.glsl.CompilerLog;
 
 /** Compiles and links, and says what went wrong where. */
 final class GlCompiler {
-    private static final System.Logger LOGGER = System.getLogger("jrtr.gl");
-
-    private final GlDevice device;
     private final GL3 gl;
 
     GlCompiler(GlDevice device) {
-        this.device = device;
         this.gl = device.gl();
     }
 
@@ -42,13 +37,11 @@ final class GlCompiler {
         gl.glCompileShader(shader);
         int[] status = new int[1];
         gl.glGetShaderiv(shader, GL3.GL_COMPILE_STATUS, status, 0);
-        String log = shaderLog(shader);
         if (status[0] == GL3.GL_TRUE) {
-            logWarnings(source, log);
             return shader;
         }
+        String log = ShaderUtil.getShaderInfoLog(gl, shader);
         gl.glDeleteShader(shader);
-        device.forgetMessages();
         throw failure("compiling " + source.name(), source, log);
     }
 
@@ -61,13 +54,11 @@ final class GlCompiler {
         gl.glDetachShader(program, fragmentShader);
         int[] status = new int[1];
         gl.glGetProgramiv(program, GL3.GL_LINK_STATUS, status, 0);
-        String log = programLog(program);
         if (status[0] == GL3.GL_TRUE) {
-            logWarnings(fragment, log);
             return program;
         }
+        String log = ShaderUtil.getProgramInfoLog(gl, program);
         gl.glDeleteProgram(program);
-        device.forgetMessages();
         throw failure("linking " + vertex.name() + " with " + fragment.name(), fragment, log);
     }
 
@@ -76,27 +67,5 @@ final class GlCompiler {
         return problems.isEmpty()
                 ? new ShaderException(source.name() + ": the driver failed without a reason [" + doing + "]")
                 : new ShaderException(doing, problems);
-    }
-
-    private static void logWarnings(ShaderSource source, String log) {
-        for (ShaderProblem problem : CompilerLog.parse(log, source)) {
-            LOGGER.log(Level.DEBUG, problem::describe);
-        }
-    }
-
-    private String shaderLog(int shader) {
-        int[] length = new int[1];
-        gl.glGetShaderiv(shader, GL3.GL_INFO_LOG_LENGTH, length, 0);
-        byte[] log = new byte[Math.max(1, length[0])];
-        gl.glGetShaderInfoLog(shader, log.length, length, 0, log, 0);
-        return new String(log, 0, length[0], StandardCharsets.UTF_8);
-    }
-
-    private String programLog(int program) {
-        int[] length = new int[1];
-        gl.glGetProgramiv(program, GL3.GL_INFO_LOG_LENGTH, length, 0);
-        byte[] log = new byte[Math.max(1, length[0])];
-        gl.glGetProgramInfoLog(program, log.length, length, 0, log, 0);
-        return new String(log, 0, length[0], StandardCharsets.UTF_8);
     }
 }

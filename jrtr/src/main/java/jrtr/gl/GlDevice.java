@@ -7,25 +7,19 @@ import java.util.List;
 import java.util.Set;
 import jrtr.ContextInfo;
 import jrtr.ContextLimits;
-import jrtr.ContextOptions;
 import jrtr.GraphicsException;
 
 /** The way to OpenGL for all resources of one context: its functions, thread, limits, errors and open resources. */
 final class GlDevice {
-    private final GlSurface surface;
+    private final OffscreenSurface surface;
     private final Thread owner = Thread.currentThread();
-    private final GlMessages messages;
     private final ContextInfo info;
     private final Set<GlResource> resources = new LinkedHashSet<>();
-    private boolean measuring;
     private boolean closed;
 
-    GlDevice(GlSurface surface, ContextOptions options) {
+    GlDevice(OffscreenSurface surface) {
         this.surface = surface;
-        GL3 gl = surface.makeCurrent();
-        this.messages = new GlMessages();
-        boolean active = options.debugOutput() && messages.listenTo(surface.context(), gl);
-        this.info = GlInfo.of(gl, active);
+        this.info = GlInfo.of(surface.makeCurrent());
     }
 
     /** The functions, with the context current. */
@@ -70,34 +64,15 @@ final class GlDevice {
      */
     void check(GL3 gl, String doing) {
         int error = gl.glGetError();
-        String message = messages.takeError();
-        if (error == GL3.GL_NO_ERROR && message == null) {
+        if (error == GL3.GL_NO_ERROR) {
             return;
         }
         // A context keeps one flag per kind of error: all are taken, so that the next check starts clean.
         for (int more = 0; more < 8 && gl.glGetError() != GL3.GL_NO_ERROR; more++) {
-            message = message == null ? "and others" : message;
+            // The first names the cause.
         }
-        String name = error == GL3.GL_NO_ERROR ? "an error" : GlNames.error(error);
-        String detail = message == null ? "" : " (" + message + ")";
-        throw new GraphicsException("OpenGL reported " + name + " while " + doing + detail + GlNames.remedy(error));
-    }
-
-    /** The driver's messages about a shader are reported by the shader's own log. */
-    void forgetMessages() {
-        messages.takeError();
-    }
-
-    /** OpenGL runs one timer query at a time. */
-    void beginMeasurement() {
-        if (measuring) {
-            throw new IllegalStateException("a measurement is under way; measurements do not nest");
-        }
-        measuring = true;
-    }
-
-    void endMeasurement() {
-        measuring = false;
+        throw new GraphicsException(
+                "OpenGL reported " + GlNames.error(error) + " while " + doing + GlNames.remedy(error));
     }
 
     void register(GlResource resource) {
@@ -123,7 +98,6 @@ final class GlDevice {
             }
             // The program in use would live on after it was deleted.
             gl.glUseProgram(0);
-            assert LivingObjects.of(gl).isEmpty() : "left in OpenGL: " + LivingObjects.of(gl);
         } finally {
             closed = true;
             surface.destroy();

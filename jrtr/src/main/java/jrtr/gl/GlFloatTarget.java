@@ -46,12 +46,10 @@ final class GlFloatTarget extends GlResource implements FloatTarget {
 
     private static void requireAllowed(GlDevice device, String label, FloatTargetSpec spec) {
         ContextLimits limits = device.limits();
-        int side = Math.min(limits.textureSize(), limits.renderbufferSize());
-        int maxWidth = Math.min(side, limits.viewportWidth());
-        int maxHeight = Math.min(side, limits.viewportHeight());
-        if (spec.width() > maxWidth || spec.height() > maxHeight) {
+        if (spec.width() > limits.targetWidth() || spec.height() > limits.targetHeight()) {
             throw new GraphicsException("target '" + label + "' needs " + spec.width() + " x " + spec.height()
-                    + " pixels but this driver allows at most " + maxWidth + " x " + maxHeight + " ("
+                    + " pixels but this driver allows at most " + limits.targetWidth() + " x " + limits.targetHeight()
+                    + " ("
                     + device.info().renderer() + ")");
         }
         if (spec.colors() > limits.colors()) {

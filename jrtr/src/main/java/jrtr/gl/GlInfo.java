@@ -11,7 +11,7 @@ final class GlInfo {
 
     private GlInfo() {}
 
-    static ContextInfo of(GL3 gl, boolean debugOutputActive) {
+    static ContextInfo of(GL3 gl) {
         String renderer = gl.glGetString(GL3.GL_RENDERER);
         return new ContextInfo(
                 gl.glGetString(GL3.GL_VENDOR),
@@ -19,36 +19,25 @@ final class GlInfo {
                 gl.glGetString(GL3.GL_VERSION),
                 gl.glGetString(GL3.GL_SHADING_LANGUAGE_VERSION),
                 isSoftware(renderer),
-                debugOutputActive || gl.isExtensionAvailable("GL_KHR_debug"),
-                debugOutputActive,
-                timerQueryBits(gl),
                 limits(gl));
     }
 
     private static ContextLimits limits(GL3 gl) {
         int[] viewport = new int[2];
         gl.glGetIntegerv(GL3.GL_MAX_VIEWPORT_DIMS, viewport, 0);
+        int image = Math.min(integer(gl, GL3.GL_MAX_TEXTURE_SIZE), integer(gl, GL3.GL_MAX_RENDERBUFFER_SIZE));
         return new ContextLimits(
                 integer(gl, GL3.GL_MAX_TEXTURE_SIZE),
                 integer(gl, GL3.GL_MAX_ARRAY_TEXTURE_LAYERS),
-                integer(gl, GL3.GL_MAX_RENDERBUFFER_SIZE),
-                viewport[0],
-                viewport[1],
-                integer(gl, GL3.GL_MAX_TEXTURE_IMAGE_UNITS),
-                integer(gl, GL3.GL_MAX_FRAGMENT_UNIFORM_COMPONENTS),
+                Math.min(image, viewport[0]),
+                Math.min(image, viewport[1]),
                 Math.min(integer(gl, GL3.GL_MAX_COLOR_ATTACHMENTS), integer(gl, GL3.GL_MAX_DRAW_BUFFERS)));
     }
 
-    static boolean isSoftware(String renderer) {
+    private static boolean isSoftware(String renderer) {
         String name = renderer.toLowerCase(Locale.ROOT);
         return Stream.of("llvmpipe", "softpipe", "swrast", "swiftshader", "software rasterizer", "gdi generic")
                 .anyMatch(name::contains);
-    }
-
-    private static int timerQueryBits(GL3 gl) {
-        int[] bits = new int[1];
-        gl.glGetQueryiv(GL3.GL_TIME_ELAPSED, GL3.GL_QUERY_COUNTER_BITS, bits, 0);
-        return bits[0];
     }
 
     private static int integer(GL3 gl, int name) {

@@ -1,6 +1,5 @@
 package jrtr.gl;
 
-import com.jogamp.opengl.GL2ES2;
 import com.jogamp.opengl.GL3;
 
 /** OpenGL's numbers in words. */
@@ -28,17 +27,6 @@ final class GlNames {
             case GL3.GL_FRAMEBUFFER_UNSUPPORTED -> "this combination of images is not supported by the driver";
             case GL3.GL_FRAMEBUFFER_INCOMPLETE_ATTACHMENT -> "an image cannot be drawn to";
             default -> "status " + hex(code);
-        };
-    }
-
-    static String debugType(int code) {
-        return switch (code) {
-            case GL2ES2.GL_DEBUG_TYPE_ERROR -> "error";
-            case GL2ES2.GL_DEBUG_TYPE_DEPRECATED_BEHAVIOR -> "deprecated";
-            case GL2ES2.GL_DEBUG_TYPE_UNDEFINED_BEHAVIOR -> "undefined";
-            case GL2ES2.GL_DEBUG_TYPE_PORTABILITY -> "portability";
-            case GL2ES2.GL_DEBUG_TYPE_PERFORMANCE -> "performance";
-            default -> "other";
         };
     }
 

@@ -4,13 +4,11 @@ import com.jogamp.opengl.GL3;
 import java.util.List;
 import jrtr.Binding;
 import jrtr.ContextInfo;
-import jrtr.ContextOptions;
 import jrtr.Faces;
 import jrtr.FloatTarget;
 import jrtr.FloatTargetSpec;
 import jrtr.FloatTexture;
 import jrtr.FloatTextureSpec;
-import jrtr.GpuTimer;
 import jrtr.ImageTexture;
 import jrtr.ImageTextureSpec;
 import jrtr.RenderContext;
@@ -25,19 +23,18 @@ import jrtr.glsl.FlatUniforms;
 /** A render context on any surface. */
 final class GlRenderContext implements RenderContext {
     private final GlDevice device;
-    private final FullScreenDraw fullScreen;
-    private final MeshDraw meshDraw;
+    private final GlDraw draw;
+    private final ShaderSource fullScreenVertices = EngineShaders.library().load("jrtr/fullscreen.vert.glsl");
 
     private GlRenderContext(GlDevice device) {
         this.device = device;
-        this.fullScreen = new FullScreenDraw(device);
-        this.meshDraw = new MeshDraw(device);
+        this.draw = new GlDraw(device);
     }
 
     /** Takes over the surface, which ends with the context, or here if there can be none. */
-    static GlRenderContext on(GlSurface surface, ContextOptions options) {
+    static GlRenderContext on(OffscreenSurface surface) {
         try {
-            return new GlRenderContext(new GlDevice(surface, options));
+            return new GlRenderContext(new GlDevice(surface));
         } catch (RuntimeException failure) {
             surface.destroy();
             throw failure;
@@ -52,9 +49,9 @@ final class GlRenderContext implements RenderContext {
     @Override
     public ShaderProgram createFullScreenProgram(ShaderSource fragment) {
         if (!info().software()) {
-            return GlProgram.create(device, fullScreen.vertexShader(), fragment);
+            return GlProgram.create(device, fullScreenVertices, fragment);
         }
-        FlatUniforms flat = FlatUniforms.of(fullScreen.vertexShader(), fragment);
+        FlatUniforms flat = FlatUniforms.of(fullScreenVertices, fragment);
         return GlProgram.create(device, flat.vertex(), flat.fragment());
     }
 
@@ -84,13 +81,8 @@ final class GlRenderContext implements RenderContext {
     }
 
     @Override
-    public GpuTimer createTimer() {
-        return new GlTimer(device);
-    }
-
-    @Override
     public void drawFullScreen(ShaderProgram program, List<Binding> bindings, FloatTarget target, Tile tile) {
-        fullScreen.draw((GlProgram) program, bindings, (GlFloatTarget) target, tile);
+        draw.fullScreen((GlProgram) program, bindings, (GlFloatTarget) target, tile);
     }
 
     @Override
@@ -101,7 +93,7 @@ final class GlRenderContext implements RenderContext {
             Faces faces,
             FloatTarget target,
             Tile tile) {
-        meshDraw.draw((GlProgram) program, bindings, (GlVertexBuffer) mesh, faces, (GlFloatTarget) target, tile);
+        draw.mesh((GlProgram) program, bindings, (GlVertexBuffer) mesh, faces, (GlFloatTarget) target, tile);
     }
 
     @Override

@@ -14,7 +14,6 @@ abstract class GlResource implements Resource {
         this.device = device;
         this.label = label;
         device.register(this);
-        OpenResources.opened();
     }
 
     /** Deletes the OpenGL objects. Called once, with the context current. */
@@ -59,7 +58,6 @@ abstract class GlResource implements Resource {
         if (!closed) {
             closed = true;
             device.unregister(this);
-            OpenResources.closed();
             delete(device.gl());
         }
     }

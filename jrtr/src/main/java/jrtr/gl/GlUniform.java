@@ -1,6 +1,7 @@
 package jrtr.gl;
 
 import com.jogamp.opengl.GL3;
+import java.util.Map;
 
 /**
  * A uniform that a linked program uses.
@@ -12,8 +13,24 @@ import com.jogamp.opengl.GL3;
  */
 record GlUniform(String name, int location, int type, boolean array) {
 
+    private static final Map<Integer, String> NUMBERS = Map.ofEntries(
+            Map.entry(GL3.GL_FLOAT, "float"),
+            Map.entry(GL3.GL_FLOAT_VEC2, "vec2"),
+            Map.entry(GL3.GL_FLOAT_VEC3, "vec3"),
+            Map.entry(GL3.GL_FLOAT_VEC4, "vec4"),
+            Map.entry(GL3.GL_INT, "int"),
+            Map.entry(GL3.GL_INT_VEC2, "ivec2"),
+            Map.entry(GL3.GL_INT_VEC3, "ivec3"),
+            Map.entry(GL3.GL_INT_VEC4, "ivec4"),
+            Map.entry(GL3.GL_BOOL, "bool"),
+            Map.entry(GL3.GL_UNSIGNED_INT, "uint"),
+            Map.entry(GL3.GL_FLOAT_MAT2, "mat2"),
+            Map.entry(GL3.GL_FLOAT_MAT3, "mat3"),
+            Map.entry(GL3.GL_FLOAT_MAT4, "mat4"));
+
+    /** Whatever is no number is taken for one. */
     boolean isSampler() {
-        return samplerTarget() != 0 || typeName().contains("sampler");
+        return !NUMBERS.containsKey(type);
     }
 
     /** The texture target that this sampler reads, or 0 if the engine has no such textures. */
@@ -43,32 +60,9 @@ record GlUniform(String name, int location, int type, boolean array) {
 
     private String typeName() {
         return switch (type) {
-            case GL3.GL_FLOAT -> "float";
-            case GL3.GL_FLOAT_VEC2 -> "vec2";
-            case GL3.GL_FLOAT_VEC3 -> "vec3";
-            case GL3.GL_FLOAT_VEC4 -> "vec4";
-            case GL3.GL_INT -> "int";
-            case GL3.GL_INT_VEC2 -> "ivec2";
-            case GL3.GL_INT_VEC3 -> "ivec3";
-            case GL3.GL_INT_VEC4 -> "ivec4";
-            case GL3.GL_BOOL -> "bool";
-            case GL3.GL_UNSIGNED_INT -> "uint";
-            case GL3.GL_FLOAT_MAT3 -> "mat3";
-            case GL3.GL_FLOAT_MAT4 -> "mat4";
-            case GL3.GL_SAMPLER_1D -> "sampler1D";
             case GL3.GL_SAMPLER_2D -> "sampler2D";
-            case GL3.GL_SAMPLER_3D -> "sampler3D";
-            case GL3.GL_SAMPLER_CUBE -> "samplerCube";
-            case GL3.GL_SAMPLER_2D_SHADOW -> "sampler2DShadow";
-            case GL3.GL_SAMPLER_1D_ARRAY -> "sampler1DArray";
             case GL3.GL_SAMPLER_2D_ARRAY -> "sampler2DArray";
-            case GL3.GL_SAMPLER_2D_RECT -> "sampler2DRect";
-            case GL3.GL_INT_SAMPLER_2D -> "isampler2D";
-            case GL3.GL_INT_SAMPLER_2D_ARRAY -> "isampler2DArray";
-            case GL3.GL_UNSIGNED_INT_SAMPLER_2D -> "usampler2D";
-            case GL3.GL_UNSIGNED_INT_SAMPLER_2D_ARRAY -> "usampler2DArray";
-            case GL3.GL_SAMPLER_BUFFER -> "samplerBuffer";
-            default -> "type " + GlNames.hex(type);
+            default -> NUMBERS.getOrDefault(type, "type " + GlNames.hex(type));
         };
     }
 }

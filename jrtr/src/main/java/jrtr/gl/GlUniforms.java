@@ -3,21 +3,21 @@ package jrtr.gl;
 import com.jogamp.opengl.GL3;
 import java.nio.charset.StandardCharsets;
 import java.util.Map;
-import java.util.Set;
 import java.util.TreeMap;
+import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import jrtr.ShaderException;
 
 /** The names that a linked program uses and that its shaders declare. */
 final class GlUniforms {
     private final String program;
-    private final Set<String> declared;
+    private final String sources;
     private final Map<String, GlUniform> active = new TreeMap<>();
 
     /** Asks OpenGL for all active uniforms, once. */
-    GlUniforms(GL3 gl, int name, String program, Set<String> declared) {
+    GlUniforms(GL3 gl, int name, String program, String sources) {
         this.program = program;
-        this.declared = declared;
+        this.sources = sources;
         int[] count = new int[2];
         gl.glGetProgramiv(name, GL3.GL_ACTIVE_UNIFORMS, count, 0);
         gl.glGetProgramiv(name, GL3.GL_ACTIVE_UNIFORM_MAX_LENGTH, count, 1);
@@ -51,7 +51,7 @@ final class GlUniforms {
      */
     GlUniform find(String name) {
         GlUniform uniform = active.get(name);
-        if (uniform == null && !declared.contains(root(name))) {
+        if (uniform == null && !isDeclared(name)) {
             String known = active.values().stream().map(GlUniform::describe).collect(Collectors.joining(", "));
             throw new ShaderException(
                     program + " has no uniform '" + name + "'; it has: " + (known.isEmpty() ? "none" : known));
@@ -78,11 +78,11 @@ final class GlUniforms {
         throw new ShaderException(program + ": uniform " + uniform.describe() + " cannot be set to a " + value + hint);
     }
 
-    private static String root(String name) {
-        int end = 0;
-        while (end < name.length() && name.charAt(end) != '.' && name.charAt(end) != '[') {
-            end++;
-        }
-        return name.substring(0, end);
+    /** Declared names that the compiler has optimised away, or that lie behind an {@code #if}, stand in the text at least. */
+    private boolean isDeclared(String name) {
+        String root = name.replaceFirst("[.\\[].*", "");
+        return Pattern.compile("\\buniform\\b[^;{}]*\\b" + Pattern.quote(root) + "\\b")
+                .matcher(sources)
+                .find();
     }
 }

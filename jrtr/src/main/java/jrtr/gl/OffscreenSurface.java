@@ -11,11 +11,10 @@ import com.jogamp.opengl.GLDrawableFactory;
 import com.jogamp.opengl.GLException;
 import com.jogamp.opengl.GLProfile;
 import java.awt.AWTError;
-import jrtr.ContextOptions;
 import jrtr.GraphicsException;
 
 /** A context on a drawable that is never shown and never drawn to: all drawing goes to the targets. */
-final class OffscreenSurface implements GlSurface {
+final class OffscreenSurface {
     private static final String[] CORE_PROFILES = {GLProfile.GL4, GLProfile.GL3};
 
     private static final VersionNumber OLDEST = new VersionNumber(3, 3, 0);
@@ -34,31 +33,31 @@ final class OffscreenSurface implements GlSurface {
         this.context = context;
     }
 
-    static OffscreenSurface create(ContextOptions options) {
+    static OffscreenSurface create() {
         EndOfProcess.watch();
         try {
-            return connect(options);
+            return connect();
         } catch (RuntimeException | Error failure) {
             EndOfProcess.forget();
             throw failure;
-        }
-    }
-
-    private static OffscreenSurface connect(ContextOptions options) {
-        DisplayHold hold = DisplayHold.take(System.getenv());
-        try {
-            connectToDisplay();
-            OffscreenSurface surface = openQuietly(options);
-            DisplayWatch.start(System.getenv());
-            return surface;
         } finally {
-            hold.close();
+            EndOfProcess.opened();
         }
     }
 
-    private static OffscreenSurface openQuietly(ContextOptions options) {
+    private static OffscreenSurface connect() {
+        // Held until there is a context: X servers start anew when their last client goes, unless told -noreset.
+        AbstractGraphicsDevice display = connectToDisplay();
+        try {
+            return openQuietly();
+        } finally {
+            display.close();
+        }
+    }
+
+    private static OffscreenSurface openQuietly() {
         try (JoglNoise noise = JoglNoise.divert()) {
-            OffscreenSurface surface = open(options);
+            OffscreenSurface surface = open();
             noise.discard();
             return surface;
         } catch (RuntimeException | LinkageError failure) {
@@ -70,11 +69,10 @@ final class OffscreenSurface implements GlSurface {
     }
 
     /** JOGL prints stack traces when it meets no display; so the display is tried first, by itself. */
-    private static void connectToDisplay() {
+    private static AbstractGraphicsDevice connectToDisplay() {
         try {
             NativeWindowFactory.initSingleton();
-            AbstractGraphicsDevice device = NativeWindowFactory.createDevice(null, true);
-            device.close();
+            return NativeWindowFactory.createDevice(null, true);
         } catch (RuntimeException | AWTError failure) {
             throw new GraphicsException(
                     "no display: " + displayName()
@@ -94,7 +92,7 @@ final class OffscreenSurface implements GlSurface {
         return name == null || name.isBlank() ? "DISPLAY is not set" : "DISPLAY=" + name + " does not answer";
     }
 
-    private static OffscreenSurface open(ContextOptions options) {
+    private static OffscreenSurface open() {
         GLProfile profile = GLProfile.get(CORE_PROFILES, true);
         GLCapabilities capabilities = new GLCapabilities(profile);
         capabilities.setOnscreen(false);
@@ -106,7 +104,7 @@ final class OffscreenSurface implements GlSurface {
         }
         OffscreenSurface surface = new OffscreenSurface(drawable, drawable.createContext(null));
         try {
-            surface.start(options);
+            surface.start();
             return surface;
         } catch (RuntimeException failure) {
             surface.release();
@@ -114,31 +112,23 @@ final class OffscreenSurface implements GlSurface {
         }
     }
 
-    private void start(ContextOptions options) {
-        if (options.debugOutput()) {
-            context.setContextCreationFlags(GLContext.CTX_OPTION_DEBUG);
-        }
+    private void start() {
         makeCurrent();
         if (context.getGLVersionNumber().compareTo(OLDEST) < 0) {
             throw new GLException("the driver has OpenGL " + context.getGLVersionNumber() + " only");
         }
     }
 
-    @Override
-    public GLContext context() {
-        return context;
-    }
-
-    @Override
-    public GL3 makeCurrent() {
+    /** Makes the context current on this thread if it is not, and gives its functions. */
+    GL3 makeCurrent() {
         if (!context.isCurrent() && context.makeCurrent() == GLContext.CONTEXT_NOT_CURRENT) {
             throw new GLException("the context cannot be made current");
         }
         return context.getGL().getGL3();
     }
 
-    @Override
-    public void destroy() {
+    /** Ends the context and what was made for it. Called once. */
+    void destroy() {
         try {
             release();
         } finally {

@@ -1,6 +1,5 @@
 package jrtr.gl;
 
-import jrtr.ContextOptions;
 import jrtr.GraphicsException;
 import jrtr.RenderContext;
 
@@ -10,21 +9,13 @@ public final class RenderContexts {
     private RenderContexts() {}
 
     /**
-     * A context without a window, for this thread.
-     *
-     * @throws GraphicsException if there is no display to connect to, or no OpenGL 3.3 core on it
-     */
-    public static RenderContext offscreen() {
-        return offscreen(ContextOptions.standard());
-    }
-
-    /**
      * A context without a window, for this thread. On Linux an X display is needed all the same (Xvfb will do).
      *
      * @throws GraphicsException if there is no display to connect to, or no OpenGL 3.3 core on it
      */
-    public static RenderContext offscreen(ContextOptions options) {
+    public static RenderContext offscreen() {
         PrivateLibraries.prepare();
-        return GlRenderContext.on(OffscreenSurface.create(options), options);
+        DisplayWatch.start();
+        return GlRenderContext.on(OffscreenSurface.create());
     }
 }

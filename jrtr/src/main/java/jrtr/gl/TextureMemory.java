@@ -46,8 +46,6 @@ final class TextureMemory {
 
     /** Takes memory for level 0 of the bound 2-D texture. */
     void allocate(GL3 gl, int internalFormat, int width, int height, int format, int type, long bytes) {
-        gl.glTexImage2D(GL3.GL_PROXY_TEXTURE_2D, 0, internalFormat, width, height, 0, format, type, null);
-        requireProxy(gl, GL3.GL_PROXY_TEXTURE_2D, bytes);
         gl.glTexImage2D(GL3.GL_TEXTURE_2D, 0, internalFormat, width, height, 0, format, type, null);
         device.check(gl, taking(bytes));
     }
@@ -55,25 +53,8 @@ final class TextureMemory {
     /** Takes memory for the bound 2-D array texture. */
     void allocateArray(
             GL3 gl, int internalFormat, int width, int height, int layers, int format, int type, long bytes) {
-        int proxy = GL3.GL_PROXY_TEXTURE_2D_ARRAY;
-        gl.glTexImage3D(proxy, 0, internalFormat, width, height, layers, 0, format, type, null);
-        requireProxy(gl, proxy, bytes);
         gl.glTexImage3D(GL3.GL_TEXTURE_2D_ARRAY, 0, internalFormat, width, height, layers, 0, format, type, null);
         device.check(gl, taking(bytes));
-    }
-
-    /** A driver answers a proxy that is too large as a whole by a width of 0. */
-    private void requireProxy(GL3 gl, int proxy, long bytes) {
-        int[] width = new int[1];
-        gl.glGetTexLevelParameteriv(proxy, 0, GL3.GL_TEXTURE_WIDTH, width, 0);
-        if (width[0] == 0) {
-            // Some drivers raise an error beside the answer; the answer is what counts.
-            gl.glGetError();
-            device.forgetMessages();
-            throw new GraphicsException("texture '" + label + "' needs " + mebibytes(bytes)
-                    + ", more than this driver gives to one texture ("
-                    + device.info().renderer() + ")");
-        }
     }
 
     private String taking(long bytes) {

@@ -2,11 +2,9 @@ package jrtr.glsl;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import jrtr.ShaderProblem;
-import jrtr.ShaderProblem.Severity;
 import jrtr.ShaderSource;
 import jrtr.SourceLine;
 
@@ -29,11 +27,13 @@ public final class CompilerLog {
     private static final Pattern OTHERS = Pattern.compile("(?<kind>ERROR|WARNING): \\d+:(?<line>\\d+): (?<message>.*)");
     private static final List<Pattern> FORMS = List.of(MESA, NVIDIA, OTHERS);
 
+    private static final Pattern WARNING = Pattern.compile("(?i)\\bwarning\\b.*:");
+
     private CompilerLog() {}
 
     /**
-     * The log's messages in their order; those without a place are errors at line 0 and appear only if no message has a
-     * place. An empty log gives an empty list.
+     * The log's errors in their order; those without a place are at line 0 and appear only if none has a place. Warnings are
+     * left out; an empty log gives an empty list.
      */
     public static List<ShaderProblem> parse(String log, ShaderSource source) {
         List<ShaderProblem> placed = new ArrayList<>();
@@ -41,7 +41,7 @@ public final class CompilerLog {
         log.replace("\0", "")
                 .lines()
                 .map(String::strip)
-                .filter(line -> !line.isEmpty())
+                .filter(line -> !line.isEmpty() && !WARNING.matcher(line).find())
                 .forEach(line -> {
                     ShaderProblem problem = parseLine(line, source);
                     (problem.line() > 0 ? placed : unplaced).add(problem);
@@ -56,14 +56,12 @@ public final class CompilerLog {
                 return atPlace(matcher, source);
             }
         }
-        return new ShaderProblem(Severity.ERROR, source.name(), 0, line, "");
+        return new ShaderProblem(source.name(), 0, line, "");
     }
 
     private static ShaderProblem atPlace(Matcher matcher, ShaderSource source) {
-        boolean warning = matcher.group("kind").toLowerCase(Locale.ROOT).contains("warning");
-        Severity severity = warning ? Severity.WARNING : Severity.ERROR;
         SourceLine origin = originOf(matcher.group("line"), source);
-        return new ShaderProblem(severity, origin.file(), origin.number(), matcher.group("message"), origin.text());
+        return new ShaderProblem(origin.file(), origin.number(), matcher.group("message"), origin.text());
     }
 
     /** Compilers put "unexpected end of file" one past the end; such numbers are taken as the last line. */

@@ -4,9 +4,11 @@ import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.Deque;
-import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
+import java.util.TreeMap;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import jrtr.ShaderException;
@@ -20,18 +22,16 @@ final class IncludeExpansion {
     private static final Pattern DIRECTIVE = Pattern.compile("\\s*#\\s*([a-z]+)\\b(.*)");
     private static final Pattern QUOTED_NAME = Pattern.compile("\\s*\"([^\"]+)\"\\s*");
     private static final Pattern DEFINE_IN_NAME = Pattern.compile("\\{([A-Za-z0-9_]*)}");
+    private static final Pattern DEFINE = Pattern.compile("[A-Za-z_][A-Za-z0-9_]*");
     private static final Pattern SAFE_NAME = Pattern.compile("[A-Za-z0-9_.-]+(/[A-Za-z0-9_.-]+)*");
 
     private final ShaderLibrary library;
     private final Map<String, String> defines;
     private final StringBuilder text = new StringBuilder();
     private final List<SourceLine> origins = new ArrayList<>();
-    private final Map<String, FirstInclusion> included = new HashMap<>();
+    private final Set<String> included = new HashSet<>();
     private final Deque<String> openFiles = new ArrayDeque<>();
-    private int openConditions;
     private boolean versionSeen;
-
-    private record FirstInclusion(boolean conditional, SourceLine place) {}
 
     IncludeExpansion(ShaderLibrary library, Map<String, String> defines) {
         this.library = library;
@@ -51,17 +51,13 @@ final class IncludeExpansion {
 
     private void appendFile(String file, String content) {
         openFiles.push(file);
-        int conditionsBefore = openConditions;
         CommentStripper comments = new CommentStripper();
-        List<String> lines = withoutByteOrderMark(content).lines().toList();
+        List<String> lines = content.lines().toList();
         for (int index = 0; index < lines.size(); index++) {
             appendLine(new SourceLine(file, index + 1, lines.get(index)), comments.strip(lines.get(index)));
         }
         if (comments.isInsideBlock()) {
             throw new ShaderException(file + ":" + lines.size() + ": a comment /* is never closed");
-        }
-        if (openConditions != conditionsBefore) {
-            throw new ShaderException(file + ":" + lines.size() + ": #if and #endif do not pair up in this file");
         }
         openFiles.pop();
     }
@@ -74,7 +70,6 @@ final class IncludeExpansion {
             case "version" -> version(line, code);
             case "line" -> throw fault(line, "#line is not allowed: files and lines are tracked without it");
             default -> {
-                countConditions(keyword);
                 requireAscii(line, code);
                 requireVersionFirst(line, code);
                 emit(line, code);
@@ -91,18 +86,12 @@ final class IncludeExpansion {
         String name = withDefines(line, quoted.group(1));
         checkName(name, line.file() + ":" + line.number() + ": #include ");
         refuseCycle(line, name);
-        FirstInclusion first = included.get(name);
-        if (first == null) {
-            String content = library.text(name)
-                    .orElseThrow(() -> fault(line, "included file " + name + " is missing from the shader library"));
-            included.put(name, new FirstInclusion(openConditions > 0, line));
-            appendFile(name, content);
-        } else if (first.conditional()) {
-            String place = first.place().file() + ":" + first.place().number();
-            throw fault(
-                    line,
-                    name + " was already included inside #if at " + place
-                            + " and may be compiled out; include it before the #if");
+        if (included.add(name)) {
+            appendFile(
+                    name,
+                    library.text(name)
+                            .orElseThrow(() ->
+                                    fault(line, "included file " + name + " is missing from the shader library")));
         } else {
             emit(line, "");
         }
@@ -135,19 +124,31 @@ final class IncludeExpansion {
         }
         versionSeen = true;
         emit(line, code);
-        List<String> prologue = Defines.prologue(defines);
+        List<String> prologue = prologue(defines);
         for (int index = 0; index < prologue.size(); index++) {
             emit(new SourceLine(PROLOGUE_FILE, index + 1, prologue.get(index)), prologue.get(index));
         }
     }
 
-    private void countConditions(String directive) {
-        switch (directive) {
-            case "if", "ifdef", "ifndef" -> openConditions++;
-            case "endif" -> openConditions--;
-            default -> {
-                // Other directives neither open nor close a condition.
-            }
+    /** One line per define, sorted by name. */
+    private static List<String> prologue(Map<String, String> defines) {
+        List<String> lines = new ArrayList<>();
+        new TreeMap<>(defines).forEach((name, value) -> {
+            checkDefine(name, value);
+            lines.add(("#define " + name + " " + value).stripTrailing());
+        });
+        return lines;
+    }
+
+    private static void checkDefine(String name, String value) {
+        // GLSL 3.30, section 3.3: names with GL_ in front or __ anywhere are the language's own.
+        if (!DEFINE.matcher(name).matches() || name.startsWith("GL_") || name.contains("__")) {
+            throw new ShaderException("shader define '" + name + "' is no name that GLSL allows for a macro");
+        }
+        boolean oneLineOfAscii = value.chars().allMatch(character -> character >= ' ' && character < 127);
+        if (!oneLineOfAscii || value.endsWith("\\")) {
+            throw new ShaderException(
+                    "shader define " + name + ": the value '" + value + "' must be one line of plain ASCII");
         }
     }
 
@@ -173,10 +174,6 @@ final class IncludeExpansion {
     private void emit(SourceLine origin, String code) {
         text.append(code).append('\n');
         origins.add(origin);
-    }
-
-    private static String withoutByteOrderMark(String content) {
-        return content.startsWith("\uFEFF") ? content.substring(1) : content;
     }
 
     private static ShaderException fault(SourceLine line, String message) {

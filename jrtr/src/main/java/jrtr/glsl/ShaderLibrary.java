@@ -14,8 +14,8 @@ import jrtr.ShaderSource;
  * means the same file from wherever it is written. In {@code #include "{NAME}.glsl"} the value of a define stands for its
  * name in braces, so that a define can choose a file.
  *
- * <p>{@link #load} expands includes by these rules. A file is included once; later includes of it are skipped. A file
- * that was first included inside {@code #if} may not be included again, since the first one may have been compiled out.
+ * <p>{@link #load} expands includes by these rules. A file is included once; later includes of it are skipped, also
+ * where the first one stands inside an {@code #if}.
  * {@code #version} stands in the root file only, before any code; the defines follow it. {@code #line} is refused:
  * messages find their file and line without it. Comments are not passed on.
  */

@@ -1,39 +1,34 @@
 package jrtr.scene;
 
-import java.util.ArrayList;
-import java.util.Collections;
 import java.util.List;
-import java.util.Objects;
+import org.joml.Matrix4f;
+import org.joml.Matrix4fc;
 
-/** A node with children, in the order in which they were added. */
-public sealed class Group implements Node permits TransformGroup {
-    private final List<Node> children = new ArrayList<>();
-
-    /** An empty group. */
-    public Group() {}
-
-    /**
-     * Appends a child.
-     *
-     * @throws IllegalArgumentException if this group would come to stand inside itself
-     */
-    public final void add(Node child) {
-        Objects.requireNonNull(child, "child");
-        if (child instanceof Group group && group.contains(this)) {
-            throw new IllegalArgumentException("a group cannot stand inside itself");
+/**
+ * A node with children, which stand in a coordinate system of their own.
+ *
+ * @param toParent from the children's coordinates to the parent's, {@code M * v}; affine; copied
+ * @param children in the order in which they are drawn; copied
+ */
+public record Group(Matrix4fc toParent, List<Node> children) implements Node {
+    /** Rejects a transformation that is not affine, not finite or flattens space. */
+    public Group {
+        toParent = new Matrix4f(toParent);
+        children = List.copyOf(children);
+        boolean affine = toParent.m03() == 0 && toParent.m13() == 0 && toParent.m23() == 0 && toParent.m33() == 1;
+        if (!affine || !toParent.isFinite() || toParent.determinant3x3() == 0) {
+            throw new IllegalArgumentException(
+                    "a group's transformation must be affine, finite and invertible, not " + toParent);
         }
-        children.add(child);
     }
 
-    /** The children; a view that shows later changes. */
-    public final List<Node> children() {
-        return Collections.unmodifiableList(children);
+    /** At another place. */
+    public Group(Matrix4fc toParent, Node... children) {
+        this(toParent, List.of(children));
     }
 
-    private boolean contains(Group searched) {
-        if (this == searched) {
-            return true;
-        }
-        return children.stream().anyMatch(child -> child instanceof Group group && group.contains(searched));
+    /** At the same place. */
+    public Group(Node... children) {
+        this(new Matrix4f(), children);
     }
 }

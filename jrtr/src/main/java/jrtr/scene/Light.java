@@ -5,12 +5,12 @@ import org.joml.Vector3f;
 import org.joml.Vector3fc;
 
 /**
- * A directional light: parallel rays, as from the sun.
+ * A directional light: parallel rays, as from the sun. The groups above it turn its direction.
  *
  * @param towards unit vector from the scene to the light; given in any length above 0, kept in length 1
  * @param radiance linear color, in the unit that the application's shaders agree on; copied
  */
-public record Light(Vector3fc towards, Vector3fc radiance) {
+public record Light(Vector3fc towards, Vector3fc radiance) implements Node {
 
     /** Normalises the direction; rejects one without length. */
     public Light {

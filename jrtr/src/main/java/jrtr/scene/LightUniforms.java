@@ -1,7 +1,5 @@
 package jrtr.scene;
 
-import java.util.ArrayList;
-import java.util.Iterator;
 import java.util.List;
 import jrtr.ShaderProgram;
 import org.joml.Vector3fc;
@@ -34,14 +32,12 @@ public final class LightUniforms {
      *
      * @throws IllegalArgumentException if there are more than {@link #MOST}
      */
-    public static LightUniforms of(Iterator<Light> lights) {
-        List<Light> all = new ArrayList<>();
-        lights.forEachRemaining(all::add);
-        if (all.size() > MOST) {
+    public static LightUniforms of(List<Light> lights) {
+        if (lights.size() > MOST) {
             throw new IllegalArgumentException(
-                    "the scene has " + all.size() + " lights, but shaders take at most " + MOST);
+                    "the scene has " + lights.size() + " lights, but shaders take at most " + MOST);
         }
-        return new LightUniforms(all);
+        return new LightUniforms(lights);
     }
 
     /** Sets those that the program uses. */

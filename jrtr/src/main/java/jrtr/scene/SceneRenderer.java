@@ -1,13 +1,23 @@
 package jrtr.scene;
 
+import java.util.Comparator;
+import java.util.List;
+import jrtr.BoundingSphere;
 import jrtr.FloatTarget;
 import jrtr.RenderContext;
 import jrtr.ShaderProgram;
 import jrtr.Tile;
+import org.joml.FrustumIntersection;
+import org.joml.Matrix3f;
 import org.joml.Matrix4f;
+import org.joml.Matrix4fc;
+import org.joml.Vector3f;
 
 /** Draws scenes. */
 public final class SceneRenderer {
+    // Planes from float matrices are off by a few units of the sixth digit; spheres are widened by more than that.
+    private static final float WIDER = 1.001f;
+
     private final RenderContext context;
 
     /** Draws with a context, of which it keeps nothing. */
@@ -26,7 +36,7 @@ public final class SceneRenderer {
      * @throws IllegalArgumentException if the scene has more than {@link LightUniforms#MOST} lights, or target, area and
      *     tile do not fit together
      */
-    public void draw(SceneManagerInterface scene, PictureArea area, FloatTarget target, Tile tile) {
+    public void draw(SceneGraph scene, PictureArea area, FloatTarget target, Tile tile) {
         if (area.part().width() != target.spec().width()
                 || area.part().height() != target.spec().height()) {
             throw new IllegalArgumentException("target '" + target.label() + "' of "
@@ -34,19 +44,40 @@ public final class SceneRenderer {
         }
         LightUniforms lights = LightUniforms.of(scene.lights());
         target.clear(tile, 0, 0, 0, 0);
-        RenderQueue queue = RenderQueue.of(scene, area.within(tile));
         Matrix4f worldToClip =
                 scene.frustum().cameraToClip(area).mul(scene.camera().worldToCamera());
-        for (RenderItem item : queue.items()) {
+        for (RenderItem item : visible(scene, area.within(tile))) {
             draw(item, scene.camera(), lights, worldToClip, target, tile);
         }
+    }
+
+    /** What reaches into the frustum, nearest first: what is drawn first hides most of the rest. */
+    private static List<RenderItem> visible(SceneGraph scene, PictureArea area) {
+        Matrix4f worldToCamera = scene.camera().worldToCamera();
+        FrustumIntersection planes =
+                new FrustumIntersection(scene.frustum().cameraToClip(area).mul(worldToCamera));
+        return scene.shapes().stream()
+                .filter(item -> planes.testSphere(
+                        item.bounds().center(), WIDER * item.bounds().radius()))
+                .sorted(Comparator.comparingDouble(item -> nearestDepth(worldToCamera, item.bounds())))
+                .toList();
+    }
+
+    private static float nearestDepth(Matrix4f worldToCamera, BoundingSphere bounds) {
+        Vector3f center = worldToCamera.transformPosition(bounds.center(), new Vector3f());
+        return -center.z() - bounds.radius();
     }
 
     private void draw(
             RenderItem item, Camera camera, LightUniforms lights, Matrix4f worldToClip, FloatTarget target, Tile tile) {
         Material material = item.shape().material();
         ShaderProgram program = material.program();
-        PlaceUniforms.set(program, item.modelToWorld(), worldToClip);
+        Matrix4fc modelToWorld = item.modelToWorld();
+        program.set("modelToWorld", modelToWorld);
+        // The inverse transpose keeps normals orthogonal to the surface under any scaling.
+        program.set("normalToWorld", modelToWorld.normal(new Matrix3f()));
+        program.set("mirror", modelToWorld.determinant3x3() < 0 ? -1f : 1f);
+        program.set("worldToClip", worldToClip);
         if (program.isActive("eyePosition")) {
             program.set("eyePosition", camera.centerOfProjection());
         }

@@ -4,12 +4,12 @@ import java.util.Objects;
 import jrtr.VertexBuffer;
 
 /**
- * Triangles and how they look. Owns neither.
+ * A leaf that is drawn: triangles and how they look. Owns neither.
  *
  * @param vertices uploaded once, drawn often
  * @param material how they look
  */
-public record Shape(VertexBuffer vertices, Material material) {
+public record Shape(VertexBuffer vertices, Material material) implements Node {
 
     /** Rejects null. */
     public Shape {

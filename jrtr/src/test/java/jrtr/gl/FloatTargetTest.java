@@ -49,27 +49,6 @@ class FloatTargetTest {
     }
 
     @Test
-    void partsReadAreThoseOfTheWhole() {
-        try (FloatTarget target = rendering.target(7, 6)) {
-            rendering.draw(rendering.program("", COORDINATES), target);
-            float[] whole = target.read(0);
-            Tile tile = new Tile(2, 1, 4, 3);
-
-            float[] part = target.read(0, tile);
-
-            for (int row = 0; row < 3; row++) {
-                for (int index = 0; index < 16; index++) {
-                    assertThat(part[row * 16 + index]).isEqualTo(whole[4 * ((row + 1) * 7 + 2) + index]);
-                }
-            }
-            assertThatThrownBy(() -> target.read(0, new Tile(4, 0, 4, 1)))
-                    .isInstanceOf(IllegalArgumentException.class)
-                    .hasMessageContaining("7 x 6");
-            assertThatThrownBy(() -> target.read(1)).isInstanceOf(IllegalArgumentException.class);
-        }
-    }
-
-    @Test
     void aTileDrawTouchesItsPixelsOnly() {
         int width = 17;
         int height = 11;
@@ -110,23 +89,6 @@ class FloatTargetTest {
             }
 
             assertThat(target.read(0)).isEqualTo(atOnce);
-        }
-    }
-
-    @Test
-    void severalImagesAreWrittenAtOnce() {
-        ShaderProgram program = rendering.context.createFullScreenProgram(Rendering.fragment("""
-                layout(location = 0) out vec4 first;
-                layout(location = 1) out vec4 second;
-                void main() { first = vec4(1); second = vec4(2); }
-                """));
-        try (FloatTarget target = rendering.context.createFloatTarget("two", new FloatTargetSpec(2, 2, 2, true))) {
-            target.clear(Tile.whole(2, 2), 9, 9, 9, 9);
-            assertThat(target.read(1)).containsOnly(9);
-            rendering.draw(program, target);
-
-            assertThat(target.read(0)).containsOnly(1);
-            assertThat(target.read(1)).containsOnly(2);
         }
     }
 

@@ -6,7 +6,6 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.nio.FloatBuffer;
 import java.nio.ShortBuffer;
-import java.util.SplittableRandom;
 import jrtr.Binding;
 import jrtr.ContextLimits;
 import jrtr.Filter;
@@ -96,38 +95,6 @@ class FloatTextureTest {
     }
 
     @Test
-    void moreThanAHundredLayersOfComplexNumbersArriveInPlace() {
-        int width = 5;
-        int height = 3;
-        int layers = 130;
-        float[] values = new float[2 * width * height * layers];
-        SplittableRandom random = new SplittableRandom(1);
-        for (int index = 0; index < values.length; index++) {
-            values[index] = (float) random.nextDouble(-1, 1);
-        }
-        FloatTexture texture = texture(FloatTextureSpec.array(width, height, layers, FloatFormat.RG32F), values);
-        ShaderProgram program = rendering.program(
-                "uniform sampler2DArray t; uniform int height;",
-                "texelFetch(t, ivec3(gl_FragCoord.x, int(gl_FragCoord.y) % height, int(gl_FragCoord.y) / height), 0)");
-        program.set("height", height);
-
-        float[] back = rendering.drawn(program, width, height * layers, new Binding("t", texture));
-
-        int rows = height * layers;
-        for (int row = 0; row < rows; row++) {
-            for (int x = 0; x < width; x++) {
-                int pixel = 4 * ((rows - 1 - row) * width + x);
-                int texel = 2 * (row * width + x);
-                assertThat(back[pixel]).isEqualTo(values[texel]);
-                assertThat(back[pixel + 1]).isEqualTo(values[texel + 1]);
-                // Channels that the format lacks.
-                assertThat(back[pixel + 2]).isZero();
-                assertThat(back[pixel + 3]).isEqualTo(1);
-            }
-        }
-    }
-
-    @Test
     void theFilterFollowsTheSpecificationAndEdgesAreClamped() {
         ShaderProgram program = rendering.program(
                 "uniform sampler2D t;",
@@ -165,22 +132,6 @@ class FloatTextureTest {
                 .isInstanceOf(GraphicsException.class)
                 .hasMessageContaining((limits.arrayLayers() + 1) + " layers")
                 .hasMessageContaining("at most " + limits.arrayLayers());
-    }
-
-    @Test
-    void wrongLengthsAndLayersAreRefused() {
-        FloatTexture texture =
-                rendering.context.createFloatTexture("table", FloatTextureSpec.array(2, 2, 2, FloatFormat.RG32F));
-
-        assertThatThrownBy(() -> texture.upload(new float[15]))
-                .isInstanceOf(IllegalArgumentException.class)
-                .hasMessageContaining("16 floats")
-                .hasMessageContaining("15");
-        assertThatThrownBy(() -> texture.uploadLayer(0, FloatBuffer.wrap(new float[16])))
-                .isInstanceOf(IllegalArgumentException.class);
-        assertThatThrownBy(() -> texture.uploadLayer(2, FloatBuffer.wrap(new float[8])))
-                .isInstanceOf(IllegalArgumentException.class)
-                .hasMessageContaining("layers 0 to 1");
     }
 
     @Test

@@ -78,11 +78,6 @@ class OwnJvmTest {
     }
 
     @Test
-    void itEndsAlsoWithWindowsEnabledAndWithTheContextLeftOpen() throws IOException, InterruptedException {
-        assertThat(run(Map.of(), false, "leave-open").output()).startsWith("rendered by ");
-    }
-
-    @Test
     void withoutADisplayTheMessageSaysSo() throws IOException, InterruptedException {
         Outcome outcome = run(Map.of("DISPLAY", ""), true);
 

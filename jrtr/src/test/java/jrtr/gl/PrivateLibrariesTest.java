@@ -4,12 +4,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
-import java.nio.channels.FileChannel;
-import java.nio.channels.FileLock;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardOpenOption;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
@@ -107,35 +104,6 @@ class PrivateLibrariesTest {
             // Two folders each, and nothing left behind.
             assertThat(files.filter(file -> !file.equals(temporary))).hasSize(4);
         }
-    }
-
-    /** One of a process that was killed, one of a process that lives, and one whose process has just begun. */
-    @Test
-    void whatKilledProcessesLeftIsRemoved() throws IOException, InterruptedException {
-        Path left = Files.createDirectory(temporary.resolve("jrtr-libraries-left"));
-        Files.createFile(left.resolve("held"));
-        Files.createFile(left.resolve("libnewt.so"));
-        Files.createDirectory(temporary.resolve("jrtr-libraries-new"));
-        Path living = Files.createDirectory(temporary.resolve("jrtr-libraries-living"));
-        try (FileChannel channel = FileChannel.open(
-                        living.resolve("held"), StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE);
-                FileLock lock = channel.lock()) {
-            assertThat(lock.isValid()).isTrue();
-            assertThat(run(temporary)).first().asString().startsWith("rendered by ");
-        }
-        try (Stream<Path> files = Files.list(temporary)) {
-            assertThat(files.map(file -> file.getFileName().toString()))
-                    .containsExactlyInAnyOrder("jrtr-libraries-living", "jrtr-libraries-new");
-        }
-    }
-
-    @Test
-    void aMissingFolderForTemporaryFilesIsOneLine() throws IOException, InterruptedException {
-        assertThat(run(root.resolve("missing")))
-                .singleElement()
-                .asString()
-                .startsWith("failed: JOGL's native libraries cannot be unpacked to the folder for temporary files, ")
-                .contains("missing", "-Djava.io.tmpdir=FOLDER");
     }
 
     /** 64 kB are less than any of JOGL's libraries. */

@@ -3,7 +3,6 @@ package jrtr.gl;
 import java.util.List;
 import java.util.Map;
 import jrtr.Binding;
-import jrtr.ContextOptions;
 import jrtr.FloatTarget;
 import jrtr.FloatTargetSpec;
 import jrtr.RenderContext;
@@ -12,9 +11,9 @@ import jrtr.ShaderSource;
 import jrtr.Tile;
 import jrtr.glsl.ShaderTexts;
 
-/** A context with short ways to small drawings. Debug output is on, so that no driver's complaint goes unseen. */
+/** A context with short ways to small drawings. */
 final class Rendering implements AutoCloseable {
-    final RenderContext context = RenderContexts.offscreen(ContextOptions.withDebugOutput());
+    final RenderContext context = RenderContexts.offscreen();
 
     static ShaderSource fragment(String code) {
         return ShaderTexts.of(Map.of("test.frag.glsl", "#version 330 core\n" + code))

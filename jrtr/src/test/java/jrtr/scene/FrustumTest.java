@@ -14,18 +14,6 @@ class FrustumTest {
     private static final Frustum FRUSTUM = new Frustum(FIELD, 0.5f, 20);
 
     @Test
-    void cornersOfTheFrustumAreCornersOfTheCube() {
-        Matrix4f matrix = FRUSTUM.cameraToClip(PictureArea.whole(400, 300));
-        float top = (float) Math.tan(FIELD / 2);
-
-        Vector3f nearTopRight = matrix.transformProject(new Vector3f(top * 0.5f * 4 / 3, top * 0.5f, -0.5f));
-        Vector3f farBottomLeft = matrix.transformProject(new Vector3f(-top * 20 * 4 / 3, -top * 20, -20));
-
-        assertThat(nearTopRight.equals(new Vector3f(1, 1, -1), 1e-5f)).isTrue();
-        assertThat(farBottomLeft.equals(new Vector3f(-1, -1, 1), 1e-5f)).isTrue();
-    }
-
-    @Test
     void aPartShowsItsPixelsOfTheWhole() {
         PictureArea whole = PictureArea.whole(400, 300);
         Tile tile = new Tile(100, 30, 50, 60);

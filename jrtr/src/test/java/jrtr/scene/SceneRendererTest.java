@@ -6,7 +6,6 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
 import java.util.Map;
-import jrtr.ContextOptions;
 import jrtr.FloatTarget;
 import jrtr.FloatTargetSpec;
 import jrtr.RenderContext;
@@ -39,7 +38,7 @@ class SceneRendererTest {
 
     @BeforeAll
     void open() {
-        context = RenderContexts.offscreen(ContextOptions.withDebugOutput());
+        context = RenderContexts.offscreen();
         renderer = new SceneRenderer(context);
         target = context.createFloatTarget("picture", new FloatTargetSpec(WIDTH, HEIGHT, 1, true));
     }
@@ -65,22 +64,20 @@ class SceneRendererTest {
         return new Shape(context.createVertexBuffer("mesh", data), new Material(program, List.of(), uniforms));
     }
 
-    private static GraphSceneManager scene(Node root) {
-        return new GraphSceneManager(root, CAMERA, FRUSTUM);
+    private static SceneGraph scene(Node root) {
+        return new SceneGraph(root, CAMERA, FRUSTUM);
     }
 
     private static Node at(Matrix4f place, Shape shape) {
-        TransformGroup group = new TransformGroup(place);
-        group.add(new ShapeNode(shape));
-        return group;
+        return new Group(place, shape);
     }
 
-    private float[] drawn(SceneManagerInterface scene) {
+    private float[] drawn(SceneGraph scene) {
         draw(scene, target, Tile.whole(WIDTH, HEIGHT));
         return target.read(0);
     }
 
-    private void draw(SceneManagerInterface scene, FloatTarget whole, Tile tile) {
+    private void draw(SceneGraph scene, FloatTarget whole, Tile tile) {
         renderer.draw(
                 scene, PictureArea.whole(whole.spec().width(), whole.spec().height()), whole, tile);
     }
@@ -100,7 +97,7 @@ class SceneRendererTest {
     @Test
     void aSpheresNormalsAreTheAnalyticOnes() {
         Shape sphere = shape(TestMeshes.sphere(256, 128), program("", "vec4(normalize(worldNormal), 1)"));
-        float[] pixels = drawn(scene(new ShapeNode(sphere)));
+        float[] pixels = drawn(scene(sphere));
 
         int compared = 0;
         for (int row = 0; row < HEIGHT; row++) {
@@ -126,54 +123,21 @@ class SceneRendererTest {
         assertThat(compared).isGreaterThan(500);
     }
 
-    @Test
-    void aPlanesDepthIsTheAnalyticOne() {
-        Shape plane = shape(TestMeshes.square(), program("", "vec4(gl_FragCoord.z, 0, 0, 1)"));
-        float[] pixels = drawn(scene(at(new Matrix4f().scale(1.2f), plane)));
-        Vector3f forward = new Vector3f(CAMERA.lookAtPoint())
-                .sub(CAMERA.centerOfProjection())
-                .normalize();
-
-        int compared = 0;
-        for (int row = 0; row < HEIGHT; row++) {
-            for (int column = 0; column < WIDTH; column++) {
-                Vector3f direction = ray(column, row);
-                float distance = -CAMERA.centerOfProjection().z() / direction.z;
-                Vector3f hit = new Vector3f(direction).mul(distance).add(CAMERA.centerOfProjection());
-                float reach = Math.max(Math.abs(hit.x), Math.abs(hit.y));
-                float found = pixels[4 * (row * WIDTH + column)];
-                if (distance > 0 && reach < 1.17f) {
-                    float z = distance * direction.dot(forward);
-                    float expected = (20f / 19f) * (1 - 1 / z);
-                    // Float32 through two matrices and a division.
-                    assertThat(found).isCloseTo(expected, within(3e-6f));
-                    compared++;
-                } else if (distance < 0 || reach > 1.23f) {
-                    assertThat(pixels[4 * (row * WIDTH + column) + 3])
-                            .as("the far plane hides nothing, but nothing is there")
-                            .isZero();
-                }
-            }
-        }
-        assertThat(compared).isGreaterThan(500);
-    }
-
     private Group crowd() {
         ShaderProgram program = program(
                 "", "vec4(viewDirection(tangentFrame()), 1) + vec4(surfaceCoordinate, 0, 0) * sin(worldPosition.x)");
         Shape sphere = shape(TestMeshes.sphere(40, 20), program);
         Shape square = shape(TestMeshes.square(), program);
-        Group root = new Group();
-        root.add(at(new Matrix4f().scale(3), square));
-        root.add(at(new Matrix4f().translate(0.2f, 0, 0.4f).scale(0.6f), sphere));
-        root.add(at(new Matrix4f().translate(-0.5f, -0.6f, 0.3f).rotateX(1).scale(0.3f, 0.4f, 0.5f), sphere));
-        root.add(at(new Matrix4f().translate(-40, 0, 0), sphere));
-        return root;
+        return new Group(
+                at(new Matrix4f().scale(3), square),
+                at(new Matrix4f().translate(0.2f, 0, 0.4f).scale(0.6f), sphere),
+                at(new Matrix4f().translate(-0.5f, -0.6f, 0.3f).rotateX(1).scale(0.3f, 0.4f, 0.5f), sphere),
+                at(new Matrix4f().translate(-40, 0, 0), sphere));
     }
 
     @Test
     void tilesGiveTheSamePictureAsOneDrawBitForBit() {
-        GraphSceneManager scene = scene(crowd());
+        SceneGraph scene = scene(crowd());
         float[] atOnce = drawn(scene);
         target.clear(Tile.whole(WIDTH, HEIGHT), 5, 5, 5, 5);
 
@@ -186,7 +150,7 @@ class SceneRendererTest {
 
     @Test
     void partsOfAPictureShowWhatTheWholeShows() {
-        GraphSceneManager scene = scene(crowd());
+        SceneGraph scene = scene(crowd());
         float[] whole = drawn(scene);
         Tile part = new Tile(33, 11, 40, 30);
         try (FloatTarget small = context.createFloatTarget("part", new FloatTargetSpec(40, 30, 1, true))) {
@@ -226,12 +190,10 @@ class SceneRendererTest {
         assertThat(second[middle]).isCloseTo(4, within(1e-5f));
     }
 
-    private GraphSceneManager lit(ShaderProgram program, float strength, Matrix4f place) {
-        TransformGroup light = new TransformGroup(place);
-        light.add(new LightNode(new Light(new Vector3f(0, 0, 2), new Vector3f(1, 0.5f, 0))));
-        Group root = new Group();
-        root.add(light);
-        root.add(new ShapeNode(shape(TestMeshes.square(), program, Map.of("strength", strength))));
+    private SceneGraph lit(ShaderProgram program, float strength, Matrix4f place) {
+        Group root = new Group(
+                new Group(place, new Light(new Vector3f(0, 0, 2), new Vector3f(1, 0.5f, 0))),
+                shape(TestMeshes.square(), program, Map.of("strength", strength)));
         return scene(root);
     }
 
@@ -240,11 +202,11 @@ class SceneRendererTest {
         Shape large = shape(TestMeshes.square(), program("", "vec4(1)"));
         Shape front = shape(TestMeshes.square(), program("", "vec4(2)"));
         Shape back = shape(TestMeshes.square(), program("", "vec4(3)"));
-        Group root = new Group();
         // The large square's bounding sphere comes nearest, so that it is drawn first.
-        root.add(at(new Matrix4f().translate(0, 0, 0.2f).scale(0.1f), front));
-        root.add(at(new Matrix4f().scale(1.5f), large));
-        root.add(at(new Matrix4f().translate(0, 0, -0.2f).scale(0.3f), back));
+        Group root = new Group(
+                at(new Matrix4f().translate(0, 0, 0.2f).scale(0.1f), front),
+                at(new Matrix4f().scale(1.5f), large),
+                at(new Matrix4f().translate(0, 0, -0.2f).scale(0.3f), back));
 
         float[] pixels = drawn(scene(root));
 

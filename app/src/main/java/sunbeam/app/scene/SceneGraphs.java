@@ -4,14 +4,11 @@ import jrtr.BoundingSphere;
 import jrtr.VertexBuffer;
 import jrtr.scene.Camera;
 import jrtr.scene.Frustum;
-import jrtr.scene.GraphSceneManager;
 import jrtr.scene.Group;
 import jrtr.scene.Light;
-import jrtr.scene.LightNode;
 import jrtr.scene.Material;
+import jrtr.scene.SceneGraph;
 import jrtr.scene.Shape;
-import jrtr.scene.ShapeNode;
-import jrtr.scene.TransformGroup;
 import org.joml.Matrix4f;
 import org.joml.Quaternionfc;
 import org.joml.Vector3f;
@@ -30,16 +27,14 @@ final class SceneGraphs {
     private SceneGraphs() {}
 
     /** One mesh under one light. */
-    static GraphSceneManager of(Scene scene, VertexBuffer mesh, Material material) {
-        Group root = new Group();
-        root.add(new LightNode(light(scene)));
-        root.add(turned(scene.orientation(), mesh, material));
-        return new GraphSceneManager(root, scene.view().camera(), frustum(scene.view(), mesh.bounds()));
+    static SceneGraph of(Scene scene, VertexBuffer mesh, Material material) {
+        Group root = new Group(light(scene), turned(scene.orientation(), mesh, material));
+        return new SceneGraph(root, scene.view().camera(), frustum(scene.view(), mesh.bounds()));
     }
 
     /** One mesh that is not lit yet. */
-    static GraphSceneManager unlit(Viewpoint view, Quaternionfc orientation, VertexBuffer mesh, Material material) {
-        return new GraphSceneManager(turned(orientation, mesh, material), view.camera(), frustum(view, mesh.bounds()));
+    static SceneGraph unlit(Viewpoint view, Quaternionfc orientation, VertexBuffer mesh, Material material) {
+        return new SceneGraph(turned(orientation, mesh, material), view.camera(), frustum(view, mesh.bounds()));
     }
 
     /** A scene's light, world space. */
@@ -48,10 +43,8 @@ final class SceneGraphs {
                 scene.light().towards(), new Vector3f((float) scene.light().intensity()));
     }
 
-    private static TransformGroup turned(Quaternionfc orientation, VertexBuffer mesh, Material material) {
-        TransformGroup turned = new TransformGroup(toWorld(orientation, mesh.bounds()));
-        turned.add(new ShapeNode(new Shape(mesh, material)));
-        return turned;
+    private static Group turned(Quaternionfc orientation, VertexBuffer mesh, Material material) {
+        return new Group(toWorld(orientation, mesh.bounds()), new Shape(mesh, material));
     }
 
     private static Matrix4f toWorld(Quaternionfc orientation, BoundingSphere bounds) {

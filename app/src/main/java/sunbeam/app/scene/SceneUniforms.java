@@ -9,7 +9,7 @@ final class SceneUniforms {
     private SceneUniforms() {}
 
     static void set(ShaderProgram program, Scene scene) {
-        LightUniforms.of(List.of(SceneGraphs.light(scene)).iterator()).applyTo(program);
+        LightUniforms.of(List.of(SceneGraphs.light(scene))).applyTo(program);
         Blend blend = scene.blend();
         program.set("diffractionWeight", (float) blend.diffraction());
         program.set("textureWeight", (float) blend.texture());

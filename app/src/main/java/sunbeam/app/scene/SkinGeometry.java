@@ -7,9 +7,9 @@ import jrtr.ImageTexture;
 import jrtr.ShaderProgram;
 import jrtr.Tile;
 import jrtr.VertexBuffer;
-import jrtr.scene.GraphSceneManager;
 import jrtr.scene.Material;
 import jrtr.scene.PictureArea;
+import jrtr.scene.SceneGraph;
 import jrtr.scene.ViewRays;
 import org.joml.Quaternionfc;
 
@@ -42,7 +42,7 @@ record SkinGeometry(
     }
 
     /** For a {@linkplain GeometryLayout#shader() program} that notes it. */
-    GraphSceneManager graph(ShaderProgram program) {
+    SceneGraph graph(ShaderProgram program) {
         Faces faces = closed && SceneGraphs.seesFromOutside(view, mesh.bounds()) ? Faces.FRONT : Faces.BOTH;
         Material material = new Material(
                 program, List.of(new Binding("bodyTexture", body)), Material.tangentsTurned(rotatePatch), faces);

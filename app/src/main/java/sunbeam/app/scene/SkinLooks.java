@@ -60,7 +60,7 @@ final class SkinLooks implements AutoCloseable {
      * @param used part of the target that they take
      */
     void find(Scene scene, GeometryBuffer buffer, int samplesAcross, int mostPlaces, FloatTexture sources, Tile used) {
-        LightUniforms.of(List.of(SceneGraphs.light(scene)).iterator()).applyTo(program);
+        LightUniforms.of(List.of(SceneGraphs.light(scene))).applyTo(program);
         program.set("samplesAcross", (float) samplesAcross);
         program.set("mostPlaces", (float) mostPlaces);
         List<Binding> textures = new ArrayList<>(buffer.bindings());

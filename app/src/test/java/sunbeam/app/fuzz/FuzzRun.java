@@ -61,7 +61,7 @@ final class FuzzRun {
                 System.getProperty("surefire.test.class.path", System.getProperty("java.class.path")),
                 "com.code_intelligence.jazzer.Jazzer",
                 "--target_class=" + FuzzTarget.class.getName(),
-                "--instrumentation_includes=sunbeam.**:de.javagl.**:de.siegmar.**:io.jhdf.**:com.sun.imageio.**",
+                "--instrumentation_includes=sunbeam.**:de.siegmar.**:io.jhdf.**:com.sun.imageio.**",
                 "--keep_going=10",
                 "-artifact_prefix=" + findings + "/",
                 "-max_total_time=" + Math.round(60 * minutes),

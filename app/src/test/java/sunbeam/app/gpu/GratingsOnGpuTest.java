@@ -5,9 +5,7 @@ import static sunbeam.app.gpu.Requests.TOLERANCE;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.ToDoubleBiFunction;
-import org.apache.commons.math3.special.BesselJ;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.app.gpu.directions.DirectionsRenderer.Query;
 import sunbeam.precompute.optics.HeightMap;
@@ -42,18 +40,6 @@ class GratingsOnGpuTest extends InAContext {
             errors[i] = Math.abs(computed.get(i)[average == Average.ENSEMBLE ? 1 : 0] - exact) / exact;
         }
         Errors.of(errors).assertWithin(TOLERANCE, "orders");
-    }
-
-    @ParameterizedTest
-    @EnumSource(Average.class)
-    void sinusoidHasBesselOrders(Average average) {
-        double amplitude = 100e-9;
-        HeightMap map = Surface.of(64, 1, PERIOD / 64, (x, y) -> amplitude * Math.sin(2 * Math.PI * x / PERIOD));
-
-        assertOrders(map, average, (order, wPerWavelength) -> {
-            double bessel = BesselJ.value(Math.abs(order), 2 * Math.PI * Math.abs(wPerWavelength) * amplitude);
-            return bessel * bessel;
-        });
     }
 
     @ParameterizedTest

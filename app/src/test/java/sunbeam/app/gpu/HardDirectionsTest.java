@@ -41,17 +41,6 @@ class HardDirectionsTest extends InAContext {
         comparison.colorErrors(queries.stream().map(Query::pair).toList()).assertWithin(TOLERANCE, "XYZ");
     }
 
-    @Test
-    void bothEndsOfTheBand() {
-        Directions directions = new Directions(52);
-        for (double wavelength : new double[] {380e-9, 780e-9}) {
-            List<Query> queries = directions.anywhere(60).stream()
-                    .map(pair -> new Query(pair, wavelength))
-                    .toList();
-            comparison(3e-6).powerErrors(queries).assertWithin(TOLERANCE, "power at the band's end");
-        }
-    }
-
     /** Light and view that nearly cancel: factors of 1 + wi . wr lost all digits but one at 89.9 degrees. */
     @Test
     void grazingMirrorsHaveTheirRadianceToo() {

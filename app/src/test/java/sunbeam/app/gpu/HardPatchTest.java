@@ -30,24 +30,11 @@ class HardPatchTest extends InAContext {
     }
 
     @Test
-    void pixelsThatAreNotSquare() {
-        HeightMap square = Surface.noise(64, 40, 30e-9, 300e-9, 13);
-        assertKept(new HeightMap(64, 40, 30e-9, 90e-9, square.toArray()), 2e-6, "30 nm x 90 nm");
-    }
-
-    @Test
     void oneSpikeOfDust() {
         HeightMap skin = Surface.waves(64, 64, 50e-9, 100e-9);
         double[] heights = skin.toArray();
         heights[20 * 64 + 30] = 3e-6;
         assertKept(new HeightMap(64, 64, 50e-9, 50e-9, heights), 3e-6, "dust");
-    }
-
-    @Test
-    void eightBits() {
-        double step = 375e-9 / 255;
-        HeightMap skin = Surface.noise(64, 64, 50e-9, 375e-9, 14);
-        assertKept(skin.map(height -> step * Math.rint(height / step)), 3e-6, "8 bits");
     }
 
     @Test

@@ -3,16 +3,12 @@ package sunbeam.app.gpu;
 import static sunbeam.app.gpu.Requests.TOLERANCE;
 
 import java.util.List;
-import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.app.gpu.directions.DirectionsRenderer.Query;
-import sunbeam.precompute.expansion.ExpansionKind;
 import sunbeam.precompute.optics.HeightMap;
-import sunbeam.precompute.optics.WindowOrigin;
 import sunbeam.precompute.plan.Average;
 
 /** Heights that are hard to expand: the tolerance is kept on the GPU, in float32, by the plan's own choices. */
@@ -47,18 +43,6 @@ class HardReliefTest extends InAContext {
         new Comparison(context, map, Requests.of(WINDOW, Average.COHERENT))
                 .colorErrors(new Directions(2).anywhere(10))
                 .assertWithin(TOLERANCE, "XYZ");
-    }
-
-    @ParameterizedTest
-    @EnumSource(
-            value = ExpansionKind.class,
-            names = {"CHEBYSHEV", "TAYLOR"})
-    void theOtherExpansionsKeepTheToleranceToo(ExpansionKind kind) {
-        HeightMap map = Surface.noise(64, 64, PITCH, 250e-9, 5);
-
-        new Comparison(context, map, Requests.of(WINDOW, Average.COHERENT, WindowOrigin.CENTRE, Optional.of(kind)))
-                .powerErrors(new Directions(3).queries(60))
-                .assertWithin(TOLERANCE, kind.label());
     }
 
     @Test

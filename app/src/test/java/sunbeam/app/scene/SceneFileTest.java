@@ -2,26 +2,21 @@ package sunbeam.app.scene;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
-import static org.junit.jupiter.api.Assertions.assertTimeoutPreemptively;
-import static org.junit.jupiter.api.Assumptions.assumeTrue;
 import static sunbeam.precompute.plan.MethodSettings.AVERAGE;
 import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
 
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.time.Duration;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
-import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.app.files.input.InputException;
 import sunbeam.app.files.output.OutputException;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.precompute.json.JsonException;
-import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.setting.SettingException;
 
@@ -42,25 +37,6 @@ class SceneFileTest {
 
     @TempDir
     private Path folder;
-
-    @Test
-    void anIndexIsReadAndWritten() throws IOException {
-        Scene scene = SceneReader.read(write(SCENE.replace("\"exposure\"", "\"index\": \"0.97+6.5i\", \"exposure\"")));
-        assertThat(scene.index()).isEqualTo(SkinIndex.of(RefractiveIndex.constant(0.97, 6.5)));
-        Path again = folder.resolve("again.json");
-        SceneWriter.write(again, Overwrite.REFUSE, scene);
-        assertThat(SceneReader.read(again)).isEqualTo(scene);
-        assertThat(SceneReader.read(write(SCENE)).index()).isEqualTo(SkinIndex.KERATIN);
-        refused(SCENE.replace("\"exposure\"", "\"index\": \"gold.csv\", \"exposure\""), "index", "gold.csv");
-        Files.writeString(folder.resolve("gold.csv"), "wl,n,k\n0.3,1.5,1.9\n0.8,0.15,4.9\n");
-        Scene gold = SceneReader.read(write(SCENE.replace("\"exposure\"", "\"index\": \"gold.csv\", \"exposure\"")));
-        assertThat(gold.index())
-                .isEqualTo(
-                        SkinIndex.of(folder.resolve("gold.csv").toAbsolutePath().toString()));
-        SceneWriter.write(again, Overwrite.REPLACE, gold);
-        assertThat(SceneReader.read(again)).isEqualTo(gold);
-        refused(SCENE.replace("\"exposure\"", "\"index\": \"../gold.csv\", \"exposure\""), "index", "folder");
-    }
 
     static Iterable<String> names() {
         return Scenes.builtIn();
@@ -135,20 +111,6 @@ class SceneFileTest {
         refused(SCENE.replace(found, replacement), line + ":", key, words);
     }
 
-    /** Nobody writes to it, so reading it would not end. */
-    @Test
-    void aPipeIsNoScene() throws Exception {
-        assumeTrue(Files.isExecutable(Path.of("/usr/bin/mkfifo")), "skipped: no mkfifo");
-        Path pipe = folder.resolve("scene.json");
-        assertThat(new ProcessBuilder("mkfifo", pipe.toString()).start().waitFor())
-                .isZero();
-        assertTimeoutPreemptively(
-                Duration.ofSeconds(20),
-                () -> assertThatThrownBy(() -> SceneReader.read(pipe))
-                        .isInstanceOf(InputException.class)
-                        .hasMessageContaining("no regular file"));
-    }
-
     @Test
     void brokenFilesAreNoScenes() throws IOException {
         refused(SCENE.replace("\"snake\",", "\"snake\""), "line 3", "no valid JSON");
@@ -179,21 +141,6 @@ class SceneFileTest {
         SceneWriter.write(file, Overwrite.REFUSE, scene);
         assertThat(SceneReader.read(file)).isEqualTo(scene);
         assertThat(scene.title()).isNotEmpty();
-    }
-
-    @ParameterizedTest
-    @ValueSource(
-            strings = {
-                "\"method\": \"nmm\", \"preset\": \"thesis\"",
-                "\"method\": \"pq\", \"interpolation\": \"linear\", \"replicas\": 3",
-                "\"method\": \"gem\", \"spacing\": \"1.6 um\""
-            })
-    void methodsAreReadAndWrittenAlike(String method) throws IOException {
-        Scene scene = SceneReader.read(write(SCENE.replace("\"tolerance\": 0.01", method)));
-        Path copy = folder.resolve("copy.json");
-        SceneWriter.write(copy, Overwrite.REFUSE, scene);
-        assertThat(SceneReader.read(copy)).isEqualTo(scene);
-        assertThat(scene).isNotEqualTo(SceneReader.read(write(SCENE)));
     }
 
     @Test

@@ -2,10 +2,8 @@ package sunbeam.app.scene;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
-import static org.assertj.core.api.Assertions.within;
 import static sunbeam.precompute.method.Methods.METHOD;
 import static sunbeam.precompute.plan.MethodSettings.AVERAGE;
-import static sunbeam.precompute.plan.MethodSettings.REPLICAS;
 import static sunbeam.precompute.plan.MethodSettings.SPACING;
 import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
 
@@ -18,7 +16,6 @@ import jrtr.gl.RenderContexts;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import sunbeam.app.gpu.NeedsDisplay;
-import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.method.GemMethod;
 import sunbeam.precompute.method.MethodType;
@@ -26,13 +23,8 @@ import sunbeam.precompute.method.NmmMethod;
 import sunbeam.precompute.method.PqMethod;
 import sunbeam.precompute.method.ReferenceMethod;
 import sunbeam.precompute.method.TableMethod;
-import sunbeam.precompute.optics.DirectionPair;
-import sunbeam.precompute.optics.Gain;
-import sunbeam.precompute.optics.Replicas;
 import sunbeam.precompute.patch.PatchRequest;
 import sunbeam.precompute.plan.Average;
-import sunbeam.precompute.reference.ReplicaColor;
-import sunbeam.precompute.reference.ReplicaEvaluator;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.SettingException;
 
@@ -84,35 +76,6 @@ class SceneMethodsTest {
             // nmm takes an order's power at its one wavelength: 3e-3 on this grating's maps (docs/theory.md), up to
             // 6e-2 at the 95th percentile; beside the grating's plane, on orders' flanks, 1.5e-2 in the median.
             assertThat(errors[errors.length / 2]).as("median error").isLessThan(2e-2);
-        }
-    }
-
-    @Test
-    void pqHasTheExactColorOfItsReplicas() {
-        int replicas = 3;
-        Choices method = Choices.none().with(METHOD, PqMethod.TYPE).with(REPLICAS, replicas);
-        SceneData data = PlaneScenes.load(with(method), folder);
-        ReplicaColor reference = new ReplicaColor(
-                new ReplicaEvaluator(data.patch().heights(), new Replicas(replicas, replicas)), CieTable.load());
-        try (RenderContext context = RenderContexts.offscreen();
-                SceneSession session = new SceneSession(context, data)) {
-            float[] drawn = session.draw(WIDTH, HEIGHT).rgba();
-            int[] ranked = byLuminance(drawn);
-            for (int rank : new int[] {0, 20, 150, 400}) {
-                int pixel = ranked[rank];
-                Pick pick = session.pick(pixel % WIDTH, pixel / WIDTH, WIDTH, HEIGHT)
-                        .orElseThrow();
-                DirectionPair pair = new DirectionPair(pick.wi(), pick.wr());
-                double[] exact = reference.xyz(pair);
-                double gain = Gain.relativeRadiance(pair);
-                double scale = gain * Math.max(exact[0], Math.max(exact[1], exact[2]));
-                for (int c = 0; c < 3; c++) {
-                    // As for full: the tolerance of 1e-3 for each of five sources.
-                    assertThat((double) drawn[4 * pixel + c])
-                            .as("channel %d of pixel %d", c, pixel)
-                            .isCloseTo(gain * exact[c], within(5e-3 * scale));
-                }
-            }
         }
     }
 

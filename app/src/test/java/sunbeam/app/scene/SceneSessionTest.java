@@ -3,13 +3,10 @@ package sunbeam.app.scene;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import java.awt.image.BufferedImage;
-import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.stream.IntStream;
-import javax.imageio.ImageIO;
 import jrtr.RenderContext;
 import jrtr.Tile;
 import jrtr.gl.RenderContexts;
@@ -110,32 +107,6 @@ class SceneSessionTest {
     }
 
     @Test
-    void blendAddsLightLinearly() {
-        Scene scene = PlaneScenes.blaze();
-        double[] albedo = {0.95047, 1, 1.08883}; // XYZ of sRGB white, which the texture "none" is
-        Blend blend = new Blend(30, 0.6, 0.7, 0.2);
-        ScenePicture diffracted = draw(scene);
-        ScenePicture blended = draw(scene.withBlend(blend));
-        double cosThetaI = scene.light().towards().z();
-        int seenThrough = 0;
-        for (int i = 0; i < WIDTH * HEIGHT; i++) {
-            if (diffracted.rgba()[4 * i + 3] == 0) {
-                continue;
-            }
-            double alpha = Math.min(1, 30.0 * diffracted.rgba()[4 * i + 1]);
-            seenThrough += alpha > 0.01 && alpha < 0.99 ? 1 : 0;
-            for (int c = 0; c < 3; c++) {
-                double body = 0.6 * (0.2 + 0.7 * cosThetaI) * albedo[c];
-                double light = 30.0 * diffracted.rgba()[4 * i + c];
-                // The texture's white is rounded to 8 bits nowhere; what is left is float32 and the matrix's 7 digits.
-                assertThat((double) blended.rgba()[4 * i + c])
-                        .isCloseTo(light + (1 - alpha) * body, within(1e-4 * (1 + light)));
-            }
-        }
-        assertThat(seenThrough).as("pixels that show both").isPositive();
-    }
-
-    @Test
     void lightBelowTheSurfaceLeavesTheAmbientPart() {
         Scene scene = PlaneScenes.blaze();
         ScenePicture picture = draw(
@@ -156,30 +127,6 @@ class SceneSessionTest {
         for (float value : draw(scene).rgba()) {
             assertThat(value).isFinite().isNotNegative();
         }
-    }
-
-    @Test
-    void textureStandsUprightAndIsLinear() throws IOException {
-        BufferedImage image = new BufferedImage(64, 64, BufferedImage.TYPE_INT_RGB);
-        for (int i = 0; i < 64 * 64; i++) {
-            boolean left = i % 64 < 32;
-            boolean top = i / 64 < 32;
-            image.setRGB(i % 64, i / 64, top ? (left ? 0xff0000 : 0x00ff00) : (left ? 0x0000ff : 0x808080));
-        }
-        Path file = folder.resolve("quarters.png");
-        ImageIO.write(image, "png", file.toFile());
-        Scene scene = PlaneScenes.blaze()
-                .withTexture(file.toString())
-                .withBlend(new Blend(0, 1, 0, 1))
-                .withView(new Viewpoint(
-                        new Camera(new Vector3f(0, 0, 0.4f), new Vector3f(), new Vector3f(0, 1, 0)), 0.4));
-        session.update(PlaneScenes.load(scene, folder));
-        ScenePicture picture = session.draw(40, 40);
-        // Luminances of the sRGB primaries (IEC 61966-2-1); 0x80 is 0.2159 in linear light. Half of a byte's step.
-        assertThat(pixel(picture, 8, 8)[1]).isCloseTo(0.2127f, within(2e-3f));
-        assertThat(pixel(picture, 31, 8)[1]).isCloseTo(0.7152f, within(2e-3f));
-        assertThat(pixel(picture, 8, 31)[1]).isCloseTo(0.0722f, within(2e-3f));
-        assertThat(pixel(picture, 31, 31)[1]).isCloseTo(0.2159f, within(2e-3f));
     }
 
     @Test

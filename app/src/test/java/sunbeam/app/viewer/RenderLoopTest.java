@@ -3,11 +3,7 @@ package sunbeam.app.viewer;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.image.BufferedImage;
-import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
-import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.BlockingQueue;
@@ -17,24 +13,14 @@ import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.BooleanSupplier;
 import jrtr.ContextInfo;
 import jrtr.GraphicsException;
-import jrtr.RenderContext;
-import jrtr.Tile;
-import jrtr.gl.RenderContexts;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import sunbeam.app.gpu.NeedsDisplay;
-import sunbeam.app.scene.PartSum;
-import sunbeam.app.scene.PixelSamples;
-import sunbeam.app.scene.Scene;
-import sunbeam.app.scene.SceneDisplay;
 import sunbeam.app.scene.SceneLoader;
-import sunbeam.app.scene.ScenePicture;
 import sunbeam.app.scene.ScenePreview;
-import sunbeam.app.scene.SceneSession;
-import sunbeam.app.scene.SkinIndex;
 import sunbeam.app.terminal.Environment;
 import sunbeam.precompute.optics.Direction;
 
@@ -166,55 +152,6 @@ class RenderLoopTest {
         assertThat(next()).isEqualTo("map");
         assertThat(next()).isEqualTo("complete");
         assertThat(next()).isEqualTo("final map");
-    }
-
-    @Test
-    void aSkinWithAnIndexByWavelengthIsDrawnAsRenderDrawsIt() throws InterruptedException, IOException {
-        loop.show(state);
-        while (!next().equals("final map")) {
-            // a skin with one index, before
-        }
-        BufferedImage keratin = completed;
-        Path copper = Files.writeString(
-                folder.resolve("copper.csv"), "wl,n,k\n0.38,1.2,2.2\n0.55,1.0,2.6\n0.6,0.3,3.3\n0.8,0.25,5\n");
-        SceneLoader loader = new SceneLoader(new Environment(Map.of(), folder), warning -> {});
-        Scene scene = ViewerInAWindow.scene().withIndex(SkinIndex.of(copper.toString()));
-        LoadedScene loaded = LoadedScene.load(loader, scene, null);
-        assertThat(loaded.parts()).hasSize(2);
-        for (LoadedScene shown : List.of(loaded, LoadedScene.load(loader, scene, loaded))) {
-            loop.show(new ViewState(
-                    shown.parts(), shown.coarse(), shown.moving(), shown.mapped(), WIDTH, HEIGHT, state.mapLight()));
-            while (!next().equals("final map")) {
-                // previews and the map
-            }
-            assertShownAsRendered(shown);
-            assertThat(pixels(completed)).isNotEqualTo(pixels(keratin));
-        }
-        loop.show(state);
-        while (!next().equals("final map")) {
-            // and back
-        }
-        assertThat(pixels(completed)).isEqualTo(pixels(keratin));
-    }
-
-    private void assertShownAsRendered(LoadedScene loaded) {
-        Scene scene = loaded.fine().scene();
-        List<SceneSession> sessions = new ArrayList<>();
-        try (RenderContext context = RenderContexts.offscreen()) {
-            loaded.parts().forEach(part -> sessions.add(new SceneSession(context, part)));
-            PartSum sum = new PartSum(sessions);
-            int samples = PixelSamples.alongSide(scene.method(), WIDTH, HEIGHT);
-            double exposure = SceneDisplay.exposure(scene, sum, WIDTH, HEIGHT);
-            sum.prepare(scene, WIDTH, HEIGHT, samples);
-            ScenePicture picture = sum.samples(scene, WIDTH, HEIGHT, Tile.whole(WIDTH, HEIGHT), samples);
-            BufferedImage rendered = SceneDisplay.image(picture, samples, scene.display(exposure), scene.background());
-            sessions.forEach(SceneSession::close);
-            assertThat(pixels(completed)).isEqualTo(pixels(rendered));
-        }
-    }
-
-    private static int[] pixels(BufferedImage image) {
-        return image.getRGB(0, 0, WIDTH, HEIGHT, null, 0, WIDTH);
     }
 
     private String next() throws InterruptedException {

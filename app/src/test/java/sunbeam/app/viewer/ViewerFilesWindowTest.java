@@ -83,19 +83,6 @@ final class ViewerFilesWindowTest extends ViewerInAWindow {
     }
 
     @Test
-    void aFileThatIsNoSceneIsRefusedWithLineAndKey() throws Exception {
-        Path file = folder.resolve("typing.json");
-        SceneWriter.write(file, Overwrite.REFUSE, scene());
-        String text = Files.readString(file);
-        Files.writeString(file, text.replace("\"intensity\"", "\"intensty\""));
-        long line = text.substring(0, text.indexOf("\"intensity\"")).lines().count();
-        open(file);
-        await(() -> message().contains("intensty"));
-        assertThat(message()).contains("typing.json").contains(Long.toString(line));
-        assertThat(onEvents(() -> viewer.model().scene())).isEqualTo(scene());
-    }
-
-    @Test
     void aFileIsReplacedOnlyIfOneSaysSo() throws Exception {
         Path file = Files.writeString(folder.resolve("kept.json"), "mine");
         press(KeyEvent.VK_CONTROL, KeyEvent.VK_S);

@@ -3,7 +3,6 @@ package sunbeam.app.viewer;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 import static sunbeam.app.viewer.Pictures.different;
-import static sunbeam.app.viewer.Pictures.shownPixels;
 
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
@@ -61,27 +60,6 @@ final class ViewerKeysWindowTest extends ViewerInAWindow {
     /** Around the picture's horizontal axis. */
     private static double elevation(Vector3f seen) {
         return Math.atan2(seen.y, seen.z);
-    }
-
-    @Test
-    void plusAndMinusZoom() throws Exception {
-        BufferedImage before = picture();
-        for (int step = 0; step < 3; step++) {
-            press(KeyEvent.VK_EQUALS);
-        }
-        awaitScene(scene -> distance(scene) < 0.8 * distance(scene()));
-        awaitFinal();
-        assertThat(shownPixels(picture())).as("nearer").isGreaterThan(shownPixels(before));
-        for (int step = 0; step < 3; step++) {
-            press(KeyEvent.VK_MINUS);
-        }
-        awaitScene(scene -> Math.abs(distance(scene) - distance(scene())) < ROUNDING);
-        press(KeyEvent.VK_MINUS);
-        awaitScene(scene -> distance(scene) > 1.05 * distance(scene()));
-        awaitFinal();
-        assertThat(shownPixels(picture())).as("farther").isLessThan(shownPixels(before));
-        press(KeyEvent.VK_SHIFT, KeyEvent.VK_EQUALS);
-        awaitScene(scene -> Math.abs(distance(scene) - distance(scene())) < ROUNDING);
     }
 
     private static double distance(Scene scene) {

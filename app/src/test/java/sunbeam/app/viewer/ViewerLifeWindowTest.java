@@ -43,13 +43,6 @@ final class ViewerLifeWindowTest extends ViewerInAWindow {
     }
 
     @Test
-    void aMeasurementDragsTheLightAndReports() throws Exception {
-        Scene before = onEvents(() -> viewer.model().scene());
-        assertThat(ViewMeasurement.of(viewer, 1)).contains("frames per second", "from input to screen");
-        assertThat(onEvents(() -> viewer.model().scene()).light()).isNotEqualTo(before.light());
-    }
-
-    @Test
     void aSavedPictureSaysHowItWasMade() throws Exception {
         Path picture = folder.resolve("picture.png");
         onEvents(() -> {

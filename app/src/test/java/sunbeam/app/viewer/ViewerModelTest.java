@@ -129,17 +129,6 @@ class ViewerModelTest {
     }
 
     @Test
-    void ofTwoLoadsTheLaterStays() throws Exception {
-        overtakeBy("lamellar");
-
-        assertThat(drawn()).isEqualTo("lamellar");
-        assertThat(onEvents(() -> problems)).isEmpty();
-        patch(folder.resolve("missing.json").toString());
-        awaitLoads();
-        assertThat(drawn()).as("not the one that was overtaken").isEqualTo("lamellar");
-    }
-
-    @Test
     void aSceneThatCannotBeOpenedBringsBackAllThatWas() throws Exception {
         Scene before = onEvents(() -> model.scene());
         open(before.withLight(new SceneLight(new Vector3f(0, 0, 1), 7))

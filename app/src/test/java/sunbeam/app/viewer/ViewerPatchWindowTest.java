@@ -3,9 +3,6 @@ package sunbeam.app.viewer;
 import static org.assertj.core.api.Assertions.assertThat;
 import static sunbeam.app.viewer.Pictures.different;
 
-import java.awt.Component;
-import java.awt.dnd.DnDConstants;
-import java.awt.dnd.DragSourceDropEvent;
 import java.awt.image.BufferedImage;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -17,15 +14,11 @@ import org.junit.jupiter.api.Test;
 /** Patches that are dropped on the window or chosen, good ones and bad ones. */
 final class ViewerPatchWindowTest extends ViewerInAWindow {
     @Test
-    void aDroppedPatchIsLoadedAndPictureAndPlanFollow() throws Exception {
+    void aPatchIsLoadedAndPictureAndPlanFollow() throws Exception {
         BufferedImage before = picture();
         int panelBefore = onEvents(() -> viewer.window().controls().getWidth());
         Path file = PatchFiles.descriptor(folder, "waves");
-        DragSourceDropEvent end = drop(file, viewer.window().picture());
-        assertThat(end.getDropSuccess()).isTrue();
-        assertThat(end.getDropAction())
-                .as("or else the source removes the file")
-                .isEqualTo(DnDConstants.ACTION_COPY);
+        load(file);
         awaitPatch(file.toString());
         awaitFinal();
         assertThat(different(before, picture(), false))
@@ -58,7 +51,7 @@ final class ViewerPatchWindowTest extends ViewerInAWindow {
         refused("unit.json", descriptor("gone.png", "3 parsec"), "gone.png");
         refused("image.json", descriptor("image.json", "3 um"), "image.json");
         Path folderItself = Files.createDirectory(folder.resolve("folder.json"));
-        drop(folderItself, viewer.window().picture());
+        load(folderItself);
         awaitComplaint("folder.json", "folder.json");
         awaitFinal();
         assertThat(onEvents(() -> viewer.model().scene())).isEqualTo(scene());
@@ -73,7 +66,7 @@ final class ViewerPatchWindowTest extends ViewerInAWindow {
 
     private void refused(String name, String content, String reason) throws Exception {
         Path file = Files.writeString(folder.resolve(name), content);
-        drop(file, viewer.window().picture());
+        load(file);
         awaitComplaint(name, reason);
     }
 
@@ -105,10 +98,11 @@ final class ViewerPatchWindowTest extends ViewerInAWindow {
                 .sum();
     }
 
-    private DragSourceDropEvent drop(Path file, Component target) throws Exception {
-        try (FileDrag drag = new FileDrag(robot, file)) {
-            return drag.dropOn(target);
-        }
+    private void load(Path file) throws Exception {
+        onEvents(() -> {
+            viewer.files().loadPatch(file);
+            return null;
+        });
     }
 
     private String message() throws Exception {

@@ -30,17 +30,6 @@ final class ViewerSizesWindowTest extends ViewerInAWindow {
     }
 
     @Test
-    void resizedDuringAComputationItDrawsTheLastSize() throws Exception {
-        for (int width = 500; width < 700; width += 10) {
-            resize(width, 400);
-        }
-        awaitFinal();
-        assertThat(picture().getWidth())
-                .isEqualTo(onEvents(() -> viewer.window().picture().pictureWidth()));
-        assertThat(different(picture(), rendered("last"), false)).isZero();
-    }
-
-    @Test
     void aHiddenWindowIsDrawnAnewWhenItComesBack() throws Exception {
         BufferedImage before = picture();
         onEvents(() -> {

@@ -42,8 +42,8 @@ public final class CacheCommand implements Callable<Integer> {
             paramLabel = "SIZE",
             description =
                     "From now on, let the tables take this much, for example 2GB; those used last stay, as far as they"
-                            + " fit, the others are removed at once and whenever a new one would exceed it. One surface may"
-                            + " take 150MB of it, or 7.5 percent where that is more. 'default' for 2GB, as it is at first.")
+                            + " fit, the others are removed at once and whenever a new one would exceed it. One table may"
+                            + " take a quarter of it. 'default' for 2GB, as it is at first.")
     private String limit;
 
     @Option(names = "--clear", description = "Remove all tables; the limit stays.")

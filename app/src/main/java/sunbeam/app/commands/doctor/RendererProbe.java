@@ -23,10 +23,6 @@ public final class RendererProbe implements GraphicsProbe {
                 Check.ok("GL version", info.version() + ", GLSL " + info.shadingLanguageVersion()),
                 Check.ok("Texture size", limits.textureSize() + " x " + limits.textureSize() + " texels"),
                 Check.ok("Array layers", Integer.toString(limits.arrayLayers())),
-                Check.ok("Viewport", limits.viewportWidth() + " x " + limits.viewportHeight() + " pixels"),
-                Check.ok("Texture units", Integer.toString(limits.textureUnits())),
-                Check.ok("Uniforms", limits.fragmentUniformComponents() + " floats in a fragment shader"),
-                Check.ok("Timer", info.timerQueryBits() > 0 ? info.timerQueryBits() + " bits" : "wall clock"),
-                Check.ok("Debug output", info.debugOutputAvailable() ? "available" : "not available"));
+                Check.ok("Picture size", limits.targetWidth() + " x " + limits.targetHeight() + " pixels"));
     }
 }

@@ -1,8 +1,5 @@
 package sunbeam.app.files.cache;
 
-import java.io.DataInputStream;
-import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Instant;
 import sunbeam.precompute.shader.ShaderTablesFile;
@@ -33,12 +30,6 @@ public record CacheEntry(Path file, long bytes, Instant lastUsed) {
         return surfaceDigest.substring(0, SURFACE_DIGITS) + "-" + keyHash.substring(0, KEY_DIGITS) + "." + ending;
     }
 
-    /** What files of one surface have in common; those without such a name belong together. */
-    String surface() {
-        String name = file.getFileName().toString();
-        return name.indexOf('-') == SURFACE_DIGITS ? name.substring(0, SURFACE_DIGITS) : "";
-    }
-
     /** Whether a file's name is one of a table. */
     static boolean isOne(Path file) {
         String name = file.getFileName().toString();
@@ -48,18 +39,6 @@ public record CacheEntry(Path file, long bytes, Instant lastUsed) {
                 || name.endsWith("." + PAGES);
     }
 
-    /** From a file of colors, which begins with its format, its surface and what it is. */
-    static TableLabel labelOf(Path file, String format) {
-        try (DataInputStream in = new DataInputStream(Files.newInputStream(file))) {
-            if (in.readUTF().equals(format)) {
-                return new TableLabel(in.readUTF(), in.readUTF());
-            }
-            throw new TableException(file + ": no colors of this version");
-        } catch (IOException failure) {
-            throw new TableException(file + ": cannot be read: " + failure.getMessage());
-        }
-    }
-
     /**
      * What it is and for which surface it was made, read from the file, of which no more is checked.
      *
@@ -67,11 +46,8 @@ public record CacheEntry(Path file, long bytes, Instant lastUsed) {
      */
     public TableLabel label() {
         String name = file.getFileName().toString();
-        if (name.endsWith("." + COLORS)) {
-            return KeptColors.labelOf(file);
-        }
-        if (name.endsWith("." + PAGES)) {
-            return PageFile.labelOf(file);
+        if (name.endsWith("." + COLORS) || name.endsWith("." + PAGES)) {
+            return RecordFile.labelOf(file);
         }
         return name.endsWith("." + FOURIER) ? TableFile.label(file) : ShaderTablesFile.label(file);
     }

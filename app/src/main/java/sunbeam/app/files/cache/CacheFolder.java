@@ -2,26 +2,31 @@ package sunbeam.app.files.cache;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.LinkOption;
+import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.nio.file.attribute.BasicFileAttributes;
+import java.nio.file.attribute.FileAttribute;
 import java.nio.file.attribute.FileTime;
+import java.nio.file.attribute.PosixFilePermission;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.time.Instant;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.Comparator;
-import java.util.HashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
+import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.OutputException;
 import sunbeam.app.files.output.Overwrite;
+import sunbeam.app.terminal.ByteSize;
 import sunbeam.app.terminal.Environment;
 
 /**
@@ -30,9 +35,13 @@ import sunbeam.app.terminal.Environment;
  */
 public final class CacheFolder {
     /** Bytes that a folder may take where nobody has said how many. */
-    public static final long STANDARD_LIMIT = CacheLimit.STANDARD;
+    public static final long STANDARD_LIMIT = 2_000_000_000;
 
     private static final String NAME = "sunbeam";
+    private static final String LIMIT = "limit";
+    private static final Pattern NUMBER = Pattern.compile("\\d{1,18}");
+    private static final int LONGEST = 40;
+    private static final Set<PosixFilePermission> OWNERS_ONLY = PosixFilePermissions.fromString("rw-------");
 
     private final Path path;
 
@@ -74,9 +83,27 @@ public final class CacheFolder {
 
     /** Nobody else reads what was measured, or puts anything there. */
     private void keepPrivate() throws IOException {
-        if (Files.getFileStore(path).supportsFileAttributeView("posix") && Files.isWritable(path)) {
+        if (hasModes(path) && Files.isWritable(path)) {
             Files.setPosixFilePermissions(path, PosixFilePermissions.fromString("rwx------"));
         }
+    }
+
+    /** Attributes of a new file that its owner alone may read; none where a file system has no such. */
+    static FileAttribute<?>[] ownersOnly(Path file) throws IOException {
+        return hasModes(file.toAbsolutePath().getParent())
+                ? new FileAttribute<?>[] {PosixFilePermissions.asFileAttribute(OWNERS_ONLY)}
+                : new FileAttribute<?>[0];
+    }
+
+    /** Takes a file from all but its owner. */
+    static void makeOwnersOnly(Path file) throws IOException {
+        if (hasModes(file)) {
+            Files.setPosixFilePermissions(file, OWNERS_ONLY);
+        }
+    }
+
+    private static boolean hasModes(Path file) throws IOException {
+        return Files.getFileStore(file).supportsFileAttributeView("posix");
     }
 
     /**
@@ -125,9 +152,35 @@ public final class CacheFolder {
         }
     }
 
-    /** Bytes that the tables may take together. */
+    /**
+     * Bytes that the tables may take together: the folder's file {@code limit} says it; the standard where it does not.
+     *
+     * @param warning told in one line where what was set cannot be read
+     */
     public long limit(Consumer<String> warning) {
-        return CacheLimit.of(path, warning);
+        Path file = path.resolve(LIMIT);
+        try {
+            String text = Files.size(file) > LONGEST ? "" : Files.readString(file, StandardCharsets.ISO_8859_1);
+            if (NUMBER.matcher(text.strip()).matches()) {
+                return Long.parseLong(text.strip());
+            }
+            warning.accept(unusable(file, "it is no number of bytes"));
+        } catch (NoSuchFileException none) {
+            return STANDARD_LIMIT;
+        } catch (IOException failure) {
+            warning.accept(unusable(file, failure.getMessage()));
+        }
+        return STANDARD_LIMIT;
+    }
+
+    private static String unusable(Path file, String why) {
+        return "cannot use " + file + ": " + why + "; the cache may take " + ByteSize.format(STANDARD_LIMIT)
+                + " until 'sunbeam cache --limit SIZE' sets it anew";
+    }
+
+    /** Bytes that one table may take: a quarter of the limit, so that one surface does not push out all others. */
+    long largest(Consumer<String> warning) {
+        return limit(warning) / 4;
     }
 
     /**
@@ -145,13 +198,13 @@ public final class CacheFolder {
                             + "; set XDG_CACHE_HOME to a folder that takes files",
                     failure);
         }
-        CacheLimit.set(path, bytes);
+        byte[] text = (bytes + "\n").getBytes(StandardCharsets.US_ASCII);
+        AtomicFile.write(path.resolve(LIMIT), Overwrite.REPLACE, stream -> stream.write(text));
     }
 
     /**
-     * Deletes tables, so that the rest is no larger than a limit, and those of one surface no larger than its share: those
-     * that were used last stay, as far as they fit. Whoever has one open goes on reading it. A table that cannot be deleted
-     * stays.
+     * Deletes tables, so that the rest is no larger than a limit: those that were used last stay, as far as they fit. Whoever
+     * has one open goes on reading it. A table that cannot be deleted stays.
      *
      * @param inUse counts as used last
      * @return those that were deleted, the one used longest ago first
@@ -160,16 +213,13 @@ public final class CacheFolder {
         List<CacheEntry> newestFirst = new ArrayList<>(entries());
         newestFirst.sort(Comparator.comparing(entry -> !inUse.equals(Optional.of(entry.file()))));
         long left = limitBytes;
-        Map<String, Long> leftOfSurface = new HashMap<>();
         List<CacheEntry> deleted = new ArrayList<>();
         for (CacheEntry entry : newestFirst) {
-            long share = leftOfSurface.getOrDefault(entry.surface(), CacheLimit.share(limitBytes));
-            boolean fits = entry.bytes() <= Math.min(left, share);
+            boolean fits = entry.bytes() <= left;
             if (!fits && entry.file().toFile().delete()) {
                 deleted.add(entry);
             } else if (fits) {
                 left -= entry.bytes();
-                leftOfSurface.put(entry.surface(), share - entry.bytes());
             }
         }
         Collections.reverse(deleted);

@@ -12,8 +12,7 @@ import java.util.function.Consumer;
 /**
  * One process at a time makes a table; the others wait for it and read what it has made. The lock is the operating
  * system's, which takes it back from a process that ends in any way. Where there is none, tables are made more than once,
- * which costs time only. Its empty file stays until the
- * cache is cleared: who deleted it would divide those who wait from those who come.
+ * which costs time only. Its empty file stays until the cache is cleared: who deleted it would divide those who wait from those who come.
  */
 final class CacheLock implements AutoCloseable {
     private static final String ENDING = ".lock";

@@ -88,8 +88,8 @@ public final class TableStore {
         if (file.isEmpty()) {
             return freshTables(plan, use, colors).preceded(progress);
         }
-        if (plan.memory().textureBytes() > CacheLimit.share(folder.limit(warning))) {
-            // Larger than what is kept of a surface: what it is made of is not, and takes most of the time.
+        if (plan.memory().textureBytes() > folder.largest(warning)) {
+            // Larger than what is kept: what it is made of is not, and takes most of the time.
             return made(plan, use, colors, this::table).preceded(progress);
         }
         Function<Path, ShaderTables> reader = path -> ShaderTablesFile.read(path, key);
@@ -145,14 +145,12 @@ public final class TableStore {
         }
         Path path = file.get();
         long most = folder.limit(warning);
-        // The rest of the surface's share is for what they are made of.
-        long mostOfPages = CacheLimit.share(most) * 2 / 3;
         KeptPages pages = PageFile.of(
                 path,
                 key,
                 plan.levels().numbers(),
                 label,
-                mostOfPages,
+                folder.largest(warning),
                 warning,
                 () -> folder.shrink(most, Optional.of(path)));
         folder.used(path);
@@ -273,7 +271,10 @@ public final class TableStore {
 
     private void save(Path file, Consumer<Path> writer) {
         try {
-            AtomicFile.writeFile(file, Overwrite.REPLACE, writer::accept);
+            AtomicFile.writeFile(file, Overwrite.REPLACE, path -> {
+                CacheFolder.makeOwnersOnly(path);
+                writer.accept(path);
+            });
             folder.shrink(folder.limit(warning), Optional.of(file));
         } catch (OutputException failure) {
             warning.accept("the table is not kept: " + failure.getMessage());

@@ -4,12 +4,15 @@ import java.io.BufferedOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.io.UncheckedIOException;
+import java.nio.channels.FileChannel;
 import java.nio.file.FileAlreadyExistsException;
+import java.nio.file.FileSystemException;
 import java.nio.file.Files;
+import java.nio.file.LinkOption;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
-import java.util.Optional;
 import sunbeam.app.terminal.CancelledException;
 import sunbeam.app.terminal.ShutdownHook;
 
@@ -32,18 +35,20 @@ public final class AtomicFile implements AutoCloseable {
 
     private final Path target;
     private final Overwrite overwrite;
-    private final boolean standardOutput;
     private final boolean direct;
     private final ShutdownHook hook;
     private Path written;
-    private Optional<Placement.Held> held = Optional.empty();
+    /** A name that is this file's though it is not committed yet, or null. */
+    private Path claimed;
+    /** Whether the content is there under the claimed name, too; else that holds an empty file. */
+    private boolean linked;
+
     private State state = State.OPEN;
 
     private AtomicFile(Path target, Overwrite overwrite) {
         this.target = target;
         this.overwrite = overwrite;
-        this.standardOutput = StandardOutput.isMeant(target);
-        this.direct = !standardOutput && Targets.isDevice(target);
+        this.direct = !StandardOutput.isMeant(target) && TargetFolder.isDevice(target);
         this.written = target;
         hook = new ShutdownHook(this::discard);
     }
@@ -68,8 +73,8 @@ public final class AtomicFile implements AutoCloseable {
      */
     public static void checkWritable(Path target, Overwrite overwrite) {
         try (AtomicFile probe = create(target, overwrite)) {
-            if (!probe.direct && !probe.standardOutput) {
-                TemporaryFiles.sweep(Targets.folderOf(probe.written));
+            if (!probe.direct && !StandardOutput.isMeant(target)) {
+                TargetFolder.sweep(TargetFolder.of(target));
                 probe.fill(stream -> stream.write(new byte[PROBE_BYTES]));
             }
         }
@@ -117,34 +122,33 @@ public final class AtomicFile implements AutoCloseable {
      *     takes no file
      */
     public static AtomicFile create(Path target, Overwrite overwrite) {
-        Targets.check(target, overwrite);
+        TargetFolder.check(target, overwrite);
+        AtomicFile file = new AtomicFile(target, overwrite);
         try {
-            AtomicFile file = new AtomicFile(target, overwrite);
             file.begin();
             return file;
         } catch (IOException failure) {
+            file.close();
             throw OutputException.of(target, failure);
         }
     }
 
     /** Apart from the constructor, so that the shutdown hook sees either no temporary file or its name. */
     private synchronized void begin() throws IOException {
-        if (state != State.OPEN) {
+        requireOpen();
+        if (!direct) {
+            written = StandardOutput.isMeant(target)
+                    ? Files.createTempFile("sunbeam-", ".part")
+                    : TargetFolder.createTemporary(TargetFolder.of(target));
+        }
+    }
+
+    private void requireOpen() {
+        if (state == State.CLOSED) {
             throw new CancelledException();
         }
-        if (direct) {
-            return;
-        }
-        boolean begun = false;
-        try {
-            written = standardOutput
-                    ? Files.createTempFile("sunbeam-", ".part")
-                    : TemporaryFiles.create(Targets.folderOf(target));
-            begun = true;
-        } finally {
-            if (!begun) {
-                close();
-            }
+        if (state == State.COMMITTED) {
+            throw new IllegalStateException(target + " was committed before");
         }
     }
 
@@ -166,19 +170,19 @@ public final class AtomicFile implements AutoCloseable {
     /** The file that was made, and no other: one that the end of the process has removed must not come again. */
     private OutputStream open() throws IOException {
         try {
-            return Files.newOutputStream(path(), StandardOpenOption.WRITE, StandardOpenOption.TRUNCATE_EXISTING);
+            return direct
+                    ? Files.newOutputStream(target, StandardOpenOption.WRITE)
+                    : Files.newOutputStream(path(), StandardOpenOption.WRITE, LinkOption.NOFOLLOW_LINKS);
         } catch (NoSuchFileException removed) {
-            if (isClosed()) {
-                CancelledException cancelled = new CancelledException();
-                cancelled.addSuppressed(removed);
-                throw cancelled;
+            synchronized (this) {
+                if (state == State.CLOSED) {
+                    CancelledException cancelled = new CancelledException();
+                    cancelled.addSuppressed(removed);
+                    throw cancelled;
+                }
             }
             throw removed;
         }
-    }
-
-    private synchronized boolean isClosed() {
-        return state == State.CLOSED;
     }
 
     /** Where to write the content. Writers must have closed it before {@link #commit}. */
@@ -194,71 +198,100 @@ public final class AtomicFile implements AutoCloseable {
      * @throws CancelledException when the process is being ended
      */
     public synchronized Path commit() {
-        if (state == State.COMMITTED) {
-            throw new IllegalStateException(target + " was committed before");
-        }
-        if (state == State.CLOSED) {
-            throw new CancelledException();
-        }
+        requireOpen();
         try {
-            Path place = appear();
-            state = State.COMMITTED;
-            return place;
+            if (StandardOutput.isMeant(target)) {
+                StandardOutput.copy(written);
+            }
+            if (direct || StandardOutput.isMeant(target)) {
+                state = State.COMMITTED;
+                deleteTemporary();
+                return target;
+            }
+            if (overwrite != Overwrite.REPLACE) {
+                return takeFreeName();
+            }
+            force(written);
+            Files.move(written, target, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
+            return committed(target);
         } catch (IOException failure) {
             throw OutputException.of(target, failure);
         }
     }
 
-    private Path appear() throws IOException {
-        if (direct) {
-            return target;
-        }
-        if (standardOutput) {
-            StandardOutput.copy(written);
-            Files.delete(written);
-            return target;
-        }
-        Durable.force(written);
-        Path place = Placement.place(written, target, overwrite);
-        Durable.forceFolder(Targets.folderOf(target));
-        return place;
-    }
-
-    /**
-     * The first half of {@link #commit}, for files that appear together: takes a name.
-     *
-     * @throws FileAlreadyExistsException when it is taken
-     */
-    synchronized void hold(Path name) throws IOException {
-        if (state != State.OPEN) {
-            throw new CancelledException();
-        }
-        Durable.force(written);
-        held = Optional.of(Placement.hold(written, name));
-    }
-
-    /** Gives the name back that was taken. */
-    synchronized void release() {
-        if (state == State.OPEN && held.isPresent()) {
+    private Path takeFreeName() throws IOException {
+        for (int number = 1; ; number++) {
             try {
-                held.get().release();
-                held = Optional.empty();
-            } catch (IOException failure) {
-                throw OutputException.of(target, failure);
+                claim(TargetFolder.numbered(target, number));
+                return keep();
+            } catch (FileAlreadyExistsException taken) {
+                TargetFolder.requireNext(overwrite, target, number, taken);
             }
         }
     }
 
-    /** The second half of {@link #commit}: the name that was taken stays. */
-    synchronized Path keep() throws IOException {
-        if (state != State.OPEN) {
-            throw new CancelledException();
+    /**
+     * Takes a free name, by link(2), which fails where there is one: looking whether it is free and then renaming would let
+     * two writers both succeed.
+     *
+     * @throws FileAlreadyExistsException when it is taken
+     */
+    synchronized void claim(Path name) throws IOException {
+        requireOpen();
+        force(written);
+        try {
+            Files.createLink(name, written);
+            linked = true;
+        } catch (FileAlreadyExistsException taken) {
+            throw taken;
+        } catch (UnsupportedOperationException | FileSystemException noLinks) {
+            // File systems without hard links (FAT, some of networks): an empty file holds the name.
+            Files.createFile(name);
+            linked = false;
         }
-        Placement.Held name = held.orElseThrow();
-        name.keep();
+        claimed = name;
+    }
+
+    /** Makes the claimed name the file's for good. */
+    synchronized Path keep() throws IOException {
+        requireOpen();
+        if (!linked) {
+            Files.move(written, claimed, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
+        }
+        return committed(claimed);
+    }
+
+    private Path committed(Path name) {
         state = State.COMMITTED;
-        Durable.forceFolder(Targets.folderOf(name.name()));
-        return name.name();
+        deleteTemporary();
+        // A folder's names, should the power fail. Not every system can: the file is whole either way.
+        try (FileChannel folder = FileChannel.open(TargetFolder.of(name), StandardOpenOption.READ)) {
+            folder.force(true);
+        } catch (IOException unable) {
+            return name;
+        }
+        return name;
+    }
+
+    private void deleteTemporary() {
+        if (!direct) {
+            // What stays is swept away with those of dead processes.
+            written.toFile().delete();
+        }
+    }
+
+    private static void force(Path file) throws IOException {
+        try (FileChannel channel = FileChannel.open(file, StandardOpenOption.WRITE)) {
+            channel.force(true);
+        }
+    }
+
+    /** Gives a claimed name back. */
+    synchronized void release() throws IOException {
+        if (state == State.OPEN && claimed != null) {
+            Files.deleteIfExists(claimed);
+            claimed = null;
+        }
     }
 
     /** Removes what was written, unless it was committed. */
@@ -275,15 +308,12 @@ public final class AtomicFile implements AutoCloseable {
         if (state != State.OPEN) {
             return;
         }
-        state = State.CLOSED;
-        if (written.equals(target)) {
-            return;
-        }
         try {
-            if (held.isPresent()) {
-                held.get().release();
+            release();
+            state = State.CLOSED;
+            if (!direct && !written.equals(target)) {
+                Files.deleteIfExists(written);
             }
-            Files.deleteIfExists(written);
         } catch (IOException failure) {
             throw new OutputException("cannot remove the temporary file " + written + "; remove it by hand", failure);
         }

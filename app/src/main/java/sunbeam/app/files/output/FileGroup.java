@@ -13,7 +13,7 @@ import java.util.Map;
  * none, and where Sunbeam chooses the name, all with the same number, the first of which no ending is taken.
  */
 public final class FileGroup {
-    private final NumberedNames stems;
+    private final Path stem;
     private final List<String> endings;
     private final Overwrite overwrite;
 
@@ -26,7 +26,7 @@ public final class FileGroup {
             throw new OutputException(
                     "cannot write several files to standard output: name a file, or ./- for names that begin with -");
         }
-        this.stems = NumberedNames.ofFolder(stem);
+        this.stem = stem;
         this.endings = List.copyOf(endings);
         this.overwrite = overwrite;
     }
@@ -37,7 +37,7 @@ public final class FileGroup {
      * @throws OutputException when not
      */
     public void checkWritable() {
-        endings.forEach(ending -> AtomicFile.checkWritable(path(1, ending), overwrite));
+        plainPaths().forEach(path -> AtomicFile.checkWritable(path, overwrite));
     }
 
     /** The files that it is, where no name gets a number. */
@@ -46,8 +46,8 @@ public final class FileGroup {
     }
 
     private Path path(int number, String ending) {
-        Path stem = stems.name(number);
-        return stem.resolveSibling(stem.getFileName() + ending);
+        Path numbered = TargetFolder.numberedAtEnd(stem, number);
+        return numbered.resolveSibling(numbered.getFileName() + ending);
     }
 
     /**
@@ -68,50 +68,38 @@ public final class FileGroup {
                 files.put(ending, file);
                 file.fill(content);
             });
-            return overwrite == Overwrite.REPLACE
-                    ? files.values().stream().map(AtomicFile::commit).toList()
-                    : appear(files);
+            if (overwrite == Overwrite.REPLACE) {
+                return files.values().stream().map(AtomicFile::commit).toList();
+            }
+            for (int number = 1; !claimAll(files, number); number++) {
+                // The next number, then.
+            }
+            List<Path> places = new ArrayList<>();
+            for (AtomicFile file : files.values()) {
+                places.add(file.keep());
+            }
+            return places;
+        } catch (IOException failure) {
+            throw OutputException.of(stem, failure);
         } finally {
             files.values().forEach(AtomicFile::close);
         }
     }
 
-    private List<Path> appear(Map<String, AtomicFile> files) {
-        int most = overwrite == Overwrite.NUMBER ? NumberedNames.MOST : 1;
-        for (int number = 1; number <= most; number++) {
-            if (holdAll(files, number)) {
-                List<Path> places = new ArrayList<>();
-                for (Map.Entry<String, AtomicFile> file : files.entrySet()) {
-                    places.add(keep(file.getValue(), path(number, file.getKey())));
-                }
-                return places;
-            }
-        }
-        throw stems.exhausted();
-    }
-
     /** Whether all names of a number were free, and now are these files'; else none is. */
-    private boolean holdAll(Map<String, AtomicFile> files, int number) {
+    private boolean claimAll(Map<String, AtomicFile> files, int number) throws IOException {
         for (Map.Entry<String, AtomicFile> file : files.entrySet()) {
             Path name = path(number, file.getKey());
             try {
-                file.getValue().hold(name);
-            } catch (IOException failure) {
-                files.values().forEach(AtomicFile::release);
-                if (overwrite == Overwrite.NUMBER && failure instanceof FileAlreadyExistsException) {
-                    return false;
+                file.getValue().claim(name);
+            } catch (FileAlreadyExistsException taken) {
+                for (AtomicFile each : files.values()) {
+                    each.release();
                 }
-                throw OutputException.of(name, failure);
+                TargetFolder.requireNext(overwrite, name, number, taken);
+                return false;
             }
         }
         return true;
-    }
-
-    private static Path keep(AtomicFile file, Path name) {
-        try {
-            return file.keep();
-        } catch (IOException failure) {
-            throw OutputException.of(name, failure);
-        }
     }
 }

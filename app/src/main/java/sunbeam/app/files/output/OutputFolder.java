@@ -23,10 +23,13 @@ public final class OutputFolder {
                 Files.createDirectory(folder);
             }
         } catch (IOException failure) {
-            throw new OutputException(
-                    "cannot make the folder " + folder + " (" + reason(failure) + "); name another with --output",
-                    failure);
+            throw unmade(folder, failure);
         }
+    }
+
+    private static OutputException unmade(Path folder, IOException failure) {
+        return new OutputException(
+                "cannot make the folder " + folder + " (" + reason(failure) + "); name another with --output", failure);
     }
 
     /**
@@ -38,18 +41,28 @@ public final class OutputFolder {
      * @throws OutputException when it cannot be made
      */
     public static Path claim(Path folder, boolean mayUse) {
-        NumberedNames names = NumberedNames.ofFolder(folder);
-        for (int number = 1; !mayUse && number <= NumberedNames.MOST; number++) {
-            try {
-                return Files.createDirectory(names.name(number));
-            } catch (FileAlreadyExistsException taken) {
-                // The next number, then.
-            } catch (IOException failure) {
-                break;
+        int most = mayUse ? 0 : TargetFolder.MOST_NAMES;
+        try {
+            for (int number = 1; number <= most; number++) {
+                Path name = TargetFolder.numberedAtEnd(folder, number);
+                if (isMade(name)) {
+                    return name;
+                }
             }
+        } catch (IOException failure) {
+            throw unmade(folder, failure);
         }
         create(folder);
         return folder;
+    }
+
+    private static boolean isMade(Path folder) throws IOException {
+        try {
+            Files.createDirectory(folder);
+            return true;
+        } catch (FileAlreadyExistsException taken) {
+            return false;
+        }
     }
 
     private static void requireFolder(Path folder) {

@@ -29,7 +29,7 @@ public final class PngWriter {
     /**
      * Writes a PNG file, whole or not at all.
      *
-     * @param image sRGB, for example from {@link SrgbImage}
+     * @param image sRGB
      * @param text keyword to value in the order to be written; a keyword has 1 to 79 printable ASCII characters
      * @return where it is
      * @throws OutputException when the file cannot be written
@@ -69,9 +69,18 @@ public final class PngWriter {
         text.forEach((keyword, value) -> {
             checkKeyword(keyword);
             if (StandardCharsets.ISO_8859_1.newEncoder().canEncode(value)) {
-                latin.appendChild(latinEntry(keyword, value));
+                add(latin, "tEXtEntry", Map.of("keyword", keyword, "value", value));
             } else {
-                international.appendChild(internationalEntry(keyword, value));
+                add(
+                        international,
+                        "iTXtEntry",
+                        Map.of(
+                                "keyword", keyword,
+                                "compressionFlag", "FALSE",
+                                "compressionMethod", "0",
+                                "languageTag", "",
+                                "translatedKeyword", "",
+                                "text", value));
             }
         });
         appendUnlessEmpty(root, latin);
@@ -92,21 +101,9 @@ public final class PngWriter {
         }
     }
 
-    private static IIOMetadataNode latinEntry(String keyword, String value) {
-        IIOMetadataNode entry = new IIOMetadataNode("tEXtEntry");
-        entry.setAttribute("keyword", keyword);
-        entry.setAttribute("value", value);
-        return entry;
-    }
-
-    private static IIOMetadataNode internationalEntry(String keyword, String value) {
-        IIOMetadataNode entry = new IIOMetadataNode("iTXtEntry");
-        entry.setAttribute("keyword", keyword);
-        entry.setAttribute("compressionFlag", "FALSE");
-        entry.setAttribute("compressionMethod", "0");
-        entry.setAttribute("languageTag", "");
-        entry.setAttribute("translatedKeyword", "");
-        entry.setAttribute("text", value);
-        return entry;
+    private static void add(IIOMetadataNode chunk, String name, Map<String, String> attributes) {
+        IIOMetadataNode entry = new IIOMetadataNode(name);
+        attributes.forEach(entry::setAttribute);
+        chunk.appendChild(entry);
     }
 }

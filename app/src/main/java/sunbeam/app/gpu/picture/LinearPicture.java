@@ -2,7 +2,6 @@ package sunbeam.app.gpu.picture;
 
 import java.awt.image.BufferedImage;
 import java.util.stream.IntStream;
-import sunbeam.app.files.output.SrgbImage;
 import sunbeam.precompute.color.DisplayTransform;
 
 /**
@@ -46,6 +45,10 @@ public record LinearPicture(int width, int height, float[] xyz) {
                 }
             }
         });
-        return SrgbImage.fromArgb(width, height, argb);
+        boolean opaque = IntStream.range(0, argb.length).allMatch(this::covered);
+        BufferedImage image =
+                new BufferedImage(width, height, opaque ? BufferedImage.TYPE_INT_RGB : BufferedImage.TYPE_INT_ARGB);
+        image.getRaster().setDataElements(0, 0, width, height, argb);
+        return image;
     }
 }

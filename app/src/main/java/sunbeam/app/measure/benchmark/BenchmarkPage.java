@@ -91,9 +91,8 @@ record BenchmarkPage(String renderer, String light, int size, int frames, int vi
         }
         String clock = String.format(
                 Locale.ROOT,
-                "%d covered pixels, %s.",
-                thesis.timing().pixels(),
-                thesis.timing().clock());
+                "%d covered pixels, wall clock around glFinish.",
+                thesis.timing().pixels());
         return String.format(
                 Locale.ROOT, "%n## %s%n%n%s%n%s%n%n%s%s", thesis.patch(), table, clock, plans, lines(remarks));
     }

@@ -3,8 +3,6 @@ package sunbeam.app.measure.benchmark;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
-import jrtr.GpuTime;
-import jrtr.GpuTimer;
 import jrtr.RenderContext;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.gpu.map.BrdfMapRenderer;
@@ -29,37 +27,39 @@ record FrameTimer(RenderContext context, int size, int frames) {
      *
      * @param seconds median over the frames
      * @param pixels of the disc
-     * @param clock which clock says so
      * @param exposure the map's automatic exposure, a factor for linear XYZ
      */
-    record Timing(double seconds, int pixels, String clock, double exposure) {}
+    record Timing(double seconds, int pixels, double exposure) {}
 
     /** Times a method's map of one light. */
     Timing time(UploadedTables method, Direction light) {
-        try (BrdfMapRenderer renderer = new BrdfMapRenderer(context, method, size);
-                GpuTimer timer = context.createTimer()) {
+        try (BrdfMapRenderer renderer = new BrdfMapRenderer(context, method, size)) {
             List<Double> seconds = new ArrayList<>();
-            GpuTime warm = timer.measure(() -> renderer.draw(light, pixels -> {}));
-            GpuTime.Source clock = warm.source();
+            double warm = seconds(renderer, light);
             double total = 0;
-            if (warm.seconds() > MOST_SECONDS) {
+            if (warm > MOST_SECONDS) {
                 // What a first frame takes besides, a compilation, is little beside it.
-                seconds.add(warm.seconds());
-                total = warm.seconds();
+                seconds.add(warm);
+                total = warm;
             }
             while (total < LEAST_SECONDS || (seconds.size() < frames && total < MOST_SECONDS)) {
-                GpuTime time = timer.measure(() -> renderer.draw(light, pixels -> {}));
-                seconds.add(time.seconds());
+                double frame = seconds(renderer, light);
+                seconds.add(frame);
                 // A clock that stands still would never come there.
-                total += Math.max(time.seconds(), LEAST_SECONDS / MOST_FRAMES);
-                clock = time.source();
+                total += Math.max(frame, LEAST_SECONDS / MOST_FRAMES);
             }
             Collections.sort(seconds);
             return new Timing(
-                    seconds.get(seconds.size() / 2),
-                    renderer.coveredPixels(),
-                    clock == GpuTime.Source.TIMER_QUERY ? "timer query" : "wall clock around glFinish",
-                    AutoExposure.of(renderer.picture()));
+                    seconds.get(seconds.size() / 2), renderer.coveredPixels(), AutoExposure.of(renderer.picture()));
         }
+    }
+
+    /** From an idle device to an idle device. */
+    private double seconds(BrdfMapRenderer renderer, Direction light) {
+        context.finish();
+        long start = System.nanoTime();
+        renderer.draw(light, pixels -> {});
+        context.finish();
+        return Math.max(1, System.nanoTime() - start) * 1e-9;
     }
 }

@@ -1,6 +1,7 @@
 package sunbeam.app.scene.mesh;
 
 import java.util.Arrays;
+import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
 /** A growing array of floats. */
@@ -20,6 +21,11 @@ final class FloatList {
         values[index] += (float) vector.x();
         values[index + 1] += (float) vector.y();
         values[index + 2] += (float) vector.z();
+    }
+
+    /** The three numbers of a vector. */
+    Vector3d vector(int index) {
+        return new Vector3d(values[3 * index], values[3 * index + 1], values[3 * index + 2]);
     }
 
     int size() {

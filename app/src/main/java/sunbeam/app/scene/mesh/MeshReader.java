@@ -1,9 +1,5 @@
 package sunbeam.app.scene.mesh;
 
-import de.javagl.obj.ObjReader;
-import java.io.IOException;
-import java.io.InputStreamReader;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -35,15 +31,10 @@ public final class MeshReader {
      *     if a line of it is wrong
      */
     public static ReadMesh read(Path file) {
-        return read(file, ObjLimits.STANDARD);
-    }
-
-    static ReadMesh read(Path file, ObjLimits limits) {
         requireReadable(file);
-        requireSize(file, limits);
-        RawMesh raw = rawMesh(file, limits);
+        RawMesh raw = ObjFile.read(file);
         List<String> warnings = new ArrayList<>();
-        RawMesh mesh = DegenerateTriangles.dropped(raw);
+        RawMesh mesh = raw.withoutDegenerate();
         int dropped = (raw.cornerCount() - mesh.cornerCount()) / 3;
         if (mesh.cornerCount() == 0) {
             throw new MeshException(
@@ -63,7 +54,7 @@ public final class MeshReader {
         if (planar) {
             warnings.add(file + ": texture coordinates are missing; they are taken from above (x, y)");
         }
-        VertexAssembly assembly = new VertexAssembly(planar ? PlanarCoordinates.added(mesh) : mesh, planar);
+        VertexAssembly assembly = new VertexAssembly(planar ? mesh.withPlanarCoordinates() : mesh, planar);
         Mesh result = assembly.assemble();
         if (assembly.computedNormals() > 0) {
             warnings.add(file + ": computed normals for " + assembly.computedNormals() + " of "
@@ -91,31 +82,5 @@ public final class MeshReader {
         if (!Files.isReadable(file)) {
             throw new MeshException(file + " cannot be read; check its permissions");
         }
-    }
-
-    private static void requireSize(Path file, ObjLimits limits) {
-        try {
-            long bytes = Files.size(file);
-            if (bytes > limits.bytes()) {
-                throw new MeshException(file + " has " + bytes + " bytes; at most " + limits.bytes()
-                        + " can be used, so simplify the mesh");
-            }
-        } catch (IOException failure) {
-            throw unreadable(file, failure);
-        }
-    }
-
-    private static RawMesh rawMesh(Path file, ObjLimits limits) {
-        // Any byte is a character in Latin 1; geometry is ASCII.
-        try (ObjLines lines = new ObjLines(
-                file, new InputStreamReader(Files.newInputStream(file), StandardCharsets.ISO_8859_1), limits)) {
-            return ObjReader.read(lines, new ObjSink(lines, limits)).toRawMesh();
-        } catch (IOException failure) {
-            throw unreadable(file, failure);
-        }
-    }
-
-    private static MeshException unreadable(Path file, IOException failure) {
-        return new MeshException(file + " cannot be read: " + failure.getMessage(), failure);
     }
 }

@@ -14,18 +14,16 @@ final class PolygonTriangulation {
     private final boolean[] isEar;
     private final double[] x;
     private final double[] y;
-    private final int start;
 
-    private PolygonTriangulation(float[] positions, int[] corners, int start, int end) {
-        this.start = start;
-        int count = end - start;
+    private PolygonTriangulation(FloatList positions, int[] polygon) {
+        int count = polygon.length / 3;
         before = new int[count];
         after = new int[count];
         isHollow = new boolean[count];
         isEar = new boolean[count];
         Vector3d[] points = new Vector3d[count];
         for (int i = 0; i < count; i++) {
-            points[i] = RawMesh.vector(positions, corners[3 * (start + i)]);
+            points[i] = positions.vector(polygon[3 * i]);
             before[i] = (i + count - 1) % count;
             after[i] = (i + 1) % count;
         }
@@ -45,14 +43,10 @@ final class PolygonTriangulation {
     /**
      * Corner numbers, three per triangle.
      *
-     * @param corners three indices per corner, position first
-     * @param start, end the polygon's corners
+     * @param polygon three indices per corner, position first
      */
-    static int[] of(float[] positions, int[] corners, int start, int end) {
-        if (end - start == 3) {
-            return new int[] {start, start + 1, start + 2};
-        }
-        return new PolygonTriangulation(positions, corners, start, end).cut();
+    static int[] of(FloatList positions, int[] polygon) {
+        return polygon.length == 9 ? new int[] {0, 1, 2} : new PolygonTriangulation(positions, polygon).cut();
     }
 
     private static Vector3d newellNormal(Vector3d[] points) {
@@ -87,9 +81,9 @@ final class PolygonTriangulation {
     }
 
     private int write(int[] triangles, int at, int a, int b, int c) {
-        triangles[at] = start + a;
-        triangles[at + 1] = start + b;
-        triangles[at + 2] = start + c;
+        triangles[at] = a;
+        triangles[at + 1] = b;
+        triangles[at + 2] = c;
         return at + 3;
     }
 

@@ -11,6 +11,8 @@ import org.joml.Vector3d;
  * @param corners 3 per corner, so 9 per triangle: position, texture coordinate or -1, normal or -1
  */
 record RawMesh(float[] positions, float[] textureCoordinates, float[] normals, int[] corners) {
+    // Height over longest side below which float32 positions do not tell a triangle from a line.
+    private static final double THINNEST = 1e-9;
 
     int cornerCount() {
         return corners.length / 3;
@@ -42,5 +44,57 @@ record RawMesh(float[] positions, float[] textureCoordinates, float[] normals, i
 
     static Vector3d vector(float[] values, int index) {
         return new Vector3d(values[3 * index], values[3 * index + 1], values[3 * index + 2]);
+    }
+
+    /** Without triangles that have no area: they have no normal and cannot be seen. */
+    RawMesh withoutDegenerate() {
+        IntList kept = new IntList();
+        for (int first = 0; first < cornerCount(); first += 3) {
+            if (!isDegenerate(first)) {
+                for (int i = 3 * first; i < 3 * first + 9; i++) {
+                    kept.add(corners[i]);
+                }
+            }
+        }
+        return new RawMesh(positions, textureCoordinates, normals, kept.toArray());
+    }
+
+    private boolean isDegenerate(int first) {
+        Vector3d a = positionOf(first);
+        Vector3d b = positionOf(first + 1);
+        Vector3d c = positionOf(first + 2);
+        double longest = Math.max(a.distanceSquared(b), Math.max(b.distanceSquared(c), c.distanceSquared(a)));
+        return areaNormal(first).length() <= THINNEST * longest;
+    }
+
+    /**
+     * With the view from above as texture, x to u and y to v, scaled alike so that the longer side of the mesh spans 0 to 1.
+     * Tangents then follow x.
+     */
+    RawMesh withPlanarCoordinates() {
+        double[] least = {Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY};
+        double[] most = {Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY};
+        for (int corner = 0; corner < cornerCount(); corner++) {
+            for (int i = 0; i < 2; i++) {
+                double value = positions[3 * position(corner) + i];
+                least[i] = Math.min(least[i], value);
+                most[i] = Math.max(most[i], value);
+            }
+        }
+        double side = Math.max(most[0] - least[0], most[1] - least[1]);
+        // A mesh upright on one line of the ground has all its texture on one line too.
+        double scale = side > 0 ? 1 / side : 1;
+        int count = positions.length / 3;
+        float[] coordinates = new float[2 * count];
+        for (int position = 0; position < count; position++) {
+            for (int i = 0; i < 2; i++) {
+                coordinates[2 * position + i] = (float) ((positions[3 * position + i] - least[i]) * scale);
+            }
+        }
+        int[] planar = corners.clone();
+        for (int corner = 0; corner < cornerCount(); corner++) {
+            planar[3 * corner + 1] = position(corner);
+        }
+        return new RawMesh(positions, coordinates, normals, planar);
     }
 }

@@ -1,5 +1,7 @@
 package sunbeam.app.scene.mesh;
 
+import java.util.HashMap;
+import java.util.Map;
 import org.joml.Vector3d;
 
 /**
@@ -11,12 +13,15 @@ final class VertexAssembly {
     private final boolean alwaysRightHanded;
     private final CornerNormals cornerNormals;
     private final int[] indices;
-    private final VertexNumbers numbers = new VertexNumbers();
+    private final Map<Vertex, Integer> numbers = new HashMap<>();
     private final IntList corners = new IntList();
     private final IntList normalKeys = new IntList();
     private final IntList handedness = new IntList();
     private long computedNormals;
     private int undirected;
+
+    /** What corners of one vertex have in common. */
+    private record Vertex(int position, int textureCoordinate, int normalKey, int hand) {}
 
     /**
      * Prepares the work of {@link #assemble}.
@@ -56,8 +61,10 @@ final class VertexAssembly {
 
     private int vertexOf(int corner, int hand, FloatList sums) {
         int key = cornerNormals.key(corner);
-        int vertex = numbers.of(mesh.position(corner), mesh.textureCoordinate(corner), key, hand);
-        if (vertex < corners.size()) {
+        int next = corners.size();
+        int vertex = numbers.computeIfAbsent(
+                new Vertex(mesh.position(corner), mesh.textureCoordinate(corner), key, hand), met -> next);
+        if (vertex < next) {
             return vertex;
         }
         corners.add(corner);

@@ -10,4 +10,10 @@ interface BodyColors {
      * @param around -1 and 1 in the middle of the belly, 0 on the back
      */
     LinearRgb at(double along, double around);
+
+    /** 0 up to {@code from}, 1 beyond {@code to}, smooth between. */
+    static double step(double from, double to, double value) {
+        double t = Math.min(1, Math.max(0, (value - from) / (to - from)));
+        return t * t * (3 - 2 * t);
+    }
 }

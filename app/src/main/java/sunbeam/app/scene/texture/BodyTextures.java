@@ -2,6 +2,7 @@ package sunbeam.app.scene.texture;
 
 import java.nio.file.Path;
 import java.util.List;
+import java.util.stream.IntStream;
 
 /** Finds a texture by what a user calls it. */
 public final class BodyTextures {
@@ -32,10 +33,27 @@ public final class BodyTextures {
      */
     public static BodyTexture load(String nameOrFile) {
         return switch (nameOrFile) {
-            case "elaphe" -> new BodyPainter(LENGTH, GIRTH).paint(new ElapheColors());
-            case "xenopeltis" -> new BodyPainter(LENGTH, GIRTH).paint(new XenopeltisColors());
+            case "elaphe" -> paint(new ElapheColors());
+            case "xenopeltis" -> paint(new XenopeltisColors());
             case NONE -> new BodyTexture(1, 1, new byte[] {-1, -1, -1, -1});
             default -> ImageTextureReader.read(Path.of(nameOrFile));
         };
+    }
+
+    /** u runs along the body, v around it, from belly to belly. */
+    private static BodyTexture paint(BodyColors colors) {
+        byte[] rgba = new byte[4 * LENGTH * GIRTH];
+        IntStream.range(0, GIRTH).parallel().forEach(row -> {
+            double around = 1 - 2 * (row + 0.5) / GIRTH;
+            for (int column = 0; column < LENGTH; column++) {
+                LinearRgb color = colors.at((column + 0.5) / LENGTH, around);
+                int texel = 4 * (row * LENGTH + column);
+                rgba[texel] = LinearRgb.encoded(color.red());
+                rgba[texel + 1] = LinearRgb.encoded(color.green());
+                rgba[texel + 2] = LinearRgb.encoded(color.blue());
+                rgba[texel + 3] = -1;
+            }
+        });
+        return new BodyTexture(LENGTH, GIRTH, rgba);
     }
 }

@@ -29,12 +29,12 @@ final class ElapheColors implements BodyColors {
     public LinearRgb at(double along, double around) {
         double side = Math.abs(around);
         double mottled = 0.1 * mottle.at(along, around);
-        LinearRgb ground = GROUND.mix(FLANK, Steps.smooth(0.25, 0.7, side + mottled));
+        LinearRgb ground = GROUND.mix(FLANK, BodyColors.step(0.25, 0.7, side + mottled));
         double wobble = 0.11 * outline.at(along, around);
         LinearRgb marked = mark(ground, saddle(along, side) + wobble);
         marked = mark(marked, blotch(along, side) + wobble);
         LinearRgb skin = marked.times(1 + 0.13 * grain.at(along, around) + mottled);
-        double share = Steps.smooth(BELLY - 0.02, BELLY + 0.04, side);
+        double share = BodyColors.step(BELLY - 0.02, BELLY + 0.04, side);
         return share == 0 ? skin : skin.mix(belly(along, around), share);
     }
 
@@ -43,8 +43,8 @@ final class ElapheColors implements BodyColors {
         if (depth <= OUTSIDE) {
             return ground;
         }
-        LinearRgb edged = ground.mix(EDGE, Steps.smooth(OUTSIDE, 0.06, depth));
-        return edged.mix(SADDLE, Steps.smooth(0.24, 0.36, depth));
+        LinearRgb edged = ground.mix(EDGE, BodyColors.step(OUTSIDE, 0.06, depth));
+        return edged.mix(SADDLE, BodyColors.step(0.24, 0.36, depth));
     }
 
     /** Of the markings one after the other, 1 in the mean. */

@@ -15,9 +15,9 @@ final class XenopeltisColors implements BodyColors {
     @Override
     public LinearRgb at(double along, double around) {
         double side = Math.abs(around);
-        LinearRgb skin = BACK.mix(FLANK, Steps.smooth(0.3, 0.7, side));
+        LinearRgb skin = BACK.mix(FLANK, BodyColors.step(0.3, 0.7, side));
         double mottled = mottle.at(along, around);
         LinearRgb uneven = skin.times(1 + 0.12 * grain.at(along, around) + 0.12 * mottled);
-        return uneven.mix(BELLY, Steps.smooth(0.72, 0.84, side + 0.03 * mottled));
+        return uneven.mix(BELLY, BodyColors.step(0.72, 0.84, side + 0.03 * mottled));
     }
 }

@@ -3,7 +3,6 @@ package sunbeam.app.files.cache;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
-import java.io.RandomAccessFile;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.FileTime;
@@ -63,42 +62,6 @@ final class CacheFolderTest {
                 .extracting(entry -> entry.file().getFileName().toString())
                 .containsExactly("1.tables", "2.tables");
         assertThat(path.toFile().list()).hasSize(6);
-    }
-
-    @Test
-    void oneThatIsLargerThanTheLimitTakesNoSmallerOnesWithIt() throws IOException {
-        CacheFolder cache = cache(Map.of());
-        Path path = cache.open(warnings::add).orElseThrow();
-        for (int i = 0; i < 4; i++) {
-            Path file = Files.write(path.resolve(i + ".tables"), new byte[i == 3 ? 1000 : 100]);
-            Files.setLastModifiedTime(file, FileTime.fromMillis(1_000_000L + 1000L * i));
-        }
-        assertThat(cache.shrink(250, Optional.empty()))
-                .extracting(entry -> entry.file().getFileName().toString())
-                .containsExactly("0.tables", "3.tables");
-        assertThat(cache.sizeInBytes()).isEqualTo(200);
-    }
-
-    /** Sparse files: the folder says how long they are, and takes no room. */
-    @Test
-    void oneSurfaceTakesItsShareOnly() throws IOException {
-        CacheFolder cache = cache(Map.of());
-        Path path = cache.open(warnings::add).orElseThrow();
-        String[] names = {"0123456789ab-1.h5", "0123456789ab-2.pages", "0123456789ab-3.tables", "ba9876543210-1.h5"};
-        for (int i = 0; i < names.length; i++) {
-            try (RandomAccessFile file =
-                    new RandomAccessFile(path.resolve(names[i]).toFile(), "rw")) {
-                file.setLength(i == 2 ? 160_000_000 : 80_000_000);
-            }
-            Files.setLastModifiedTime(path.resolve(names[i]), FileTime.fromMillis(1_000_000L + 1000L * i));
-        }
-
-        assertThat(cache.shrink(CacheFolder.STANDARD_LIMIT, Optional.empty()))
-                .as("150 MB of a surface: the one that is larger than that, and the one used longest ago")
-                .extracting(entry -> entry.file().getFileName().toString())
-                .containsExactly("0123456789ab-1.h5", "0123456789ab-3.tables");
-        assertThat(cache.shrink(4 * CacheFolder.STANDARD_LIMIT, Optional.empty()))
-                .isEmpty();
     }
 
     @Test

@@ -96,27 +96,4 @@ final class KeptColorsTest {
             assertThat(file()).as("after a cut at byte %s", length).hasBinaryContent(whole);
         }
     }
-
-    @Test
-    void aFlippedBitIsFound() throws IOException {
-        make("key", ALL);
-        byte[] bytes = Files.readAllBytes(file());
-        int inTheLastRecord = bytes.length - 20;
-        bytes[inTheLastRecord] ^= 1;
-        Files.write(file(), bytes);
-        assertThat(make("key", ALL)).isEqualTo(7);
-    }
-
-    @Test
-    void aFolderThatTakesNoFileKeepsNothingAndStopsNobody() throws IOException {
-        Files.createDirectory(file());
-        assertThat(make("key", ALL)).isEqualTo(ALL);
-    }
-
-    @Test
-    void itSaysWhatItIs() {
-        make("key", 200);
-        assertThat(new CacheEntry(file(), 0, java.time.Instant.EPOCH).label()).isEqualTo(LABEL);
-        assertThat(CacheEntry.isOne(file())).isTrue();
-    }
 }

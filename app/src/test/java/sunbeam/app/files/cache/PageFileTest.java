@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.attribute.PosixFilePermissions;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.BitSet;
@@ -80,7 +81,7 @@ final class PageFileTest {
     void aLaterRunFindsThem() {
         keepAll();
         assertThat(found(KEY)).isEqualTo(PAGES);
-        assertThat(PageFile.labelOf(file())).isEqualTo(LABEL);
+        assertThat(RecordFile.labelOf(file())).isEqualTo(LABEL);
         assertThat(warnings).isEmpty();
     }
 
@@ -101,24 +102,6 @@ final class PageFileTest {
         BitSet pages = new BitSet();
         pages.set(0, count);
         return pages;
-    }
-
-    /** More than are read and written at once. */
-    @Test
-    void manyAreKeptTogetherAndReadInAnyChoice() throws IOException {
-        try (KeptPages pages = open(KEY, PLENTY)) {
-            pages.keep(1, many(600));
-        }
-        BitSet some = new BitSet();
-        some.set(3, 8);
-        some.set(250, 260);
-        some.set(599);
-        try (KeptPages pages = open(KEY, PLENTY)) {
-            requireRight(pages.read(1, firstPages(700)), 600);
-            requireRight(pages.read(1, some), 16);
-            assertThat(pages.read(0, firstPages(700))).isEmpty();
-        }
-        assertThat(warnings).isEmpty();
     }
 
     @Test
@@ -149,21 +132,9 @@ final class PageFileTest {
     }
 
     @Test
-    void aLimitWithinManyKeepsWhatFits() throws IOException {
-        try (KeptPages pages = open(KEY, PLENTY)) {
-            pages.keep(1, many(PAGES + 1));
-        }
-        long length = Files.size(file());
-        long most = length + 300L * recordBytes((int) length);
-        Files.delete(file());
-        try (KeptPages pages = open(KEY, most)) {
-            pages.keep(1, many(600));
-        }
-        assertThat(Files.size(file())).isEqualTo(most);
-        try (KeptPages pages = open(KEY, PLENTY)) {
-            requireRight(pages.read(1, firstPages(600)), PAGES + 1 + 300);
-        }
-        assertThat(warnings).isEmpty();
+    void nobodyElseReadsIt() throws IOException {
+        keepAll();
+        assertThat(Files.getPosixFilePermissions(file())).isEqualTo(PosixFilePermissions.fromString("rw-------"));
     }
 
     @Test
@@ -174,13 +145,6 @@ final class PageFileTest {
         keepAll();
         assertThat(Files.readString(precious)).isEqualTo("a letter");
         assertThat(found(KEY)).isZero();
-    }
-
-    @Test
-    void thoseOfAnotherSurfaceOrPlanAreNotUsed() {
-        keepAll();
-        assertThat(found("another")).isZero();
-        assertThat(found(KEY)).as("begun anew").isZero();
     }
 
     @Test
@@ -207,28 +171,6 @@ final class PageFileTest {
     }
 
     @Test
-    void oneThatWasCutOffLosesWhatIsMissingAndGoesOn() throws IOException {
-        keepAll();
-        byte[] good = Files.readAllBytes(file());
-        Files.write(file(), Arrays.copyOf(good, good.length - 5));
-        assertThat(found(KEY)).isEqualTo(PAGES - 1);
-        assertThat(warnings).containsExactly(DAMAGED);
-        keepAll();
-        assertThat(Files.readAllBytes(file())).isEqualTo(good);
-    }
-
-    @Test
-    void oneWhoseBeginningIsDamagedIsBegunAnewWithAWord() throws IOException {
-        keepAll();
-        byte[] good = Files.readAllBytes(file());
-        Files.write(file(), Arrays.copyOf(good, 10));
-        assertThat(found(KEY)).isZero();
-        assertThat(warnings).containsExactly(DAMAGED);
-        keepAll();
-        assertThat(Files.readAllBytes(file())).isEqualTo(good);
-    }
-
-    @Test
     void whoComesSecondReadsAndDoesNotWrite() {
         keepAll();
         try (KeptPages first = open(KEY, PLENTY);
@@ -240,17 +182,6 @@ final class PageFileTest {
         try (KeptPages later = open(KEY, PLENTY)) {
             assertThat(later.kept(2, all()).stream()).containsExactly(2);
         }
-    }
-
-    @Test
-    void oneThatIsDeletedMeanwhileGoesOnServing() throws IOException {
-        keepAll();
-        try (KeptPages pages = open(KEY, PLENTY)) {
-            Files.delete(file());
-            assertThat(pages.read(0, all())).hasSize(PAGES / 2);
-            pages.keep(2, Map.of(1, coefficients(2, 1)));
-        }
-        assertThat(file()).doesNotExist();
     }
 
     @Test

@@ -7,6 +7,7 @@ import java.nio.FloatBuffer;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.FileTime;
+import java.nio.file.attribute.PosixFilePermissions;
 import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
@@ -144,6 +145,9 @@ class TableStoreTest {
         store("a").tables(new Counted("plan"), MethodUse.COLOR, NO_COLORS);
         CacheFolder folder = CacheFolder.of(new Environment(Map.of(), home));
         assertThat(folder.entries()).hasSize(1);
+        assertThat(Files.getPosixFilePermissions(file))
+                .as("nobody else reads it")
+                .isEqualTo(PosixFilePermissions.fromString("rw-------"));
         CacheEntry entry = folder.entries().get(0);
         assertThat(entry.lastUsed()).isAfter(Instant.now().minusSeconds(600));
         assertThat(entry.label())
@@ -162,25 +166,6 @@ class TableStoreTest {
         assertThat(other.made).isEqualTo(2);
         assertThat(CacheFolder.of(new Environment(Map.of(), home)).entries()).isEmpty();
         assertThat(warnings).isEmpty();
-    }
-
-    @Test
-    void whatBelongsToAnotherPlanIsMadeAgainAndTold() throws Exception {
-        store("a").tables(new Counted("plan"), MethodUse.COLOR, NO_COLORS);
-        Path file = kept().get(0);
-        byte[] foreign = Files.readAllBytes(file);
-        Files.delete(file);
-        Counted other = new Counted("other");
-        store("a").tables(other, MethodUse.COLOR, NO_COLORS);
-        Path others = kept().get(0);
-        Files.write(others, foreign);
-
-        ShaderTables again = store("a").tables(other, MethodUse.COLOR, NO_COLORS);
-
-        assertThat(other.made).isEqualTo(2);
-        assertThat(numbers(again)).containsExactly(1, 2, 3);
-        assertThat(warnings)
-                .containsExactly("cached table is made again: " + others + ": tables of another surface or plan");
     }
 
     @Test

@@ -10,14 +10,13 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.FileTime;
 import java.nio.file.attribute.PosixFilePermission;
+import java.nio.file.attribute.PosixFilePermissions;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.EnumSource;
 
 final class AtomicFileTest {
     private static final byte[] NEW = "new".getBytes(StandardCharsets.UTF_8);
@@ -81,14 +80,6 @@ final class AtomicFileTest {
         assertThat(names()).containsExactly("out.txt");
     }
 
-    @ParameterizedTest
-    @EnumSource
-    void aFolderIsNoTarget(Overwrite overwrite) {
-        assertThatThrownBy(() -> AtomicFile.checkWritable(folder, overwrite))
-                .isInstanceOf(OutputException.class)
-                .hasMessageContaining("is a folder; name a file in it");
-    }
-
     @Test
     void aMissingFolderIsNamed() {
         Path missing = folder.resolve("missing");
@@ -139,6 +130,18 @@ final class AtomicFileTest {
         assertThat(link).isRegularFile().hasBinaryContent(NEW);
         assertThat(Files.isSymbolicLink(link)).isFalse();
         assertThat(target).hasContent("old");
+    }
+
+    /** Where everybody may write, it may be another user's; elsewhere it is /dev/stdout. */
+    @Test
+    void aLinkToADeviceIsFollowedOnlyWhereNobodyElseMakesLinks() throws IOException {
+        Path link = Files.createSymbolicLink(folder.resolve("link.txt"), Path.of("/dev/full"));
+        assertThatThrownBy(() -> write(link, Overwrite.REPLACE)).hasMessageContaining("No space left");
+        Files.setPosixFilePermissions(folder, PosixFilePermissions.fromString("rwxrwxrwx"));
+        assertThatThrownBy(() -> write(link, Overwrite.REFUSE)).isInstanceOf(OutputExistsException.class);
+        write(link, Overwrite.REPLACE);
+        assertThat(link).isRegularFile().hasBinaryContent(NEW);
+        assertThat(Files.isSymbolicLink(link)).isFalse();
     }
 
     /** Its process was killed; others may still write theirs. */

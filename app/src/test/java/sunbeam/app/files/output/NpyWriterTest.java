@@ -15,9 +15,7 @@ final class NpyWriterTest {
     @Test
     void theBytesAreThoseOfTheFormat() throws IOException {
         ByteArrayOutputStream stream = new ByteArrayOutputStream();
-        try (NpyWriter writer = new NpyWriter(stream, 1, 2)) {
-            writer.append(new float[] {1.5f, Float.NaN}, 0, 2);
-        }
+        NpyWriter.write(stream, new float[] {1.5f, Float.NaN}, 1, 2);
         byte[] bytes = stream.toByteArray();
         assertThat(bytes).startsWith((byte) 0x93, 'N', 'U', 'M', 'P', 'Y', 1, 0, 118, 0);
         String header = new String(bytes, 10, 118, StandardCharsets.US_ASCII);
@@ -29,7 +27,7 @@ final class NpyWriterTest {
     }
 
     @Test
-    void whatIsWrittenInPiecesIsOneArray() throws IOException {
+    void anyNumberOfValuesIsWritten() throws IOException {
         float[] values = new float[3 * 7001 * 2];
         ByteBuffer expected = ByteBuffer.allocate(Float.BYTES * values.length).order(ByteOrder.LITTLE_ENDIAN);
         for (int index = 0; index < values.length; index++) {
@@ -37,18 +35,13 @@ final class NpyWriterTest {
             expected.putFloat(index);
         }
         ByteArrayOutputStream stream = new ByteArrayOutputStream();
-        try (NpyWriter writer = new NpyWriter(stream, 3, 7001, 2)) {
-            writer.append(values, 0, 5);
-            writer.append(values, 5, 40_000);
-            writer.append(values, 40_005, values.length - 40_005);
-        }
+        NpyWriter.write(stream, values, 3, 7001, 2);
         assertThat(Arrays.copyOfRange(stream.toByteArray(), 128, stream.size())).isEqualTo(expected.array());
     }
 
     @Test
-    void valuesTooManyOrTooFewAreABug() throws IOException {
-        NpyWriter writer = new NpyWriter(new ByteArrayOutputStream(), 2);
-        assertThatThrownBy(() -> writer.append(new float[3], 0, 3)).isInstanceOf(IllegalArgumentException.class);
-        assertThatThrownBy(writer::close).isInstanceOf(IllegalStateException.class);
+    void valuesTooManyOrTooFewAreABug() {
+        assertThatThrownBy(() -> NpyWriter.write(new ByteArrayOutputStream(), new float[3], 2))
+                .isInstanceOf(IllegalArgumentException.class);
     }
 }

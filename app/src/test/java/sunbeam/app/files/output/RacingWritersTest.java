@@ -3,7 +3,6 @@ package sunbeam.app.files.output;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -87,13 +86,5 @@ final class RacingWritersTest {
                             "race" + race + "-3.png",
                             "race" + race + "-4.png");
         }
-    }
-
-    @Test
-    void oneOfThemStaysWholeWhereAllMayReplace() throws Exception {
-        Path target = Files.writeString(folder.resolve("target"), "old");
-        race(target, Overwrite.REPLACE);
-        assertThat(Files.readString(target)).matches("writer [0-3]");
-        assertThat(folder.toFile().list()).containsExactly("target");
     }
 }

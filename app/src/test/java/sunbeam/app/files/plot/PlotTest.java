@@ -73,15 +73,4 @@ final class PlotTest {
                 .hasMessageContaining("'gap': x = NaN");
         assertThatThrownBy(plot::draw).isInstanceOf(IllegalStateException.class);
     }
-
-    @Test
-    void logarithmicTicksReadAsPowersOfTen() {
-        assertThat(PlotStyle.powerOfTen(1e-5)).isEqualTo("1e-5");
-        assertThat(PlotStyle.powerOfTen(1)).isEqualTo("1");
-        assertThat(PlotStyle.powerOfTen(100)).isEqualTo("100");
-        assertThat(PlotStyle.powerOfTen(1e6)).isEqualTo("1e6");
-        assertThat(PlotStyle.powerOfTen(256)).isEqualTo("256");
-        assertThat(PlotStyle.powerOfTen(2048)).isEqualTo("2048");
-        assertThat(PlotStyle.powerOfTen(Math.pow(10, Math.log10(2e-2)))).isEqualTo("0.02");
-    }
 }

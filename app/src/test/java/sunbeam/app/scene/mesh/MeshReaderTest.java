@@ -176,14 +176,6 @@ class MeshReaderTest {
         return text.append('\n').toString();
     }
 
-    private static double area(Mesh mesh) {
-        double area = 0;
-        for (int triangle = 0; triangle < mesh.triangles(); triangle++) {
-            area += MeshChecks.areaNormal(mesh, triangle).length() / 2;
-        }
-        return area;
-    }
-
     @Test
     void negativeIndicesCountBackwards() throws IOException {
         Mesh positive = read(SQUARE + TEXTURE + "f 2/2 3/3 4/4\n").mesh();
@@ -258,59 +250,11 @@ class MeshReaderTest {
                 .hasMessageEndingWith("large.obj, line 2000004: more than 2000000 triangles; simplify the mesh");
     }
 
-    /** Combs, of which every second corner is hollow: with each cut searched anew, fifty of them took seven seconds. */
-    @Test
-    void polygonsOfAThousandCornersAreDividedWithoutOverlap() throws IOException {
-        StringBuilder text = new StringBuilder();
-        int corners = 1000;
-        for (int i = 0; i < corners - 2; i++) {
-            text.append("v ")
-                    .append(corners - i)
-                    .append(' ')
-                    .append(i % 2 == 0 ? 2 : 1)
-                    .append(" 0\n");
-        }
-        text.append("v 0 0 0\nv ").append(corners).append(" 0 0\n");
-        String face = "f -" + corners;
-        for (int i = corners - 1; i > 0; i--) {
-            face += " -" + i;
-        }
-        Mesh mesh = MeshReader.read(Files.writeString(folder.resolve("comb.obj"), text + (face + "\n").repeat(50)))
-                .mesh();
-        assertThat(mesh.triangles()).isEqualTo(50 * (corners - 2));
+    private static double area(Mesh mesh) {
         double area = 0;
-        for (int i = 0; i < mesh.triangles() / 50; i++) {
-            area += area(mesh, i);
+        for (int triangle = 0; triangle < mesh.triangles(); triangle++) {
+            area += MeshChecks.areaNormal(mesh, triangle).length() / 2;
         }
-        // By the shoelace formula; triangles that overlap or stick out would have more.
-        assertThat(area).isCloseTo(polygonArea(corners), within(1e-6 * area));
-    }
-
-    private static double area(Mesh mesh, int triangle) {
-        double[] x = new double[3];
-        double[] y = new double[3];
-        for (int corner = 0; corner < 3; corner++) {
-            int vertex = mesh.indices()[3 * triangle + corner];
-            x[corner] = mesh.positions()[3 * vertex];
-            y[corner] = mesh.positions()[3 * vertex + 1];
-        }
-        return Math.abs((x[1] - x[0]) * (y[2] - y[0]) - (y[1] - y[0]) * (x[2] - x[0])) / 2;
-    }
-
-    /** Of the comb: columns under its teeth, and the slanted ends. */
-    private static double polygonArea(int corners) {
-        double twice = 0;
-        double[] x = new double[corners];
-        double[] y = new double[corners];
-        for (int i = 0; i < corners - 2; i++) {
-            x[i] = corners - i;
-            y[i] = i % 2 == 0 ? 2 : 1;
-        }
-        x[corners - 1] = corners;
-        for (int i = 0; i < corners; i++) {
-            int next = (i + 1) % corners;
-            twice += x[i] * y[next] - x[next] * y[i];
-        }
-        return Math.abs(twice) / 2;
+        return area;
     }
 }

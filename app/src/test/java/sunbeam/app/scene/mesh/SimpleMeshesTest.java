@@ -4,11 +4,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
-import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 
 class SimpleMeshesTest {
-
     @Test
     void aPlaneIsFlatAndItsFrameIsThatOfTheWorld() {
         Mesh plane = SimpleMeshes.plane(2, 3);
@@ -22,25 +20,6 @@ class SimpleMeshesTest {
         }
         assertThat(area).isCloseTo(4, within(1e-6));
         assertThat(plane.tangents()).startsWith(1, 0, 0, 1);
-    }
-
-    @Test
-    void aSphereIsClosedAndRound() {
-        Mesh sphere = SimpleMeshes.sphere(0.1, 48, 24);
-
-        MeshChecks.assertClosed(sphere);
-        MeshChecks.assertNoDegenerateTriangle(sphere);
-        MeshChecks.assertOrthonormalFrames(sphere);
-        // A facet spans 7.5 degrees, at the poles in longitude too.
-        MeshChecks.assertNormalsFaceOutwards(sphere, Math.cos(Math.toRadians(7.5)));
-        // And half of it up and down.
-        MeshChecks.assertTangentsFollowTheTexture(sphere, Math.cos(Math.toRadians(9)));
-        for (int vertex = 0; vertex < sphere.vertices(); vertex++) {
-            Vector3d position = MeshChecks.position(sphere, vertex);
-            assertThat(position.length()).isCloseTo(0.1, within(1e-8));
-            assertThat(position.normalize().distance(MeshChecks.normal(sphere, vertex)))
-                    .isLessThan(1e-6);
-        }
     }
 
     @Test

@@ -1,0 +1,191 @@
+package sunbeam.app.scene.mesh;
+
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.StringTokenizer;
+import java.util.regex.Pattern;
+import sunbeam.precompute.text.Quoted;
+
+/**
+ * The geometry of an OBJ file, line by line: positions, normals, texture coordinates, and faces, which are divided into
+ * triangles. All else (groups, materials, lines, curves) is passed over. Limits are checked before memory is taken for what
+ * is too much.
+ */
+final class ObjFile {
+    private static final long MOST_BYTES = 1L << 29;
+    /** Positions, normals, texture coordinates; triangles. Fits into a heap of 1 GiB; a hundred times the thesis's snake. */
+    private static final int MOST = 2_000_000;
+
+    private static final int MOST_CORNERS = 1000;
+    private static final int LONGEST_LINE = 1 << 16;
+    // Coordinates beyond this leave float32's range when areas are squared; no surface is a million kilometres wide.
+    private static final double FARTHEST = 1e9;
+    private static final String UTF8_MARK = "\u00EF\u00BB\u00BF";
+    private static final Pattern INDEX = Pattern.compile("-?[1-9]\\d{0,8}");
+
+    private final Path file;
+    private final BufferedReader reader;
+    private final FloatList positions = new FloatList();
+    private final FloatList normals = new FloatList();
+    private final FloatList textureCoordinates = new FloatList();
+    private final IntList corners = new IntList();
+    private long line;
+    private long next = 1;
+
+    private ObjFile(Path file, BufferedReader reader) {
+        this.file = file;
+        this.reader = reader;
+    }
+
+    /**
+     * Reads a file.
+     *
+     * @throws MeshException if it cannot be read, is too large, or a line of it is wrong
+     */
+    static RawMesh read(Path file) {
+        // Any byte is a character in Latin 1; geometry is ASCII.
+        try (BufferedReader reader = Files.newBufferedReader(file, StandardCharsets.ISO_8859_1)) {
+            long bytes = Files.size(file);
+            if (bytes > MOST_BYTES) {
+                throw new MeshException(file + " has " + bytes + " bytes; at most " + MOST_BYTES
+                        + " can be used, so simplify the mesh");
+            }
+            return new ObjFile(file, reader).mesh();
+        } catch (IOException failure) {
+            throw new MeshException(file + " cannot be read: " + failure.getMessage(), failure);
+        }
+    }
+
+    private MeshException wrong(String what) {
+        return new MeshException(file + ", line " + line + ": " + what);
+    }
+
+    private RawMesh mesh() throws IOException {
+        for (String text = readLine(); text != null; text = readLine()) {
+            int comment = text.indexOf('#');
+            StringTokenizer words = new StringTokenizer(comment < 0 ? text : text.substring(0, comment));
+            switch (words.hasMoreTokens() ? words.nextToken() : "") {
+                case "v" -> numbers(words, positions, "position", 3);
+                case "vn" -> numbers(words, normals, "normal", 3);
+                case "vt" -> numbers(words, textureCoordinates, "texture coordinate", 2);
+                case "f" -> face(words);
+                default -> {
+                    // No geometry.
+                }
+            }
+        }
+        return new RawMesh(
+                positions.toArray(), textureCoordinates.toArray(), normals.toArray(), corners.toArray());
+    }
+
+    /** One line with its continuations; null at the end. */
+    private String readLine() throws IOException {
+        line = next;
+        StringBuilder text = new StringBuilder();
+        boolean any = false;
+        for (int character = reader.read(); character >= 0; character = reader.read()) {
+            any = true;
+            if (character == '\n') {
+                next++;
+                int last = text.length() - 1;
+                if (last < 0 || text.charAt(last) != '\\') {
+                    break;
+                }
+                text.setCharAt(last, ' ');
+            } else if (character != '\r') {
+                text.append((char) character);
+            }
+            if (text.length() > LONGEST_LINE) {
+                throw wrong("longer than " + LONGEST_LINE + " characters; this is no OBJ text file");
+            }
+        }
+        boolean marked = line == 1 && text.indexOf(UTF8_MARK) == 0;
+        return any ? text.substring(marked ? UTF8_MARK.length() : 0) : null;
+    }
+
+    /** The first numbers of the line; further ones (weights, colors, a third texture coordinate) are not used. */
+    private void numbers(StringTokenizer words, FloatList list, String what, int count) {
+        // One texture coordinate is a texture along a line.
+        int least = count == 2 ? 1 : count;
+        if (words.countTokens() < least) {
+            throw wrong("a " + what + " needs " + least + " numbers, not " + words.countTokens());
+        }
+        if (list.size() / count >= MOST) {
+            throw wrong("more than " + MOST + " " + what + "s; simplify the mesh");
+        }
+        for (int i = 0; i < count; i++) {
+            list.add(words.hasMoreTokens() ? number(words.nextToken()) : 0);
+        }
+    }
+
+    private float number(String word) {
+        try {
+            double value = Double.parseDouble(word);
+            if (Math.abs(value) <= FARTHEST) {
+                return (float) value;
+            }
+        } catch (NumberFormatException failure) {
+            throw wrong(Quoted.of(word) + " is no number; export the mesh again");
+        }
+        throw wrong(Quoted.of(word) + " is no finite number up to 1e9; repair the mesh or export it again");
+    }
+
+    private void face(StringTokenizer words) {
+        int count = words.countTokens();
+        if (count < 3 || count > MOST_CORNERS) {
+            throw wrong("a face with " + count + " corners; 3 to " + MOST_CORNERS + " can be used");
+        }
+        if (corners.size() / 9 + count - 2 > MOST) {
+            throw wrong("more than " + MOST + " triangles; simplify the mesh");
+        }
+        int[] polygon = new int[3 * count];
+        for (int corner = 0; corner < count; corner++) {
+            corner(words.nextToken(), polygon, 3 * corner);
+            for (int kind = 1; kind < 3; kind++) {
+                if ((polygon[3 * corner + kind] < 0) != (polygon[kind] < 0)) {
+                    throw wrong("the face's corners differ in kind; give all of them texture coordinate and normal, or none");
+                }
+            }
+        }
+        for (int corner : PolygonTriangulation.of(positions, polygon)) {
+            for (int kind = 0; kind < 3; kind++) {
+                corners.add(polygon[3 * corner + kind]);
+            }
+        }
+    }
+
+    /** Of v, v/vt, v//vn or v/vt/vn: position, texture coordinate, normal; -1 for what is not there. */
+    private void corner(String word, int[] polygon, int at) {
+        String[] parts = word.split("/", -1);
+        boolean isOne = parts.length <= 3 && (parts.length < 2 || !parts[parts.length - 1].isEmpty());
+        if (!isOne) {
+            throw noCorner(word);
+        }
+        polygon[at] = index(word, parts[0], positions.size() / 3, "position");
+        polygon[at + 1] = parts.length < 2 || parts[1].isEmpty()
+                ? -1
+                : index(word, parts[1], textureCoordinates.size() / 2, "texture coordinate");
+        polygon[at + 2] = parts.length < 3 ? -1 : index(word, parts[2], normals.size() / 3, "normal");
+    }
+
+    private MeshException noCorner(String word) {
+        return wrong(
+                Quoted.of(word) + " is no corner of a face; write v, v/vt, v//vn or v/vt/vn with whole numbers");
+    }
+
+    /** From 0; in the file from 1, or backwards from -1 for the last. */
+    private int index(String word, String written, int count, String what) {
+        if (!INDEX.matcher(written).matches()) {
+            throw noCorner(word);
+        }
+        int number = Integer.parseInt(written);
+        int index = number < 0 ? count + number : number - 1;
+        if (index < 0 || index >= count) {
+            throw wrong("the face names " + what + " " + number + " but " + count + " are given above it");
+        }
+        return index;
+    }
+}

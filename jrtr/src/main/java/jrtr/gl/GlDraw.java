@@ -1,0 +1,77 @@
+package jrtr.gl;
+
+import com.jogamp.opengl.GL3;
+import java.util.List;
+import jrtr.Binding;
+import jrtr.Faces;
+import jrtr.Tile;
+
+/** Draws; sets all state that a draw depends on. */
+final class GlDraw extends GlResource {
+    // Corners of a full-screen triangle come from the vertex number; OpenGL wants an empty vertex array.
+    private final int[] noVertices = new int[1];
+
+    GlDraw(GlDevice device) {
+        super(device, "full-screen triangle");
+        device.gl().glGenVertexArrays(1, noVertices, 0);
+    }
+
+    /** One triangle over the whole target. */
+    void fullScreen(GlProgram program, List<Binding> bindings, GlFloatTarget target, Tile tile) {
+        GL3 gl = begin(program, bindings, target, tile, Faces.BOTH, false);
+        gl.glBindVertexArray(noVertices[0]);
+        gl.glDrawArrays(GL3.GL_TRIANGLES, 0, 3);
+        device().check(gl, "drawing");
+    }
+
+    /** The triangles of a mesh. */
+    void mesh(
+            GlProgram program,
+            List<Binding> bindings,
+            GlVertexBuffer mesh,
+            Faces faces,
+            GlFloatTarget target,
+            Tile tile) {
+        mesh.requireUsableBy(device());
+        if (!target.spec().depth()) {
+            throw new IllegalStateException(
+                    "target '" + target.label() + "' has no depth, which drawing triangles needs");
+        }
+        GL3 gl = begin(program, bindings, target, tile, faces, true);
+        mesh.draw(gl);
+        device().check(gl, "drawing '" + mesh.label() + "'");
+    }
+
+    private GL3 begin(
+            GlProgram program, List<Binding> bindings, GlFloatTarget target, Tile tile, Faces faces, boolean depth) {
+        GL3 gl = gl();
+        program.requireUsableBy(device());
+        target.requireUsableBy(device());
+        target.requireInside(tile);
+        program.glSamplers().bind(gl, device(), bindings, target);
+        program.use(gl);
+        target.bindForDrawing(gl, tile);
+        gl.glDisable(GL3.GL_BLEND);
+        gl.glColorMask(true, true, true, true);
+        set(gl, GL3.GL_CULL_FACE, faces == Faces.FRONT);
+        gl.glCullFace(GL3.GL_BACK);
+        gl.glFrontFace(GL3.GL_CCW);
+        set(gl, GL3.GL_DEPTH_TEST, depth);
+        gl.glDepthFunc(GL3.GL_LESS);
+        gl.glDepthMask(depth);
+        return gl;
+    }
+
+    private static void set(GL3 gl, int capability, boolean on) {
+        if (on) {
+            gl.glEnable(capability);
+        } else {
+            gl.glDisable(capability);
+        }
+    }
+
+    @Override
+    void delete(GL3 gl) {
+        gl.glDeleteVertexArrays(1, noVertices, 0);
+    }
+}
