@@ -70,11 +70,7 @@ final class GlProgram extends GlResource implements ShaderProgram {
 
     @Override
     public void set(String uniform, Vector2fc value) {
-        set(
-                uniform,
-                "vec2",
-                (gl, found) -> gl.glUniform2f(found.location(), value.x(), value.y()),
-                GL3.GL_FLOAT_VEC2);
+        set(uniform, "vec2", (gl, found) -> gl.glUniform2f(found.location(), value.x(), value.y()), GL3.GL_FLOAT_VEC2);
     }
 
     @Override
@@ -115,14 +111,7 @@ final class GlProgram extends GlResource implements ShaderProgram {
                 default -> gl.glUniform4fv(found.location(), count, values, 0);
             }
         };
-        set(
-                uniform,
-                "float[]",
-                setter,
-                GL3.GL_FLOAT,
-                GL3.GL_FLOAT_VEC2,
-                GL3.GL_FLOAT_VEC3,
-                GL3.GL_FLOAT_VEC4);
+        set(uniform, "float[]", setter, GL3.GL_FLOAT, GL3.GL_FLOAT_VEC2, GL3.GL_FLOAT_VEC3, GL3.GL_FLOAT_VEC4);
     }
 
     @Override

@@ -32,8 +32,7 @@ class CompilerLogTest {
     void everyDriversFormIsPutAtTheAuthorsLine(String log, String message) {
         List<ShaderProblem> problems = CompilerLog.parse(log + "\n\0", source);
 
-        assertThat(problems)
-                .containsExactly(new ShaderProblem("lens.glsl", 2, message, "    float c = foo; // why"));
+        assertThat(problems).containsExactly(new ShaderProblem("lens.glsl", 2, message, "    float c = foo; // why"));
     }
 
     @Test

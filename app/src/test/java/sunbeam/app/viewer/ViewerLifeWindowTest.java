@@ -13,7 +13,6 @@ import javax.swing.JTextField;
 import jrtr.GraphicsException;
 import org.junit.jupiter.api.Test;
 import sunbeam.app.files.input.PngText;
-import sunbeam.app.scene.Scene;
 
 /** The viewer's panel and its trouble, in a real window. */
 final class ViewerLifeWindowTest extends ViewerInAWindow {

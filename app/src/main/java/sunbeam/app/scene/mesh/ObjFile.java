@@ -77,8 +77,7 @@ final class ObjFile {
                 }
             }
         }
-        return new RawMesh(
-                positions.toArray(), textureCoordinates.toArray(), normals.toArray(), corners.toArray());
+        return new RawMesh(positions.toArray(), textureCoordinates.toArray(), normals.toArray(), corners.toArray());
     }
 
     /** One line with its continuations; null at the end. */
@@ -146,7 +145,8 @@ final class ObjFile {
             corner(words.nextToken(), polygon, 3 * corner);
             for (int kind = 1; kind < 3; kind++) {
                 if ((polygon[3 * corner + kind] < 0) != (polygon[kind] < 0)) {
-                    throw wrong("the face's corners differ in kind; give all of them texture coordinate and normal, or none");
+                    throw wrong(
+                            "the face's corners differ in kind; give all of them texture coordinate and normal, or none");
                 }
             }
         }
@@ -172,8 +172,7 @@ final class ObjFile {
     }
 
     private MeshException noCorner(String word) {
-        return wrong(
-                Quoted.of(word) + " is no corner of a face; write v, v/vt, v//vn or v/vt/vn with whole numbers");
+        return wrong(Quoted.of(word) + " is no corner of a face; write v, v/vt, v//vn or v/vt/vn with whole numbers");
     }
 
     /** From 0; in the file from 1, or backwards from -1 for the last. */
