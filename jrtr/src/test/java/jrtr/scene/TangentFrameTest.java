@@ -60,15 +60,11 @@ class TangentFrameTest {
         context.close();
     }
 
-    /** The five images at the pixels that the mesh covers. */
+    /** The five images. */
     private record Images(List<float[]> images) {
         Vector3f at(int image, int pixel) {
             float[] values = images.get(image);
             return new Vector3f(values[4 * pixel], values[4 * pixel + 1], values[4 * pixel + 2]);
-        }
-
-        boolean covered(int pixel) {
-            return images.get(0)[4 * pixel + 3] == 1;
         }
 
         int middle() {
