@@ -37,8 +37,6 @@ class RenderLoopTest {
     private final BlockingQueue<String> heard = new LinkedBlockingQueue<>();
     private final AtomicReference<Throwable> mapFailure = new AtomicReference<>();
     private final AtomicReference<Throwable> previewFailure = new AtomicReference<>();
-    private volatile BufferedImage completed;
-    private volatile Runnable atFirstTile = () -> {};
     private RenderLoop loop;
     private ViewState state;
 
@@ -93,16 +91,11 @@ class RenderLoopTest {
 
         @Override
         public void complete(ViewState shown, BufferedImage image, double exposure, long nanoseconds) {
-            completed = image;
             heard.add("complete");
         }
 
         @Override
-        public void tile(ViewState shown, BufferedImage image, int x, int y, double shareDone) {
-            Runnable once = atFirstTile;
-            atFirstTile = () -> {};
-            once.run();
-        }
+        public void tile(ViewState shown, BufferedImage image, int x, int y, double shareDone) {}
 
         @Override
         public void map(ViewState shown, BufferedImage image, boolean isFinal) {
