@@ -62,11 +62,6 @@ final class ViewerKeysWindowTest extends ViewerInAWindow {
         return Math.atan2(seen.y, seen.z);
     }
 
-    private static double distance(Scene scene) {
-        var camera = scene.view().camera();
-        return camera.centerOfProjection().distance(camera.lookAtPoint());
-    }
-
     @Test
     void homeGoesBackToTheSceneAsItWasLoaded() throws Exception {
         BufferedImage before = picture();
