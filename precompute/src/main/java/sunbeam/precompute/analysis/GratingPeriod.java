@@ -1,9 +1,11 @@
 package sunbeam.precompute.analysis;
 
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.Predicate;
+import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.patch.PatchFault;
 import sunbeam.precompute.units.Decimals;
@@ -17,6 +19,7 @@ import sunbeam.precompute.units.Decimals;
  * @param azimuthHalfWidth half width of the 95 % interval of the direction, radians; 0 where it is exact
  * @param periods how many of them fit into the scan along the wave; infinite for a surface that repeats without end
  * @param share 0..1: what the wave and its overtones hold of the heights' variance, less what is coarser than two periods
+ * @param crossing a wave across it that is half as strong or stronger; empty where there is none
  * @param refusal why nobody should quote the period, a sentence without a full stop; empty where it is told
  */
 public record GratingPeriod(
@@ -26,14 +29,17 @@ public record GratingPeriod(
         double azimuthHalfWidth,
         double periods,
         double share,
+        Optional<SpatialFrequency> crossing,
         Optional<String> refusal) {
     /** Of the intervals. */
     public static final double PROBABILITY = 0.95;
 
-    private static final double MOST_UNMEASURED = 0.02;
+    private static final double NANOMETRES = 1e9;
+    // Of a scan's rows: fewer that repeat the one before weigh less than the half of the scan that a crop may cost.
+    private static final double FEW_UNMEASURED = 0.02;
     // Half of sunlight's coherence length: a larger patch shows its period by itself.
     private static final double LARGEST_REPEATED = 32.5e-6;
-    // The sine of 2 degrees.
+    // Of a direction that the user gives, to either side: the sine of 2 degrees.
     private static final double CONE = 0.035;
 
     /** Of a patch's strongest wave in any direction. */
@@ -49,41 +55,76 @@ public record GratingPeriod(
      * @param longest period, metres
      */
     public static GratingPeriod among(Patch patch, OptionalDouble azimuth, double shortest, double longest) {
-        Predicate<SpatialFrequency> which = azimuth.isPresent() ? near(azimuth.getAsDouble()) : wave -> true;
-        String where = azimuth.isPresent()
-                ? " along azimuth " + Decimals.format(Math.rint(100 * Math.toDegrees(azimuth.getAsDouble())) / 100)
-                        + " degrees"
-                : "";
-        return of(patch, which.and(wave -> wave.period() >= shortest && wave.period() <= longest), where);
-    }
-
-    private static Predicate<SpatialFrequency> near(double azimuth) {
-        SpatialFrequency direction = new SpatialFrequency(Math.cos(azimuth), Math.sin(azimuth));
-        return wave -> wave.length() > 0 && wave.sineTo(direction) < CONE;
+        Predicate<SpatialFrequency> which = wave -> wave.period() >= shortest && wave.period() <= longest;
+        if (azimuth.isEmpty()) {
+            return of(patch, which, "");
+        }
+        double angle = azimuth.getAsDouble();
+        SpatialFrequency direction = new SpatialFrequency(Math.cos(angle), Math.sin(angle));
+        String where = " along azimuth " + Decimals.format(Math.rint(100 * Math.toDegrees(angle)) / 100) + " degrees";
+        return of(patch, which.and(wave -> wave.length() > 0 && wave.sineTo(direction) < CONE), where);
     }
 
     private static GratingPeriod of(Patch patch, Predicate<SpatialFrequency> which, String where) {
-        if (!(patch.scan().relief() > 0)) {
+        HeightMap scan = measured(patch.scan(), patch.faults());
+        if (!(scan.relief() > 0)) {
             return none("flat: a mirror without color");
         }
-        boolean small = Math.max(patch.scan().width(), patch.scan().height()) <= LARGEST_REPEATED;
-        Optional<GratingPeriod> exact = RepeatedPeriod.of(patch.scan(), which);
-        Optional<GratingPeriod> period = switch (patch.repetition()) {
-            case PERIODIC -> small || exact.isPresent() ? exact : PeriodModel.of(patch.scan(), which);
-            case NONE -> PeriodModel.of(patch.scan(), which);
-            case ASSUMED -> {
-                Optional<GratingPeriod> piece = PeriodModel.of(patch.scan(), which);
-                boolean told = piece.filter(GratingPeriod::isTold).isPresent();
-                yield small && !told && exact.isPresent() ? exact : piece;
-            }
-        };
-        return period.orElseGet(() -> none("no order found: a white gloss without color; nothing repeats" + where))
-                .unlessUnmeasured(patch.faults());
+        boolean small = Math.max(scan.width(), scan.height()) <= LARGEST_REPEATED;
+        Optional<GratingPeriod> exact =
+                patch.repetition() == Patch.Repetition.NONE ? Optional.empty() : RepeatedPeriod.of(scan, which);
+        if (patch.repetition() == Patch.Repetition.PERIODIC && (small || exact.isPresent())) {
+            return exact.orElseGet(() -> none(nothing(where)));
+        }
+        Optional<GratingPeriod> piece = PeriodModel.of(scan, which);
+        boolean told = piece.filter(GratingPeriod::isTold).isPresent();
+        return (small && !told && exact.isPresent() ? exact : piece).orElseGet(() -> none(nothing(where)));
+    }
+
+    /** The largest part of a scan without the rows that hold no measurement: what repeats in them is not the surface. */
+    static HeightMap measured(HeightMap scan, List<PatchFault> faults) {
+        return faults.stream()
+                .filter(fault -> fault.unmeasured() > FEW_UNMEASURED)
+                .flatMap(fault -> fault.measured().stream())
+                .findFirst()
+                .map(part -> part.apply(scan))
+                .orElse(scan);
+    }
+
+    private static String nothing(String where) {
+        return "no order found: a white gloss without color; nothing repeats" + where;
     }
 
     private static GratingPeriod none(String why) {
+        return vague(new SpatialFrequency(0, 0), 0, 0).refused(why);
+    }
+
+    /** Of which nothing is known but the wave. */
+    static GratingPeriod vague(SpatialFrequency wave, double periods, double share) {
         return new GratingPeriod(
-                new SpatialFrequency(0, 0), 0, Double.POSITIVE_INFINITY, Math.PI, 0, 0, Optional.of(why));
+                wave, 0, Double.POSITIVE_INFINITY, Math.PI, periods, share, Optional.empty(), Optional.empty());
+    }
+
+    /** Of a surface that repeats without end. */
+    static GratingPeriod exact(SpatialFrequency wave, double share) {
+        double period = wave.period();
+        return new GratingPeriod(
+                wave, period, period, 0, Double.POSITIVE_INFINITY, share, Optional.empty(), Optional.empty());
+    }
+
+    /** With an interval of the frequency, cycles per metre, and one of the direction, radians on either side. */
+    GratingPeriod within(double lowest, double highest, double turn) {
+        double longest = lowest > 0 ? 1 / lowest : Double.POSITIVE_INFINITY;
+        return new GratingPeriod(wave, 1 / highest, longest, turn, periods, share, crossing, refusal);
+    }
+
+    GratingPeriod crossedBy(Optional<SpatialFrequency> other) {
+        return new GratingPeriod(wave, low, high, azimuthHalfWidth, periods, share, other, refusal);
+    }
+
+    GratingPeriod refused(String why) {
+        return new GratingPeriod(
+                wave, low, high, azimuthHalfWidth, periods, share, crossing, Optional.of(why));
     }
 
     /** Whether the period may be quoted. */
@@ -96,37 +137,6 @@ public record GratingPeriod(
         return low == high;
     }
 
-    /** Metres. */
-    public double period() {
-        return wave.period();
-    }
-
-    /** Radians counter-clockwise from +x, above -pi/2 to pi/2. */
-    public double azimuth() {
-        return wave.azimuth();
-    }
-
-    /** Refused where more than a fiftieth of the scan's rows were not measured: what repeats in them is not the surface. */
-    GratingPeriod unlessUnmeasured(List<PatchFault> faults) {
-        double share = faults.stream().mapToDouble(PatchFault::unmeasured).sum();
-        return faults.stream()
-                .filter(fault -> share > MOST_UNMEASURED && fault.unmeasured() > 0)
-                .findFirst()
-                .map(fault -> refused("no period is told of a scan of which " + fault.line()))
-                .orElse(this);
-    }
-
-    /** With an interval of the frequency, cycles per metre, and one of the direction, radians on either side. */
-    GratingPeriod within(double lowest, double highest, double turn) {
-        double longest = lowest > 0 ? 1 / lowest : Double.POSITIVE_INFINITY;
-        return new GratingPeriod(wave, 1 / highest, longest, turn, periods, share, refusal);
-    }
-
-    /** "1000.0 nm, 95 % interval 998.9 to 1001.1 nm", or the period alone where it is exact. */
-    public String describe() {
-        return isExact() ? IntervalWords.period(period(), low, high) : IntervalWords.of(period(), low, high);
-    }
-
     /** Whether any wave was seen, told or not. */
     public boolean hasWave() {
         return wave.length() > 0;
@@ -137,7 +147,49 @@ public record GratingPeriod(
         return hasWave() && share >= PeriodModel.LEAST_SHARE && periods >= PeriodModel.FEWEST_PERIODS;
     }
 
-    GratingPeriod refused(String why) {
-        return new GratingPeriod(wave, low, high, azimuthHalfWidth, periods, share, Optional.of(why));
+    /** Metres. */
+    public double period() {
+        return wave.period();
+    }
+
+    /** Radians counter-clockwise from +x, above -pi/2 to pi/2. */
+    public double azimuth() {
+        return wave.azimuth();
+    }
+
+    /** Degrees, 0 to below 180, for people. */
+    static long degrees(SpatialFrequency wave) {
+        return Math.floorMod(Math.round(Math.toDegrees(wave.azimuth())), 180L);
+    }
+
+    /**
+     * "1000.0 nm, 95 % interval 998.9 to 1001.1 nm", as many digits as the interval leaves known, or the period alone where
+     * it is exact.
+     */
+    public String interval() {
+        double uncertainty = NANOMETRES * (Double.isFinite(high) ? 0.5 * (high - low) : 0.5 * low);
+        String middle = Decimals.within(NANOMETRES * period(), uncertainty) + " nm";
+        return isExact()
+                ? middle
+                : middle + ", 95 % interval " + Decimals.within(NANOMETRES * low, uncertainty) + " to "
+                        + (Double.isFinite(high)
+                                ? Decimals.within(NANOMETRES * high, uncertainty) + " nm"
+                                : "any length");
+    }
+
+    /** The interval, the direction, and what of the heights repeats, in one line. */
+    public String describe() {
+        double halfWidth = Math.toDegrees(azimuthHalfWidth);
+        double degrees = (Math.toDegrees(azimuth()) + 180) % 180;
+        String line = interval() + ", in direction " + Decimals.within(degrees, halfWidth);
+        return isExact()
+                ? line + " degrees: the patch repeats"
+                : line
+                        + String.format(
+                                Locale.ROOT,
+                                " +- %s degrees; seen %.1f times, %.0f %% of the heights' variance",
+                                Decimals.rounded(halfWidth, 2),
+                                periods,
+                                100 * share);
     }
 }

@@ -17,28 +17,28 @@ import sunbeam.precompute.units.Lengths;
  * interval is that of the slope, widened to what the scan's halves and its rows by themselves tell.
  */
 final class PeriodModel {
-    private static final int WINDOW_PERIODS = 2;
+    // Fewer may be chance, or waviness under which finer lines are looked for.
     static final double FEWEST_PERIODS = 4;
+    // In the spectrum of a piece, whose Hann window spreads what does not repeat over two.
     private static final double FEWEST_SEEN = 3;
+    // Fewer may be the alias of a shorter wave.
     private static final double FEWEST_SAMPLES = 4;
-    // What is seen less often and not told may be waviness, under which finer lines are looked for.
-    private static final double FEWEST_OF_A_GRATING = 7;
     // Half of the interval over the period.
     private static final double WIDEST = 0.1;
+    // White noise stays below.
     static final double LEAST_SHARE = 0.08;
+    // Power over that of other directions: drawn spectra that are rings come to 7, gratings and lattices to 11 and more.
+    private static final double LEAST_CONTRAST = 10;
     // Cycles over the scan: by as much, what lies beyond the scan or between its samples may draw the slope.
     private static final double FINITE = 0.01;
     // Of a frequency, on either side, where a part of the scan is asked for it.
     private static final double NEAR = 0.3;
-    // Of the power around a line, in the line itself: one line, or a quarter of it.
+    // What makes parts of a scan differ draws the whole, too, by up to so much of their distance from it.
+    private static final double BEYOND = 1.3;
+    // Of the power around a line, in the line itself: one line, or one of several speckles as strong.
     private static final double SHARP = 0.5;
     private static final double AS_STRONG = 0.25;
     private static final int MOST_TILES = 4;
-    private static final int FEWEST_TILES = 2;
-    private static final int MOST_TRIED = 4;
-    private static final double FINER = 4;
-    private static final double BEYOND = 1.3;
-    private static final int DIGITS = 3;
 
     private final HeightMap scan;
     private final HeightMap level;
@@ -54,79 +54,86 @@ final class PeriodModel {
 
     /** Of the strongest of some waves; empty where none of them is seen three times or more. */
     static Optional<GratingPeriod> of(HeightMap scan, Predicate<SpatialFrequency> which) {
-        return new PeriodModel(scan, which).strongest();
+        return new PeriodModel(scan, which).strongest(wave -> wave.periodsIn(scan) >= FEWEST_SEEN);
     }
 
-    private Optional<GratingPeriod> strongest() {
-        Predicate<SpatialFrequency> left = wave -> wave.periodsIn(scan) >= FEWEST_SEEN;
-        Optional<GratingPeriod> first = Optional.empty();
-        for (int i = 0; i < MOST_TRIED; i++) {
-            Optional<SpatialFrequency> line = search.strongest(left);
-            if (line.isEmpty()) {
-                break;
-            }
-            GratingPeriod told = told(line.get());
-            first = told.isTold() ? Optional.of(told) : first.or(() -> Optional.of(told));
-            if (told.isTold() || told.periods() > FEWEST_OF_A_GRATING) {
-                break;
-            }
-            SpatialFrequency refused = line.get();
-            left = left.and(wave -> wave.length() > FINER * refused.length());
+    /** A wave that is no grating may be waviness under one: lines as much finer as waviness is seen too seldom are told instead. */
+    private Optional<GratingPeriod> strongest(Predicate<SpatialFrequency> left) {
+        Optional<GratingPeriod> first = search.strongest(left).map(this::judged);
+        if (first.isEmpty() || Double.isFinite(first.get().high())) {
+            return first;
         }
-        return first;
+        double coarse = first.get().wave().length();
+        return strongest(left.and(wave -> wave.length() > FEWEST_PERIODS * coarse))
+                .filter(GratingPeriod::isTold)
+                .or(() -> first);
     }
 
-    private GratingPeriod told(SpatialFrequency line) {
+    private GratingPeriod judged(SpatialFrequency line) {
         double sharpness = search.sharpness(line);
-        boolean sharp = sharpness >= SHARP || tiles(line) < FEWEST_TILES;
+        boolean sharp = sharpness >= SHARP || tiles(line) < 2;
         SpatialFrequency wave = sharp ? corrected(level, line) : search.centroid(line);
         double periods = wave.periodsIn(scan);
         double share = search.share(wave);
-        GratingPeriod vague =
-                new GratingPeriod(wave, 0, Double.POSITIVE_INFINITY, Math.PI, periods, share, Optional.empty());
+        double contrast = search.contrast(wave);
+        GratingPeriod vague = GratingPeriod.vague(wave, periods, share);
+        String about = Lengths.rounded(wave.period(), 3);
         if (share < LEAST_SHARE) {
             return vague.refused(String.format(
                     Locale.ROOT,
                     "no order found: a white gloss without color; the strongest wave, of about %s, explains only %.0f %% of the heights' variance",
-                    shortly(vague.period()),
+                    about,
                     100 * share));
         }
         if (periods < FEWEST_PERIODS) {
             return vague.refused(String.format(
                     Locale.ROOT,
                     "no order found for sure: a wave of about %s is seen only %.1f times, and fewer than four may be chance; take a larger scan",
-                    shortly(vague.period()),
+                    about,
                     Math.floor(10 * periods) / 10));
         }
         if (wave.samplesIn(scan) < FEWEST_SAMPLES) {
             return vague.refused(String.format(
                     Locale.ROOT,
                     "too few samples: a wave of about %s has %.1f of them, and fewer than four may be the alias of a shorter one; scan finer",
-                    shortly(vague.period()),
+                    about,
                     wave.samplesIn(scan)));
+        }
+        if (contrast < LEAST_CONTRAST) {
+            return vague.refused(String.format(
+                    Locale.ROOT,
+                    "no grating found: what repeats after about %s does so in all directions nearly alike",
+                    about));
         }
         GratingPeriod told = sharp ? byPhase(vague) : byTiles(vague, sharpness >= AS_STRONG ? line : wave);
         if (1 / told.low() - 1 / told.high() > 2 * WIDEST * wave.length()) {
             return told.refused(String.format(
                     Locale.ROOT,
                     "no single period: the surface repeats after about %s, but so unevenly that this scan does not tell it to a tenth; take a larger scan, or a part of it",
-                    shortly(told.period())));
+                    about));
         }
-        return told;
+        return told.crossedBy(search.crossing(wave));
     }
 
     /** Of a sharp line: what its phase does besides growing evenly, and what parts of the scan tell. */
     private GratingPeriod byPhase(GratingPeriod vague) {
         SpatialFrequency wave = vague.wave();
-        DemodulatedPhase.Slope along = along(level, wave).slope(GratingPeriod.PROBABILITY);
-        DemodulatedPhase.Slope across = across(level, wave).slope(GratingPeriod.PROBABILITY);
-        double half = Math.max(along.halfWidth(), FINITE * wave.length() / vague.periods());
+        double half = Math.max(
+                PhaseSlope.of(level, wave, false).halfWidth(), FINITE * wave.length() / vague.periods());
         Interval interval = new Interval(wave.length() - half, wave.length() + half);
-        for (HeightMap part : parts()) {
-            interval = interval.reaching(near(part, wave).length(), wave.length());
+        double x = 0.5 * scan.width();
+        double y = 0.5 * scan.height();
+        for (Crop part : List.of(
+                new Crop(0, x, 0, scan.height()),
+                new Crop(x, scan.width(), 0, scan.height()),
+                new Crop(0, scan.width(), 0, y),
+                new Crop(0, scan.width(), y, scan.height()))) {
+            interval = interval.reaching(near(part.apply(scan), wave).length(), wave.length());
         }
-        interval = interval.reaching(byRows(wave).length(), wave.length());
-        return vague.within(interval.low(), interval.high(), Math.atan(across.halfWidth() / wave.length()));
+        SpatialFrequency byRows = new SpatialFrequency(wave.x(), wave.y() + PhaseSlope.byRows(level, wave));
+        interval = interval.reaching(byRows.length(), wave.length());
+        double turn = Math.atan(PhaseSlope.of(level, wave, true).halfWidth() / wave.length());
+        return vague.within(interval.low(), interval.high(), turn);
     }
 
     /**
@@ -140,13 +147,13 @@ final class PeriodModel {
         int side = tiles(wave);
         double[] lengths = new double[side * side];
         double[] turns = new double[side * side];
+        double width = scan.width() / side;
+        double height = scan.height() / side;
         for (int i = 0; i < lengths.length; i++) {
-            int column = i % side;
+            double left = width * (i % side);
             int row = i / side;
-            double left = scan.width() * column / side;
-            double bottom = scan.height() * row / side;
-            Crop crop = new Crop(left, left + scan.width() / side, bottom, bottom + scan.height() / side);
-            SpatialFrequency part = new WaveSearch(crop.apply(scan), which).centroid(wave);
+            Crop tile = new Crop(left, left + width, height * row, height * (row + 1));
+            SpatialFrequency part = new WaveSearch(tile.apply(scan), which).centroid(wave);
             lengths[i] = part.length();
             turns[i] = Math.IEEEremainder(part.azimuth() - wave.azimuth(), Math.PI);
         }
@@ -166,45 +173,21 @@ final class PeriodModel {
 
     /** Of frequencies, cycles per metre. */
     private record Interval(double low, double high) {
-        /** Widened to what a part tells, and a little further: what makes parts differ draws the whole, too. */
+        /** Widened to what a part tells, and a little further. */
         Interval reaching(double part, double whole) {
             double end = whole + BEYOND * (part - whole);
             return new Interval(Math.min(low, end), Math.max(high, end));
         }
     }
 
-    private HeightMap[] parts() {
-        double x = 0.5 * scan.width();
-        double y = 0.5 * scan.height();
-        return List.of(
-                        new Crop(0, x, 0, scan.height()),
-                        new Crop(x, scan.width(), 0, scan.height()),
-                        new Crop(0, scan.width(), 0, y),
-                        new Crop(0, scan.width(), y, scan.height()))
-                .stream()
-                .map(crop -> crop.apply(scan))
-                .toArray(HeightMap[]::new);
-    }
-
-    private static DemodulatedPhase along(HeightMap level, SpatialFrequency wave) {
-        return DemodulatedPhase.of(level, wave, wave.azimuth(), WINDOW_PERIODS * wave.period(), false);
-    }
-
-    private static DemodulatedPhase across(HeightMap level, SpatialFrequency wave) {
-        return DemodulatedPhase.of(level, wave, wave.azimuth() + 0.5 * Math.PI, WINDOW_PERIODS * wave.period(), true);
-    }
-
-    /** The wave whose phase, followed along both directions, stands still. */
+    /** The wave whose phase, followed along both directions, stands still; the same where that would be another. */
     private static SpatialFrequency corrected(HeightMap level, SpatialFrequency wave) {
         SpatialFrequency result = wave;
         for (int i = 0; i < 2; i++) {
-            double alongSlope =
-                    along(level, result).slope(GratingPeriod.PROBABILITY).value();
-            double acrossSlope =
-                    across(level, result).slope(GratingPeriod.PROBABILITY).value();
-            result = result.corrected(alongSlope, acrossSlope);
+            result = result.corrected(
+                    PhaseSlope.of(level, result, false).value(),
+                    PhaseSlope.of(level, result, true).value());
             if (!(result.distance(wave) < NEAR * wave.length())) {
-                // Farther off it is another wave that is followed.
                 return wave;
             }
         }
@@ -217,14 +200,5 @@ final class PeriodModel {
                 .strongest(frequency -> true)
                 .map(found -> corrected(Levelling.PLANE.apply(part), found))
                 .orElse(wave);
-    }
-
-    /** The wave as its rows tell it one after the other. */
-    private SpatialFrequency byRows(SpatialFrequency wave) {
-        return new SpatialFrequency(wave.x(), wave.y() + RowPhase.slope(level, wave));
-    }
-
-    private static String shortly(double metres) {
-        return Lengths.rounded(metres, DIGITS);
     }
 }

@@ -35,13 +35,6 @@ final class RepeatedPeriod {
         SpatialFrequency wave = spectrum.frequency(best);
         return explained < LEAST_SHARE * all
                 ? Optional.empty()
-                : Optional.of(new GratingPeriod(
-                        wave,
-                        wave.period(),
-                        wave.period(),
-                        0,
-                        Double.POSITIVE_INFINITY,
-                        explained / all,
-                        Optional.empty()));
+                : Optional.of(GratingPeriod.exact(wave, explained / all));
     }
 }

@@ -47,11 +47,9 @@ public record SpatialFrequency(double x, double y) {
         return new SpatialFrequency(x + along * cosine - across * sine, y + along * sine + across * cosine);
     }
 
-    /** How many periods fit on the line through a scan's centre that runs along the wave. */
+    /** How many periods fit, along the wave, into the ellipse that touches a scan's sides. */
     double periodsIn(HeightMap scan) {
-        double alongX = x == 0 ? Double.POSITIVE_INFINITY : scan.width() / Math.abs(x);
-        double alongY = y == 0 ? Double.POSITIVE_INFINITY : scan.height() / Math.abs(y);
-        return Math.min(alongX, alongY) * length() * length();
+        return length() * length() / Math.hypot(x / scan.width(), y / scan.height());
     }
 
     /** Samples a period along the axis that has fewer; infinite along a single row or column. */

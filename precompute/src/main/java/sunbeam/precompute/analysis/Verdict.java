@@ -3,6 +3,7 @@ package sunbeam.precompute.analysis;
 import java.util.Locale;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.units.Decimals;
+import sunbeam.precompute.units.Lengths;
 
 /** What a surface's period means for its color, in one sentence for people: the first line of every command that looks for it. */
 public final class Verdict {
@@ -11,7 +12,6 @@ public final class Verdict {
     private static final double RED = 700e-9;
     private static final double MICROMETRES = 1e6;
     private static final int DIGITS = 3;
-    private static final int HALF_TURN = 180;
 
     private Verdict() {}
 
@@ -28,15 +28,19 @@ public final class Verdict {
             String why = period.refusal().orElseThrow();
             return why.substring(0, 1).toUpperCase(Locale.ROOT) + why.substring(1);
         }
-        long degrees = Math.round(Math.toDegrees(period.azimuth()));
+        String crossing = period.crossing()
+                .map(other -> ", crossed by one as strong of about " + Lengths.rounded(other.period(), DIGITS) + across(other))
+                .orElse("");
         return (period.isExact() ? "A repeated patch with a period of " : "A grating of ")
-                + length(period)
-                + String.format(Locale.ROOT, " across %d degrees: ", Math.floorMod(degrees, HALF_TURN))
+                + length(period.period(), period.low(), period.high())
+                + across(period.wave())
+                + crossing
+                + ": "
                 + colors(period.low(), period.high());
     }
 
-    private static String length(GratingPeriod period) {
-        return length(period.period(), period.low(), period.high());
+    private static String across(SpatialFrequency wave) {
+        return " across " + GratingPeriod.degrees(wave) + " degrees";
     }
 
     /**

@@ -1,5 +1,6 @@
 package sunbeam.precompute.analysis;
 
+import java.util.Arrays;
 import java.util.Optional;
 import java.util.function.Predicate;
 import sunbeam.precompute.numerics.LogParabola;
@@ -12,6 +13,10 @@ final class WaveSearch {
     // Of a frequency: a grown surface's line is as broad.
     private static final double BREADTH = 0.15;
     private static final int OVERTONES = 5;
+    // Of a line's power: what is told of another.
+    private static final double AS_STRONG = 0.5;
+    // Of half a turn: the rows of a snake's scale stray by eight degrees.
+    private static final int SECTORS = 12;
     // Of a wave's frequency: what is coarser is waviness.
     private static final double COARSEST = 0.5;
 
@@ -110,5 +115,38 @@ final class WaveSearch {
             explained += around(wave.times(k), LINE, BREADTH / k, which).power();
         }
         return all > 0 ? Math.min(1, explained / all) : 0;
+    }
+
+    /**
+     * How far a line stands out: its power over the middle one of all sectors, of 15 degrees each, of the ring of its
+     * frequency.
+     */
+    double contrast(SpatialFrequency wave) {
+        double[] sums = new double[SECTORS];
+        int[] counts = new int[SECTORS];
+        double[] power = spectrum.power();
+        for (int i = power.length / 2 + 1; i < power.length; i++) {
+            SpatialFrequency frequency = spectrum.frequency(i);
+            if (Math.abs(frequency.length() - wave.length()) <= BREADTH * wave.length()) {
+                double turns = (frequency.azimuth() - wave.azimuth()) / Math.PI + 0.5 / SECTORS;
+                int sector = Math.min(SECTORS - 1, (int) (SECTORS * (turns - Math.floor(turns))));
+                sums[sector] += power[i];
+                counts[sector]++;
+            }
+        }
+        for (int i = 0; i < SECTORS; i++) {
+            sums[i] /= Math.max(1, counts[i]);
+        }
+        double line = sums[0];
+        Arrays.sort(sums);
+        return line / sums[SECTORS / 2];
+    }
+
+    /** The strongest wave across a line, beyond its sector and the next, where it is half as strong or stronger. */
+    Optional<SpatialFrequency> crossing(SpatialFrequency wave) {
+        double beside = Math.sin(1.5 * Math.PI / SECTORS);
+        return strongest(other -> other.length() > COARSEST * wave.length() && other.sineTo(wave) > beside)
+                .filter(other -> around(other, LINE, BREADTH, which).power()
+                        >= AS_STRONG * around(wave, LINE, BREADTH, which).power());
     }
 }

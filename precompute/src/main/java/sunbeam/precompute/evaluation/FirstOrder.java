@@ -1,5 +1,7 @@
 package sunbeam.precompute.evaluation;
 
+import java.util.Optional;
+
 /**
  * Where a grating's first order is looked for: periods between two lengths.
  *
@@ -7,9 +9,6 @@ package sunbeam.precompute.evaluation;
  * @param longest metres
  */
 public record FirstOrder(double shortest, double longest) {
-    // Wavelengths that are tried to see which angles the order takes.
-    private static final int TRIED = 41;
-
     public FirstOrder {
         if (!(shortest > 0 && longest >= shortest && Double.isFinite(longest))) {
             throw new IllegalArgumentException("bad periods: " + shortest + " to " + longest + " m");
@@ -27,49 +26,28 @@ public record FirstOrder(double shortest, double longest) {
     }
 
     /**
-     * The longest wavelength that the middle period's first order sends anywhere above the horizon, metres: |u| of the viewer
-     * that is opposite the mirror at the horizon. Of grazing light and view it is twice the period.
+     * Angles theta_r to the viewer, radians, ascending and evenly spaced over all that see the order, on either side of the
+     * mirror, at any wavelength between two (metres); empty where none does.
      */
-    public double longestWavelength(GratingPlane plane) {
-        return middle() * (Math.abs(plane.lightAlong()) + Math.sin(plane.largestThetaR()));
-    }
-
-    /**
-     * The angles theta_r that the order takes over wavelengths (metres): lowest and highest, radians, on the sides of
-     * the mirror where the middle period's order is above the horizon at half of the wavelengths or more; empty where
-     * there is no such side.
-     */
-    public double[] angles(GratingPlane plane, double shortestWavelength, double longestWavelength) {
+    public Optional<double[]> angles(GratingPlane plane, double shortestWavelength, double longestWavelength, int count) {
+        double horizon = Math.sin(plane.largestThetaR());
         double low = Double.POSITIVE_INFINITY;
         double high = Double.NEGATIVE_INFINITY;
         for (int sign = -1; sign <= 1; sign += 2) {
-            double[] middles = angles(plane, sign / middle(), shortestWavelength, longestWavelength);
-            int seen = 0;
-            for (double angle : middles) {
-                seen += isSeen(plane, angle) ? 1 : 0;
-            }
-            if (2 * seen < TRIED) {
-                continue;
-            }
-            for (double period : new double[] {shortest, middle(), longest}) {
-                for (double angle : angles(plane, sign / period, shortestWavelength, longestWavelength)) {
-                    low = isSeen(plane, angle) ? Math.min(low, angle) : low;
-                    high = isSeen(plane, angle) ? Math.max(high, angle) : high;
-                }
-            }
+            double near = -plane.lightAlong() - sign * shortestWavelength / longest;
+            double far = -plane.lightAlong() - sign * longestWavelength / shortest;
+            double left = Math.max(-horizon, Math.min(near, far));
+            double right = Math.min(horizon, Math.max(near, far));
+            low = left < right ? Math.min(low, left) : low;
+            high = left < right ? Math.max(high, right) : high;
         }
-        return low < high ? new double[] {low, high} : new double[0];
-    }
-
-    private static double[] angles(GratingPlane plane, double frequency, double shortest, double longest) {
-        double[] angles = new double[TRIED];
-        for (int i = 0; i < TRIED; i++) {
-            angles[i] = plane.thetaR(frequency * (shortest + (longest - shortest) * i / (TRIED - 1)));
+        if (!(low < high)) {
+            return Optional.empty();
         }
-        return angles;
-    }
-
-    private static boolean isSeen(GratingPlane plane, double angle) {
-        return !Double.isNaN(angle) && Math.abs(angle) <= plane.largestThetaR();
+        double[] angles = new double[count];
+        for (int i = 0; i < count; i++) {
+            angles[i] = Math.asin(low) + (Math.asin(high) - Math.asin(low)) * i / (count - 1);
+        }
+        return Optional.of(angles);
     }
 }

@@ -1,5 +1,9 @@
 package sunbeam.precompute.evaluation;
 
+import java.util.Arrays;
+import java.util.List;
+import sunbeam.precompute.optics.DirectionPair;
+
 /**
  * Where a response is evaluated.
  *
@@ -30,22 +34,17 @@ public record ResponseGrid(GratingPlane plane, double[] wavelengths, double[] an
         }
     }
 
-    /** Smallest u of the grid's directions. */
-    public double minimumU() {
-        return plane.u(angles[angles.length - 1]);
+    /** Light and viewer of each angle. */
+    public List<DirectionPair> pairs() {
+        return Arrays.stream(angles).mapToObj(plane::pair).toList();
     }
 
-    /** Largest u of the grid's directions. */
-    public double maximumU() {
-        return plane.u(angles[0]);
-    }
-
-    /** Largest |w| of the grid's directions. */
-    public double maximumW() {
-        double largest = 0;
-        for (double angle : angles) {
-            largest = Math.max(largest, -plane.w(angle));
+    /** The largest step between two angles as one of u / lambda at the shortest wavelength, cycles per metre. */
+    public double coarsestStep() {
+        double coarsest = 0;
+        for (int i = 1; i < angles.length; i++) {
+            coarsest = Math.max(coarsest, Math.abs(plane.u(angles[i]) - plane.u(angles[i - 1])));
         }
-        return largest;
+        return coarsest / wavelengths[0];
     }
 }

@@ -1,66 +1,80 @@
 package sunbeam.precompute.evaluation;
 
+import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.Deque;
 import java.util.List;
+import java.util.Optional;
+import java.util.stream.IntStream;
 import sunbeam.precompute.numerics.LogParabola;
 
 /**
- * Follows one ridge through a response. Each wavelength's local maxima near the grating equation's curve are candidates;
- * the path through them that is bright and bends least is found by dynamic programming (Viterbi), so that neither a
- * brighter ridge beside nor a gap makes the curve jump.
+ * The ridge of a first order in a response. It is looked for among the frequencies f = u / lambda = +-1 / d, along whose curves, the
+ * grating equation's, the response is strong on the whole. Then each wavelength's local maxima near that curve are candidates; the path
+ * through them that is bright and bends least is found by dynamic programming (Viterbi), so that neither a brighter
+ * ridge beside nor a gap makes the curve jump.
+ *
+ * @param response that is looked at
+ * @param sigmaFrequency deviation of the window's spectrum, cycles per metre
  */
-public final class RidgeTracker {
-    // How far from the curve candidates are looked for, in deviations of the window's spectrum: the speckles of one
-    // window stand about two apart.
+public record RidgeTracker(ResponseMatrix response, double sigmaFrequency) {
+    // Steps between frequencies, in deviations of the window's spectrum: well below a ridge's width of 1.7.
+    private static final double STEP = 1.0 / 6;
+    // How far from the curve candidates are looked for, in deviations: the speckles of one window stand about two apart.
     private static final double CORRIDOR = 2;
     // A step between wavelengths of this many deviations costs as much as a factor e in brightness.
     private static final double STIFFNESS = 0.25;
+    // A variance of fewer wavelengths says nothing.
+    private static final int FEWEST = 3;
 
-    private final ResponseMatrix response;
-    private final double sigmaFrequency;
+    /** A local maximum along one row, the cost of the cheapest way to it, and the peak before it on that way; null for none. */
+    private record Peak(double wavelength, double angle, double frequency, double value, double cost, Peak previous) {}
 
-    /** @param sigmaFrequency deviation of the window's spectrum, cycles per metre */
-    public RidgeTracker(ResponseMatrix response, double sigmaFrequency) {
-        this.response = response;
-        this.sigmaFrequency = sigmaFrequency;
-    }
-
-    /** A local maximum along one row, and the cheapest way to it. */
-    private static final class Peak {
-        private final int column;
-        private final double angle;
-        private final double frequency;
-        private final double value;
-        private double cost;
-        private Peak previous;
-
-        private Peak(int column, double angle, double frequency, double value) {
-            this.column = column;
-            this.angle = angle;
-            this.frequency = frequency;
-            this.value = value;
-        }
-    }
-
-    /** Wavelengths at which there is a candidate, with all of them. */
-    private record Row(double wavelength, List<Peak> peaks) {}
-
-    /**
-     * Follows the ridge around a frequency u / lambda, in cycles per metre. Wavelengths at which it has no peak within
-     * the angles are left out; the ridge may be empty.
-     */
-    public Ridge follow(double frequency) {
-        List<Row> rows = new ArrayList<>();
-        for (int row = 0; row < response.values().length; row++) {
-            List<Peak> peaks = peaks(row, frequency);
-            if (!peaks.isEmpty()) {
-                rows.add(new Row(response.grid().wavelengths()[row], peaks));
+    /** The strongest ridge of an order; empty where none is met at three wavelengths or more. */
+    public Optional<Ridge> follow(FirstOrder order) {
+        double strongest = 0;
+        double frequency = 0;
+        double step = STEP * sigmaFrequency;
+        for (double length = 1 / order.longest(); length <= 1 / order.shortest() + step; length += step) {
+            for (double signed : new double[] {-length, length}) {
+                double strength = strength(signed);
+                frequency = strength > strongest ? signed : frequency;
+                strongest = Math.max(strongest, strength);
             }
         }
-        for (int i = 0; i < rows.size(); i++) {
-            advance(i == 0 ? List.of() : rows.get(i - 1).peaks(), rows.get(i).peaks());
+        return strongest > 0 ? follow(frequency) : Optional.empty();
+    }
+
+    /** Sum over the wavelengths at which the frequency's angle is on the grid. */
+    private double strength(double frequency) {
+        return IntStream.range(0, response.values().length)
+                .mapToDouble(row -> response.atFrequency(row, frequency))
+                .filter(value -> !Double.isNaN(value))
+                .sum();
+    }
+
+    /**
+     * The ridge around a frequency u / lambda, in cycles per metre. Wavelengths at which it has no peak within
+     * the angles are left out; empty where fewer than three remain.
+     */
+    Optional<Ridge> follow(double frequency) {
+        List<Peak> ways = List.of();
+        for (int row = 0; row < response.values().length; row++) {
+            List<Peak> peaks = peaks(row, frequency);
+            ways = peaks.isEmpty() ? ways : reached(ways, peaks);
         }
-        return traceBack(rows);
+        Deque<Peak> path = new ArrayDeque<>();
+        Peak last = ways.stream().min(Comparator.comparingDouble(Peak::cost)).orElse(null);
+        for (Peak peak = last; peak != null; peak = peak.previous) {
+            path.addFirst(peak);
+        }
+        return path.size() < FEWEST
+                ? Optional.empty()
+                : Optional.of(new Ridge(
+                        response.grid().plane(),
+                        path.stream().mapToDouble(Peak::wavelength).toArray(),
+                        path.stream().mapToDouble(Peak::angle).toArray()));
     }
 
     private List<Peak> peaks(int row, double frequency) {
@@ -76,48 +90,30 @@ public final class RidgeTracker {
                 double shift = LogParabola.top(values[column - 1], values[column], values[column + 1]);
                 double step = 0.5 * (grid.angles()[column + 1] - grid.angles()[column - 1]);
                 double angle = grid.angles()[column] + shift * step;
-                peaks.add(new Peak(column, angle, grid.plane().u(angle) / wavelength, values[column]));
+                double met = grid.plane().u(angle) / wavelength;
+                peaks.add(new Peak(wavelength, angle, met, values[column], 0, null));
             }
         }
         return peaks;
     }
 
-    private void advance(List<Peak> from, List<Peak> to) {
-        double brightest = to.stream().mapToDouble(peak -> peak.value).max().orElseThrow();
-        for (Peak peak : to) {
-            double dimness = Math.log(brightest / peak.value);
-            peak.cost = dimness;
-            double cheapest = Double.POSITIVE_INFINITY;
-            for (Peak before : from) {
-                double bend = (peak.frequency - before.frequency) / (STIFFNESS * sigmaFrequency);
-                double cost = before.cost + bend * bend + dimness;
-                if (cost < cheapest) {
-                    cheapest = cost;
-                    peak.cost = cost;
-                    peak.previous = before;
-                }
-            }
-        }
+    /** Peaks of one wavelength with the cheapest way to each from those of the wavelength before. */
+    private List<Peak> reached(List<Peak> before, List<Peak> peaks) {
+        double brightest = peaks.stream().mapToDouble(Peak::value).max().orElseThrow();
+        return peaks.stream()
+                .map(peak -> {
+                    Peak from = before.stream()
+                            .min(Comparator.comparingDouble(other -> other.cost + bend(other, peak)))
+                            .orElse(null);
+                    double way = from == null ? 0 : from.cost + bend(from, peak);
+                    double cost = way + Math.log(brightest / peak.value);
+                    return new Peak(peak.wavelength, peak.angle, peak.frequency, peak.value, cost, from);
+                })
+                .toList();
     }
 
-    private Ridge traceBack(List<Row> rows) {
-        double[] wavelengths = rows.stream().mapToDouble(Row::wavelength).toArray();
-        double[] angles = new double[wavelengths.length];
-        double[] samples = new double[wavelengths.length];
-        Peak peak = rows.isEmpty() ? null : cheapest(rows.get(rows.size() - 1).peaks());
-        for (int i = wavelengths.length - 1; i >= 0; i--) {
-            angles[i] = peak.angle;
-            samples[i] = response.grid().angles()[peak.column];
-            peak = peak.previous;
-        }
-        return new Ridge(response.grid().plane(), wavelengths, angles, samples);
-    }
-
-    private static Peak cheapest(List<Peak> peaks) {
-        Peak best = peaks.get(0);
-        for (Peak peak : peaks) {
-            best = peak.cost < best.cost ? peak : best;
-        }
-        return best;
+    private double bend(Peak from, Peak to) {
+        double deviations = (to.frequency - from.frequency) / (STIFFNESS * sigmaFrequency);
+        return deviations * deviations;
     }
 }

@@ -125,9 +125,16 @@ record PatchAssembler(String name, String file, Choices choices, Kind kind) {
     /** Those that stay, with what leaves them out or takes them away. */
     private List<PatchFault> faults(HeightMap measured, Levelling levelling) {
         boolean levelled = levelling == Levelling.ROWS || levelling == Levelling.MEDIAN_ROWS;
+        Crop.Samples scan =
+                choices.find(CROP).map(crop -> crop.samples(measured)).orElseGet(() -> Crop.Samples.allOf(measured));
+        Crop area = scan.area(measured);
         return ScanFaults.in(measured, choices.find(CROP)).stream()
                 .filter(fault -> !levelled || fault.levelling().isEmpty())
-                .map(fault -> new PatchFault(fault.words(), remedy(fault, measured), fault.unmeasured()))
+                .map(fault -> new PatchFault(
+                        fault.words(),
+                        remedy(fault, measured),
+                        fault.unmeasured(),
+                        fault.part().map(part -> part.from(area.left(), area.bottom()))))
                 .toList();
     }
 

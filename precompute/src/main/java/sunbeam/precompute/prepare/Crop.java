@@ -87,6 +87,11 @@ public record Crop(double left, double right, double bottom, double top) {
         }
     }
 
+    /** The same area, counted from another corner, metres. */
+    public Crop from(double x, double y) {
+        return new Crop(Math.max(0, left - x), right - x, Math.max(0, bottom - y), top - y);
+    }
+
     /**
      * As an option's value has it, without blanks, in as few digits as take the same samples where edges lie between samples.
      *

@@ -59,14 +59,12 @@ record FaultyScan(HeightMap map, double[] truths, boolean anyBetween, String wor
     private static final Set<Kind> SIDEWAYS = EnumSet.of(Kind.SLIPPED, Kind.SLIPPED_TWICE, Kind.SLIPPED_OFTEN);
     private static final double SMOOTH = 0.05;
 
-    /** What the program answers: nothing of rows that are no measurement, nor where it refuses what it found. */
+    /** What the program answers, where it does not refuse: of the part of the scan that was measured. */
     Optional<GratingPeriod> estimate() {
         List<PatchFault> faults = ScanFaults.in(map, Optional.empty()).stream()
-                .map(fault -> new PatchFault(fault.words(), "", fault.unmeasured()))
+                .map(fault -> new PatchFault(fault.words(), "", fault.unmeasured(), fault.part()))
                 .toList();
-        return PeriodModel.of(map, wave -> true)
-                .map(told -> told.unlessUnmeasured(faults))
-                .filter(GratingPeriod::isTold);
+        return PeriodModel.of(GratingPeriod.measured(map, faults), wave -> true).filter(GratingPeriod::isTold);
     }
 
     boolean holdsTruth(GratingPeriod estimate) {

@@ -2,14 +2,19 @@ package sunbeam.precompute.analysis;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.precompute.Surfaces;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.patch.PatchFault;
 import sunbeam.precompute.patch.builtin.BuiltInPatches;
+import sunbeam.precompute.prepare.Crop;
 
 class VerdictTest {
     private static Patch piece(HeightMap map, List<PatchFault> faults) {
@@ -46,15 +51,53 @@ class VerdictTest {
     }
 
     @Test
-    void flatNoisyAndUnmeasuredSurfacesHaveTheirSentences() {
+    void flatAndNoisySurfacesHaveTheirSentences() {
         HeightMap flat = Surfaces.of(50, 50, 100e-9, (x, y) -> 0);
         assertThat(verdict(piece(flat, List.of()))).startsWith("A mirror: ");
         assertThat(verdict(piece(PeriodlessSurface.WHITE.draw(3), List.of())))
                 .startsWith("No order found: a white gloss without color");
-        HeightMap lines = Surfaces.of(150, 150, 100e-9, (x, y) -> 50e-9 * Math.sin(2 * Math.PI * x / 1.2e-6));
-        PatchFault stopped = new PatchFault("rows 1 to 9 repeat", "--crop", 0.06);
-        assertThat(verdict(piece(lines, List.of(stopped))))
-                .isEqualTo("No period is told of a scan of which rows 1 to 9 repeat; --crop");
+    }
+
+    /** The lines end in the middle of the scan: the part that was measured has its period. */
+    @Test
+    void rowsThatHoldNoMeasurementAreLeftOut() {
+        HeightMap stopped = Surfaces.of(
+                150, 150, 100e-9, (x, y) -> y < -10e-6 ? 0 : 50e-9 * Math.sin(2 * Math.PI * (x + 0.2 * y) / 1.2e-6));
+        Crop above = new Crop(0, 15e-6, 5e-6, 15e-6);
+        PatchFault fault = new PatchFault("rows 101 to 150 hold no measurement", "", 0.33, Optional.of(above));
+        GratingPeriod period = GratingPeriod.of(piece(stopped, List.of(fault)));
+        assertThat(period.isTold()).isTrue();
+        assertThat(1.2e-6 / Math.hypot(1, 0.2)).isBetween(period.low(), period.high());
+    }
+
+    @Test
+    void twoCrossedGratingsAreBothNamed() {
+        HeightMap crossed = Surfaces.of(
+                150,
+                150,
+                100e-9,
+                (x, y) -> 50e-9 * (Math.sin(2 * Math.PI * y / 1.2e-6) + Math.sin(2 * Math.PI * x / 1.2e-6)));
+        assertThat(verdict(piece(crossed, List.of())))
+                .containsPattern("across (0|90) degrees, crossed by one as strong of about 1.2 um across (90|0) degrees");
+    }
+
+    /** Waves of one length in all directions: no direction is told by chance. */
+    @ParameterizedTest
+    @ValueSource(ints = {1, 2, 3, 4, 5, 6})
+    void aSurfaceThatIsAlikeInAllDirectionsIsNoGrating(int seed) {
+        SplittableRandom random = new SplittableRandom(seed);
+        double[][] waves = new double[100][];
+        for (int i = 0; i < waves.length; i++) {
+            double angle = Math.PI * random.nextDouble();
+            double turns = 2 * Math.PI * (1 + 0.04 * random.nextGaussian()) / 1.1e-6;
+            waves[i] = new double[] {
+                turns * Math.cos(angle), turns * Math.sin(angle), 2 * Math.PI * random.nextDouble()
+            };
+        }
+        HeightMap ring = Surfaces.of(200, 200, 100e-9, (x, y) -> Arrays.stream(waves)
+                .mapToDouble(wave -> 5e-9 * Math.cos(wave[0] * x + wave[1] * y + wave[2]))
+                .sum());
+        assertThat(verdict(piece(ring, List.of()))).startsWith("No grating found: ");
     }
 
     @Test

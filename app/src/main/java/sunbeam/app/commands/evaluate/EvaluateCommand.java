@@ -8,7 +8,8 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.OptionalInt;
+import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -22,35 +23,71 @@ import sunbeam.app.files.output.ForceOption;
 import sunbeam.app.files.output.PngWriter;
 import sunbeam.app.files.output.StandardOutput;
 import sunbeam.app.gpu.picture.DoubtfulPicture;
-import sunbeam.app.gpu.picture.ResumeOption;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.OptionOrigin;
 import sunbeam.app.terminal.ScanWarnings;
-import sunbeam.app.terminal.UsageException;
 import sunbeam.app.terminal.Version;
 import sunbeam.app.terminal.options.MethodOptions;
 import sunbeam.app.terminal.options.PatchOptions;
+import sunbeam.app.terminal.progress.Progress;
+import sunbeam.precompute.analysis.GratingPeriod;
 import sunbeam.precompute.analysis.Verdict;
+import sunbeam.precompute.evaluation.FirstOrder;
+import sunbeam.precompute.evaluation.GratingPlane;
+import sunbeam.precompute.evaluation.ResponseGrid;
+import sunbeam.precompute.evaluation.ResponseMatrix;
 import sunbeam.precompute.method.FullMethod;
+import sunbeam.precompute.method.Method;
+import sunbeam.precompute.method.MethodPlan;
+import sunbeam.precompute.method.MethodType;
 import sunbeam.precompute.method.Methods;
+import sunbeam.precompute.method.NmmMethod;
+import sunbeam.precompute.method.PqMethod;
+import sunbeam.precompute.method.ReferenceMethod;
 import sunbeam.precompute.method.ScanLimit;
 import sunbeam.precompute.patch.Patch;
+import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.GaussianArea;
+import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.Choices;
 
-/** {@code sunbeam evaluate}: a patch's period from its response, as in the thesis's chapter 4. */
+/** {@code sunbeam evaluate}: a patch's response beside the grating equation, as in the thesis's chapter 4. */
 @Command(
         name = "evaluate",
-        header = "Measure a patch's period by the light it diffracts.",
-        description = "Measure a patch's period by the light it diffracts: compute the response over wavelengths and"
-                + " angles in the plane of incidence, follow the ridge of the first order, and fit the grating equation."
-                + " Writes the matrix (.csv and .npy), the figures (.json) and a plot (.png). See"
+        header = "Compare the light that a patch diffracts with the grating equation.",
+        description = "Compare the light that a patch diffracts with the grating equation: tell the period of the heights,"
+                + " compute the response over wavelengths and angles in the plane of incidence, and follow the ridge of the"
+                + " first order. Writes the response (.csv), the figures (.json) and a plot (.png). See"
                 + " docs/evaluation.md.")
 public final class EvaluateCommand implements Callable<Integer> {
-    private static final int MOST_POSITIONS = 10_000;
-    private static final List<String> ENDINGS = List.of(".png", ".json", ".csv", ".npy");
+    private static final List<String> ENDINGS = List.of(".png", ".json", ".csv");
+    // Of the period that the order is looked for at: a grown surface strays from its mean by a quarter from one coherence
+    // area to the next, one that repeats a small patch does not, and the user knows it roughly.
+    private static final double GROWN = 1.35;
+    private static final double EXACT = 1.1;
+    private static final double GIVEN = 1.2;
+
+    /** Who evaluates; gem and table have colors, but no power at a wavelength. */
+    private enum Evaluator {
+        FULL(FullMethod.TYPE),
+        NMM(NmmMethod.TYPE),
+        PQ(PqMethod.TYPE),
+        REFERENCE(ReferenceMethod.TYPE);
+
+        private final MethodType type;
+
+        Evaluator(MethodType type) {
+            this.type = type;
+        }
+    }
+
+    /** What of the reflected light is evaluated. */
+    private enum Quantity {
+        RHO,
+        POWER
+    }
 
     private final Environment environment;
 
@@ -58,7 +95,7 @@ public final class EvaluateCommand implements Callable<Integer> {
     private PatchOptions patchOptions;
 
     @Mixin
-    private GratingOptions gratingOptions;
+    private GratingOptions grating;
 
     @Mixin
     private final MethodOptions methodOptions = MethodOptions.of(FullMethod.TYPE);
@@ -66,19 +103,14 @@ public final class EvaluateCommand implements Callable<Integer> {
     @Mixin
     private ForceOption force;
 
-    @Mixin
-    private ResumeOption resume;
-
     @Option(
             names = "--method",
             paramLabel = "METHOD",
             defaultValue = "full",
-            converter = ResponseMethodConverter.class,
-            description = "full (default): one fragment for each angle and wavelength, through the shader code that"
-                    + " draws the maps. nmm, pq: the thesis's other methods. bins: the sums of full in double precision"
-                    + " on the processor. reference: direct sums over the surface; exact, for a few hundred"
-                    + " directions.")
-    private ResponseMethod method;
+            description = "One of $COMPLETION-CANDIDATES. full (default): one fragment for each angle and wavelength,"
+                    + " through the shader code that draws the maps. nmm, pq: the thesis's other methods. reference:"
+                    + " direct sums over the surface; exact, for a few hundred directions.")
+    private Evaluator method;
 
     @Option(
             names = "--quantity",
@@ -88,26 +120,10 @@ public final class EvaluateCommand implements Callable<Integer> {
     private Quantity quantity;
 
     @Option(
-            names = "--positions",
-            paramLabel = "N",
-            defaultValue = "0",
-            description = "Also evaluate N random positions of the coherence window (by method bins) and the mean over"
-                    + " all positions, and tell how the period is distributed; where there is a ridge.")
-    private int positions;
-
-    @Option(
-            names = "--seed",
-            paramLabel = "NUMBER",
-            defaultValue = "1",
-            description = "Seed of the random positions. Default: ${DEFAULT-VALUE}.")
-    private long seed;
-
-    @Option(
             names = "--output",
             paramLabel = "NAME",
-            description =
-                    "What the files are called; an ending .png, .json, .csv or .npy is left out, as each file has its"
-                            + " own. Default: a name made of the patch.")
+            description = "What the files are called; an ending .png, .json or .csv is left out, as each file has its"
+                    + " own. Default: a name made of the patch.")
     private Path output;
 
     @Spec
@@ -119,44 +135,62 @@ public final class EvaluateCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
-        Choices choices = methodOptions.choices();
-        return choices.located(() -> evaluate(choices));
+        Choices choices = methodOptions.choices().with(Methods.METHOD, method.type);
+        return choices.located(() -> evaluate(choices)).code();
     }
 
-    private int evaluate(Choices asked) {
-        gratingOptions.request();
-        method.of(asked);
-        if (positions < 0 || positions > MOST_POSITIONS) {
-            throw new UsageException("--positions " + positions + " is out of range; give 0 to " + MOST_POSITIONS);
-        }
+    private ExitCode evaluate(Choices asked) {
+        grating.check();
+        Methods.of(asked);
         if (output != null) {
-            new FileGroup(stem(output), endings(), resume.early(force.overwrite())).checkWritable();
+            files(stem(output)).checkWritable();
         }
+        PrintWriter out = specification.commandLine().getOut();
         PrintWriter err = specification.commandLine().getErr();
         Patch patch = patchOptions.load(asked);
-        ScanLimit limit = ScanLimit.of(method.in(asked), patch);
+        ScanLimit limit = ScanLimit.of(asked, patch);
         warn(patch, limit, err);
-        DiffractionSetup setup = new DiffractionSetup(patch, environment, warning -> warn(warning, err));
-        Path stem = output != null ? stem(output) : Path.of(setup.patch().name() + "-evaluate");
-        FileGroup files = new FileGroup(stem, endings(), force.overwrite(resume.named(output, stem)));
-        String identity = resume.identity(List.of(setup.patch()));
-        OptionalInt finished = resume.finished(
-                identity,
-                files.plainPaths().get(0),
-                files.plainPaths(),
-                specification.commandLine().getErr());
-        if (finished.isPresent()) {
-            files.plainPaths().forEach(specification.commandLine().getOut()::println);
-            return finished.getAsInt();
-        }
+        FileGroup files = files(output != null ? stem(output) : Path.of(patch.name() + "-evaluate"));
         files.checkWritable();
-        return evaluate(
-                        setup,
-                        limit.choices(),
-                        files,
-                        identity,
-                        specification.commandLine().getOut())
-                .code();
+        Choices choices = limit.choices();
+        GaussianArea area = GaussianArea.of(choices);
+
+        GratingPeriod heights = heights(patch);
+        out.println(Verdict.of(patch, heights));
+        out.flush();
+        FirstOrder order = order(patch, heights);
+        ResponseGrid grid = grating.grid(plane(patch, heights), order, area.window());
+        DiffractionSetup setup = new DiffractionSetup(patch, environment, line -> say(Messages.warning(line), err));
+        Optional<MethodPlan> plan = plan(setup, choices, grid, err);
+        ResponseMatrix power = plan.isPresent()
+                ? Responses.byShader(setup, plan.get(), grid, line -> say(Messages.note(line), err))
+                : Responses.exact(setup.exact(Methods.of(choices)), grid);
+        ResponseMatrix response = quantity == Quantity.RHO ? power.toRelativeRadiance() : power;
+        Evaluation evaluation = Evaluation.of(patch, heights, order, response, area.window());
+
+        EvaluationReport report = new EvaluationReport(evaluation);
+        String of = area.average() == Average.ENSEMBLE
+                ? "the mean over all positions of the window"
+                : "one coherence area";
+        report.lines(of, methodOptions.explains()).forEach(out::println);
+        out.flush();
+        files.write(contents(evaluation, report, choices, plan))
+                .forEach(file -> out.println(StandardOutput.name(file)));
+        return heights.isTold() ? DoubtfulPicture.ofPatches(List.of(patch)) : ExitCode.UNUSABLE_INPUT;
+    }
+
+    private FileGroup files(Path stem) {
+        return new FileGroup(stem, ENDINGS, force.overwrite(output));
+    }
+
+    /** What all files are called whose endings follow, also where one of the endings was given. */
+    static Path stem(Path named) {
+        String name = String.valueOf(named.getFileName());
+        return ENDINGS.stream()
+                .filter(ending -> name.endsWith(ending) && name.length() > ending.length())
+                .findFirst()
+                .map(ending -> named.resolveSibling(name.substring(0, name.length() - ending.length())))
+                .orElse(named);
     }
 
     /** Notes, and all warnings in one line. */
@@ -172,132 +206,87 @@ public final class EvaluateCommand implements Callable<Integer> {
         err.flush();
     }
 
-    private static void warn(String warning, PrintWriter err) {
-        err.println(Messages.warning(warning));
+    private static void say(String line, PrintWriter err) {
+        err.println(line);
         err.flush();
     }
 
-    /** What all files are called whose endings follow, also where one of the endings was given. */
-    static Path stem(Path named) {
-        String name = String.valueOf(named.getFileName());
-        return ENDINGS.stream()
-                .filter(ending -> name.endsWith(ending) && name.length() > ending.length())
-                .findFirst()
-                .map(ending -> named.resolveSibling(name.substring(0, name.length() - ending.length())))
-                .orElse(named);
-    }
-
-    private List<String> endings() {
-        List<String> all = new ArrayList<>(ENDINGS);
-        if (positions > 0) {
-            all.addAll(List.of("-positions.csv", "-positions.png"));
+    /** Of the periods and directions that are asked for. */
+    private GratingPeriod heights(Patch patch) {
+        Optional<FirstOrder> given = given();
+        try (Progress progress = Progress.start("Heights of " + patch.name(), 1)) {
+            GratingPeriod heights = GratingPeriod.among(
+                    patch,
+                    grating.azimuth(),
+                    given.map(FirstOrder::shortest).orElse(0.0),
+                    given.map(FirstOrder::longest).orElse(Double.POSITIVE_INFINITY));
+            progress.step(1);
+            return heights;
         }
-        return all;
     }
 
-    private ExitCode evaluate(
-            DiffractionSetup setup, Choices choices, FileGroup files, String identity, PrintWriter out) {
-        PrintWriter err = specification.commandLine().getErr();
-        Evaluation evaluation = Evaluation.of(
-                setup,
-                gratingOptions.request(),
-                choices,
-                method,
-                quantity,
-                planned -> {
-                    if (methodOptions.explains()) {
-                        methodOptions.print(planned, err);
-                    }
-                },
-                line -> {
-                    err.println(Messages.note(line));
-                    err.flush();
-                });
-        GratingTarget target = evaluation.target();
-        Map<String, Object> report = describe(setup, choices, evaluation);
-        String verdict = Verdict.of(setup.patch(), target.heights());
-        report.put("verdict", verdict);
-        report.put("period", target.told().map(EvaluationReport::tree).orElse(null));
-        report.put("period_not_told", target.doubt().isEmpty() ? null : target.doubt());
-        report.put("ridge_left_out", evaluation.noRidge().orElse(null));
-        evaluation.measurement().map(EvaluationReport::tree).ifPresent(report::putAll);
-        String title = evaluation.title();
-        out.println(verdict);
-        out.println(title);
-        out.println(EvaluationReport.line(target));
-        String area = Evaluation.area(choices);
-        out.println(evaluation
-                .measurement()
-                .map(found -> EvaluationReport.ridgeLine(found, target.told().isPresent(), area))
-                .orElseGet(() -> "ridge       left out: " + evaluation.noRidge().orElseThrow()));
-        evaluation
-                .measurement()
-                .filter(found -> methodOptions.explains())
-                .map(EvaluationReport::lines)
-                .ifPresent(lines -> lines.forEach(out::println));
-        out.flush();
+    private Optional<FirstOrder> given() {
+        OptionalDouble period = grating.period();
+        return period.isPresent() ? Optional.of(FirstOrder.around(period.getAsDouble(), GIVEN)) : Optional.empty();
+    }
+
+    private FirstOrder order(Patch patch, GratingPeriod heights) {
+        if (!heights.isTold() && given().isEmpty()) {
+            boolean lost = grating.azimuth().isEmpty() && !heights.hasWave();
+            throw new NoPeriodException(patch.name() + ": no period is told; to look for a ridge all the same give "
+                    + (lost ? "--azimuth and --period" : "--period"));
+        }
+        return given().orElseGet(() -> FirstOrder.around(heights.period(), heights.isExact() ? EXACT : GROWN));
+    }
+
+    private GratingPlane plane(Patch patch, GratingPeriod heights) {
+        OptionalDouble azimuth = grating.azimuth();
+        GratingPeriod aimed = heights.hasWave() || azimuth.isPresent() ? heights : GratingPeriod.of(patch);
+        return grating.plane(azimuth.orElse(aimed.azimuth()));
+    }
+
+    /** Empty for the reference, which needs none. */
+    private Optional<MethodPlan> plan(DiffractionSetup setup, Choices choices, ResponseGrid grid, PrintWriter err) {
+        Method chosen = Methods.of(choices);
+        if (chosen instanceof ReferenceMethod) {
+            return Optional.empty();
+        }
+        MethodPlan plan = chosen.plan(setup.surface(), VisibleRange.of(grid.pairs()));
+        if (methodOptions.explains()) {
+            methodOptions.print(plan, err);
+        }
+        return Optional.of(plan);
+    }
+
+    private Map<String, AtomicFile.StreamContent> contents(
+            Evaluation evaluation, EvaluationReport report, Choices choices, Optional<MethodPlan> plan) {
+        Map<String, Object> tree = new LinkedHashMap<>();
+        GaussianArea area = GaussianArea.of(choices);
+        tree.put("program", "Sunbeam " + Version.number());
+        tree.put("patch", evaluation.patch().name());
+        tree.put("source", evaluation.patch().source());
+        tree.put("method", method.type.label());
+        tree.put("quantity", quantity.name().toLowerCase(Locale.ROOT));
+        tree.put("options", Methods.describe(choices));
+        plan.ifPresent(made -> tree.put("plan", made.summary()));
+        tree.put("average", area.average().name().toLowerCase(Locale.ROOT));
+        tree.put("window_origin", area.origin().name().toLowerCase(Locale.ROOT));
+        tree.put("coherence_length_m", area.window().coherenceLength());
+        tree.putAll(report.tree());
+        Map<String, String> text = new LinkedHashMap<>();
+        text.put("Title", evaluation.title(evaluation.patch().name()));
+        text.put("Patch", evaluation.patch().source());
+        text.put("Method", method.type.label());
+        text.put("Options", Methods.describe(choices));
+        plan.ifPresent(made -> text.put("Plan", made.summary()));
+        String label = quantity == Quantity.RHO ? "relative radiance rho" : "power";
         Map<String, AtomicFile.StreamContent> contents = new LinkedHashMap<>();
-        if (positions > 0 && evaluation.measurement().isPresent()) {
-            Positions.Draw draw = new Positions.Draw(
-                    positions,
-                    seed,
-                    setup.surface().identity().columns(),
-                    setup.surface().identity().rows());
-            Positions all = Positions.measure(
-                    evaluation.responses().binSums(),
-                    draw,
-                    quantity,
-                    target.order(),
-                    GaussianArea.windowOf(choices).sigmaFrequency());
-            report.put("positions", EvaluationReport.tree(all, seed));
-            EvaluationReport.lines(all).forEach(out::println);
-            contents.put("-positions.csv", PositionFiles.csv(all));
-            if (all.sorted().length > 0) {
-                Map<String, String> text = text(setup, choices, title, ResponseMethod.BINS);
-                contents.put(
-                        "-positions.png",
-                        stream -> PngWriter.write(stream, PositionFiles.draw(evaluation.figureTitle(), all), text));
-            }
-        }
-        contents.put(".csv", MatrixFiles.csv(evaluation.response()));
-        contents.put(".npy", MatrixFiles.npy(evaluation.response()));
+        contents.put(".csv", report.csv());
         contents.put(
                 ".json",
                 stream -> stream.write(
-                        new ObjectMapper().writerWithDefaultPrettyPrinter().writeValueAsBytes(report)));
-        Map<String, String> text = text(setup, choices, title, method);
-        evaluation.plan().ifPresent(plan -> text.put("Plan", plan));
-        ExitCode code =
-                target.told().isPresent() ? DoubtfulPicture.ofPatches(List.of(setup.patch())) : ExitCode.UNUSABLE_INPUT;
-        ResumeOption.note(text, identity, code);
-        contents.put(".png", stream -> PngWriter.write(stream, evaluation.plot(), text));
-        files.write(contents).forEach(file -> out.println(StandardOutput.name(file)));
-        return code;
-    }
-
-    private Map<String, Object> describe(DiffractionSetup setup, Choices choices, Evaluation evaluation) {
-        Map<String, Object> report = new LinkedHashMap<>();
-        report.put("program", "Sunbeam " + Version.number());
-        report.put("patch", setup.patch().name());
-        report.put("source", setup.patch().source());
-        report.put("method", method.label());
-        report.put("quantity", quantity.name().toLowerCase(Locale.ROOT));
-        report.put("options", Methods.describe(method.in(choices)));
-        evaluation.plan().ifPresent(plan -> report.put("plan", plan));
-        GaussianArea area = GaussianArea.of(choices);
-        report.put("average", area.average().name().toLowerCase(Locale.ROOT));
-        report.put("window_origin", area.origin().name().toLowerCase(Locale.ROOT));
-        report.put("coherence_length_m", area.window().coherenceLength());
-        report.putAll(EvaluationReport.tree(evaluation.grid()));
-        return report;
-    }
-
-    private Map<String, String> text(DiffractionSetup setup, Choices choices, String title, ResponseMethod by) {
-        Map<String, String> text = new LinkedHashMap<>();
-        text.put("Title", title);
-        text.put("Patch", setup.patch().source());
-        text.put("Method", by.label());
-        text.put("Options", Methods.describe(by.in(choices)));
-        return text;
+                        new ObjectMapper().writerWithDefaultPrettyPrinter().writeValueAsBytes(tree)));
+        contents.put(".png", stream -> PngWriter.write(stream, ResponsePlot.draw(evaluation, label), text));
+        return contents;
     }
 }

@@ -1,156 +1,91 @@
 package sunbeam.app.commands.evaluate;
 
-import java.awt.Font;
-import java.awt.image.BufferedImage;
+import java.math.BigDecimal;
+import java.math.MathContext;
+import java.math.RoundingMode;
 import java.util.Locale;
 import java.util.Optional;
-import java.util.function.Consumer;
-import sunbeam.app.files.cache.DiffractionSetup;
-import sunbeam.app.files.plot.FittedNames;
+import sunbeam.app.terminal.OptionOrigin;
 import sunbeam.precompute.analysis.GratingPeriod;
-import sunbeam.precompute.evaluation.GratingMeasurement;
-import sunbeam.precompute.evaluation.ResponseGrid;
+import sunbeam.precompute.evaluation.FirstOrder;
 import sunbeam.precompute.evaluation.ResponseMatrix;
-import sunbeam.precompute.method.MethodPlan;
+import sunbeam.precompute.evaluation.Ridge;
+import sunbeam.precompute.evaluation.RidgeTracker;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.patch.Patch;
-import sunbeam.precompute.plan.Average;
-import sunbeam.precompute.plan.GaussianArea;
-import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.plan.MethodSettings;
+import sunbeam.precompute.units.Lengths;
 
-/** A patch's response in the plane of incidence and the period that it shows. */
-public final class Evaluation {
-    // As plots' titles have it.
-    private static final Font TITLE_FONT = new Font(Font.SANS_SERIF, Font.BOLD, 18);
-    private static final int WIDEST_NAME = 400;
+/**
+ * A patch's response in the plane of incidence beside the period of its heights.
+ *
+ * @param heights what the heights tell of the periods and directions that were asked for
+ * @param ridge of the first order; empty where light does not tell its orders apart, or shows none
+ * @param noRidge why there is none; empty where there is one
+ */
+record Evaluation(
+        Patch patch, GratingPeriod heights, ResponseMatrix response, Optional<Ridge> ridge, Optional<String> noRidge) {
+    // Deviations of the window's spectrum between orders, which are Gaussians 1 / period apart: nearer, the mirror's, of which 1 % is
+    // left at three, draws a ridge aside by per cents.
+    private static final double APART = 3;
 
-    private final GratingTarget target;
-    private final Responses responses;
-    private final Quantity quantity;
-    private final ResponseMatrix response;
-    private final Optional<GratingMeasurement> measurement;
-    private final Optional<String> noRidge;
-    private final String name;
-
-    private Evaluation(
-            GratingTarget target,
-            Responses responses,
-            Quantity quantity,
-            ResponseMatrix response,
-            Optional<GratingMeasurement> measurement,
-            Optional<String> noRidge,
-            String name) {
-        this.target = target;
-        this.responses = responses;
-        this.quantity = quantity;
-        this.response = response;
-        this.measurement = measurement;
-        this.noRidge = noRidge;
-        this.name = name;
-    }
-
-    /**
-     * @param planned told of the method that a shader uses, once it is planned
-     * @param remark told how long it takes where that is long
-     */
+    /** @param order where the first order is looked for */
     static Evaluation of(
-            DiffractionSetup setup,
-            GratingRequest grating,
-            Choices choices,
-            ResponseMethod method,
-            Quantity quantity,
-            Consumer<MethodPlan> planned,
-            Consumer<String> remark) {
-        CoherenceWindow window = GaussianArea.windowOf(choices);
-        Patch patch = setup.patch();
-        GratingTarget target = GratingTarget.of(patch, grating);
-        DirectionBudget budget =
-                new DirectionBudget(patch.heights().width(), patch.heights().height(), window);
-        OrdersApart orders = new OrdersApart(
-                target.told().map(GratingPeriod::period).orElse(target.order().middle()),
-                window,
-                patch.repetition() == Patch.Repetition.NONE ? patch.shorterSide() : Double.POSITIVE_INFINITY);
-        ResponseGrid grid = grating.grid(target.plane(), target.order(), budget);
-        grating.leftOut(grid).ifPresent(remark);
-        grating.unseen(target.plane(), target.order()).ifPresent(remark);
-        Responses responses = new Responses(setup, method, choices, grid, planned, remark);
-        ResponseMatrix response = quantity.of(responses.power());
-        Optional<GratingMeasurement> measurement = orders.areTold()
-                ? GratingMeasurement.of(response, target.order(), window.sigmaFrequency())
-                : Optional.empty();
-        if (orders.areTold() && measurement.isEmpty() && target.told().isEmpty()) {
-            throw new NoPeriodException(
-                    patch.name() + ": " + target.noRidge() + ", or --period (" + target.doubt() + ")");
-        }
-        Optional<String> noRidge =
-                measurement.isPresent() ? Optional.empty() : orders.shortfall().or(() -> Optional.of(target.noRidge()));
-        return new Evaluation(target, responses, quantity, response, measurement, noRidge, patch.name());
+            Patch patch, GratingPeriod heights, FirstOrder order, ResponseMatrix response, CoherenceWindow window) {
+        double period = heights.isTold() ? heights.period() : order.middle();
+        boolean apart = 1 / period >= APART * window.sigmaFrequency();
+        Optional<Ridge> ridge =
+                apart ? new RidgeTracker(response, window.sigmaFrequency()).follow(order) : Optional.empty();
+        Optional<String> noRidge = ridge.isPresent()
+                ? Optional.empty()
+                : Optional.of(apart ? noneNear(order) : ordersRunTogether(patch, period, window));
+        return new Evaluation(patch, heights, response, ridge, noRidge);
     }
 
-    /** What of the surface the ridge belongs to, in words. */
-    static String area(Choices choices) {
-        return GaussianArea.of(choices).average() == Average.ENSEMBLE
-                ? "the mean over all positions of the window"
-                : "one coherence area";
+    private static String noneNear(FirstOrder order) {
+        return String.format(
+                Locale.ROOT,
+                "the response has no ridge of periods from %s to %s at 3 --wavelengths or more within --angles; choose more of them",
+                Lengths.rounded(order.shortest(), 3),
+                Lengths.rounded(order.longest(), 3));
     }
 
-    /** The patch, the light and the azimuth. */
-    public String title() {
-        return title(name);
+    private static String ordersRunTogether(Patch patch, double period, CoherenceWindow window) {
+        double needed = CoherenceWindow.ofCoherenceLength(1).sigmaFrequency() * APART * period;
+        String longer = Lengths.format(
+                new BigDecimal(needed).round(new MathContext(2, RoundingMode.UP)).doubleValue());
+        // No window is longer than a scan that does not repeat.
+        boolean possible = patch.repetition() != Patch.Repetition.NONE || needed < patch.shorterSide();
+        return String.format(
+                Locale.ROOT,
+                "light with a coherence length of %s sees a period of about %s %.1f times at once, too few to tell its orders apart; %s or more does",
+                Lengths.rounded(window.coherenceLength(), 4),
+                Lengths.rounded(period, 2),
+                window.coherenceLength() / period,
+                possible
+                        ? OptionOrigin.INSTANCE.name(MethodSettings.COHERENCE_LENGTH) + " " + longer
+                        : "a scan whose shorter side is " + longer);
     }
 
-    /** As {@link #title}, with a name that leaves the light its place in a figure of 900 pixels and more. */
-    String figureTitle() {
-        return title(FittedNames.of(name, TITLE_FONT, WIDEST_NAME));
+    /** The period of the heights where it may be quoted. */
+    Optional<GratingPeriod> told() {
+        return heights.isTold() ? Optional.of(heights) : Optional.empty();
     }
 
-    private String title(String shown) {
+    /** A name, the light and the azimuth. */
+    String title(String name) {
         return String.format(
                 Locale.ROOT,
                 "%s, light at %s degrees, azimuth %s degrees",
-                shown,
-                Degrees.text(grid().plane().thetaI()),
-                Degrees.text(grid().plane().azimuth()));
+                name,
+                degrees(response.grid().plane().thetaI()),
+                degrees(response.grid().plane().azimuth()));
     }
 
-    /** Direction of the grating in the patch, radians. */
-    public double azimuth() {
-        return grid().plane().azimuth();
-    }
-
-    /** The ridge of the first order and its periods; empty where light does not tell its orders apart, or shows none. */
-    public Optional<GratingMeasurement> measurement() {
-        return measurement;
-    }
-
-    /** Why there is no ridge; empty where there is one. */
-    Optional<String> noRidge() {
-        return noRidge;
-    }
-
-    /** The thesis's figures 4.9 to 4.11: the response in color, its followed peaks, and the period by the grating equation. */
-    public BufferedImage plot() {
-        return ResponsePlot.draw(figureTitle(), quantity.label(), response, measurement, target.told());
-    }
-
-    GratingTarget target() {
-        return target;
-    }
-
-    ResponseGrid grid() {
-        return response.grid();
-    }
-
-    ResponseMatrix response() {
-        return response;
-    }
-
-    /** One line: what was planned for the shader; nothing for methods that need no plan. */
-    Optional<String> plan() {
-        return responses.plan();
-    }
-
-    Responses responses() {
-        return responses;
+    /** To hundredths, without zeros at the end. */
+    private static String degrees(double radians) {
+        return BigDecimal.valueOf(Math.round(100 * Math.toDegrees(radians)), 2)
+                .stripTrailingZeros()
+                .toPlainString();
     }
 }

@@ -1,7 +1,8 @@
 package sunbeam.app.commands.evaluate;
 
+import java.util.Arrays;
 import java.util.List;
-import java.util.Optional;
+import java.util.Locale;
 import java.util.OptionalDouble;
 import picocli.CommandLine.Option;
 import sunbeam.app.terminal.Range;
@@ -9,15 +10,26 @@ import sunbeam.app.terminal.RangeConverter;
 import sunbeam.app.terminal.SettingOptions;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.app.terminal.options.LightOptions;
+import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.evaluation.FirstOrder;
+import sunbeam.precompute.evaluation.GratingPlane;
+import sunbeam.precompute.evaluation.ResponseGrid;
+import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.plan.MethodSettings;
-import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.units.Angles;
+import sunbeam.precompute.units.Lengths;
 
 /** Light, plane and grid of an evaluation; to be used as a picocli mixin. */
 public final class GratingOptions extends SettingOptions {
     private static final String AUTO = "auto";
-    private static final Range ALL_WAVELENGTHS = new Range(380, 780, 1);
+    private static final int MOST_ANGLES = 1500;
+    // A peak needs as many angles, and a variance as many wavelengths.
+    private static final int FEWEST = 3;
+    // 160 MB of doubles.
+    private static final long MOST_DIRECTIONS = 20_000_000;
+    // A ridge is 1.7 deviations wide at half its height; three samples must lie on its top.
+    private static final double COARSEST_STEP = 0.6;
 
     private static final Setting<Double> THETA_I = LightOptions.THETA_I.withStandard(Math.toRadians(75));
     private static final Setting<Double> PHI_I = new Setting<>(
@@ -53,8 +65,8 @@ public final class GratingOptions extends SettingOptions {
             names = "--wavelengths",
             paramLabel = "MIN:MAX:STEP",
             converter = RangeConverter.class,
-            description = "Wavelengths in nm, within 380..780. Default: 380:780:1; of scans so large that this takes"
-                    + " minutes, larger steps and fewer angles, which a line says.")
+            defaultValue = "380:780:2",
+            description = "Wavelengths in nm, within 380..780. Default: ${DEFAULT-VALUE}.")
     private Range wavelengths;
 
     public GratingOptions() {
@@ -62,24 +74,49 @@ public final class GratingOptions extends SettingOptions {
     }
 
     /**
-     * What is asked for, checked as far as it can be without the patch.
+     * Checks all that can be checked without the patch.
      *
      * @throws UsageException for a value that cannot be used
      */
-    GratingRequest request() {
-        Choices light = choices();
-        return new GratingRequest(
-                light.get(THETA_I),
-                light.get(PHI_I),
-                givenAzimuth(),
-                Optional.ofNullable(angles),
-                wavelengths == null ? ALL_WAVELENGTHS : wavelengths,
-                wavelengths != null,
-                light.find(PERIOD).map(OptionalDouble::of).orElseGet(OptionalDouble::empty));
+    void check() {
+        azimuth();
+        period();
+        double nanometre = 1e9;
+        requireWithin(
+                "--wavelengths",
+                wavelengths,
+                CieTable.MINIMUM_WAVELENGTH * nanometre,
+                CieTable.MAXIMUM_WAVELENGTH * nanometre,
+                "the visible band; give %.4g to %.4g nm");
+        double largest = Math.toDegrees(plane(0).largestThetaR());
+        if (angles != null) {
+            requireWithin("--angles", angles, -largest, largest, "the hemisphere; give %.6g to %.6g degrees");
+        }
+        int columns = angles == null ? MOST_ANGLES : angles.count();
+        if ((long) columns * wavelengths.count() > MOST_DIRECTIONS) {
+            throw new UsageException(String.format(
+                    Locale.ROOT,
+                    "%d --angles and %d --wavelengths are too many; take larger steps for %d directions or less",
+                    columns,
+                    wavelengths.count(),
+                    MOST_DIRECTIONS));
+        }
     }
 
-    /** The azimuth in radians; empty for auto. */
-    private OptionalDouble givenAzimuth() {
+    private static void requireWithin(String option, Range range, double least, double most, String limits) {
+        String text = String.format(
+                Locale.ROOT, "%s %.9g:%.9g:%.9g", option, range.minimum(), range.maximum(), range.step());
+        // 1e-6: rounding of degrees.
+        if (range.minimum() < least - 1e-6 || range.maximum() > most + 1e-6) {
+            throw new UsageException(text + " leaves " + String.format(Locale.ROOT, limits, least, most));
+        }
+        if (range.count() < FEWEST) {
+            throw new UsageException(text + " has " + range.count() + " values; give 3 or more");
+        }
+    }
+
+    /** Across the grating, radians; empty where the heights are to tell. */
+    OptionalDouble azimuth() {
         if (azimuth.equals(AUTO)) {
             return OptionalDouble.empty();
         }
@@ -88,5 +125,48 @@ public final class GratingOptions extends SettingOptions {
         } catch (IllegalArgumentException failure) {
             throw new UsageException("--azimuth: " + failure.getMessage() + ", or auto");
         }
+    }
+
+    /** To look for, metres; empty where the heights are to tell. */
+    OptionalDouble period() {
+        return choices().find(PERIOD).map(OptionalDouble::of).orElseGet(OptionalDouble::empty);
+    }
+
+    GratingPlane plane(double azimuthRadians) {
+        return new GratingPlane(choices().get(THETA_I), choices().get(PHI_I), azimuthRadians);
+    }
+
+    /**
+     * Angles and wavelengths, checked against the window's resolution.
+     *
+     * @throws UsageException where the steps are too coarse to see a peak, or the first order is not to be seen
+     */
+    ResponseGrid grid(GratingPlane plane, FirstOrder order, CoherenceWindow window) {
+        double[] metres =
+                Arrays.stream(wavelengths.values()).map(nm -> nm * 1e-9).toArray();
+        ResponseGrid grid = new ResponseGrid(plane, metres, angles(plane, order, metres));
+        double allowed = COARSEST_STEP * window.sigmaFrequency();
+        double coarsest = grid.coarsestStep();
+        if (coarsest > allowed) {
+            double step = Math.toDegrees(grid.angles()[1] - grid.angles()[0]);
+            throw new UsageException(String.format(
+                    Locale.ROOT,
+                    "--angles: steps of %.3g degrees are too coarse for peaks as sharp as this window's; give %.2g or less",
+                    step,
+                    0.99 * step * allowed / coarsest));
+        }
+        return grid;
+    }
+
+    private double[] angles(GratingPlane plane, FirstOrder order, double[] metres) {
+        if (angles != null) {
+            return Arrays.stream(angles.values()).map(Math::toRadians).toArray();
+        }
+        return order.angles(plane, metres[0], metres[metres.length - 1], MOST_ANGLES)
+                .orElseThrow(() -> new UsageException(String.format(
+                        Locale.ROOT,
+                        "no angle sees the first order of a period near %s at these --wavelengths and this --theta-i; no light shows it beyond %s",
+                        Lengths.rounded(order.middle(), 3),
+                        Lengths.rounded(2 * order.middle(), 3))));
     }
 }

@@ -1,16 +1,17 @@
 package sunbeam.app.commands.evaluate;
 
+import java.awt.Font;
 import java.awt.image.BufferedImage;
 import java.util.Arrays;
 import java.util.Locale;
-import java.util.Optional;
+import java.util.function.DoubleUnaryOperator;
 import sunbeam.app.files.plot.ColorMap;
+import sunbeam.app.files.plot.FittedNames;
 import sunbeam.app.files.plot.HeatMap;
 import sunbeam.app.files.plot.Plot;
 import sunbeam.precompute.analysis.GratingPeriod;
-import sunbeam.precompute.evaluation.GratingMeasurement;
+import sunbeam.precompute.evaluation.GratingPlane;
 import sunbeam.precompute.evaluation.ResponseGrid;
-import sunbeam.precompute.evaluation.ResponseMatrix;
 import sunbeam.precompute.evaluation.Ridge;
 
 /**
@@ -20,6 +21,9 @@ import sunbeam.precompute.evaluation.Ridge;
 final class ResponsePlot {
     private static final int WIDTH = 1100;
     private static final int HEIGHT = 800;
+    // As plots' titles have it; the light has its place beside such a name.
+    private static final Font TITLE_FONT = new Font(Font.SANS_SERIF, Font.BOLD, 18);
+    private static final int WIDEST_NAME = 400;
     // Decades of the response that the colors span.
     private static final double SPAN = 1e-4;
     private static final int PEAKS = 0xFFFFFF;
@@ -28,80 +32,68 @@ final class ResponsePlot {
 
     private ResponsePlot() {}
 
-    static BufferedImage draw(
-            String title,
-            String quantity,
-            ResponseMatrix response,
-            Optional<GratingMeasurement> measurement,
-            Optional<GratingPeriod> answer) {
-        ResponseGrid grid = response.grid();
-        double largest = Arrays.stream(response.values())
+    /** @param quantity that the colors show */
+    static BufferedImage draw(Evaluation evaluation, String quantity) {
+        ResponseGrid grid = evaluation.response().grid();
+        double[][] values = evaluation.response().values();
+        double largest = Arrays.stream(values)
                 .flatMapToDouble(Arrays::stream)
                 .max()
                 .orElseThrow();
         double high = largest > 0 ? largest : 1;
-        HeatMap.Colors colors =
-                new HeatMap.Colors(quantity, SPAN * high, high, Plot.Scale.LOGARITHMIC, ColorMap.VIRIDIS);
+        double[][] rows = new double[grid.angles().length][values.length];
+        for (int row = 0; row < rows.length; row++) {
+            for (int column = 0; column < values.length; column++) {
+                rows[row][column] = values[column][row];
+            }
+        }
         double[] wavelengths = nanometres(grid.wavelengths());
-        double[] angles = degrees(grid.angles());
+        String title =
+                evaluation.title(FittedNames.of(evaluation.patch().name(), TITLE_FONT, WIDEST_NAME));
         HeatMap map = new HeatMap(
                 new HeatMap.Frame(
                         title, "wavelength / nm", "angle to the viewer theta_r / degrees", WIDTH, HEIGHT, false),
                 new HeatMap.Values(
-                        transposed(response.values()),
+                        rows,
                         HeatMap.Values.around(wavelengths),
-                        HeatMap.Values.around(angles),
-                        colors,
+                        HeatMap.Values.around(degrees(grid.angles(), angle -> angle)),
+                        new HeatMap.Colors(quantity, SPAN * high, high, Plot.Scale.LOGARITHMIC, ColorMap.VIRIDIS),
                         HeatMap.Reduction.LARGEST));
-        double away = answer.map(told -> sideAwayFromTheLight(told, grid)).orElse(-1.0);
-        double sign = measurement.map(found -> (double) found.order()).orElse(away);
-        answer.ifPresent(told -> draw(told, Math.signum(sign), grid, map));
-        measurement.ifPresent(found -> draw(found, map));
+        evaluation.told().ifPresent(told -> drawEquation(told, evaluation, map));
+        evaluation.ridge().ifPresent(ridge -> drawPeaks(ridge, map));
         return map.draw();
     }
 
-    private static void draw(GratingMeasurement measurement, HeatMap map) {
-        Ridge ridge = measurement.ridge();
-        String peaks = String.format(
+    private static void drawPeaks(Ridge ridge, HeatMap map) {
+        String name = String.format(
                 Locale.ROOT,
                 "brightest angle at each wavelength (mean %.1f nm)",
-                measurement.interpolated().mean() * 1e9);
-        map.curve(peaks, nanometres(ridge.wavelengths()), degrees(ridge.peakAngles()), PEAKS, true);
+                ridge.statistics().getMean() * 1e9);
+        map.curve(name, nanometres(ridge.wavelengths()), degrees(ridge.angles(), angle -> angle), PEAKS, true);
     }
 
-    /** -1 where the order on that side of the mirror is above the horizon, else 1. */
-    private static double sideAwayFromTheLight(GratingPeriod answer, ResponseGrid grid) {
-        return Double.isNaN(grid.plane().thetaR(-grid.wavelengths()[0] / answer.period())) ? 1 : -1;
-    }
-
-    /** The grating equation for the period and both ends of its interval. */
-    private static void draw(GratingPeriod answer, double sign, ResponseGrid grid, HeatMap map) {
-        double[] periods = {answer.period(), answer.low(), answer.high()};
-        double[][] angles = Arrays.stream(periods)
-                .mapToObj(period -> Arrays.stream(grid.wavelengths())
-                        .map(wavelength -> grid.plane().thetaR(sign * wavelength / period))
-                        .map(Math::toDegrees)
-                        .toArray())
-                .toArray(double[][]::new);
-        String name = "the period, " + answer.describe().replace(", 95 % interval", "; dotted: 95 % interval");
-        map.interval(name, nanometres(grid.wavelengths()), angles[0], angles[1], angles[2], EQUATION);
-    }
-
-    private static double[][] transposed(double[][] values) {
-        double[][] result = new double[values[0].length][values.length];
-        for (int row = 0; row < values.length; row++) {
-            for (int column = 0; column < values[row].length; column++) {
-                result[column][row] = values[row][column];
-            }
-        }
-        return result;
+    /** The grating equation for the period and both ends of its interval, on the ridge's side of the mirror. */
+    private static void drawEquation(GratingPeriod told, Evaluation evaluation, HeatMap map) {
+        ResponseGrid grid = evaluation.response().grid();
+        GratingPlane plane = grid.plane();
+        boolean towardsNormal = !Double.isNaN(plane.thetaR(-grid.wavelengths()[0] / told.period()));
+        int order = evaluation.ridge().map(Ridge::order).orElse(towardsNormal ? -1 : 1);
+        map.interval(
+                "the period, " + told.interval().replace(", 95 % interval", "; dotted: 95 % interval"),
+                nanometres(grid.wavelengths()),
+                degrees(grid.wavelengths(), wavelength -> plane.thetaR(order * wavelength / told.period())),
+                degrees(grid.wavelengths(), wavelength -> plane.thetaR(order * wavelength / told.low())),
+                degrees(grid.wavelengths(), wavelength -> plane.thetaR(order * wavelength / told.high())),
+                EQUATION);
     }
 
     private static double[] nanometres(double[] metres) {
         return Arrays.stream(metres).map(value -> value * 1e9).toArray();
     }
 
-    private static double[] degrees(double[] radians) {
-        return Arrays.stream(radians).map(Math::toDegrees).toArray();
+    private static double[] degrees(double[] values, DoubleUnaryOperator radians) {
+        return Arrays.stream(values)
+                .map(value -> Math.toDegrees(radians.applyAsDouble(value)))
+                .toArray();
     }
 }

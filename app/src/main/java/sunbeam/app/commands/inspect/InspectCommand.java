@@ -102,7 +102,7 @@ public final class InspectCommand implements Callable<Integer> {
         Path place =
                 PngWriter.write(picture, force.overwrite(output), new InspectionSheet(inspection, lines).draw(), text);
         if (json.isAsked()) {
-            JsonOption.print(out, new InspectionReport(inspection, place).fields());
+            JsonOption.print(out, inspection.fields(place));
         } else {
             out.println(StandardOutput.name(place));
         }

@@ -13,7 +13,6 @@ import sunbeam.app.files.plot.ColorMap;
 import sunbeam.app.files.plot.FittedNames;
 import sunbeam.app.files.plot.HeatMap;
 import sunbeam.app.files.plot.Plot;
-import sunbeam.app.work.Meanwhile;
 import sunbeam.precompute.analysis.GratingPeriod;
 import sunbeam.precompute.analysis.HeightSpectrum;
 import sunbeam.precompute.analysis.Histogram;
@@ -54,7 +53,6 @@ final class InspectionSheet {
     }
 
     BufferedImage draw() {
-        Meanwhile<BufferedImage> heights = Meanwhile.start(this::heights);
         List<String> lines =
                 words.stream().flatMap(line -> wrapped(line).stream()).toList();
         int textHeight = 2 * MARGIN + (lines.size() + 2) * TEXT_LINE;
@@ -69,7 +67,7 @@ final class InspectionSheet {
             graphics.drawImage(spectrum(), PANEL_WIDTH, textHeight, null);
             graphics.drawImage(histogram(), 0, textHeight + PICTURE_HEIGHT, null);
             graphics.drawImage(profile(), PANEL_WIDTH, textHeight + PICTURE_HEIGHT, null);
-            graphics.drawImage(heights.get(), 0, textHeight, null);
+            graphics.drawImage(heights(), 0, textHeight, null);
         } finally {
             graphics.dispose();
         }

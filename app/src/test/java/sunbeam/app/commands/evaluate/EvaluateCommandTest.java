@@ -5,18 +5,16 @@ import static org.assertj.core.api.Assertions.within;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
-import java.awt.image.BufferedImage;
-import java.io.File;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.attribute.FileTime;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.SplittableRandom;
+import java.util.function.DoubleBinaryOperator;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
@@ -28,8 +26,10 @@ import sunbeam.app.Sunbeam;
 import sunbeam.app.files.input.PngText;
 import sunbeam.app.terminal.Environment;
 
-/** Method {@code bins}, without graphics, where a test does not name another. */
+/** Few wavelengths where a test does not name others. */
 final class EvaluateCommandTest {
+    private static final int SAMPLES = 128;
+
     @TempDir
     private Path folder;
 
@@ -39,15 +39,37 @@ final class EvaluateCommandTest {
     private int run(String... arguments) {
         List<String> all = new ArrayList<>(List.of("evaluate"));
         all.addAll(List.of(arguments));
-        if (!all.contains("--method")) {
-            all.addAll(List.of("--method", "bins"));
-        }
         if (!all.contains("--wavelengths")) {
-            all.addAll(List.of("--wavelengths", "380:780:20"));
+            all.addAll(List.of("--wavelengths", "380:780:50"));
         }
         all.addAll(List.of("--output", folder.resolve("result").toString()));
-        Environment environment = new Environment(Map.of(), folder);
-        return new Sunbeam(environment, new PrintWriter(out), new PrintWriter(err)).run(all.toArray(String[]::new));
+        return sunbeam(out, all);
+    }
+
+    private int sunbeam(StringWriter output, List<String> arguments) {
+        return new Sunbeam(new Environment(Map.of(), folder), new PrintWriter(output), new PrintWriter(err))
+                .run(arguments.toArray(String[]::new));
+    }
+
+    /** A scan of so many micrometres whose heights are given in nanometres at a column and a row. */
+    private int runScan(DoubleBinaryOperator height, double micrometres, String... more) throws IOException {
+        StringBuilder text = new StringBuilder();
+        for (int row = 0; row < SAMPLES; row++) {
+            for (int column = 0; column < SAMPLES; column++) {
+                text.append(height.applyAsDouble(column, row)).append(column + 1 < SAMPLES ? "\t" : "\n");
+            }
+        }
+        Path scan = Files.writeString(folder.resolve("scan.txt"), text);
+        List<String> all = new ArrayList<>(List.of("--patch", scan.toString(), "--height-unit", "nm"));
+        all.addAll(List.of("--width", micrometres + "um", "--force"));
+        all.addAll(List.of(more));
+        return run(all.toArray(String[]::new));
+    }
+
+    /** A wave of a period in samples. */
+    private static double wave(double column, double row, double samples, double degrees) {
+        double angle = Math.toRadians(degrees);
+        return Math.cos(2 * Math.PI / samples * (column * Math.cos(angle) - row * Math.sin(angle)));
     }
 
     private JsonNode report() throws IOException {
@@ -62,109 +84,70 @@ final class EvaluateCommandTest {
 
     @Test
     void aBlazedGratingHasItsPeriod() throws IOException {
-        assertThat(run("--patch", "blaze")).as(err.toString()).isZero();
+        assertThat(run("--patch", "blaze", "--wavelengths", "380:780:20", "--explain"))
+                .as(err.toString())
+                .isZero();
         JsonNode report = report();
-        // Of the relative radiance, whose slope draws the peaks aside by 1.4e-4 (docs/evaluation.md).
+        // Of the relative radiance, whose slope draws the peaks aside by 1.4e-4.
         assertThat(report.at("/peaks_interpolated/mean_nm").doubleValue()).isCloseTo(2500.3, within(0.3));
         assertThat(report.at("/peaks_interpolated/variance_nm2").doubleValue()).isLessThan(0.05);
-        assertThat(report.at("/peaks_on_samples/variance_nm2").doubleValue()).isBetween(0.05, 0.5);
         assertThat(report.at("/peaks_interpolated/wavelengths").intValue()).isEqualTo(21);
         assertThat(report.at("/azimuth_degrees").doubleValue()).isZero();
         assertThat(report.at("/period/nm").doubleValue()).isCloseTo(2500, within(1e-6));
-        assertThat(out.toString())
-                .startsWith(
-                        "A repeated patch with a period of 2.5 um across 0 degrees: first-order colors at 9 to 16 degrees")
-                .contains("blaze, light at 75 degrees, azimuth 0 degrees", "2.5003 um");
-        assertThat(files()).containsExactly("result.csv", "result.json", "result.npy", "result.png");
-    }
-
-    @ParameterizedTest
-    @ValueSource(strings = {"full", "nmm", "pq"})
-    void thePlanStandsInTheFigures(String method) throws IOException {
-        String[] few = {"--wavelengths", "400:700:100", "--angles", "-56:-42:0.15"};
-        assertThat(run(Stream.concat(Stream.of("--patch", "blaze", "--method", method, "--explain"), Stream.of(few))
-                        .toArray(String[]::new)))
-                .as(err.toString())
-                .isZero();
-        String plan = report().at("/plan").textValue();
+        String verdict = "A repeated patch with a period of 2.5 um across 0 degrees: first-order colors at 9 to 16 degrees";
+        assertThat(out.toString()).startsWith(verdict).contains("blaze, light at 75 degrees, azimuth 0 degrees", "2.5003 um");
+        assertThat(report.get("verdict").textValue()).startsWith(verdict);
+        assertThat(files()).contains("result.csv", "result.json", "result.png");
+        String plan = report.at("/plan").textValue();
         assertThat(err.toString().lines()).contains("plan: " + plan);
         assertThat(PngText.read(folder.resolve("result.png"))).containsEntry("Plan", plan);
     }
 
+    /** The shader's tolerance of 1e-3 in power moves a peak by thousandths of its width. */
     @ParameterizedTest
-    @ValueSource(strings = {"bins", "reference"})
-    void whereNothingIsPlannedThereIsNoPlan(String method) throws IOException {
+    @ValueSource(strings = {"full", "nmm", "pq", "reference"})
+    void everyMethodSeesTheGrating(String method) throws IOException {
         String[] few = {"--wavelengths", "400:700:100", "--angles", "-56:-42:0.15"};
         assertThat(run(Stream.concat(Stream.of("--patch", "blaze", "--method", method), Stream.of(few))
                         .toArray(String[]::new)))
                 .as(err.toString())
                 .isZero();
-        assertThat(report().has("plan")).isFalse();
-        assertThat(PngText.read(folder.resolve("result.png")))
-                .containsEntry("Method", method)
-                .doesNotContainKey("Plan");
+        double tolerance = method.equals("full") || method.equals("reference") ? 0.5 : 10;
+        assertThat(report().at("/peaks_interpolated/mean_nm").doubleValue()).isCloseTo(2500.3, within(tolerance));
+        assertThat(report().has("plan")).isEqualTo(!method.equals("reference"));
+        assertThat(PngText.read(folder.resolve("result.png"))).containsEntry("Method", method);
     }
 
     @ParameterizedTest
-    @CsvSource(
-            delimiter = '|',
-            value = {
-                "gem|gem has colors but no power at a wavelength, so there is no response to evaluate",
-                "magic|is no method; give"
-            })
-    void aMethodWithoutResponseIsRefused(String method, String reason) throws IOException {
+    @ValueSource(strings = {"gem", "magic"})
+    void aMethodWithoutResponseIsRefused(String method) throws IOException {
         assertThat(run("--patch", "blaze", "--method", method)).isEqualTo(2);
-        assertThat(err.toString())
-                .contains("--method", reason, "give one of reference, full, nmm, pq, bins")
-                .hasLineCount(1);
+        assertThat(err.toString()).containsIgnoringCase("full, nmm, pq, reference").hasLineCount(1);
         assertThat(files()).isEmpty();
     }
 
     @Test
     void powerAloneDrawsThePeaksLessAside() throws IOException {
         assertThat(run("--patch", "blaze", "--quantity", "power")).isZero();
-        assertThat(report().at("/peaks_interpolated/mean_nm").doubleValue()).isCloseTo(2500, within(0.1));
+        assertThat(report().at("/peaks_interpolated/mean_nm").doubleValue()).isCloseTo(2500, within(0.2));
     }
 
     @Test
-    void theMatrixIsWrittenWithItsAxes() throws IOException {
+    void theResponseIsWrittenWithItsAxes() throws IOException {
         assertThat(run("--patch", "sinusoid", "--angles", "-56:-38:0.15"))
                 .as(err.toString())
                 .isZero();
         List<String> lines = Files.readAllLines(folder.resolve("result.csv"));
-        assertThat(lines).hasSize(1 + 21);
+        assertThat(lines).hasSize(1 + 9);
         assertThat(lines.get(0))
                 .startsWith("wavelength_nm,-56.000000,-55.850000,")
                 .endsWith(",-38.000000");
         assertThat(lines.get(1))
                 .startsWith("3.800000000000e+02,")
                 .satisfies(line -> assertThat(line.split(",")).hasSize(122));
-        // 128 bytes of header, then float32.
-        assertThat(Files.size(folder.resolve("result.npy"))).isEqualTo(128 + 4 * 21 * 121);
         assertThat(report().at("/angles_degrees/count").intValue()).isEqualTo(121);
         assertThat(ImageIO.read(folder.resolve("result.png").toFile()).getWidth())
                 .isGreaterThan(800);
-    }
-
-    @Test
-    void positionsAreDrawnBySeedAndTold() throws IOException {
-        // Strips of one grating: every position sees the same period.
-        assertThat(run("--patch", "sinusoid", "--positions", "5", "--seed", "3"))
-                .as(err.toString())
-                .isZero();
-        JsonNode positions = report().at("/positions");
-        assertThat(positions.at("/with_a_ridge").intValue()).isEqualTo(5);
-        assertThat(positions.at("/maximum_nm").doubleValue())
-                .isCloseTo(positions.at("/minimum_nm").doubleValue(), within(0.01));
-        assertThat(positions.at("/ensemble_nm").doubleValue())
-                .isCloseTo(positions.at("/median_nm").doubleValue(), within(0.01));
-        List<String> first = Files.readAllLines(folder.resolve("result-positions.csv"));
-        assertThat(run("--patch", "sinusoid", "--positions", "5", "--seed", "3", "--force"))
-                .isZero();
-        assertThat(Files.readAllLines(folder.resolve("result-positions.csv")))
-                .isEqualTo(first)
-                .hasSize(6);
-        assertThat(files()).contains("result-positions.png");
     }
 
     @Test
@@ -183,13 +166,13 @@ final class EvaluateCommandTest {
         "--angles, -50:-40:0, step",
         "--angles, -50:-40:5, too coarse",
         "--angles, -50:-50:1, 3 or more",
+        "--wavelengths, 380:780:0.01, too many",
         "--wavelengths, 300:700:5, visible band",
         "--wavelengths, 400:900:5, visible band",
         "--wavelengths, 400:400:5, 3 or more",
         "--theta-i, 90, 89.9",
         "--azimuth, north, no angle",
         "--period, 5nm, out of range",
-        "--positions, -1, out of range",
     })
     void whatCannotBeEvaluatedIsOneLine(String option, String value, String reason) throws IOException {
         assertThat(run("--patch", "blaze", option, value)).isEqualTo(2);
@@ -197,72 +180,56 @@ final class EvaluateCommandTest {
         assertThat(files()).isEmpty();
     }
 
+    /** Where the result of others is, and in the words of inspect. */
     @Test
-    void aPatchWithoutPeriodGivesItsFigureInsteadOfANumber() throws IOException {
+    void aPatchWithoutPeriodHasItsVerdictOnStandardOutput() throws IOException {
         SplittableRandom random = new SplittableRandom(5);
-        BufferedImage image = new BufferedImage(300, 300, BufferedImage.TYPE_BYTE_GRAY);
-        for (int i = 0; i < 90_000; i++) {
-            image.getRaster().setSample(i % 300, i / 300, 0, random.nextInt(256));
-        }
-        File noise = folder.resolve("noise.png").toFile();
-        ImageIO.write(image, "png", noise);
-        String[] patch = {"--patch", noise.toString(), "--width", "25um", "--max-height", "60nm"};
-        assertThat(run(patch)).isEqualTo(4);
-        assertThat(err.toString()).contains("noise: no order found: a white gloss without color", "--period");
-        assertThat(files()).containsExactly("noise.png");
+        assertThat(runScan((column, row) -> 60 * random.nextDouble(), 12.8)).isEqualTo(4);
+        assertThat(out.toString()).startsWith("No order found: a white gloss without color").hasLineCount(1);
+        assertThat(err.toString()).contains("scan: no period is told; to look for a ridge all the same give --period");
+        assertThat(files()).containsExactly("scan.txt");
+        StringWriter inspected = new StringWriter();
+        sunbeam(inspected, List.of("inspect", folder.resolve("scan.txt").toString(), "--height-unit", "nm", "--width", "12.8um",
+                "--output", folder.resolve("i.png").toString()));
+        assertThat(inspected.toString()).startsWith(out.toString());
     }
 
     @Test
     void tooFewPeriodsAreNoAnswer() throws IOException {
-        StringBuilder text = new StringBuilder();
-        for (int i = 0; i < 128 * 128; i++) {
-            text.append(0.1 * (i % 128) % 3.8 < 1.6 ? 100 : 0).append(i % 128 == 127 ? "\n" : "\t");
-        }
-        Path scan = Files.writeString(folder.resolve("scan.txt"), text);
-        String[] patch = {"--patch", scan.toString(), "--width", "11um", "--height-unit", "nm", "--no-periodic"};
-        assertThat(run(patch)).isEqualTo(4);
-        assertThat(err.toString())
-                .contains("no order found for sure: a wave of about 3.", "take a larger scan; to look for");
-        assertThat(run(Stream.concat(Stream.of(patch), Stream.of("--azimuth", "0", "--period", "3.3um"))
-                        .toArray(String[]::new)))
+        DoubleBinaryOperator lines = (column, row) -> 0.1 * column % 3.8 < 1.6 ? 100 : 0;
+        assertThat(runScan(lines, 11, "--no-periodic")).isEqualTo(4);
+        assertThat(out.toString()).contains("No order found for sure: a wave of about 3.", "take a larger scan");
+        assertThat(runScan(lines, 11, "--no-periodic", "--azimuth", "0", "--period", "3.3um"))
                 .as(err.toString())
                 .isEqualTo(4);
-        assertThat(out.toString()).startsWith("No order found for sure: ").contains("period      not told: ");
+        assertThat(out.toString()).contains("period      not told: ");
         assertThat(report().get("period").isNull()).isTrue();
         assertThat(report().get("period_not_told").textValue()).contains("no order found for sure");
     }
 
-    /** 1 mm of a 50 um grating took a quarter of an hour for a ridge at 43 um under a right period. */
+    /** A ridge at 43 um stood under a right period of 50 um. */
     @Test
     void ordersThatLightDoesNotTellApartHaveNoRidge() throws IOException {
-        StringBuilder text = new StringBuilder();
-        for (int i = 0; i < 96 * 96; i++) {
-            text.append(150 * Math.sin(2 * Math.PI * (i % 96) * 5 / 50.0)).append(i % 96 == 95 ? "\n" : "\t");
-        }
-        Path scan = Files.writeString(folder.resolve("scan.txt"), text);
-        String[] patch = {"--patch", scan.toString(), "--width", "480um", "--height-unit", "nm", "--azimuth", "0"};
-        String[] few = {"--wavelengths", "400:700:100", "--angles", "-80:-70:0.2", "--positions", "2"};
-        assertThat(run(Stream.of(patch, few).flatMap(Stream::of).toArray(String[]::new)))
+        String[] few = {"--wavelengths", "400:700:100", "--angles", "-80:-70:0.2", "--azimuth", "0"};
+        assertThat(runScan((column, row) -> 150 * Math.sin(2 * Math.PI * column * 10 / SAMPLES), 500, few))
                 .as(err.toString())
                 .isZero();
         assertThat(out.toString())
                 .contains(
                         "period      50",
                         "left out: light with a coherence length of 65 um sees a period of about 50 um 1.3 times",
-                        "--coherence-length 96 um or more does")
-                .doesNotContain("standard error", "NaN");
+                        "--coherence-length 96 um or more does");
         assertThat(report().at("/period/nm").doubleValue()).isCloseTo(50e3, within(50.0));
         assertThat(report().get("ridge_left_out").textValue()).contains("too few to tell its orders apart");
         assertThat(report().has("peaks_interpolated")).isFalse();
-        assertThat(files()).contains("result.csv", "result.npy", "result.png");
+        assertThat(files()).contains("result.csv", "result.png");
     }
 
     @Test
     void alongTheRidgesThereIsNoPeriod() throws IOException {
         assertThat(run("--patch", "blaze", "--azimuth", "90")).isEqualTo(4);
-        assertThat(err.toString())
-                .contains(
-                        "blaze: no order found: a white gloss without color; nothing repeats along azimuth 90 degrees");
+        assertThat(out.toString())
+                .contains("No order found: a white gloss without color; nothing repeats along azimuth 90 degrees");
         assertThat(files()).isEmpty();
     }
 
@@ -270,55 +237,19 @@ final class EvaluateCommandTest {
     void anOrderThatNoAngleSeesIsSaid() {
         assertThat(run("--patch", "sinusoid", "--period", "150nm")).isEqualTo(2);
         assertThat(err.toString())
-                .contains(
-                        "no angle sees the first order of a period near 150 nm",
-                        "is seen up to 295 nm",
-                        "beyond 300 nm")
+                .contains("no angle sees the first order of a period near 150 nm", "beyond 300 nm")
                 .hasLineCount(1);
     }
 
-    /** Of 291 nm it was said that no angle sees it; at 75 degrees it is seen up to 572 nm. */
+    /** At 75 degrees the order of 291 nm is seen up to 572 nm. */
     @Test
     void aShortPeriodIsLookedAtWhereItIsSeen() throws IOException {
-        StringBuilder text = new StringBuilder();
-        for (int i = 0; i < 128 * 128; i++) {
-            text.append(15 * Math.sin(2 * Math.PI * (i % 128) * 50 / 291.0)).append(i % 128 == 127 ? "\n" : "\t");
-        }
-        Path scan = Files.writeString(folder.resolve("scan.txt"), text);
-        assertThat(run("--patch", scan.toString(), "--width", "6.4um", "--height-unit", "nm"))
+        assertThat(runScan((column, row) -> 15 * Math.sin(2 * Math.PI * column * 50 / 291.0), 6.4, "--wavelengths", "380:780:20"))
                 .as(err.toString())
                 .isZero();
-        assertThat(err.toString())
-                .contains("is seen up to 572 nm with the light at --theta-i 75", "the 10 of 21 wavelengths")
-                .doesNotContain("the scan is large");
-        assertThat(report().at("/wavelengths_nm/last").doubleValue()).isCloseTo(560, within(1e-6));
+        assertThat(report().at("/peaks_interpolated/wavelengths").intValue()).isBetween(8, 13);
         assertThat(report().at("/period/low_nm").doubleValue()).isLessThan(291.1);
         assertThat(report().at("/period/high_nm").doubleValue()).isGreaterThan(290.9);
-    }
-
-    /** One judgement, in the words of {@code inspect}: the gaps of a chirp differ by half from end to end. */
-    @Test
-    void whatIsNoSinglePeriodIsRefusedAsByInspect() throws IOException {
-        StringBuilder text = new StringBuilder();
-        for (int i = 0; i < 128 * 128; i++) {
-            double x = 0.1 * (i % 128);
-            text.append(15 * Math.sin(2 * Math.PI * (x / 0.8 - 0.025 * x * x))).append(i % 128 == 127 ? "\n" : "\t");
-        }
-        String[] scale = {"--width", "12.8um", "--height-unit", "nm"};
-        Path chirp = Files.writeString(folder.resolve("chirp.txt"), text);
-        assertThat(run(Stream.concat(Stream.of("--patch", chirp.toString()), Stream.of(scale))
-                        .toArray(String[]::new)))
-                .isEqualTo(4);
-        assertThat(err.toString()).contains("chirp: no single period: ", "; to look for a ridge");
-        StringWriter inspected = new StringWriter();
-        String[] inspect = {
-            "inspect", chirp.toString(), "--output", folder.resolve("i.png").toString()
-        };
-        new Sunbeam(new Environment(Map.of(), folder), new PrintWriter(inspected), new PrintWriter(new StringWriter()))
-                .run(Stream.concat(Stream.of(inspect), Stream.of(scale)).toArray(String[]::new));
-        String verdict = inspected.toString().lines().findFirst().orElseThrow();
-        assertThat(verdict).startsWith("No single period: ");
-        assertThat(err.toString()).contains(verdict.substring(1));
     }
 
     @Test
@@ -328,37 +259,50 @@ final class EvaluateCommandTest {
         assertThat(err.toString()).contains("--force");
     }
 
+    /** The last two fifths are one row: a warning says which, and the period is that of the others. */
     @Test
-    void resumeLeavesWhatWasMadeAlikeAndRefusesTheRest() throws IOException {
-        assertThat(run("--patch", "blaze", "--resume")).as(err.toString()).isZero();
-        Path picture = folder.resolve("result.png");
-        FileTime made = FileTime.fromMillis(1_000_000);
-        Files.setLastModifiedTime(picture, made);
-
-        assertThat(run("--patch", "blaze", "--resume")).as(err.toString()).isZero();
-        assertThat(Files.getLastModifiedTime(picture)).isEqualTo(made);
-        assertThat(run("--patch", "blaze", "--resume", "--theta-i", "60")).isEqualTo(8);
+    void aScanThatWasStoppedTellsThePeriodOfWhatWasMeasured() throws IOException {
+        SplittableRandom random = new SplittableRandom(1);
+        double[] last = new double[SAMPLES];
+        DoubleBinaryOperator stopped = (column, row) -> {
+            int place = (int) column;
+            last[place] = row < 80 ? 40 * wave(column, row, 12.8, 30) + random.nextGaussian() : last[place];
+            return last[place];
+        };
+        assertThat(runScan(stopped, 10)).as(err.toString()).isZero();
+        assertThat(err.toString()).contains("rows 81 to 128 of 128");
+        assertThat(report().at("/period/low_nm").doubleValue()).isBetween(980.0, 1000.0);
+        assertThat(report().at("/period/high_nm").doubleValue()).isBetween(1000.0, 1020.0);
     }
 
-    /** Three wavelengths, the longest at the horizon: "no ridge (the heights: 1e9 times above its surroundings, 100 are needed)". */
+    /** Half of the slip's phase over half of the scan draws the wave aside by up to 3 %: the interval holds what the rows tell. */
     @Test
-    void fewWavelengthsLeaveTheRidgeOutAndNotThePeriod() throws IOException {
-        StringBuilder text = new StringBuilder();
-        for (int i = 0; i < 128 * 128; i++) {
-            text.append(15 * Math.sin(2 * Math.PI * (i % 128) * 50 / 250.0)).append(i % 128 == 127 ? "\n" : "\t");
-        }
-        Path scan = Files.writeString(folder.resolve("scan.txt"), text);
-        String[] coarse = {"--patch", scan.toString(), "--width", "6.4um", "--height-unit", "nm", "--wavelengths"};
-        assertThat(run(Stream.concat(Stream.of(coarse), Stream.of("380:780:50")).toArray(String[]::new)))
+    void aSlipWidensTheInterval() throws IOException {
+        SplittableRandom random = new SplittableRandom(4);
+        assertThat(runScan(
+                        (column, row) ->
+                                40 * wave(column + (row < 50 ? 0 : 4), row, 12.8, 30) + random.nextGaussian(),
+                        10))
+                .as(err.toString())
+                .isZero();
+        assertThat(report().at("/period/low_nm").doubleValue()).isBetween(940.0, 1000.0);
+        assertThat(report().at("/period/high_nm").doubleValue()).isBetween(1000.0, 1060.0);
+    }
+
+    /** The light was sent along the strongest wave, and the period was that of another. */
+    @Test
+    void aPeriodThatIsAskedForIsLookedForAlongItsWave() throws IOException {
+        assertThat(runScan(
+                        (column, row) -> 30 * wave(column, row, 12.8, 10) + 15 * wave(column, row, 7.68, 70),
+                        10,
+                        "--azimuth",
+                        "auto",
+                        "--period",
+                        "600nm"))
                 .as(err.toString())
                 .isZero();
         assertThat(out.toString())
-                .contains(
-                        "period      250", "left out: the response has no ridge of periods from 185 nm to 337 nm at 3");
-        assertThat(report().at("/period/nm").doubleValue()).isCloseTo(250, within(0.5));
-        assertThat(run(Stream.concat(Stream.of(coarse), Stream.of("380:780:100", "--force"))
-                        .toArray(String[]::new)))
-                .isEqualTo(2);
-        assertThat(err.toString()).contains("finer steps of --wavelengths");
+                .containsPattern("light at 75 degrees, azimuth (70|69\\.9|-110)")
+                .containsPattern("period +(599|600|601)");
     }
 }

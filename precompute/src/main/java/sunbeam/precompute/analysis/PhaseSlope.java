@@ -1,0 +1,186 @@
+package sunbeam.precompute.analysis;
+
+import java.util.Arrays;
+import org.apache.commons.math3.distribution.TDistribution;
+import sunbeam.precompute.optics.HeightMap;
+
+/**
+ * How the phase of a wave, against the wave of exactly a given frequency, grows along one direction: what is to be added to the
+ * frequency along it, and what the phase does besides, which says how well that is known.
+ *
+ * @param value cycles per metre
+ * @param halfWidth of its 95 % interval, cycles per metre
+ */
+record PhaseSlope(double value, double halfWidth) {
+    // Under Hann windows of two periods constants, slopes, overtones and the wave's mirror image vanish.
+    private static final int WINDOW_PERIODS = 2;
+    // Windows that begin in each window's length, so that the phase turns by less than half from one to the next.
+    private static final int PARTS = 3;
+    private static final int FEWEST_WINDOWS = 3;
+    // Of the fullest window's weight: corners of a scan hold less, which tells little.
+    private static final double LEAST_FILLED = 0.3;
+    // Steps of a random walk's means under Hann windows are half as large in the square as the walk's own.
+    private static final double SMOOTHED = 1.4;
+    // Bands of rows: so many phases, and as many rows a band as a scanner slips at once in few of them.
+    private static final int BANDS = 48;
+    // Periods along a row, under a Hann window of its own.
+    private static final double FEWEST_IN_A_ROW = 3;
+
+    /** Windows along a direction: sums of heights times exp(-2 pi i f x) and of weights under each. */
+    private record Windows(double[] re, double[] im, double[] filled) {
+        Windows(int count) {
+            this(new double[count], new double[count], new double[count]);
+        }
+
+        double weight(int i) {
+            return Math.hypot(re[i], im[i]);
+        }
+
+        double[] phases() {
+            double[] phases = new double[re.length];
+            for (int i = 0; i < phases.length; i++) {
+                double phase = Math.atan2(im[i], re[i]);
+                phases[i] = i == 0 ? phase : phases[i - 1] + Math.IEEEremainder(phase - phases[i - 1], 2 * Math.PI);
+            }
+            return phases;
+        }
+    }
+
+    /**
+     * Of a wave of level heights.
+     *
+     * @param across whether along its lines, instead of along the wave
+     */
+    static PhaseSlope of(HeightMap level, SpatialFrequency wave, boolean across) {
+        double azimuth = wave.azimuth() + (across ? 0.5 * Math.PI : 0);
+        double length = extent(level, azimuth);
+        double window = WINDOW_PERIODS * wave.period();
+        int count = PARTS * (Math.max(FEWEST_WINDOWS, (int) (length / window)) - 1) + 1;
+        double step = (length - window) / (count - 1);
+        if (!(step > 0)) {
+            return new PhaseSlope(0, Double.POSITIVE_INFINITY);
+        }
+        Windows windows = new Windows(count);
+        fill(windows, level, wave, azimuth, step, across);
+        double fullest = Arrays.stream(windows.filled()).max().orElseThrow();
+        int first = 0;
+        int last = count - 1;
+        while (last - first > 2 * PARTS
+                && Math.min(windows.filled()[first], windows.filled()[last]) < LEAST_FILLED * fullest) {
+            if (windows.filled()[first] < windows.filled()[last]) {
+                first += PARTS;
+            } else {
+                last -= PARTS;
+            }
+        }
+        return fitted(windows, first, last, step);
+    }
+
+    /** Of a scan along a direction, metres. */
+    private static double extent(HeightMap level, double azimuth) {
+        return level.width() * Math.abs(Math.cos(azimuth)) + level.height() * Math.abs(Math.sin(azimuth));
+    }
+
+    private static void fill(
+            Windows windows, HeightMap level, SpatialFrequency wave, double azimuth, double step, boolean across) {
+        double alongX = Math.cos(azimuth);
+        double alongY = Math.sin(azimuth);
+        double breadth = extent(level, azimuth + 0.5 * Math.PI);
+        double start = -0.5 * extent(level, azimuth);
+        double window = WINDOW_PERIODS * wave.period();
+        int count = windows.re().length;
+        double[] cosines = new double[count];
+        double[] sines = new double[count];
+        for (int k = 0; k < count; k++) {
+            cosines[k] = Math.cos(2 * Math.PI * k * step / window);
+            sines[k] = Math.sin(2 * Math.PI * k * step / window);
+        }
+        for (int row = 0; row < level.rows(); row++) {
+            double y = (0.5 * level.rows() - row - 0.5) * level.pitchY();
+            for (int column = 0; column < level.columns(); column++) {
+                double x = (column + 0.5 - 0.5 * level.columns()) * level.pitchX();
+                double place = x * alongX + y * alongY - start;
+                // Heights fade to both sides of the lines' direction, lest the border's constants and overtones count.
+                double fade = across ? Math.cos(Math.PI * (y * alongX - x * alongY) / breadth) : 1;
+                double height = fade * fade * level.at(column, row);
+                double angle = -2 * Math.PI * (wave.x() * x + wave.y() * y);
+                double re = height * Math.cos(angle);
+                double im = height * Math.sin(angle);
+                double cosine = Math.cos(2 * Math.PI * place / window);
+                double sine = Math.sin(2 * Math.PI * place / window);
+                int newest = Math.min(count - 1, (int) (place / step));
+                for (int k = newest; k >= 0 && k * step > place - window; k--) {
+                    double hann = 0.5 - 0.5 * (cosine * cosines[k] + sine * sines[k]);
+                    windows.re()[k] += hann * re;
+                    windows.im()[k] += hann * im;
+                    windows.filled()[k] += hann;
+                }
+            }
+        }
+    }
+
+    /**
+     * Weighted least squares over windows side by side. The standard error is the larger of that of white
+     * phases (lines that stray, noise) and that of a random walk (gaps that deviate), times Student's factor.
+     */
+    private static PhaseSlope fitted(Windows windows, int first, int last, double step) {
+        int degrees = (last - first) / PARTS - 1;
+        double[] phases = windows.phases();
+        double[] sums = new double[5];
+        for (int i = first; i <= last; i += PARTS) {
+            double place = i * step;
+            double[] terms = {1, place, place * place, phases[i], place * phases[i]};
+            for (int k = 0; k < sums.length; k++) {
+                sums[k] += windows.weight(i) * terms[k];
+            }
+        }
+        double middle = sums[1] / sums[0];
+        double spread = sums[2] - middle * sums[1];
+        double slope = (sums[4] - middle * sums[3]) / spread;
+        double squares = 0;
+        double steps = 0;
+        for (int i = first; i <= last; i += PARTS) {
+            double rest = phases[i] - sums[3] / sums[0] - slope * (i * step - middle);
+            squares += windows.weight(i) * rest * rest;
+            double next = i < last ? phases[i + PARTS] - phases[i] - slope * PARTS * step : 0;
+            steps += next * next;
+        }
+        double white = Math.sqrt(squares / degrees / spread);
+        double walk = SMOOTHED * Math.sqrt(steps * (degrees + 1) / degrees) / ((last - first) * step);
+        double student = new TDistribution(degrees).inverseCumulativeProbability(0.5 + 0.5 * GratingPeriod.PROBABILITY);
+        return new PhaseSlope(slope / (2 * Math.PI), student * Math.max(white, walk) / (2 * Math.PI));
+    }
+
+    /**
+     * What the middle one of the phase's steps from one band of rows to the next adds to a wave's frequency along y, cycles per
+     * metre: where a scanner slips, or loses rows, few of the steps differ. 0 where
+     * lines run along the rows, in which no row by itself shows the wave, and of fewer than three rows.
+     */
+    static double byRows(HeightMap level, SpatialFrequency wave) {
+        int lag = Math.max(1, level.rows() / BANDS);
+        int bands = level.rows() / lag;
+        if (bands < 3 || Math.abs(wave.x()) * level.width() < FEWEST_IN_A_ROW) {
+            return 0;
+        }
+        double[] phases = new double[bands];
+        for (int band = 0; band < bands; band++) {
+            double re = 0;
+            double im = 0;
+            for (int row = band * lag; row < (band + 1) * lag; row++) {
+                for (int column = 0; column < level.columns(); column++) {
+                    double hann = Math.sin(Math.PI * (column + 0.5) / level.columns());
+                    double angle =
+                            -2 * Math.PI * (wave.x() * column * level.pitchX() - wave.y() * row * level.pitchY());
+                    re += hann * hann * level.at(column, row) * Math.cos(angle);
+                    im += hann * hann * level.at(column, row) * Math.sin(angle);
+                }
+            }
+            phases[band] = Math.atan2(im, re);
+        }
+        double[] steps = new double[bands - 1];
+        // Rows run downwards.
+        Arrays.setAll(steps, i -> Math.IEEEremainder(phases[i] - phases[i + 1], 2 * Math.PI));
+        Arrays.sort(steps);
+        return steps[steps.length / 2] / (2 * Math.PI * lag * level.pitchY());
+    }
+}

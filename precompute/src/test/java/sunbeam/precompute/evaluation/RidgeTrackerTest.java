@@ -1,0 +1,118 @@
+package sunbeam.precompute.evaluation;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.Arrays;
+import java.util.Optional;
+import java.util.function.DoubleBinaryOperator;
+import org.apache.commons.math3.stat.descriptive.StatisticalSummary;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import sunbeam.precompute.optics.CoherenceWindow;
+
+/** Responses with ridges of Gaussian shape, as the orders of a grating have under a Gaussian window. */
+final class RidgeTrackerTest {
+    private static final double SIGMA = CoherenceWindow.ofCoherenceLength(CoherenceWindow.SUNLIGHT_COHERENCE_LENGTH)
+            .sigmaFrequency();
+    private static final double SHORTEST = 380e-9;
+    private static final double LONGEST = 780e-9;
+    private static final int WAVELENGTHS = 81;
+
+    private static GratingPlane light(double theta, double phi) {
+        return new GratingPlane(Math.toRadians(theta), Math.toRadians(phi), 0);
+    }
+
+    /** @param strength of a period, numbered, at a wavelength, metres */
+    private static ResponseMatrix ridges(
+            GratingPlane plane, FirstOrder order, double[] frequencies, DoubleBinaryOperator strength) {
+        double[] wavelengths = new double[WAVELENGTHS];
+        Arrays.setAll(wavelengths, i -> SHORTEST + (LONGEST - SHORTEST) * i / (WAVELENGTHS - 1));
+        double[] angles = order.angles(plane, SHORTEST, LONGEST, 1000).orElseThrow();
+        double[][] values = new double[WAVELENGTHS][angles.length];
+        for (int i = 0; i < WAVELENGTHS; i++) {
+            for (int j = 0; j < angles.length; j++) {
+                values[i][j] = 1e-9;
+                double frequency = plane.u(angles[j]) / wavelengths[i];
+                for (int ridge = 0; ridge < frequencies.length; ridge++) {
+                    double distance = (frequency - frequencies[ridge]) / SIGMA;
+                    values[i][j] += strength.applyAsDouble(ridge, wavelengths[i]) * Math.exp(-distance * distance);
+                }
+            }
+        }
+        return new ResponseMatrix(new ResponseGrid(plane, wavelengths, angles), values);
+    }
+
+    private static Optional<Ridge> follow(
+            GratingPlane plane, FirstOrder order, double[] frequencies, DoubleBinaryOperator strength) {
+        return new RidgeTracker(ridges(plane, order, frequencies, strength), SIGMA).follow(order);
+    }
+
+    /** The parabola is exact for a Gaussian in u, and angles are even only locally. */
+    @ParameterizedTest
+    @CsvSource({"75, 0, -1", "75, 180, 1", "0, 0, 1", "0, 0, -1", "40, 35, -1"})
+    void aRidgeHasItsPeriodAndItsSideInEveryLight(double theta, double phi, int side) {
+        Ridge ridge = follow(
+                        light(theta, phi),
+                        FirstOrder.around(1.75e-6, 1.2),
+                        new double[] {side / 1.7e-6},
+                        (each, wavelength) -> 1)
+                .orElseThrow();
+        assertThat(ridge.order()).isEqualTo(side);
+        assertThat(ridge.wavelengths()).hasSize(WAVELENGTHS);
+        assertThat(Arrays.stream(ridge.periods())).allMatch(period -> Math.abs(period - 1.7e-6) < 0.5e-9);
+    }
+
+    @Test
+    void theStrongestOfSeveralIsFollowed() {
+        double[] frequencies = {-1 / 1.2e-6, -1 / 1.05e-6, -1 / 1.4e-6};
+        Ridge ridge = follow(light(75, 0), FirstOrder.around(1.2e-6, 1.35), frequencies, (each, wavelength) ->
+                        new double[] {0.5, 1, 0.3}[(int) each])
+                .orElseThrow();
+        assertThat(ridge.statistics().getMean()).isCloseTo(1.05e-6, within(0.5e-9));
+    }
+
+    @Test
+    void aBrighterRidgeAtSomeWavelengthsDoesNotCaptureTheCurve() {
+        double[] frequencies = {-1 / 1.2e-6, -1 / 1.05e-6};
+        // The second is a hundred times brighter around 500 nm, and absent elsewhere.
+        DoubleBinaryOperator strength = (each, wavelength) ->
+                each == 0 ? 1 : 100 * Math.exp(-0.5 * Math.pow((wavelength - 500e-9) / 20e-9, 2));
+        ResponseMatrix response = ridges(light(75, 0), FirstOrder.around(1.2e-6, 1.35), frequencies, strength);
+        Ridge ridge = new RidgeTracker(response, SIGMA).follow(-1 / 1.2e-6).orElseThrow();
+        assertThat(ridge.wavelengths()).hasSize(WAVELENGTHS);
+        assertThat(Arrays.stream(ridge.periods())).allMatch(period -> Math.abs(period - 1.2e-6) < 0.5e-9);
+    }
+
+    @Test
+    void aRidgeThatFadesIsFollowedWhereItIs() {
+        StatisticalSummary periods = follow(
+                        light(75, 0),
+                        FirstOrder.around(1.2e-6, 1.35),
+                        new double[] {-1 / 1.2e-6},
+                        (each, wavelength) -> wavelength > 502e-9 && wavelength < 548e-9 ? 0 : 1)
+                .orElseThrow()
+                .statistics();
+        assertThat(periods.getN()).isEqualTo(WAVELENGTHS - 9);
+        assertThat(periods.getMean()).isCloseTo(1.2e-6, within(0.1e-9));
+    }
+
+    @Test
+    void anEvenResponseHasNoRidge() {
+        assertThat(follow(light(75, 0), FirstOrder.around(1.2e-6, 1.3), new double[0], (each, wavelength) -> 0))
+                .isEmpty();
+    }
+
+    @Test
+    void anglesAreThoseThatSeeTheOrder() {
+        GratingPlane plane = light(75, 0);
+        double[] angles = FirstOrder.around(1.2e-6, 1.1)
+                .angles(plane, SHORTEST, LONGEST, 5)
+                .orElseThrow();
+        assertThat(plane.u(angles[0])).isCloseTo(-SHORTEST / 1.32e-6, within(1e-12));
+        assertThat(plane.u(angles[4])).isCloseTo(-LONGEST * 1.1 / 1.2e-6, within(1e-12));
+        assertThat(FirstOrder.around(150e-9, 1.1).angles(plane, SHORTEST, LONGEST, 5))
+                .isEmpty();
+    }
+}
