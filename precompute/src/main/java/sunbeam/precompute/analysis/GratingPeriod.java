@@ -123,8 +123,7 @@ public record GratingPeriod(
     }
 
     GratingPeriod refused(String why) {
-        return new GratingPeriod(
-                wave, low, high, azimuthHalfWidth, periods, share, crossing, Optional.of(why));
+        return new GratingPeriod(wave, low, high, azimuthHalfWidth, periods, share, crossing, Optional.of(why));
     }
 
     /** Whether the period may be quoted. */

@@ -27,7 +27,8 @@ final class PeriodModel {
     private static final double WIDEST = 0.1;
     // White noise stays below.
     static final double LEAST_SHARE = 0.08;
-    // Power over that of other directions: drawn spectra that are rings come to 7, gratings and lattices to 11 and more.
+    // Power over that of other directions: drawn spectra that are rings come to 7, gratings and lattices to 11 and
+    // more.
     private static final double LEAST_CONTRAST = 10;
     // Cycles over the scan: by as much, what lies beyond the scan or between its samples may draw the slope.
     private static final double FINITE = 0.01;
@@ -118,8 +119,7 @@ final class PeriodModel {
     /** Of a sharp line: what its phase does besides growing evenly, and what parts of the scan tell. */
     private GratingPeriod byPhase(GratingPeriod vague) {
         SpatialFrequency wave = vague.wave();
-        double half = Math.max(
-                PhaseSlope.of(level, wave, false).halfWidth(), FINITE * wave.length() / vague.periods());
+        double half = Math.max(PhaseSlope.of(level, wave, false).halfWidth(), FINITE * wave.length() / vague.periods());
         Interval interval = new Interval(wave.length() - half, wave.length() + half);
         double x = 0.5 * scan.width();
         double y = 0.5 * scan.height();

@@ -29,7 +29,8 @@ public record FirstOrder(double shortest, double longest) {
      * Angles theta_r to the viewer, radians, ascending and evenly spaced over all that see the order, on either side of the
      * mirror, at any wavelength between two (metres); empty where none does.
      */
-    public Optional<double[]> angles(GratingPlane plane, double shortestWavelength, double longestWavelength, int count) {
+    public Optional<double[]> angles(
+            GratingPlane plane, double shortestWavelength, double longestWavelength, int count) {
         double horizon = Math.sin(plane.largestThetaR());
         double low = Double.POSITIVE_INFINITY;
         double high = Double.NEGATIVE_INFINITY;

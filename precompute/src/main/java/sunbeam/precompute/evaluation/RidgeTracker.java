@@ -21,7 +21,8 @@ import sunbeam.precompute.numerics.LogParabola;
 public record RidgeTracker(ResponseMatrix response, double sigmaFrequency) {
     // Steps between frequencies, in deviations of the window's spectrum: well below a ridge's width of 1.7.
     private static final double STEP = 1.0 / 6;
-    // How far from the curve candidates are looked for, in deviations: the speckles of one window stand about two apart.
+    // How far from the curve candidates are looked for, in deviations: the speckles of one window stand about two
+    // apart.
     private static final double CORRIDOR = 2;
     // A step between wavelengths of this many deviations costs as much as a factor e in brightness.
     private static final double STIFFNESS = 0.25;

@@ -78,7 +78,8 @@ class VerdictTest {
                 100e-9,
                 (x, y) -> 50e-9 * (Math.sin(2 * Math.PI * y / 1.2e-6) + Math.sin(2 * Math.PI * x / 1.2e-6)));
         assertThat(verdict(piece(crossed, List.of())))
-                .containsPattern("across (0|90) degrees, crossed by one as strong of about 1.2 um across (90|0) degrees");
+                .containsPattern(
+                        "across (0|90) degrees, crossed by one as strong of about 1.2 um across (90|0) degrees");
     }
 
     /** Waves of one length in all directions: no direction is told by chance. */
@@ -90,13 +91,16 @@ class VerdictTest {
         for (int i = 0; i < waves.length; i++) {
             double angle = Math.PI * random.nextDouble();
             double turns = 2 * Math.PI * (1 + 0.04 * random.nextGaussian()) / 1.1e-6;
-            waves[i] = new double[] {
-                turns * Math.cos(angle), turns * Math.sin(angle), 2 * Math.PI * random.nextDouble()
-            };
+            waves[i] =
+                    new double[] {turns * Math.cos(angle), turns * Math.sin(angle), 2 * Math.PI * random.nextDouble()};
         }
-        HeightMap ring = Surfaces.of(200, 200, 100e-9, (x, y) -> Arrays.stream(waves)
-                .mapToDouble(wave -> 5e-9 * Math.cos(wave[0] * x + wave[1] * y + wave[2]))
-                .sum());
+        HeightMap ring = Surfaces.of(
+                200,
+                200,
+                100e-9,
+                (x, y) -> Arrays.stream(waves)
+                        .mapToDouble(wave -> 5e-9 * Math.cos(wave[0] * x + wave[1] * y + wave[2]))
+                        .sum());
         assertThat(verdict(piece(ring, List.of()))).startsWith("No grating found: ");
     }
 

@@ -67,8 +67,11 @@ final class RidgeTrackerTest {
     @Test
     void theStrongestOfSeveralIsFollowed() {
         double[] frequencies = {-1 / 1.2e-6, -1 / 1.05e-6, -1 / 1.4e-6};
-        Ridge ridge = follow(light(75, 0), FirstOrder.around(1.2e-6, 1.35), frequencies, (each, wavelength) ->
-                        new double[] {0.5, 1, 0.3}[(int) each])
+        Ridge ridge = follow(
+                        light(75, 0),
+                        FirstOrder.around(1.2e-6, 1.35),
+                        frequencies,
+                        (each, wavelength) -> new double[] {0.5, 1, 0.3}[(int) each])
                 .orElseThrow();
         assertThat(ridge.statistics().getMean()).isCloseTo(1.05e-6, within(0.5e-9));
     }
@@ -77,8 +80,8 @@ final class RidgeTrackerTest {
     void aBrighterRidgeAtSomeWavelengthsDoesNotCaptureTheCurve() {
         double[] frequencies = {-1 / 1.2e-6, -1 / 1.05e-6};
         // The second is a hundred times brighter around 500 nm, and absent elsewhere.
-        DoubleBinaryOperator strength = (each, wavelength) ->
-                each == 0 ? 1 : 100 * Math.exp(-0.5 * Math.pow((wavelength - 500e-9) / 20e-9, 2));
+        DoubleBinaryOperator strength =
+                (each, wavelength) -> each == 0 ? 1 : 100 * Math.exp(-0.5 * Math.pow((wavelength - 500e-9) / 20e-9, 2));
         ResponseMatrix response = ridges(light(75, 0), FirstOrder.around(1.2e-6, 1.35), frequencies, strength);
         Ridge ridge = new RidgeTracker(response, SIGMA).follow(-1 / 1.2e-6).orElseThrow();
         assertThat(ridge.wavelengths()).hasSize(WAVELENGTHS);

@@ -57,13 +57,15 @@ import sunbeam.precompute.setting.Choices;
 @Command(
         name = "evaluate",
         header = "Compare the light that a patch diffracts with the grating equation.",
-        description = "Compare the light that a patch diffracts with the grating equation: tell the period of the heights,"
-                + " compute the response over wavelengths and angles in the plane of incidence, and follow the ridge of the"
-                + " first order. Writes the response (.csv), the figures (.json) and a plot (.png). See"
-                + " docs/evaluation.md.")
+        description =
+                "Compare the light that a patch diffracts with the grating equation: tell the period of the heights,"
+                        + " compute the response over wavelengths and angles in the plane of incidence, and follow the ridge of the"
+                        + " first order. Writes the response (.csv), the figures (.json) and a plot (.png). See"
+                        + " docs/evaluation.md.")
 public final class EvaluateCommand implements Callable<Integer> {
     private static final List<String> ENDINGS = List.of(".png", ".json", ".csv");
-    // Of the period that the order is looked for at: a grown surface strays from its mean by a quarter from one coherence
+    // Of the period that the order is looked for at: a grown surface strays from its mean by a quarter from one
+    // coherence
     // area to the next, one that repeats a small patch does not, and the user knows it roughly.
     private static final double GROWN = 1.35;
     private static final double EXACT = 1.1;
@@ -169,9 +171,8 @@ public final class EvaluateCommand implements Callable<Integer> {
         Evaluation evaluation = Evaluation.of(patch, heights, order, response, area.window());
 
         EvaluationReport report = new EvaluationReport(evaluation);
-        String of = area.average() == Average.ENSEMBLE
-                ? "the mean over all positions of the window"
-                : "one coherence area";
+        String of =
+                area.average() == Average.ENSEMBLE ? "the mean over all positions of the window" : "one coherence area";
         report.lines(of, methodOptions.explains()).forEach(out::println);
         out.flush();
         files.write(contents(evaluation, report, choices, plan))

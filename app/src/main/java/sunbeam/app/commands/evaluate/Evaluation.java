@@ -25,7 +25,8 @@ import sunbeam.precompute.units.Lengths;
  */
 record Evaluation(
         Patch patch, GratingPeriod heights, ResponseMatrix response, Optional<Ridge> ridge, Optional<String> noRidge) {
-    // Deviations of the window's spectrum between orders, which are Gaussians 1 / period apart: nearer, the mirror's, of which 1 % is
+    // Deviations of the window's spectrum between orders, which are Gaussians 1 / period apart: nearer, the mirror's,
+    // of which 1 % is
     // left at three, draws a ridge aside by per cents.
     private static final double APART = 3;
 
@@ -52,8 +53,9 @@ record Evaluation(
 
     private static String ordersRunTogether(Patch patch, double period, CoherenceWindow window) {
         double needed = CoherenceWindow.ofCoherenceLength(1).sigmaFrequency() * APART * period;
-        String longer = Lengths.format(
-                new BigDecimal(needed).round(new MathContext(2, RoundingMode.UP)).doubleValue());
+        String longer = Lengths.format(new BigDecimal(needed)
+                .round(new MathContext(2, RoundingMode.UP))
+                .doubleValue());
         // No window is longer than a scan that does not repeat.
         boolean possible = patch.repetition() != Patch.Repetition.NONE || needed < patch.shorterSide();
         return String.format(

@@ -104,8 +104,8 @@ public final class GratingOptions extends SettingOptions {
     }
 
     private static void requireWithin(String option, Range range, double least, double most, String limits) {
-        String text = String.format(
-                Locale.ROOT, "%s %.9g:%.9g:%.9g", option, range.minimum(), range.maximum(), range.step());
+        String text =
+                String.format(Locale.ROOT, "%s %.9g:%.9g:%.9g", option, range.minimum(), range.maximum(), range.step());
         // 1e-6: rounding of degrees.
         if (range.minimum() < least - 1e-6 || range.maximum() > most + 1e-6) {
             throw new UsageException(text + " leaves " + String.format(Locale.ROOT, limits, least, most));

@@ -36,10 +36,8 @@ final class ResponsePlot {
     static BufferedImage draw(Evaluation evaluation, String quantity) {
         ResponseGrid grid = evaluation.response().grid();
         double[][] values = evaluation.response().values();
-        double largest = Arrays.stream(values)
-                .flatMapToDouble(Arrays::stream)
-                .max()
-                .orElseThrow();
+        double largest =
+                Arrays.stream(values).flatMapToDouble(Arrays::stream).max().orElseThrow();
         double high = largest > 0 ? largest : 1;
         double[][] rows = new double[grid.angles().length][values.length];
         for (int row = 0; row < rows.length; row++) {
@@ -48,8 +46,7 @@ final class ResponsePlot {
             }
         }
         double[] wavelengths = nanometres(grid.wavelengths());
-        String title =
-                evaluation.title(FittedNames.of(evaluation.patch().name(), TITLE_FONT, WIDEST_NAME));
+        String title = evaluation.title(FittedNames.of(evaluation.patch().name(), TITLE_FONT, WIDEST_NAME));
         HeatMap map = new HeatMap(
                 new HeatMap.Frame(
                         title, "wavelength / nm", "angle to the viewer theta_r / degrees", WIDTH, HEIGHT, false),

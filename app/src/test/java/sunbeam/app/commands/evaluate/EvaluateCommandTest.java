@@ -94,8 +94,11 @@ final class EvaluateCommandTest {
         assertThat(report.at("/peaks_interpolated/wavelengths").intValue()).isEqualTo(21);
         assertThat(report.at("/azimuth_degrees").doubleValue()).isZero();
         assertThat(report.at("/period/nm").doubleValue()).isCloseTo(2500, within(1e-6));
-        String verdict = "A repeated patch with a period of 2.5 um across 0 degrees: first-order colors at 9 to 16 degrees";
-        assertThat(out.toString()).startsWith(verdict).contains("blaze, light at 75 degrees, azimuth 0 degrees", "2.5003 um");
+        String verdict =
+                "A repeated patch with a period of 2.5 um across 0 degrees: first-order colors at 9 to 16 degrees";
+        assertThat(out.toString())
+                .startsWith(verdict)
+                .contains("blaze, light at 75 degrees, azimuth 0 degrees", "2.5003 um");
         assertThat(report.get("verdict").textValue()).startsWith(verdict);
         assertThat(files()).contains("result.csv", "result.json", "result.png");
         String plan = report.at("/plan").textValue();
@@ -122,7 +125,9 @@ final class EvaluateCommandTest {
     @ValueSource(strings = {"gem", "magic"})
     void aMethodWithoutResponseIsRefused(String method) throws IOException {
         assertThat(run("--patch", "blaze", "--method", method)).isEqualTo(2);
-        assertThat(err.toString()).containsIgnoringCase("full, nmm, pq, reference").hasLineCount(1);
+        assertThat(err.toString())
+                .containsIgnoringCase("full, nmm, pq, reference")
+                .hasLineCount(1);
         assertThat(files()).isEmpty();
     }
 
@@ -185,12 +190,23 @@ final class EvaluateCommandTest {
     void aPatchWithoutPeriodHasItsVerdictOnStandardOutput() throws IOException {
         SplittableRandom random = new SplittableRandom(5);
         assertThat(runScan((column, row) -> 60 * random.nextDouble(), 12.8)).isEqualTo(4);
-        assertThat(out.toString()).startsWith("No order found: a white gloss without color").hasLineCount(1);
+        assertThat(out.toString())
+                .startsWith("No order found: a white gloss without color")
+                .hasLineCount(1);
         assertThat(err.toString()).contains("scan: no period is told; to look for a ridge all the same give --period");
         assertThat(files()).containsExactly("scan.txt");
         StringWriter inspected = new StringWriter();
-        sunbeam(inspected, List.of("inspect", folder.resolve("scan.txt").toString(), "--height-unit", "nm", "--width", "12.8um",
-                "--output", folder.resolve("i.png").toString()));
+        sunbeam(
+                inspected,
+                List.of(
+                        "inspect",
+                        folder.resolve("scan.txt").toString(),
+                        "--height-unit",
+                        "nm",
+                        "--width",
+                        "12.8um",
+                        "--output",
+                        folder.resolve("i.png").toString()));
         assertThat(inspected.toString()).startsWith(out.toString());
     }
 
@@ -244,7 +260,11 @@ final class EvaluateCommandTest {
     /** At 75 degrees the order of 291 nm is seen up to 572 nm. */
     @Test
     void aShortPeriodIsLookedAtWhereItIsSeen() throws IOException {
-        assertThat(runScan((column, row) -> 15 * Math.sin(2 * Math.PI * column * 50 / 291.0), 6.4, "--wavelengths", "380:780:20"))
+        assertThat(runScan(
+                        (column, row) -> 15 * Math.sin(2 * Math.PI * column * 50 / 291.0),
+                        6.4,
+                        "--wavelengths",
+                        "380:780:20"))
                 .as(err.toString())
                 .isZero();
         assertThat(report().at("/peaks_interpolated/wavelengths").intValue()).isBetween(8, 13);
@@ -280,8 +300,7 @@ final class EvaluateCommandTest {
     void aSlipWidensTheInterval() throws IOException {
         SplittableRandom random = new SplittableRandom(4);
         assertThat(runScan(
-                        (column, row) ->
-                                40 * wave(column + (row < 50 ? 0 : 4), row, 12.8, 30) + random.nextGaussian(),
+                        (column, row) -> 40 * wave(column + (row < 50 ? 0 : 4), row, 12.8, 30) + random.nextGaussian(),
                         10))
                 .as(err.toString())
                 .isZero();
