@@ -73,15 +73,18 @@ public final class EvaluateCommand implements Callable<Integer> {
 
     /** Who evaluates; gem and table have colors, but no power at a wavelength. */
     private enum Evaluator {
-        FULL(FullMethod.TYPE),
-        NMM(NmmMethod.TYPE),
-        PQ(PqMethod.TYPE),
-        REFERENCE(ReferenceMethod.TYPE);
+        FULL,
+        NMM,
+        PQ,
+        REFERENCE;
 
-        private final MethodType type;
-
-        Evaluator(MethodType type) {
-            this.type = type;
+        MethodType type() {
+            return switch (this) {
+                case FULL -> FullMethod.TYPE;
+                case NMM -> NmmMethod.TYPE;
+                case PQ -> PqMethod.TYPE;
+                case REFERENCE -> ReferenceMethod.TYPE;
+            };
         }
     }
 
@@ -137,7 +140,7 @@ public final class EvaluateCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
-        Choices choices = methodOptions.choices().with(Methods.METHOD, method.type);
+        Choices choices = methodOptions.choices().with(Methods.METHOD, method.type());
         return choices.located(() -> evaluate(choices)).code();
     }
 
@@ -266,7 +269,7 @@ public final class EvaluateCommand implements Callable<Integer> {
         tree.put("program", "Sunbeam " + Version.number());
         tree.put("patch", evaluation.patch().name());
         tree.put("source", evaluation.patch().source());
-        tree.put("method", method.type.label());
+        tree.put("method", method.type().label());
         tree.put("quantity", quantity.name().toLowerCase(Locale.ROOT));
         tree.put("options", Methods.describe(choices));
         plan.ifPresent(made -> tree.put("plan", made.summary()));
@@ -277,7 +280,7 @@ public final class EvaluateCommand implements Callable<Integer> {
         Map<String, String> text = new LinkedHashMap<>();
         text.put("Title", evaluation.title(evaluation.patch().name()));
         text.put("Patch", evaluation.patch().source());
-        text.put("Method", method.type.label());
+        text.put("Method", method.type().label());
         text.put("Options", Methods.describe(choices));
         plan.ifPresent(made -> text.put("Plan", made.summary()));
         String label = quantity == Quantity.RHO ? "relative radiance rho" : "power";
