@@ -1,5 +1,6 @@
 package sunbeam.precompute;
 
+import java.util.Arrays;
 import java.util.SplittableRandom;
 import java.util.function.DoubleBinaryOperator;
 import sunbeam.precompute.optics.HeightMap;
@@ -8,15 +9,21 @@ import sunbeam.precompute.optics.HeightMap;
 public final class Surfaces {
     private Surfaces() {}
 
+    /** Heights by column and row, from the top left sample. */
+    public interface Samples {
+        double at(int column, int row);
+    }
+
+    /** Heights in metres sample by sample. */
+    public static HeightMap sampled(int columns, int rows, double pitch, Samples samples) {
+        double[] heights = new double[columns * rows];
+        Arrays.setAll(heights, i -> samples.at(i % columns, i / columns));
+        return HeightMap.owning(columns, rows, pitch, pitch, heights);
+    }
+
     /** Heights by position in metres; x to the right, y upwards, both 0 at the top left sample. */
     public static HeightMap of(int columns, int rows, double pitch, DoubleBinaryOperator height) {
-        double[] heights = new double[columns * rows];
-        for (int row = 0; row < rows; row++) {
-            for (int column = 0; column < columns; column++) {
-                heights[row * columns + column] = height.applyAsDouble(column * pitch, -row * pitch);
-            }
-        }
-        return new HeightMap(columns, rows, pitch, pitch, heights);
+        return sampled(columns, rows, pitch, (column, row) -> height.applyAsDouble(column * pitch, -row * pitch));
     }
 
     public static HeightMap random(int columns, int rows, double pitch, double relief, long seed) {

@@ -71,7 +71,10 @@ public final class ChannelList {
                         i -> plain(channels.get(i).name()).equals(plain))
                 .boxed()
                 .min(Comparator.comparing(i -> channels.get(i).retrace()));
-        return labelled.or(() -> named).or(() -> numbered(plain));
+        return labelled.or(() -> named)
+                .or(() -> all().filter(i -> Integer.toString(i + 1).equals(plain))
+                        .boxed()
+                        .findFirst());
     }
 
     /** The channel that a user may have meant who asked for one that there is not: its label, or nothing. */
@@ -80,10 +83,6 @@ public final class ChannelList {
                 .or(() -> labels.stream()
                         .filter(name -> !wanted.isBlank() && plain(name).startsWith(plain(wanted)))
                         .findFirst());
-    }
-
-    private Optional<Integer> numbered(String text) {
-        return all().filter(i -> Integer.toString(i + 1).equals(text)).boxed().findFirst();
     }
 
     /**
@@ -173,16 +172,8 @@ public final class ChannelList {
                                     .count()
                             > 1;
             String label = twin ? name + " (retrace)" : name;
-            labels[i] = taken.add(label) ? label : numbered(label, taken);
+            labels[i] = taken.add(label) ? label : label + " #" + (i + 1);
         }
         return List.of(labels);
-    }
-
-    private static String numbered(String label, Set<String> taken) {
-        int number = 2;
-        while (!taken.add(label + " #" + number)) {
-            number++;
-        }
-        return label + " #" + number;
     }
 }

@@ -8,6 +8,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
+import sunbeam.precompute.Surfaces;
 import sunbeam.precompute.optics.HeightMap;
 
 class LevellingTest {
@@ -15,16 +16,8 @@ class LevellingTest {
     /** A height near 1 mm is a double to 2.2e-19 m; what is left of it after a subtraction is no better. */
     private static final double ROUNDING_OF_OFFSET = 2.2e-19;
 
-    private interface Surface {
-        double at(int column, int row);
-    }
-
-    private static HeightMap map(int columns, int rows, Surface surface) {
-        double[] heights = new double[columns * rows];
-        for (int i = 0; i < heights.length; i++) {
-            heights[i] = surface.at(i % columns, i / columns);
-        }
-        return new HeightMap(columns, rows, 50e-9, 50e-9, heights);
+    private static HeightMap map(int columns, int rows, Surfaces.Samples samples) {
+        return Surfaces.sampled(columns, rows, 50e-9, samples);
     }
 
     private static double mean(HeightMap map) {
@@ -63,7 +56,7 @@ class LevellingTest {
     @Test
     void planeKeepsWhatIsNoPlane() {
         // A product of two odd ramps has neither mean nor slope on a centred grid.
-        Surface saddle = (c, r) -> 1e-9 * (c - 10) * (r - 7);
+        Surfaces.Samples saddle = (c, r) -> 1e-9 * (c - 10) * (r - 7);
         HeightMap levelled = Levelling.PLANE.apply(map(21, 15, (c, r) -> saddle.at(c, r) + 5e-9 * c + 2e-9 * r));
 
         for (int r = 0; r < 15; r++) {

@@ -12,6 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import sunbeam.precompute.Surfaces;
 import sunbeam.precompute.optics.HeightMap;
 
 class PreparationTest {
@@ -20,9 +21,7 @@ class PreparationTest {
     private static final double PITCH = 50e-9;
 
     private static HeightMap field(IntToDoubleFunction height) {
-        double[] heights = new double[COLUMNS * ROWS];
-        Arrays.setAll(heights, height);
-        return new HeightMap(COLUMNS, ROWS, PITCH, PITCH, heights);
+        return Surfaces.sampled(COLUMNS, ROWS, PITCH, (column, row) -> height.applyAsDouble(row * COLUMNS + column));
     }
 
     private static int row(int i) {

@@ -90,14 +90,13 @@ final class FingerRow {
         return to < from ? to - from + side : to - from;
     }
 
+    /** Without sign, per metre along x; the steeper side, so that neither ridge nor notch looks flat. */
     private static double[] slope(double[] values, double side) {
         int size = values.length;
         double[] slope = new double[size];
         for (int i = 0; i < size; i++) {
-            double before = values[Math.floorMod(i - 1, size)];
-            double after = values[(i + 1) % size];
-            // The steeper side, so that neither ridge nor notch looks flat.
-            slope[i] = Math.max(Math.abs(after - values[i]), Math.abs(values[i] - before)) * size / side;
+            double before = Math.abs(values[i] - values[Math.floorMod(i - 1, size)]);
+            slope[i] = Math.max(Math.abs(values[(i + 1) % size] - values[i]), before) * size / side;
         }
         return slope;
     }

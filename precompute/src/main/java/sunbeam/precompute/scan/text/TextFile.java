@@ -12,6 +12,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.StringTokenizer;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 import sunbeam.precompute.scan.ScanBytes;
 import sunbeam.precompute.scan.ScanException;
 import sunbeam.precompute.scan.ScanLimits;
@@ -21,10 +22,9 @@ import sunbeam.precompute.scan.ScanLimits;
  *
  * @param charset UTF-16 where the file has such a mark, UTF-8 where it is, else Latin-1, which instruments still write
  * @param header the lines before, without their ends
- * @param start of the first line of numbers, characters
  * @param decimalComma whether 1,5 is one and a half
  */
-record TextFile(ScanBytes file, Charset charset, List<String> header, long start, boolean decimalComma) {
+record TextFile(ScanBytes file, Charset charset, List<String> header, boolean decimalComma) {
     private static final int LONGEST_HEADER = 1 << 18;
     private static final Pattern NUMBER =
             Pattern.compile("[+-]?(?:\\d+[.,]?\\d*|[.,]\\d+)(?:[eE][+-]?\\d{1,3})?|[+-]?[nN][aA][nN]");
@@ -41,23 +41,19 @@ record TextFile(ScanBytes file, Charset charset, List<String> header, long start
     static Optional<TextFile> of(ScanBytes file, Optional<DecimalMark> mark) throws IOException {
         byte[] bytes = file.head(LONGEST_HEADER);
         Charset charset = charset(bytes);
-        String head = new String(bytes, charset);
+        String head = whole(new String(bytes, charset), bytes.length < file.size());
         if (!isText(head)) {
             return Optional.empty();
         }
         List<String> header = new ArrayList<>();
-        int start = head.startsWith("\ufeff") ? 1 : 0;
-        while (start < head.length()) {
-            int end = endOfLine(head, start);
-            // The head may cut a line of numbers short, within a number.
-            boolean cut = end == head.length() && bytes.length < file.size();
-            String line = head.substring(start, cut ? lastBlank(head, start, end) : end);
-            if (areNumbers(line, " \t;,\"\f") || areNumbers(line, " \t;\"\f")) {
-                boolean comma = mark.map(DecimalMark.COMMA::equals).orElse(hasDecimalCommas(head.substring(start)));
-                return Optional.of(new TextFile(file, charset, header, start, comma));
+        for (String line : head.lines().toList()) {
+            if (areNumbers(line, " \t;,\"\f\ufeff") || areNumbers(line, " \t;\"\f\ufeff")) {
+                boolean comma = mark.map(DecimalMark.COMMA::equals)
+                        .orElseGet(() -> hasDecimalCommas(
+                                head.lines().skip(header.size()).collect(Collectors.joining("\n"))));
+                return Optional.of(new TextFile(file, charset, header, comma));
             }
-            header.add(line);
-            start = end + (head.startsWith("\r\n", end) ? 2 : 1);
+            header.add(line.startsWith("\ufeff") ? line.substring(1) : line);
         }
         return Optional.empty();
     }
@@ -92,20 +88,13 @@ record TextFile(ScanBytes file, Charset charset, List<String> header, long start
                 && head.chars().allMatch(c -> c >= ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f');
     }
 
-    private static int endOfLine(String head, int start) {
-        int end = start;
-        while (end < head.length() && head.charAt(end) != '\n' && head.charAt(end) != '\r') {
-            end++;
+    /** Where the head cuts the text short it does so within a number, or a character. */
+    private static String whole(String head, boolean cut) {
+        int end = head.length();
+        while (cut && end > 0 && " \t;,\r\n".indexOf(head.charAt(end - 1)) < 0) {
+            end--;
         }
-        return end;
-    }
-
-    private static int lastBlank(String head, int start, int end) {
-        int last = end;
-        while (last > start && " \t;,".indexOf(head.charAt(last - 1)) < 0) {
-            last--;
-        }
-        return last;
+        return head.substring(0, end);
     }
 
     private static boolean hasDecimalCommas(String numbers) {
@@ -124,9 +113,8 @@ record TextFile(ScanBytes file, Charset charset, List<String> header, long start
         // All numbers may stand in one line, which is held as text.
         ScanLimits.requireMemory(0, file.size());
         BufferedReader reader = new BufferedReader(new InputStreamReader(file.stream(0), charset));
-        for (long left = start; left > 0; ) {
-            long skipped = reader.skip(left);
-            left = skipped > 0 ? left - skipped : 0;
+        for (int line = 0; line < header.size(); line++) {
+            reader.readLine();
         }
         return TextNumbers.read(reader, decimalComma, header.size() + 1L, Long.MAX_VALUE);
     }

@@ -100,7 +100,7 @@ public final class TextNumbers {
     }
 
     private static boolean isBlank(char c) {
-        return c == ' ' || c == '\t' || c == '"' || c == '\f';
+        return c == ' ' || c == '\t' || c == '"' || c == '\f' || c == '\ufeff';
     }
 
     private double parse(String word, long line) {
