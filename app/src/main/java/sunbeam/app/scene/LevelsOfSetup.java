@@ -51,7 +51,8 @@ final class LevelsOfSetup implements LevelSources {
         TableLevels.Level wanted = plan.levels().levels().get(level);
         RaySpectrum terms = spectrum(plan.spectrum().get());
         boolean fine = wanted.area().equals(plan.levels().area());
-        return new RayColors(terms, wanted.area(), wanted.design().step(), fine, done);
+        return new RayColors(
+                terms, wanted.area(), wanted.design().step(), wanted.design().sliceStep(), fine, done);
     }
 
     @Override

@@ -15,6 +15,11 @@ public interface ColorSource extends AutoCloseable {
      */
     float[] xyz(float[] places);
 
+    /** As {@link #xyz}, each place by itself: for few, that what is interpolated between many is validated with. */
+    default float[] exact(float[] places) {
+        return xyz(places);
+    }
+
     /** As {@link #xyz}, all slices of a column one after the other. */
     default void evaluate(ColorColumns columns) {
         double[] depths = columns.depths();

@@ -1,5 +1,6 @@
 package sunbeam.precompute.colortable;
 
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.BitSet;
 import java.util.List;
@@ -43,8 +44,9 @@ public final class TableBaking {
     /** What the texels take, and making them. */
     public MemoryNeed memory() {
         long square = (long) pages.evaluatedSide() * pages.evaluatedSide();
-        // Of one page its mask's numbers, places, colors and planes, beside all texels.
-        long work = square * (Integer.BYTES + 9L * Float.BYTES);
+        // Of one page three planes; of the places that are evaluated at once their numbers, places and colors.
+        long together = Math.min(ColorSource.BATCH, square * pages.numbers().size() * pages.slices());
+        long work = square * 3 * Float.BYTES + together * (Integer.BYTES + 6L * Float.BYTES + 3L * Double.BYTES);
         return MemoryNeed.of(texelsLayout().bytes() + work, List.of(texelsLayout(), pagesLayout()));
     }
 
@@ -82,45 +84,70 @@ public final class TableBaking {
         return TableArray.computed(texelsLayout(), layer -> layers[layer]);
     }
 
-    /** Evaluates all texels, slice by slice. */
+    /** Evaluates all texels. */
     float[][] layers(ColorSource source) {
         ArrayLayout layout = texelsLayout();
         float[][] layers = new float[layout.layers()][layout.floatsPerLayer()];
+        List<Part> parts = new ArrayList<>();
+        long places = 0;
         int cell = 0;
         for (int number : pages.numbers()) {
             for (int slice = 0; slice < pages.slices(); slice++) {
                 BitSet mask = pages.mask(number, slice);
                 if (!mask.isEmpty()) {
-                    put(layers[slice], cell, coefficients(source, number, slice, mask));
+                    if (places + mask.cardinality() > ColorSource.BATCH) {
+                        evaluate(parts, source, layers);
+                        parts.clear();
+                        places = 0;
+                    }
+                    parts.add(new Part(number, slice, cell, inOrder(mask, pages.evaluatedSide()), mask));
+                    places += mask.cardinality();
                 }
             }
             cell++;
         }
+        evaluate(parts, source, layers);
         return layers;
     }
 
-    /** Coefficients over a page's evaluated square, one plane a channel. */
-    private float[][] coefficients(ColorSource source, int number, int slice, BitSet mask) {
-        int side = pages.evaluatedSide();
-        int[] wanted = inOrder(mask, side);
-        float[] places = new float[3 * wanted.length];
-        IntStream.range(0, wanted.length).parallel().forEach(i -> {
-            double[] uvw = pages.uvw(number, slice, wanted[i]);
-            for (int axis = 0; axis < 3; axis++) {
-                places[3 * i + axis] = (float) uvw[axis];
-            }
-        });
+    /** Texels of a page's evaluated square that are needed in a slice. */
+    private record Part(int number, int slice, int cell, int[] texels, BitSet mask) {}
+
+    private void evaluate(List<Part> parts, ColorSource source, float[][] layers) {
+        int count = parts.stream().mapToInt(part -> part.texels.length).sum();
+        float[] places = new float[3 * count];
+        int first = 0;
+        for (Part part : parts) {
+            int start = first;
+            IntStream.range(0, part.texels.length).parallel().forEach(i -> {
+                double[] uvw = pages.uvw(part.number, part.slice, part.texels[i]);
+                for (int axis = 0; axis < 3; axis++) {
+                    places[3 * (start + i) + axis] = (float) uvw[axis];
+                }
+            });
+            first += part.texels.length;
+        }
         float[] xyz = source.xyz(places);
+        first = 0;
+        for (Part part : parts) {
+            put(layers[part.slice], part.cell, coefficients(part, xyz, first));
+            first += part.texels.length;
+        }
+    }
+
+    /** Coefficients over a page's evaluated square, one plane a channel. */
+    private float[][] coefficients(Part part, float[] xyz, int first) {
+        int side = pages.evaluatedSide();
         float[][] planes = new float[3][side * side];
         for (int c = 0; c < 3; c++) {
-            for (int i = 0; i < wanted.length; i++) {
+            for (int i = 0; i < part.texels.length; i++) {
                 // A sum of the expansion's terms may leave a dark direction a little below nothing.
-                planes[c][wanted[i]] = (float) Math.sqrt(Math.max(0, xyz[3 * i + c]));
+                planes[c][part.texels[i]] = (float) Math.sqrt(Math.max(0, xyz[3 * (first + i) + c]));
             }
         }
         Arrays.stream(planes).parallel().forEach(plane -> {
-            alongRuns(plane, mask, 1, side);
-            alongRuns(plane, mask, side, 1);
+            alongRuns(plane, part.mask, 1, side);
+            alongRuns(plane, part.mask, side, 1);
         });
         return planes;
     }

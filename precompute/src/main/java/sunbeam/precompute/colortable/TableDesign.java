@@ -69,9 +69,9 @@ public record TableDesign(double step, int slices) {
         return Math.max(map.relief(), RELIEF_OF_DEVIATION * deviation);
     }
 
-    /** With all steps smaller by a factor below 1. */
-    public TableDesign finer(double factor) {
-        return new TableDesign(step * factor, 1 + (int) Math.ceil((slices - 1) / factor));
+    /** With all steps times a factor. */
+    public TableDesign scaled(double factor) {
+        return new TableDesign(step * factor, Math.max(TAPS, 1 + (int) Math.ceil((slices - 1) / factor)));
     }
 
     /** Of |w| between slices. */

@@ -88,7 +88,7 @@ record TableErrors(int count, double median, double percentile95, double percent
             uvw[3 * i + 1] = (float) pair.v();
             uvw[3 * i + 2] = (float) pair.w();
         }
-        float[] exact = source.xyz(uvw);
+        float[] exact = source.exact(uvw);
         return IntStream.range(0, places.size())
                 .mapToDouble(i -> relative(table.xyz(places.get(i)), exact, 3 * i))
                 .filter(error -> error >= 0);

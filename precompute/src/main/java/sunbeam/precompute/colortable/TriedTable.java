@@ -4,7 +4,6 @@ import java.util.List;
 import java.util.Locale;
 import java.util.function.Consumer;
 import java.util.function.Function;
-import java.util.function.LongFunction;
 import java.util.function.Predicate;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.plan.Reach;
@@ -31,6 +30,18 @@ public record TriedTable(TablePages pages, TableBaking baking, TableArray texels
     // tell: of few directions the 95th percentile jumps.
     private static final double IMPROVEMENT = 0.8;
 
+    /** Opens what evaluates colors. */
+    @FunctionalInterface
+    public interface Sources {
+        /**
+         * A source, to be closed by the caller.
+         *
+         * @param design of the table that is made of it
+         * @param places that will be asked for in all
+         */
+        ColorSource open(TableDesign design, long places);
+    }
+
     /** Takes a line about what is done otherwise than planned. */
     public interface Told {
         /** What takes longer. */
@@ -47,7 +58,7 @@ public record TriedTable(TablePages pages, TableBaking baking, TableArray texels
      * @param reach what is looked at
      * @param coarsest steps to begin with
      * @param pages of a design
-     * @param sources opens what evaluates so many places
+     * @param sources opens what evaluates places
      * @param room whether pages fit
      * @param refused throws what is said of pages that do not fit and are needed
      * @param told one line each of what takes longer than planned, or falls short
@@ -57,7 +68,7 @@ public record TriedTable(TablePages pages, TableBaking baking, TableArray texels
             Reach reach,
             TableDesign coarsest,
             Function<TableDesign, TablePages> pages,
-            LongFunction<ColorSource> sources,
+            Sources sources,
             Predicate<TablePages> room,
             Consumer<TablePages> refused,
             Told told) {
@@ -70,7 +81,7 @@ public record TriedTable(TablePages pages, TableBaking baking, TableArray texels
             TableBaking baking = new TableBaking(made);
             float[][] layers;
             TableErrors errors;
-            try (ColorSource source = sources.apply(made.evaluated() + places.size())) {
+            try (ColorSource source = sources.open(made.design(), made.evaluated() + places.size())) {
                 layers = baking.layers(source);
                 errors = TableErrors.of(new TableLookUp(made, baking, layers), source, places);
             }
@@ -85,7 +96,7 @@ public record TriedTable(TablePages pages, TableBaking baking, TableArray texels
                 return tried;
             }
             double factor = Math.pow(excess, -1 / ORDER);
-            next = pages.apply(made.design().finer(Math.max(SMALLEST_FACTOR, Math.min(LARGEST_FACTOR, factor))));
+            next = pages.apply(made.design().scaled(Math.max(SMALLEST_FACTOR, Math.min(LARGEST_FACTOR, factor))));
             if (!room.test(next)) {
                 if (!errors.meet(tolerance)) {
                     refused.accept(next);

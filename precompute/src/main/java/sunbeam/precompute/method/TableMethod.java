@@ -20,13 +20,17 @@ import sunbeam.precompute.files.Sha256;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.HeightMap;
+import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.ErrorBudget;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.MemoryNeed;
+import sunbeam.precompute.plan.Plan;
 import sunbeam.precompute.plan.PlanReport;
 import sunbeam.precompute.plan.Reach;
 import sunbeam.precompute.plan.TableChoices;
 import sunbeam.precompute.plan.VisibleRange;
+import sunbeam.precompute.rays.RayColors;
+import sunbeam.precompute.rays.RaySpectrum;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Sentence;
 import sunbeam.precompute.setting.SettingException;
@@ -44,6 +48,9 @@ import sunbeam.precompute.shader.ShaderTables;
 public record TableMethod(double tolerance, GaussianArea area) implements Method {
     // Of the tolerance, what is tabulated may take; the rest is interpolation's.
     private static final double SOURCE_SHARE = 0.5;
+
+    // An ensemble's error is a fifth of what a table may add, and grows with the fifth power of the step.
+    private static final double COARSE = 1.3;
 
     /** Its name and settings. */
     public static final MethodType TYPE = new MethodType(
@@ -81,7 +88,9 @@ public record TableMethod(double tolerance, GaussianArea area) implements Method
             requireRoom(surface, finest.design(), MemoryNeed.of(list.bytes(), List.of(list)));
             return new LevelledTable(surface, levels, sourceTolerance());
         }
-        TableDesign design = TableDesign.within(tolerance, area, depth);
+        // What is validated may begin coarse; zeros between coherent speckles leave no room for that.
+        double coarse = area.average() == Average.COHERENT ? 1 : COARSE;
+        TableDesign design = TableDesign.within(tolerance, area, depth).scaled(coarse);
         TablePages pages = pages(design, range.reach());
         TableBaking baking = new TableBaking(pages);
         requireRoom(surface, pages);
@@ -190,7 +199,7 @@ public record TableMethod(double tolerance, GaussianArea area) implements Method
         public String key(MethodUse use) {
             return String.join(
                     "|",
-                    "tried table 3",
+                    "tried table 4",
                     String.valueOf(method.tolerance),
                     Sha256.of(pages.key()),
                     directions(),
@@ -215,14 +224,13 @@ public record TableMethod(double tolerance, GaussianArea area) implements Method
 
         @Override
         public ShaderTables tables(MethodUse use, TableSources sources) {
-            ShaderTables evaluated = source.tables(use, sources);
             ShaderTables.Builder tables = new ShaderTables.Builder("table");
             TriedTable made = TriedTable.make(
                     method.tolerance,
                     reach,
                     pages.design(),
                     design -> TableMethod.pages(design, reach),
-                    places -> sources.colors(evaluated, places),
+                    source(use, sources),
                     finer -> surface.planner()
                             .excess(new TableBaking(finer).memory())
                             .isEmpty(),
@@ -234,7 +242,26 @@ public record TableMethod(double tolerance, GaussianArea area) implements Method
                     .reals("colorOrigin", made.pages().originX(), made.pages().originY())
                     .reals("colorTexelsPerUnit", 1 / made.pages().design().step())
                     .reals("colorPageSide", made.pages().side())
-                    .build(evaluated.windowSigma(), evaluated.specularReach());
+                    .build(plan().window().sigmaMetres(), plan().specularReach());
+        }
+
+        private Plan plan() {
+            return source.sums().orElseThrow();
+        }
+
+        /** What evaluates so many places: the ensemble's colors along rays, the coherent ones by the shader of full. */
+        private TriedTable.Sources source(MethodUse use, TableSources sources) {
+            if (method.area.average() == Average.COHERENT) {
+                ShaderTables evaluated = source.tables(use, sources);
+                return (design, places) -> sources.colors(evaluated, places);
+            }
+            HeightMap map = surface.map();
+            Plan widened = RaySpectrum.widened(plan(), map.width(), map.height(), method.area.window());
+            RaySpectrum spectrum =
+                    new RaySpectrum(widened, sources.fourier(widened), method.sourceTolerance(), surface.cie());
+            return (design, places) -> sources.shown(
+                    done -> new RayColors(spectrum, method.area, design.step(), design.sliceStep(), true, done),
+                    places);
         }
 
         private static void area(ShaderTables.Builder tables, TablePages pages) {

@@ -1,5 +1,7 @@
 package sunbeam.precompute.method;
 
+import java.util.function.Function;
+import java.util.function.LongConsumer;
 import sunbeam.precompute.colortable.ColorSource;
 import sunbeam.precompute.colortable.TriedTable;
 import sunbeam.precompute.plan.Plan;
@@ -19,6 +21,14 @@ public interface TableSources {
      * @param places that will be asked for in all
      */
     ColorSource colors(ShaderTables tables, long places);
+
+    /**
+     * Colors that are evaluated without a shader, with their progress shown; to be closed by the caller.
+     *
+     * @param source of somebody who takes how many more places are done
+     * @param places that will be asked for in all
+     */
+    ColorSource shown(Function<LongConsumer, ColorSource> source, long places);
 
     /** Takes lines about what is done otherwise than planned. */
     TriedTable.Told told();

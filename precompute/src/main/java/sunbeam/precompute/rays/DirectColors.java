@@ -1,22 +1,62 @@
 package sunbeam.precompute.rays;
 
 import java.util.Arrays;
+import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.stream.IntStream;
+import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.WavelengthNodes;
 import sunbeam.precompute.colortable.ColorColumns;
 
-/** Colors of single places by a sum over wavelengths: for those near the origin, where rays meet. */
+/** Colors of single places by a sum over wavelengths: for those near the origin, where rays meet, and to validate others with. */
 final class DirectColors {
     private static final int CHANNELS = 3;
     // Orders near the origin are wide in ln lambda; this is fine enough for them and for the terms' coefficients.
     private static final double WIDEST_STEP = 0.01;
+    // Of ln lambda, beside sigma_f of the window as orders have it: 0.7 of their deviation, as the reference has it.
+    private static final double ORDER_STEP = 0.5;
 
     private final RaySpectrum spectrum;
     private final WindowedPowers powers;
+    private final double sigmaFrequency;
 
-    DirectColors(RaySpectrum spectrum, WindowedPowers powers) {
+    DirectColors(RaySpectrum spectrum, WindowedPowers powers, double sigmaFrequency) {
         this.spectrum = spectrum;
         this.powers = powers;
+        this.sigmaFrequency = sigmaFrequency;
+    }
+
+    /**
+     * Evaluates places at any w.
+     *
+     * @param places u, v, w of each
+     * @return X, Y, Z of each
+     */
+    float[] xyz(float[] places) {
+        int count = places.length / CHANNELS;
+        Map<Integer, WavelengthNodes> nodes = new ConcurrentHashMap<>();
+        float[] xyz = new float[places.length];
+        IntStream.range(0, count).parallel().forEach(place -> {
+            int at = CHANNELS * place;
+            WavelengthNodes wavelengths = nodes.computeIfAbsent(
+                    halvings(Math.hypot(places[at], places[at + 1])),
+                    halvings -> spectrum.wavelengths(WIDEST_STEP / (1 << halvings)));
+            double depth = Math.abs(places[at + 2]);
+            double[][] coefficients = Arrays.stream(wavelengths.wavelengths())
+                    .mapToObj(wavelength -> spectrum.coefficients(wavelength, depth))
+                    .toArray(double[][]::new);
+            double[] sum = sum(wavelengths, terms(wavelengths, places[at], places[at + 1]), coefficients);
+            for (int c = 0; c < CHANNELS; c++) {
+                xyz[at + c] = (float) Math.max(0, sum[c]);
+            }
+        });
+        return xyz;
+    }
+
+    /** How often the widest step is halved so that orders at a place are sampled. */
+    private int halvings(double radius) {
+        double step = ORDER_STEP * sigmaFrequency * CieTable.MINIMUM_WAVELENGTH / radius;
+        return step >= WIDEST_STEP ? 0 : (int) Math.ceil(Math.log(WIDEST_STEP / step) / Math.log(2));
     }
 
     /**

@@ -4,57 +4,65 @@ import java.util.Arrays;
 import java.util.stream.IntStream;
 import sunbeam.precompute.colortable.ColorColumns;
 
-/** Places one after the other, as columns; those that follow each other with one (u, v) are one column. */
+/**
+ * Places at any w, one column each: colors are interpolated along w, by Lagrange's polynomial through the nearest of some equally spaced
+ * slices. Few enough different w are slices themselves.
+ */
 final class PlaceColumns implements ColorColumns {
+    /** Slices that a place between them is interpolated from. */
+    static final int TAPS = 6;
+
     private static final int CHANNELS = 3;
-    private static final int MOST_SLICES = 2048;
 
     private final float[] places;
     private final double[] depths;
-    // The first place of each column, and behind the last one the number of all.
-    private final int[] first;
-    private final float[] xyz;
+    private final boolean isSlices;
+    private final double step;
+    private final double[] xyz;
 
     /**
      * Nothing is known yet.
      *
      * @param places u, v, w of each place
-     * @throws IllegalArgumentException if they have more different w than slices are meant
+     * @param widestStep of |w| between slices
      */
-    PlaceColumns(float[] places) {
+    PlaceColumns(float[] places, double widestStep) {
         this.places = places;
-        this.xyz = new float[places.length];
-        int count = places.length / CHANNELS;
-        this.depths = IntStream.range(0, count)
-                .mapToDouble(this::depth)
-                .sorted()
-                .distinct()
-                .toArray();
-        if (depths.length > MOST_SLICES) {
-            throw new IllegalArgumentException("places lie in more than " + MOST_SLICES + " slices of w");
+        this.xyz = new double[places.length];
+        double first = Double.POSITIVE_INFINITY;
+        double last = 0;
+        for (int place = 0; place < count(); place++) {
+            first = Math.min(first, depth(place));
+            last = Math.max(last, depth(place));
         }
-        this.first = IntStream.rangeClosed(0, count)
-                .filter(i -> i == 0 || i == count || !isBesideLast(i))
+        double lowest = first;
+        double range = Math.max(0, last - first);
+        int slices = Math.max(TAPS, 1 + (int) Math.ceil(range / widestStep));
+        double[] different = IntStream.range(0, count())
+                .mapToDouble(this::depth)
+                .distinct()
+                .limit(2L * slices + 1)
+                .sorted()
                 .toArray();
+        this.isSlices = different.length <= 2 * slices;
+        this.step = range / (slices - 1);
+        this.depths = isSlices
+                ? different
+                : IntStream.range(0, slices).mapToDouble(i -> lowest + i * step).toArray();
     }
 
     private double depth(int place) {
         return Math.abs(places[CHANNELS * place + 2]);
     }
 
-    private boolean isBesideLast(int place) {
-        int at = CHANNELS * place;
-        return places[at] == places[at - CHANNELS] && places[at + 1] == places[at + 1 - CHANNELS];
-    }
-
     @Override
     public int count() {
-        return first.length - 1;
+        return places.length / CHANNELS;
     }
 
     @Override
     public void locate(int column, float[] uv) {
-        System.arraycopy(places, CHANNELS * first[column], uv, 0, 2);
+        System.arraycopy(places, CHANNELS * column, uv, 0, 2);
     }
 
     @Override
@@ -64,28 +72,52 @@ final class PlaceColumns implements ColorColumns {
 
     @Override
     public int asked(int column, int[] slices) {
-        int[] asked = IntStream.range(first[column], first[column + 1])
-                .map(place -> Arrays.binarySearch(depths, depth(place)))
-                .sorted()
-                .distinct()
-                .toArray();
-        System.arraycopy(asked, 0, slices, 0, asked.length);
-        return asked.length;
+        if (isSlices) {
+            slices[0] = Arrays.binarySearch(depths, depth(column));
+            return 1;
+        }
+        int first = firstTap(column);
+        for (int tap = 0; tap < TAPS; tap++) {
+            slices[tap] = first + tap;
+        }
+        return TAPS;
+    }
+
+    private int firstTap(int column) {
+        int below = (int) ((depth(column) - depths[0]) / step);
+        return Math.max(0, Math.min(below - TAPS / 2 + 1, depths.length - TAPS));
     }
 
     @Override
     public void putRoots(int column, int slice, double x, double y, double z) {
-        for (int place = first[column]; place < first[column + 1]; place++) {
-            if (depth(place) == depths[slice]) {
-                xyz[CHANNELS * place] = (float) (x * x);
-                xyz[CHANNELS * place + 1] = (float) (y * y);
-                xyz[CHANNELS * place + 2] = (float) (z * z);
-            }
-        }
+        double weight = isSlices ? 1 : weight(column, slice);
+        int at = CHANNELS * column;
+        xyz[at] += weight * x * x;
+        xyz[at + 1] += weight * y * y;
+        xyz[at + 2] += weight * z * z;
     }
 
-    /** X, Y, Z of each place, once they have been put. */
+    private double weight(int column, int slice) {
+        double at = (depth(column) - depths[0]) / step;
+        int first = firstTap(column);
+        double weight = 1;
+        for (int other = first; other < first + TAPS; other++) {
+            weight *= other == slice ? 1 : (at - other) / (slice - other);
+        }
+        return weight;
+    }
+
+    /** Slices that each place is interpolated from. */
+    int slicesOfPlace() {
+        return isSlices ? 1 : TAPS;
+    }
+
+    /** X, Y, Z of each place, once all roots have been put; between dark slices a little below nothing is nothing. */
     float[] xyz() {
-        return Arrays.copyOf(xyz, xyz.length);
+        float[] rounded = new float[xyz.length];
+        for (int i = 0; i < xyz.length; i++) {
+            rounded[i] = (float) Math.max(0, xyz[i]);
+        }
+        return rounded;
     }
 }

@@ -40,6 +40,7 @@ public final class RayColors implements ColorSource {
     private final WindowedPowers powers;
     private final double sigmaFrequency;
     private final double step;
+    private final double sliceStep;
     private final LongConsumer progress;
     // Guarded by this.
     private Prepared prepared = new Prepared(new double[0], List.of());
@@ -48,30 +49,50 @@ public final class RayColors implements ColorSource {
      * Colors under a window.
      *
      * @param step of (u, v) between the places that will be asked for
+     * @param sliceStep of w, between slices that four at a time suffice to interpolate
      * @param fine whether wings of bright orders matter
      * @param progress told how many places have been evaluated since it was told last, which may be none, every few milliseconds;
      *     by any thread, which goes on when it returns: whoever waits there holds up the others' work as well
      */
-    public RayColors(RaySpectrum spectrum, GaussianArea area, double step, boolean fine, LongConsumer progress) {
+    public RayColors(
+            RaySpectrum spectrum,
+            GaussianArea area,
+            double step,
+            double sliceStep,
+            boolean fine,
+            LongConsumer progress) {
         this.spectrum = spectrum;
         this.powers = spectrum.under(area, fine ? FINE_REACH : COARSE_REACH, !fine);
         this.sigmaFrequency = area.window().sigmaFrequency();
         this.step = SPACING * step;
+        this.sliceStep = sliceStep;
         this.progress = progress;
     }
 
-    /**
-     * @throws IllegalArgumentException if places have more different w than slices are meant
-     */
     @Override
     public float[] xyz(float[] places) {
-        PlaceColumns columns = new PlaceColumns(places);
-        evaluate(columns);
+        PlaceColumns columns = new PlaceColumns(places, sliceStep);
+        evaluate(columns, evaluated -> progress.accept(evaluated / columns.slicesOfPlace()));
         return columns.xyz();
     }
 
     @Override
+    public float[] exact(float[] places) {
+        float[] xyz = direct().xyz(places);
+        progress.accept(places.length / 3);
+        return xyz;
+    }
+
+    private DirectColors direct() {
+        return new DirectColors(spectrum, powers, sigmaFrequency);
+    }
+
+    @Override
     public void evaluate(ColorColumns columns) {
+        evaluate(columns, progress);
+    }
+
+    private void evaluate(ColorColumns columns, LongConsumer evaluated) {
         double[] depths = columns.depths();
         if (depths.length == 0) {
             return;
@@ -95,13 +116,13 @@ public final class RayColors implements ColorSource {
         List<ForkJoinTask<?>> tasks = new ArrayList<>();
         for (RaySector.Places some : sectors) {
             if (some != direct && !some.isEmpty()) {
-                tasks.add(ForkJoinTask.adapt(() -> progress.accept(
+                tasks.add(ForkJoinTask.adapt(() -> evaluated.accept(
                         new RaySector(powers, some, () -> progress.accept(0)).evaluate(columns, slices))));
             }
         }
         // One by one, and not in halves as streams are: those of outer octaves take longest.
         ForkJoinTask.invokeAll(tasks);
-        progress.accept(new DirectColors(spectrum, powers).evaluate(direct, columns));
+        evaluated.accept(direct().evaluate(direct, columns));
     }
 
     /**

@@ -78,7 +78,7 @@ class TriedTableTest {
                 new Reach.OneLight(LIGHT),
                 COARSE,
                 design -> TablePages.of(design, LIGHT),
-                places -> {
+                (design, places) -> {
                     opened++;
                     return source;
                 },
@@ -149,7 +149,7 @@ class TriedTableTest {
                 new Reach.Pairs(pairs),
                 COARSE,
                 design -> TablePages.of(design, pairs),
-                places -> deep,
+                (design, places) -> deep,
                 pages -> true,
                 TriedTableTest::neverRefused,
                 told());

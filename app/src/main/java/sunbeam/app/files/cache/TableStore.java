@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.DoubleConsumer;
 import java.util.function.Function;
+import java.util.function.LongConsumer;
 import java.util.function.Supplier;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.OutputException;
@@ -186,6 +187,11 @@ public final class TableStore {
             @Override
             public ColorSource colors(ShaderTables tables, long places) {
                 return colors.of(tables, places);
+            }
+
+            @Override
+            public ColorSource shown(Function<LongConsumer, ColorSource> source, long places) {
+                return ProgressColors.of(source, places);
             }
 
             @Override

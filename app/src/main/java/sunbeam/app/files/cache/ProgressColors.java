@@ -1,0 +1,43 @@
+package sunbeam.app.files.cache;
+
+import java.util.function.Function;
+import java.util.function.LongConsumer;
+import sunbeam.app.terminal.progress.Progress;
+import sunbeam.precompute.colortable.ColorColumns;
+import sunbeam.precompute.colortable.ColorSource;
+
+/**
+ * Colors whose progress is shown until they are closed.
+ *
+ * @param colors that tell of it
+ * @param progress that they tell
+ */
+record ProgressColors(ColorSource colors, Progress progress) implements ColorSource {
+
+    /** @param places that will be asked for in all */
+    static ProgressColors of(Function<LongConsumer, ColorSource> source, long places) {
+        Progress progress = Progress.start("Colors", places);
+        return new ProgressColors(source.apply(progress::step), progress);
+    }
+
+    @Override
+    public float[] xyz(float[] places) {
+        return colors.xyz(places);
+    }
+
+    @Override
+    public float[] exact(float[] places) {
+        return colors.exact(places);
+    }
+
+    @Override
+    public void evaluate(ColorColumns columns) {
+        colors.evaluate(columns);
+    }
+
+    @Override
+    public void close() {
+        progress.close();
+        colors.close();
+    }
+}
