@@ -113,7 +113,7 @@ final class PeriodModel {
                     "no single period: the surface repeats after about %s, but so unevenly that this scan does not tell it to a tenth; take a larger scan, or a part of it",
                     about));
         }
-        return told.crossedBy(search.crossing(wave));
+        return told.crossedBy(search.crossing(wave).filter(other -> search.contrast(other) >= LEAST_CONTRAST));
     }
 
     /** Of a sharp line: what its phase does besides growing evenly, and what parts of the scan tell. */

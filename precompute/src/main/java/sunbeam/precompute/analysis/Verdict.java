@@ -29,8 +29,7 @@ public final class Verdict {
             return why.substring(0, 1).toUpperCase(Locale.ROOT) + why.substring(1);
         }
         String crossing = period.crossing()
-                .map(other -> ", crossed by one as strong of about " + Lengths.rounded(other.period(), DIGITS)
-                        + across(other))
+                .map(other -> ", crossed by lines of about " + Lengths.rounded(other.period(), DIGITS) + across(other))
                 .orElse("");
         return (period.isExact() ? "A repeated patch with a period of " : "A grating of ")
                 + length(period.period(), period.low(), period.high())

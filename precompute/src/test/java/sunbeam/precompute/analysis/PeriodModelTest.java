@@ -57,9 +57,7 @@ class PeriodModelTest {
     }
 
     @ParameterizedTest
-    @EnumSource(
-            value = PeriodlessSurface.class,
-            names = {"WHITE", "CORRELATED", "FRACTAL", "BOW", "DRIFT", "ONE_STEP", "TWO_STEPS"})
+    @EnumSource
     void whatHasNoPeriodIsRefused(PeriodlessSurface surface) {
         for (long seed = 0; seed < 4; seed++) {
             assertThat(told(surface.draw(seed))).as(surface + " " + seed).isEmpty();

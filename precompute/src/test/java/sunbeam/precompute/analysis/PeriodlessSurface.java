@@ -16,24 +16,12 @@ enum PeriodlessSurface {
     FRACTAL,
     /** A parabola, of two curvatures and a centre of its own, under correlated noise. */
     BOW,
-    /** Each row a step of a random walk. */
-    ROWS_THAT_WALK,
-    /** Rows with offsets that know nothing of each other, under correlated noise. */
-    ROWS_OFFSET,
     /** Slow waviness of one direction, as drift leaves it. */
     DRIFT,
     /** One step across the scan in any direction. */
     ONE_STEP,
     /** Two steps, up and up or up and down. */
-    TWO_STEPS,
-    /** Terraces of three to nine steps of one height, with widths that differ by up to three times. */
-    TERRACES,
-    /** The same, with steps along the rows: a staircase from row to row. */
-    ROW_TERRACES,
-    /** Sixty straight scratches of one direction, of any depth and width, where chance wants them. */
-    SCRATCHES,
-    /** Straight lines of one direction whose profile is noise of one and a half octaves. */
-    LINES;
+    TWO_STEPS;
 
     private static final double PITCH = 80e-9;
 
@@ -58,23 +46,11 @@ enum PeriodlessSurface {
             case CORRELATED -> smoothed(columns, rows, 1 + random.nextInt(8), random);
             case FRACTAL -> fractal(columns, rows, 1 + random.nextDouble(), random);
             case BOW -> bow(columns, rows, random);
-            case ROWS_THAT_WALK -> rows(columns, rows, 1, random);
-            case ROWS_OFFSET -> sum(rows(columns, rows, 0, random), smoothed(columns, rows, 4, random));
             case DRIFT ->
                 along(columns, rows, random.nextDouble() * Math.PI, waves(4, 0.2, 2.5, turns -> 1 / turns, random));
             case ONE_STEP -> along(columns, rows, random.nextDouble() * Math.PI, steps(1, random));
             case TWO_STEPS -> along(columns, rows, random.nextDouble() * Math.PI, steps(2, random));
-            case TERRACES -> along(columns, rows, random.nextDouble() * Math.PI, steps(3 + random.nextInt(7), random));
-            case ROW_TERRACES -> along(columns, rows, Math.PI / 2, steps(3 + random.nextInt(7), random));
-            case SCRATCHES -> along(columns, rows, random.nextDouble() * Math.PI, scratches(random));
-            case LINES -> along(columns, rows, random.nextDouble() * Math.PI, waves(120, 8, 24, turns -> 1, random));
         };
-    }
-
-    private static double[] sum(double[] a, double[] b) {
-        double[] sum = new double[a.length];
-        Arrays.setAll(sum, i -> a[i] + b[i]);
-        return sum;
     }
 
     /** A profile over -1..1 along a direction. */
@@ -105,19 +81,6 @@ enum PeriodlessSurface {
         };
     }
 
-    private static DoubleUnaryOperator scratches(SplittableRandom random) {
-        double[] places = random.doubles(60, -1, 1).toArray();
-        double[] depths = random.doubles(60, 0.2, 1).toArray();
-        double[] widths = random.doubles(60, 0.005, 0.04).toArray();
-        return t -> {
-            double sum = 0;
-            for (int i = 0; i < places.length; i++) {
-                sum -= depths[i] * Math.exp(-Math.pow((t - places[i]) / widths[i], 2));
-            }
-            return sum;
-        };
-    }
-
     private static DoubleUnaryOperator waves(
             int count, double fewest, double most, DoubleUnaryOperator amplitude, SplittableRandom random) {
         double[] phases = random.doubles(count, 0, 2 * Math.PI).toArray();
@@ -141,16 +104,6 @@ enum PeriodlessSurface {
             int row = i / columns;
             double y = 2.0 * row / rows - 1 - y0;
             heights[i] = 0.03 * heights[i] + x * x + ratio * y * y;
-        }
-        return heights;
-    }
-
-    private static double[] rows(int columns, int rows, double memory, SplittableRandom random) {
-        double[] heights = new double[columns * rows];
-        double offset = 0;
-        for (int row = 0; row < rows; row++) {
-            offset = memory * offset + random.nextGaussian();
-            Arrays.fill(heights, row * columns, (row + 1) * columns, offset);
         }
         return heights;
     }

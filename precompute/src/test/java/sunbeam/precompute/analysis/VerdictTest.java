@@ -78,8 +78,7 @@ class VerdictTest {
                 100e-9,
                 (x, y) -> 50e-9 * (Math.sin(2 * Math.PI * y / 1.2e-6) + Math.sin(2 * Math.PI * x / 1.2e-6)));
         assertThat(verdict(piece(crossed, List.of())))
-                .containsPattern(
-                        "across (0|90) degrees, crossed by one as strong of about 1.2 um across (90|0) degrees");
+                .containsPattern("across (0|90) degrees, crossed by lines of about 1.2 um across (90|0) degrees");
     }
 
     /** Waves of one length in all directions: no direction is told by chance. */

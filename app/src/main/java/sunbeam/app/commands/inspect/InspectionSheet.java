@@ -16,6 +16,7 @@ import sunbeam.app.files.plot.Plot;
 import sunbeam.precompute.analysis.GratingPeriod;
 import sunbeam.precompute.analysis.HeightSpectrum;
 import sunbeam.precompute.analysis.Histogram;
+import sunbeam.precompute.numerics.Quantiles;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.units.Lengths;
 
@@ -30,7 +31,6 @@ final class InspectionSheet {
     private static final int MOST_CHARACTERS = 165;
     private static final int VALUES_FROM = 10;
     private static final int HISTOGRAM_BINS = 100;
-    private static final int FINE_BINS = 2000;
     private static final double DUST = 0.001;
     private static final int PROFILE_PERIODS = 12;
     private static final double MICROMETRES = 1e6;
@@ -109,9 +109,9 @@ final class InspectionSheet {
             }
         }
         // A grain of dust must not leave all else grey: it may burn out.
-        Histogram histogram = Histogram.of(map, FINE_BINS);
-        double low = histogram.quantile(DUST) * NANOMETRES;
-        double high = Math.max(histogram.quantile(1 - DUST) * NANOMETRES, low + 1e-3);
+        double[] heights = map.toArray();
+        double low = Quantiles.of(heights, DUST) * NANOMETRES;
+        double high = Math.max(Quantiles.of(heights, 1 - DUST) * NANOMETRES, low + 1e-3);
         HeatMap.Colors colors = new HeatMap.Colors("height / nm", low, high, Plot.Scale.LINEAR, ColorMap.GREY);
         double width = map.width() * MICROMETRES;
         double bar = round(0.25 * width);
@@ -178,12 +178,13 @@ final class InspectionSheet {
 
     private BufferedImage histogram() {
         Histogram histogram = Histogram.of(map, HISTOGRAM_BINS);
-        double[] centres = new double[histogram.bins()];
-        Arrays.setAll(centres, bin -> histogram.centre(bin) * NANOMETRES);
+        double[] centers = Arrays.stream(histogram.centers())
+                .map(metres -> metres * NANOMETRES)
+                .toArray();
         double[] shares =
                 Arrays.stream(histogram.shares()).map(share -> 100 * share).toArray();
         return panel("Histogram", "height / nm", "share of the surface / %")
-                .line("share", centres, shares)
+                .line("share", centers, shares)
                 .draw();
     }
 
