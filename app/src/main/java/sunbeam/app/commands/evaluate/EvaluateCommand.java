@@ -112,9 +112,9 @@ public final class EvaluateCommand implements Callable<Integer> {
             names = "--method",
             paramLabel = "METHOD",
             defaultValue = "full",
-            description = "One of $COMPLETION-CANDIDATES. full (default): one fragment for each angle and wavelength,"
-                    + " through the shader code that draws the maps. nmm, pq: the thesis's other methods. reference:"
-                    + " direct sums over the surface; exact, for a few hundred directions.")
+            description = "full (default): one fragment for each angle and wavelength, through the shader code that"
+                    + " draws the maps. nmm, pq: the thesis's other methods. reference: direct sums over the surface;"
+                    + " exact, for a few hundred directions.")
     private Evaluator method;
 
     @Option(
