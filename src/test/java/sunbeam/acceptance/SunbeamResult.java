@@ -12,7 +12,7 @@ public record SunbeamResult(String commandLine, int exitCode, String stdout, Str
     /** What stands on standard error besides the plan, and what a slow machine is told of progress. */
     public String complaints() {
         return stderr.replaceFirst("(?m)^plan: .*\n", "")
-                .replaceAll("(?m)^sunbeam: .*: \\d+ %, .*(left|unknown)\n", "");
+                .replaceAll("(?m)^sunbeam: .* \\d+% \\[.*\n", "");
     }
 
     /** The whole story, for the message of a failed assertion. */

@@ -1,6 +1,7 @@
 package sunbeam.app;
 
 import java.io.PrintWriter;
+import java.io.Writer;
 import picocli.CommandLine;
 import picocli.CommandLine.HelpCommand;
 import picocli.CommandLine.Model.CommandSpec;
@@ -10,7 +11,6 @@ import sunbeam.app.commands.brdfmap.BrdfMapCommand;
 import sunbeam.app.commands.cache.CacheCommand;
 import sunbeam.app.commands.color.ColorCommand;
 import sunbeam.app.commands.doctor.DoctorCommand;
-import sunbeam.app.commands.doctor.RendererProbe;
 import sunbeam.app.commands.evaluate.EvaluateCommand;
 import sunbeam.app.commands.figures.FiguresCommand;
 import sunbeam.app.commands.inspect.InspectCommand;
@@ -102,14 +102,14 @@ public final class Sunbeam {
         root.addSubcommand(new InspectCommand());
         root.addSubcommand(new EvaluateCommand(environment));
         root.addSubcommand(new FiguresCommand(
-                (stdout, stderr, arguments) -> new Sunbeam(environment, stdout, stderr).run(arguments)));
+                (stderr, arguments) -> new Sunbeam(environment, new PrintWriter(Writer.nullWriter()), stderr).run(arguments)));
         root.addSubcommand(new PrecomputeCommand(environment));
         root.addSubcommand(new BenchmarkCommand(environment));
         root.addSubcommand(new RenderCommand(environment));
         root.addSubcommand(new MeshCommand());
         root.addSubcommand(new ViewCommand(environment));
         root.addSubcommand(new CacheCommand(environment));
-        root.addSubcommand(new DoctorCommand(environment, new RendererProbe()));
+        root.addSubcommand(new DoctorCommand(environment));
         root.addSubcommand(new HelpCommand());
         root.setOut(out);
         root.setErr(err);

@@ -95,8 +95,7 @@ final class SunbeamTest {
     @CsvSource(
             delimiter = '|',
             value = {
-                "brdf-map scan.gwy     | unknown argument 'scan.gwy'; name a surface with --patch, more with --with, and put a name",
-                "color --width 10 um   | unknown argument 'um'; write a number and its unit without a blank, such as 10um;",
+                "brdf-map scan.gwy     | unknown argument 'scan.gwy'; values follow options, without blanks or in quotes, such as --patch NAME",
                 "--theta-i 30 brdf-map | option '--theta-i' has no command before it; give the command first, then",
                 "brdf-map --size 8x8   | option '--size': '8x8' is no whole number, such as 512; see sunbeam brdf-map --help",
                 "color --step 0,5      | option '--step': '0,5' is no number, such as 0.5; write a decimal point for the comma, \"0.5\"; see",
@@ -105,7 +104,6 @@ final class SunbeamTest {
                 "color --patch nowhere --theta-i 95    | --theta-i 95 deg is out of range; give 0 deg to 89.9 deg",
                 "brdf-map --tolerance 0,01 | --tolerance \"0,01\" is no number; write a decimal point for the comma, \"0.01\"",
                 "brdf-map --exposure 1,5 | --exposure '1,5' is neither auto nor a positive number, nor first, nor a picture (.png) to take it from; write a decimal point",
-                "color elaphe-like     | unknown argument 'elaphe-like'; name a surface with --patch, more with --with, and put",
                 "colour               | unknown command 'colour' (did you mean color?); see sunbeam --help",
             })
     void whatBeginnersWriteIsOneLineWithTheRemedy(String commandLine, String message) {

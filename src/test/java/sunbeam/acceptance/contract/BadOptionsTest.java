@@ -36,7 +36,7 @@ class BadOptionsTest {
                 "brdf-map --preset these|--preset \"these\" is not one of none, thesis",
                 "brdf-map --output map.png --linear map.png|--linear map.png would be a NumPy array, which its name does not say; end it with .npy",
                 "brdf-mop|unknown command 'brdf-mop' (did you mean brdf-map",
-                "brdf-map --periodic yes|unknown argument 'yes'; an option that takes no value is on where it is given",
+                "brdf-map --periodic yes|unknown argument 'yes'; values follow options, without blanks or in quotes, such as --patch NAME",
                 "brdf-map --tolerance 1%|--tolerance \"1%\" is no number; write 0.01 for that many percent",
                 "brdf-map --exposure Automatic|--exposure 'Automatic' is neither auto",
                 "color --step 0|--step 0 is out of range; give 0.1 to 10",

@@ -139,8 +139,9 @@ final class FileActions {
         run(
                 () -> {
                     int samples = PixelSamples.alongSide(data.scene().method(), size.width(), size.height());
+                    FrameText text = new FrameText(data, size, samples);
                     PngWriter.write(
-                            file, Overwrite.REPLACE, image, FrameText.of(data, size, samples, exposure, renderer));
+                            file, Overwrite.REPLACE, image, text.of(data.scene(), exposure, renderer));
                     return file;
                 },
                 saved -> window.status().message("saved " + saved));

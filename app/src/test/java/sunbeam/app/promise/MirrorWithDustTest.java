@@ -2,6 +2,7 @@ package sunbeam.app.promise;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import sunbeam.app.measure.errors.Certificate.Limits;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
@@ -59,7 +60,7 @@ class MirrorWithDustTest {
                 RandomCase.Outcome outcome = made.with(tolerance).measure(context, exact);
                 // The promise itself: median at most the tolerance, 95th percentile at most three times it.
                 assertThat(outcome.errors().count()).isPositive();
-                assertThat(outcome.errors().meets(tolerance))
+                assertThat(Limits.of(tolerance).hold(outcome.errors()))
                         .as("%s: %s", tolerance, outcome.errors())
                         .isTrue();
             }

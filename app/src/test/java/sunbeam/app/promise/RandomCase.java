@@ -10,7 +10,7 @@ import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.gpu.directions.DirectionsRenderer;
 import sunbeam.app.gpu.directions.DirectionsRenderer.Query;
 import sunbeam.app.measure.errors.ErrorStatistics;
-import sunbeam.app.measure.errors.RelativeError;
+import sunbeam.app.measure.errors.Comparison;
 import sunbeam.precompute.method.Surface;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.DirectionPair;
@@ -126,14 +126,11 @@ record RandomCase(
                 area,
                 VisibleRange.of(queries.stream().map(Query::pair).toList()));
         List<float[]> results = evaluate(context, surface, plan);
-        double[] errors = IntStream.range(0, exact.length)
-                .filter(i -> !(Math.max(RelativeError.largest(exact[i]), RelativeError.largest(computed(results, i)))
-                        <= RelativeError.FLOOR))
-                .mapToDouble(i -> RelativeError.difference(computed(results, i), exact[i])
-                        / Math.max(RelativeError.FLOOR, RelativeError.largest(exact[i])))
-                .toArray();
+        List<Comparison> compared = IntStream.range(0, exact.length)
+                .mapToObj(i -> new Comparison(computed(results, i), exact[i], 1))
+                .toList();
         return new Outcome(
-                ErrorStatistics.of(errors), plan, !planner.warnings(plan).isEmpty());
+                Comparison.relative(compared), plan, !planner.warnings(plan).isEmpty());
     }
 
     private double[] computed(List<float[]> results, int row) {

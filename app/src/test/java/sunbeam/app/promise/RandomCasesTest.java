@@ -2,6 +2,7 @@ package sunbeam.app.promise;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import sunbeam.app.measure.errors.Certificate.Limits;
 import java.util.stream.LongStream;
 import jrtr.RenderContext;
 import jrtr.gl.RenderContexts;
@@ -42,7 +43,7 @@ class RandomCasesTest {
         RandomCase.Outcome outcome = drawn.measure(context);
 
         // The promise itself: median at most the tolerance, 95th percentile at most three times it.
-        assertThat(outcome.errors().meets(drawn.tolerance()))
+        assertThat(Limits.of(drawn.tolerance()).hold(outcome.errors()))
                 .as("%s: %s", drawn, outcome.errors())
                 .isTrue();
     }

@@ -2,6 +2,7 @@ package sunbeam.app.promise;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import sunbeam.app.measure.errors.Certificate.Limits;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
@@ -98,6 +99,6 @@ class RoughGroundTest {
                 .as("the grid whose errors this is about")
                 .startsWith("grid");
         // The promise itself: median at most the tolerance, 95th percentile at most three times it.
-        assertThat(outcome.errors().meets(TOLERANCE)).as("%s", outcome.errors()).isTrue();
+        assertThat(Limits.of(TOLERANCE).hold(outcome.errors())).as("%s", outcome.errors()).isTrue();
     }
 }

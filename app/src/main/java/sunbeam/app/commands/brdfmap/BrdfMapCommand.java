@@ -9,13 +9,11 @@ import java.awt.image.BufferedImage;
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.concurrent.Callable;
-import java.util.function.Function;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import jrtr.RenderContext;
@@ -34,7 +32,6 @@ import sunbeam.app.files.output.NpyWriter;
 import sunbeam.app.files.output.PngWriter;
 import sunbeam.app.files.output.StandardOutput;
 import sunbeam.app.files.plot.MapAnnotation;
-import sunbeam.app.files.plot.PictureSheet;
 import sunbeam.app.gpu.map.DiscDirections;
 import sunbeam.app.gpu.picture.DisplayOptions;
 import sunbeam.app.gpu.picture.DoubtfulPicture;
@@ -45,7 +42,6 @@ import sunbeam.app.measure.errors.Certifier;
 import sunbeam.app.measure.errors.CertifyOption;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;
-import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.app.terminal.options.ComparedPatches;
 import sunbeam.app.terminal.options.LightOptions;
@@ -54,7 +50,6 @@ import sunbeam.app.terminal.options.PatchOptions;
 import sunbeam.precompute.color.DisplayTransform;
 import sunbeam.precompute.color.Tone;
 import sunbeam.precompute.method.Methods;
-import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.patch.Patch;
@@ -170,10 +165,9 @@ public final class BrdfMapCommand implements Callable<Integer> {
         // Scans of different sizes are seen by different coherence lengths.
         List<Choices> choices =
                 setups.stream().map(setup -> setup.seen(asked, err)).toList();
-        Path picture = output != null ? output : Path.of("brdf-" + names(setups) + ".png");
-        if (linear != null) {
-            checkDifferent(picture);
-        }
+        String names =
+                setups.stream().map(setup -> setup.patch().name()).limit(3).collect(Collectors.joining("-"));
+        Path picture = output != null ? output : Path.of("brdf-" + names + ".png");
         PrintWriter out = StandardOutput.reports(specification.commandLine().getOut(), err, picture, linear);
         List<Path> besides = linear == null ? List.of() : List.of(linear);
         String identity =
@@ -186,6 +180,7 @@ public final class BrdfMapCommand implements Callable<Integer> {
         AtomicFile.checkWritable(picture, force.overwrite(resume.named(output, picture)));
         AtomicFile.checkNamed(linear, force.overwrite());
         List<MaterialMap> materials = planned(setups, choices, material, lights);
+        MaterialMap alone = materials.get(0);
         Optional<Certificate> certificate;
         ExitCode doubt;
         Path written;
@@ -197,33 +192,34 @@ public final class BrdfMapCommand implements Callable<Integer> {
             double factor =
                     exposed.of(maps.stream().map(MaterialMap.Drawn::picture).toList());
             certificate = certify.certificate(count -> new Certifier(
-                            setups.get(0).exact(materials.get(0).method()),
+                            setups.get(0).exact(alone.method()),
                             new DiscDirections(size, lights.get(0))::at,
-                            materials.get(0)::overStandard)
-                    .certify(first, count, CertifyOption.SEED, factor, asked.get(TOLERANCE)));
-            Map<String, String> text = describe(materials.get(0), material, maps, factor, context);
+                            alone::overStandard)
+                    .certify(first, count, factor, asked.get(TOLERANCE)));
+            MapSheet sheet = new MapSheet(maps, new DisplayTransform(factor, tone));
+            Optional<Patch> black = sheet.black();
+            doubt = DoubtfulPicture.judge(
+                    sheet.patches(),
+                    black.isPresent(),
+                    areSeveral() && black.isPresent() ? "the map of " + black.get().name() : "the map",
+                    exposure.isAutomatic(),
+                    err);
+            Map<String, String> text = sheet.text();
+            text.put("Light", light.describe());
+            text.put("Method", choices.get(0).get(METHOD).label());
+            text.put("Options", Methods.describe(choices.get(0)));
+            text.put("Index", index.describe(material));
+            text.put("Renderer", context.info().renderer());
             certificate.ifPresent(stated -> text.put("Certificate", stated.summary()));
-            DisplayTransform display = new DisplayTransform(factor, tone);
-            List<BufferedImage> plain =
-                    maps.stream().map(map -> map.picture().shown(display)).toList();
-            doubt = judge(maps, plain, factor);
             ResumeOption.note(text, identity, doubt);
-            AnnotatedMaps annotated = new AnnotatedMaps(
-                    material.isStandard() ? Optional.empty() : Optional.of(index.describe(material)),
-                    exposed(factor),
-                    asked);
-            List<BufferedImage> images = new ArrayList<>();
-            for (int i = 0; i < maps.size(); i++) {
-                images.add(
-                        annotate
-                                ? annotated.draw(
-                                        maps.get(i),
-                                        plain.get(i),
-                                        materials.get(i).method())
-                                : plain.get(i));
-            }
-            BufferedImage sheet = PictureSheet.of(images);
-            written = write(picture, stream -> PngWriter.write(stream, sheet, text), first);
+            String shared = areSeveral() ? ", automatic, one for all" : ", automatic";
+            BufferedImage image = annotate
+                    ? sheet.annotated(
+                            material.isStandard() ? Optional.empty() : Optional.of(index.describe(material)),
+                            MapAnnotation.exposureText(factor) + (exposure.isAutomatic() ? shared : ""),
+                            asked)
+                    : sheet.plain();
+            written = write(picture, stream -> PngWriter.write(stream, image, text), first);
         }
         out.println(StandardOutput.name(written));
         if (linear != null) {
@@ -234,7 +230,7 @@ public final class BrdfMapCommand implements Callable<Integer> {
             err.flush();
         }
         return certificate
-                .map(stated -> CertifyOption.judge(stated, materials.get(0).plan(), choices.get(0), out, err))
+                .map(stated -> CertifyOption.judge(stated, alone.plan(), choices.get(0), out, err))
                 .filter(code -> code != ExitCode.OK)
                 .orElse(doubt)
                 .code();
@@ -250,6 +246,9 @@ public final class BrdfMapCommand implements Callable<Integer> {
         }
         Ending.PNG.require("--output", output);
         Ending.NPY.require("--linear", linear);
+        if (linear != null && linear.equals(output)) {
+            throw new UsageException("--linear " + linear + " is the picture's own name; give it another");
+        }
         if (areSeveral() && (linear != null || certify.count().isPresent())) {
             throw new UsageException((linear != null ? "--linear" : "--certify")
                     + " is for one map; leave out --with and give one --theta-i, or draw the maps one by one, with"
@@ -259,10 +258,6 @@ public final class BrdfMapCommand implements Callable<Integer> {
 
     private boolean areSeveral() {
         return compared.areSeveral() || light.directions().size() > 1;
-    }
-
-    private static String names(List<DiffractionSetup> setups) {
-        return setups.stream().map(setup -> setup.patch().name()).limit(3).collect(Collectors.joining("-"));
     }
 
     /** A certificate's exact colors are those of one integral. */
@@ -279,58 +274,17 @@ public final class BrdfMapCommand implements Callable<Integer> {
     /** Plans are printed before anything is computed. */
     private List<MaterialMap> planned(
             List<DiffractionSetup> setups, List<Choices> choices, RefractiveIndex material, List<Direction> lights) {
+        PrintWriter err = specification.commandLine().getErr();
         List<MaterialMap> materials = new ArrayList<>();
         for (int i = 0; i < setups.size(); i++) {
-            Choices chosen = choices.get(i);
-            PrintWriter err = specification.commandLine().getErr();
             for (Direction direction : lights) {
-                MaterialMap map = new MaterialMap(setups.get(i), chosen, Methods.of(chosen), material, direction);
+                MaterialMap map = new MaterialMap(setups.get(i), choices.get(i), material, direction);
                 materials.add(map);
-                if (setups.size() > 1) {
-                    methodOptions.print(setups.get(i).patch().name(), map.plan(), err);
-                } else {
-                    methodOptions.print(map.plan(), err);
-                }
+                String name = setups.size() > 1 ? setups.get(i).patch().name() : "";
+                methodOptions.print(name, map.plan(), err);
             }
         }
         return materials;
-    }
-
-    /** Warns of maps that show nothing, or nothing but the mirror at an exposure that others asked for. */
-    private ExitCode judge(List<MaterialMap.Drawn> maps, List<BufferedImage> plain, double factor) {
-        PrintWriter err = specification.commandLine().getErr();
-        Optional<String> black = Optional.empty();
-        for (int i = 0; i < maps.size(); i++) {
-            MaterialMap.Drawn map = maps.get(i);
-            DiscDirections directions = new DiscDirections(size, map.light());
-            CoherenceWindow window = CoherenceWindow.ofCoherenceLength(map.coherenceLength());
-            if (DoubtfulPicture.isBlack(plain.get(i))) {
-                black = black.or(() ->
-                        Optional.of(areSeveral() ? "the map of " + map.patch().name() : "the map"));
-            } else if (areSeveral() && LostMap.is(map.picture(), directions, window, factor)) {
-                err.println(Messages.warning("the map of " + map.patch().name()
-                        + " is black but for the mirror's light at the exposure that all maps share; draw it alone, with"
-                        + " --exposure auto"));
-                err.flush();
-            }
-        }
-        return DoubtfulPicture.judge(
-                maps.stream().map(MaterialMap.Drawn::patch).toList(),
-                black.isPresent(),
-                black.orElse("the map"),
-                exposure.isAutomatic(),
-                err);
-    }
-
-    private String exposed(double factor) {
-        String shared = areSeveral() ? ", automatic, one for all" : ", automatic";
-        return MapAnnotation.exposureText(factor) + (exposure.isAutomatic() ? shared : "");
-    }
-
-    private void checkDifferent(Path picture) {
-        if (picture.toAbsolutePath().normalize().equals(linear.toAbsolutePath().normalize())) {
-            throw new UsageException("--linear " + linear + " is the picture's own name; give it another");
-        }
     }
 
     /** Both files or none: neither appears before both are written. */
@@ -344,34 +298,5 @@ public final class BrdfMapCommand implements Callable<Integer> {
             }
             return image.commit();
         }
-    }
-
-    private Map<String, String> describe(
-            MaterialMap first,
-            RefractiveIndex material,
-            List<MaterialMap.Drawn> maps,
-            double factor,
-            RenderContext context) {
-        Choices choices = first.choices();
-        List<Patch> patches =
-                maps.stream().map(MaterialMap.Drawn::patch).distinct().toList();
-        Map<String, String> text = new LinkedHashMap<>();
-        text.put("Title", "BRDF map of " + joined(patches, Patch::name, ", "));
-        text.put("Patch", joined(patches, Patch::source, "; "));
-        text.put("Light", light.describe());
-        text.put("Method", choices.get(METHOD).label());
-        text.put("Options", Methods.describe(choices));
-        text.put("Plan", joined(maps, MaterialMap.Drawn::plan, "; "));
-        if (!maps.get(0).trial().isEmpty()) {
-            text.put("Table", joined(maps, MaterialMap.Drawn::trial, "; "));
-        }
-        text.put("Index", index.describe(material));
-        text.put("Exposure", Double.toString(factor));
-        text.put("Renderer", context.info().renderer());
-        return text;
-    }
-
-    private static <T> String joined(List<T> parts, Function<T, String> words, String between) {
-        return parts.stream().map(words).collect(Collectors.joining(between));
     }
 }

@@ -13,6 +13,7 @@ import sunbeam.app.terminal.progress.Progress;
 import sunbeam.precompute.color.ReflectionPart;
 import sunbeam.precompute.method.Method;
 import sunbeam.precompute.method.MethodPlan;
+import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.RefractiveIndex;
@@ -28,7 +29,6 @@ import sunbeam.precompute.shader.ShaderTables;
  */
 final class MaterialMap {
     private final DiffractionSetup setup;
-    private final Choices choices;
     private final Method method;
     private final RefractiveIndex index;
     private final Direction light;
@@ -42,23 +42,24 @@ final class MaterialMap {
      * @param trial what was found of tables when they were tried, one for each part of the reflection; empty without them
      */
     record Drawn(
-            Patch patch, Direction light, String plan, String trial, double coherenceLength, LinearPicture picture) {}
+            Patch patch,
+            Direction light,
+            Method method,
+            String plan,
+            String trial,
+            double coherenceLength,
+            LinearPicture picture) {}
 
     /** @param choices that hold for the patch */
-    MaterialMap(DiffractionSetup setup, Choices choices, Method method, RefractiveIndex index, Direction light) {
+    MaterialMap(DiffractionSetup setup, Choices choices, RefractiveIndex index, Direction light) {
         this.setup = setup;
-        this.choices = choices;
-        this.method = method;
+        this.method = Methods.of(choices);
         this.index = index;
         this.light = light;
         this.parts = ReflectionPart.of(index, setup.cie());
         for (ReflectionPart part : parts) {
             plans.add(method.plan(setup.surface().under(part.cie()), VisibleRange.of(light)));
         }
-    }
-
-    Choices choices() {
-        return choices;
     }
 
     Method method() {
@@ -94,6 +95,7 @@ final class MaterialMap {
         return new Drawn(
                 setup.patch(),
                 light,
+                method,
                 plan().summary(),
                 String.join("; ", trials),
                 4 * sigma,

@@ -11,10 +11,8 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.OptionalDouble;
-import java.util.OptionalInt;
 import java.util.concurrent.Callable;
 import java.util.stream.Collectors;
-import java.util.stream.IntStream;
 import jrtr.RenderContext;
 import jrtr.gl.RenderContexts;
 import picocli.CommandLine.Command;
@@ -30,11 +28,11 @@ import sunbeam.app.files.output.StandardOutput;
 import sunbeam.app.gpu.picture.DisplayOptions;
 import sunbeam.app.gpu.picture.DoubtfulPicture;
 import sunbeam.app.gpu.picture.LinearPicture;
-import sunbeam.app.gpu.picture.ResumeOption;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.OptionOrigin;
+import sunbeam.app.terminal.ScanWarnings;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.app.terminal.options.ComparedPatches;
 import sunbeam.app.terminal.options.LightOptions;
@@ -61,9 +59,8 @@ import sunbeam.precompute.units.Decimals;
         header = "Tell the color of a surface from each viewing angle.",
         description =
                 "Tell which color is seen from each viewing angle, -80 to 80 degrees to the normal, in the plane in which"
-                        + " the surface spreads most color (along) and in the plane at right angles to it (across). Angles are"
-                        + " negative on the side away from the plane's azimuth, which need not be that of the grating that the"
-                        + " first sentence names. Writes a picture and beside it the numbers as CSV and JSON; --explain also prints"
+                        + " the surface spreads color, across the lines of its grating (along), and in the plane at right angles"
+                        + " to it (across). Angles are negative on the side away from the plane's azimuth. Writes a picture and beside it the numbers as CSV and JSON; --explain also prints"
                         + " the plan and all warnings. A surface without order has no color of its own: exit code 3. See"
                         + " docs/color.md.")
 public final class ColorCommand implements Callable<Integer> {
@@ -80,7 +77,7 @@ public final class ColorCommand implements Callable<Integer> {
 
     @Mixin
     private final LightOptions light = LightOptions.choosingAzimuth(
-            "that of each surface's plane of most color, so that the mirror direction lies in the strip along");
+            "that of each surface's plane along, so that the mirror direction lies in the strip along");
 
     @Option(
             names = "--theta-i-to",
@@ -118,9 +115,6 @@ public final class ColorCommand implements Callable<Integer> {
     @Mixin
     private ForceOption force;
 
-    @Mixin
-    private ResumeOption resume;
-
     @Option(
             names = "--output",
             paramLabel = "FILE.png",
@@ -150,40 +144,36 @@ public final class ColorCommand implements Callable<Integer> {
         exposure.tone(choices);
         Methods.of(choices);
         if (output != null) {
-            new ColorFiles(output, resume.early(force.overwrite())).checkWritable();
+            new ColorFiles(output, force.overwrite()).checkWritable();
         }
         PrintWriter err = specification.commandLine().getErr();
-        Remarks remarks = new Remarks();
         List<Patch> patches = compared.load(patchOptions, choices);
-        Path picture = output != null ? output : Path.of("color-" + names(patches) + ".png");
-        ColorFiles files = new ColorFiles(picture, force.overwrite(resume.named(output, picture)));
-        PrintWriter out = specification.commandLine().getOut();
-        String identity = resume.identity(patches);
-        OptionalInt finished = resume.finished(identity, picture, files.plainPaths(), err);
-        if (finished.isPresent()) {
-            files.plainPaths().forEach(out::println);
-            return finished.getAsInt();
-        }
+        String names = patches.stream().map(Patch::name).limit(3).collect(Collectors.joining("-"));
+        Path picture = output != null ? output : Path.of("color-" + names + ".png");
+        ColorFiles files = new ColorFiles(picture, force.overwrite(output));
         files.checkWritable();
-        List<StripColors> strips = new ArrayList<>();
+        List<SurfaceColors> surfaces = new ArrayList<>();
+        List<String> warnings = new ArrayList<>();
         for (Patch patch : patches) {
-            strips.add(planned(patch, choices, material, remarks));
-        }
-        remarks.print(methodOptions.explains(), err);
-        if (methodOptions.explains()) {
-            strips.forEach(strip -> methodOptions.print(strip.setup().patch().name(), strip.plan(), err));
+            surfaces.add(planned(patch, choices, material, warnings));
         }
         Map<String, Object> settings = new LinkedHashMap<>();
         List<ColorReport> reports;
         CieTable cie = CieTable.load();
         try (RenderContext context = RenderContexts.offscreen()) {
-            reports = reports(context, strips, exposed, choices, material, cie, settings);
+            surfaces.forEach(surface -> surface.draw(context));
+            double factor = factor(exposed, surfaces);
+            describe(settings, surfaces, choices, material, factor);
+            settings.put("renderer", context.info().renderer());
+            DisplayTransform display = new DisplayTransform(factor, exposure.tone(choices));
+            SeenColor.Scale scale = new SeenColor.Scale(display, choices.get(TOLERANCE), cie);
+            reports = surfaces.stream()
+                    .map(surface -> surface.report(context, scale, spectra))
+                    .toList();
         }
         ExitCode judged = judge(reports, err);
-        Map<String, String> note = new LinkedHashMap<>();
-        ResumeOption.note(note, identity, judged);
-        List<Path> written =
-                files.write(reports, settings, remarks.all(), new ColorSheet(reports, settings, cie), note);
+        PrintWriter out = specification.commandLine().getOut();
+        List<Path> written = files.write(reports, settings, warnings, new ColorSheet(reports, settings, cie));
         for (ColorReport report : reports) {
             String name = reports.size() > 1 ? Quoted.oneLine(report.patch().name()) + ": " : "";
             out.println(name + String.join(System.lineSeparator() + "  ", report.lines()));
@@ -192,59 +182,21 @@ public final class ColorCommand implements Callable<Integer> {
         return judged.code();
     }
 
-    private static String names(List<Patch> patches) {
-        return patches.stream().map(Patch::name).limit(3).collect(Collectors.joining("-"));
-    }
-
-    /** Draws, and notes what was drawn with. */
-    private List<ColorReport> reports(
-            RenderContext context,
-            List<StripColors> strips,
-            DisplayOptions.Exposure exposed,
+    /** Notes what is drawn with. */
+    private void describe(
+            Map<String, Object> settings,
+            List<SurfaceColors> surfaces,
             Choices choices,
             RefractiveIndex material,
-            CieTable cie,
-            Map<String, Object> settings) {
-        List<Double> thetas = thetas();
-        List<List<double[]>> colors =
-                strips.stream().map(strip -> strip.colors(context)).toList();
-        List<Verdict> verdicts = IntStream.range(0, strips.size())
-                .mapToObj(i -> verdict(strips.get(i), colors.get(i)))
-                .toList();
-        List<LinearPicture> pictures = IntStream.range(0, strips.size())
-                .mapToObj(i -> verdicts.get(i).colored()
-                        ? strips.get(i).gloss().outside(strips.get(i).views(), colors.get(i))
-                        : Gloss.picture(colors.get(i)))
-                .toList();
-        double factor = factor(exposed, pictures);
-        DisplayTransform display = new DisplayTransform(factor, exposure.tone(choices));
-        double tolerance = choices.get(TOLERANCE);
-        Choices seen = ScanLimit.of(choices, strips.get(0).setup().patch()).choices();
-        settings.put("light", light(strips));
+            double factor) {
+        Choices seen = ScanLimit.of(choices, surfaces.get(0).patch()).choices();
+        settings.put("light", light(surfaces));
         settings.put("method", seen.get(METHOD).label());
         settings.put("options", Methods.describe(seen));
         settings.put("index", index.describe(material));
         settings.put("exposure", factor);
-        settings.put("tone", display.tone().name().toLowerCase(Locale.ROOT));
-        settings.put("tolerance", tolerance);
-        settings.put("renderer", context.info().renderer());
-        ColorReport.Scale scale = new ColorReport.Scale(display, tolerance, cie);
-        return IntStream.range(0, strips.size())
-                .mapToObj(i -> ColorReport.of(
-                        context, strips.get(i), colors.get(i), verdicts.get(i), thetas, spectra, material, scale))
-                .toList();
-    }
-
-    private Verdict verdict(StripColors strips, List<double[]> colors) {
-        Gloss gloss = strips.gloss();
-        boolean allGloss = IntStream.range(0, colors.size())
-                .noneMatch(i -> gloss.leaves(strips.views().get(i), colors.get(i)));
-        return Verdict.of(
-                strips.setup().patch(),
-                strips.order(),
-                strips.light(thetas().get(0)),
-                gloss.window().coherenceLength(),
-                allGloss);
+        settings.put("tone", exposure.tone(choices).name().toLowerCase(Locale.ROOT));
+        settings.put("tolerance", choices.get(TOLERANCE));
     }
 
     private ExitCode judge(List<ColorReport> reports, PrintWriter err) {
@@ -252,7 +204,7 @@ public final class ColorCommand implements Callable<Integer> {
                 reports.stream().anyMatch(report -> report.colors().stream().allMatch(color -> color.rgb() == 0));
         List<Patch> patches = reports.stream().map(ColorReport::patch).toList();
         ExitCode judged = DoubtfulPicture.judge(patches, black, "the picture", exposure.isAutomatic(), err);
-        return reports.stream().allMatch(report -> report.verdict().colored()) ? judged : ExitCode.TOLERANCE_MISSED;
+        return reports.stream().allMatch(report -> report.colored()) ? judged : ExitCode.TOLERANCE_MISSED;
     }
 
     private void check() {
@@ -269,36 +221,46 @@ public final class ColorCommand implements Callable<Integer> {
             throw new UsageException("--spectrum has " + spectra.size() + " angles; give " + MOST_SPECTRA + " at most");
         }
         for (double angle : spectra) {
-            if (!(Math.abs(angle) <= StripColors.LARGEST_VIEW_DEGREES)) {
+            if (!(Math.abs(angle) <= SurfaceColors.LARGEST_VIEW_DEGREES)) {
                 throw new UsageException("--spectrum " + angle + " is out of range; give -80 to 80");
             }
         }
     }
 
     /**
-     * Lays out and plans what is seen of a surface.
+     * Lays out and plans what is seen of a surface; says what is wrong with it in one line, or with {@code --explain} in full.
      *
      * @throws SettingException where that takes too much; it says which part of the surface can be drawn
      */
-    private StripColors planned(Patch patch, Choices choices, RefractiveIndex material, Remarks remarks) {
+    private SurfaceColors planned(Patch patch, Choices choices, RefractiveIndex material, List<String> warnings) {
         try (Progress progress = Progress.start("Planning " + patch.name(), 1)) {
-            patch.warnings().forEach(warning -> remarks.add(patch.name(), warning));
+            List<String> own = new ArrayList<>(patch.warnings());
             ScanLimit limit = ScanLimit.of(choices, patch);
-            limit.line().ifPresent(line -> remarks.add(patch.name(), line.in(OptionOrigin.INSTANCE)));
-            StripColors strips = strips(patch, limit.choices(), material);
-            strips.plan().warnings().forEach(line -> remarks.add(patch.name(), line.in(OptionOrigin.INSTANCE)));
+            limit.line().ifPresent(line -> own.add(line.in(OptionOrigin.INSTANCE)));
+            SurfaceColors surface = surface(patch, limit.choices(), material);
             progress.step(1);
-            return strips;
+            PrintWriter err = specification.commandLine().getErr();
+            if (methodOptions.explains()) {
+                own.forEach(warning -> err.println(Messages.warning(patch.name() + ": " + warning)));
+                methodOptions.print(patch.name(), surface.plan(), err);
+            }
+            surface.plan().warnings().forEach(line -> own.add(line.in(OptionOrigin.INSTANCE)));
+            own.forEach(warning -> warnings.add(patch.name() + ": " + warning));
+            if (!methodOptions.explains()) {
+                ScanWarnings.line(patch.name(), own, "--explain").ifPresent(err::println);
+            }
+            err.flush();
+            return surface;
         } catch (SettingException tooMuch) {
             throw FittingPart.of(
                             patch,
-                            part -> strips(part, ScanLimit.of(choices, part).choices(), material))
+                            part -> surface(part, ScanLimit.of(choices, part).choices(), material))
                     .map(part -> tooMuch.and(part.sentence(patch)))
                     .orElse(tooMuch);
         }
     }
 
-    private StripColors strips(Patch patch, Choices seen, RefractiveIndex material) {
+    private SurfaceColors surface(Patch patch, Choices seen, RefractiveIndex material) {
         PrintWriter err = specification.commandLine().getErr();
         DiffractionSetup setup = new DiffractionSetup(patch, environment, warning -> {
             err.println(Messages.warning(warning));
@@ -308,7 +270,7 @@ public final class ColorCommand implements Callable<Integer> {
         OptionalDouble azimuth = chosen.has(LightOptions.PHI_I)
                 ? OptionalDouble.of(Math.toDegrees(chosen.get(LightOptions.PHI_I)))
                 : OptionalDouble.empty();
-        return new StripColors(setup, Methods.of(seen), material, azimuth, thetas(), step);
+        return new SurfaceColors(setup, Methods.of(seen), material, azimuth, thetas(), step);
     }
 
     private List<Double> thetas() {
@@ -326,7 +288,9 @@ public final class ColorCommand implements Callable<Integer> {
     }
 
     /** Of several surfaces each counts alike, lest a bright one leaves the others black: the mean of their logarithms. */
-    private double factor(DisplayOptions.Exposure exposed, List<LinearPicture> pictures) {
+    private double factor(DisplayOptions.Exposure exposed, List<SurfaceColors> surfaces) {
+        List<LinearPicture> pictures =
+                surfaces.stream().map(SurfaceColors::exposed).toList();
         if (!exposure.isOfAll()) {
             return exposed.of(pictures);
         }
@@ -337,18 +301,17 @@ public final class ColorCommand implements Callable<Integer> {
     }
 
     /** For metadata: where the light stood. */
-    private String light(List<StripColors> strips) {
+    private String light(List<SurfaceColors> surfaces) {
         String theta = light.written(LightOptions.THETA_I);
         if (lastTheta != null) {
             theta += " to " + Decimals.format(lastTheta) + " in " + (thetas().size() - 1) + " steps";
         }
-        if (light.choices().has(LightOptions.PHI_I)) {
-            return "theta " + theta + ", phi " + light.written(LightOptions.PHI_I) + " degrees";
-        }
-        String azimuths = strips.stream()
-                .map(strip -> String.format(
-                        Locale.ROOT, "%s %.1f", strip.setup().patch().name(), strip.lightAzimuthDegrees() + 0.0))
+        String azimuths = surfaces.stream()
+                .map(surface -> String.format(
+                        Locale.ROOT, "%s %.1f", surface.patch().name(), surface.lightAzimuthDegrees() + 0.0))
                 .collect(Collectors.joining(", "));
-        return "theta " + theta + " degrees, phi that of each surface's plane of most color: " + azimuths + " degrees";
+        return light.choices().has(LightOptions.PHI_I)
+                ? "theta " + theta + ", phi " + light.written(LightOptions.PHI_I) + " degrees"
+                : "theta " + theta + " degrees, phi that of each surface's plane along: " + azimuths + " degrees";
     }
 }

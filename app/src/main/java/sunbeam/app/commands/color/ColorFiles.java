@@ -4,18 +4,17 @@ import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.SerializationFeature;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
-import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.OptionalDouble;
 import java.util.function.Function;
 import java.util.stream.Collectors;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.FileGroup;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.files.output.PngWriter;
+import sunbeam.precompute.analysis.GratingPeriod;
 import sunbeam.precompute.patch.ModelError;
 
 /** The picture and, beside it, the numbers as CSV and JSON. */
@@ -37,31 +36,20 @@ final class ColorFiles {
         files.checkWritable();
     }
 
-    /** The files that it is, where no name gets a number: the picture and those beside it. */
-    List<Path> plainPaths() {
-        return files.plainPaths();
-    }
-
     /**
      * All files or none.
      *
-     * @param note what the picture's text says further
      * @param warnings about the surfaces, for JSON
      * @return where they are
      */
     List<Path> write(
-            List<ColorReport> reports,
-            Map<String, Object> settings,
-            List<String> warnings,
-            ColorSheet sheet,
-            Map<String, String> note) {
+            List<ColorReport> reports, Map<String, Object> settings, List<String> warnings, ColorSheet sheet) {
         Map<String, String> text = new LinkedHashMap<>();
         text.put(
                 "Title", "Colors of " + joined(reports, report -> report.patch().name()));
         text.put("Patch", joined(reports, report -> report.patch().source()));
         settings.forEach((key, value) ->
                 text.put(key.substring(0, 1).toUpperCase(Locale.ROOT) + key.substring(1), value.toString()));
-        text.putAll(note);
         ObjectMapper json = new ObjectMapper().enable(SerializationFeature.INDENT_OUTPUT);
         Map<String, Object> tree = new LinkedHashMap<>(settings);
         tree.put("surfaces", reports.stream().map(ColorFiles::surface).toList());
@@ -127,59 +115,50 @@ final class ColorFiles {
         Map<String, Object> surface = new LinkedHashMap<>();
         surface.put("patch", report.patch().name());
         surface.put("source", report.patch().source());
-        surface.put("verdict", report.verdict().sentence());
-        surface.put("has_color", report.verdict().colored());
-        OptionalDouble halfWidth = report.order().plane().halfWidthDegrees();
-        surface.put("plane_azimuth_deg", report.order().plane().azimuthDegrees());
-        surface.put("plane_azimuth_half_width_deg", halfWidth.isPresent() ? halfWidth.getAsDouble() : null);
-        surface.put("grating", report.order().grating().map(ColorFiles::grating).orElse(null));
+        surface.put("verdict", report.verdict());
+        surface.put("has_color", report.colored());
+        surface.put("plane_azimuth_deg", report.azimuthDegrees());
+        surface.put("grating", report.period().isTold() ? grating(report.period()) : null);
         surface.put("light_azimuth_deg", report.lightAzimuthDegrees());
         surface.put("coherence_length_um", rounded(report.coherenceLength() * 1e6, 4));
         surface.put("plan", report.plan());
         surface.put("model", ModelError.of(report.patch().scan()).describe());
         surface.put(
-                "purest", report.purest().map(color -> purest(report, color)).orElse(null));
+                "purest",
+                report.purest()
+                        .map(color -> {
+                            Map<String, Object> values = color(color);
+                            values.putAll(band(report.spectra().get(0)));
+                            return values;
+                        })
+                        .orElse(null));
         surface.put("colors", report.colors().stream().map(ColorFiles::color).toList());
         surface.put(
                 "spectra", report.spectra().stream().map(ColorFiles::spectrum).toList());
         return surface;
     }
 
-    private static Map<String, Object> grating(SurfaceOrder.Grating grating) {
-        Map<String, Object> values = new LinkedHashMap<>();
-        values.put("period_nm", nanometres(grating.period()));
-        values.put("period_low_nm", nanometres(grating.low()));
-        values.put("period_high_nm", nanometres(grating.high()));
-        values.put("azimuth_across_lines_deg", grating.azimuthDegrees());
-        return values;
-    }
-
-    private static Map<String, Object> purest(ColorReport report, SeenColor purest) {
-        Map<String, Object> values = color(purest);
-        values.putAll(band(report.spectra().get(0).band()));
-        return values;
-    }
-
-    private static Map<String, Object> band(SpectralBand band) {
+    private static Map<String, Object> grating(GratingPeriod period) {
         return Map.of(
-                "width_nm",
-                nanometres(band.width()),
-                "quarter_nm",
-                nanometres(band.from()),
-                "three_quarters_nm",
-                nanometres(band.to()));
+                "period_nm", nanometres(period.period()),
+                "period_low_nm", nanometres(period.low()),
+                "period_high_nm", nanometres(period.high()),
+                "azimuth_across_lines_deg", Math.toDegrees(period.azimuth()));
     }
 
-    private static Map<String, Object> spectrum(ColorReport.SeenSpectrum spectrum) {
+    private static Map<String, Object> band(SeenSpectrum spectrum) {
+        return Map.of(
+                "width_nm", nanometres(spectrum.width()),
+                "quarter_nm", nanometres(spectrum.from()),
+                "three_quarters_nm", nanometres(spectrum.to()));
+    }
+
+    private static Map<String, Object> spectrum(SeenSpectrum spectrum) {
         Map<String, Object> values = new LinkedHashMap<>();
         values.put("theta_i", spectrum.view().thetaIDegrees());
         values.put("theta_r", spectrum.view().thetaRDegrees());
-        values.putAll(band(spectrum.band()));
-        values.put(
-                "wavelength_nm",
-                Arrays.stream(spectrum.wavelengths())
-                        .map(ColorFiles::nanometres)
-                        .toArray());
+        values.putAll(band(spectrum));
+        values.put("wavelength_nm", spectrum.nanometres());
         values.put("relative_radiance", spectrum.radiances());
         return values;
     }

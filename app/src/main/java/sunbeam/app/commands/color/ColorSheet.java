@@ -4,6 +4,8 @@ import java.awt.Color;
 import java.awt.Font;
 import java.awt.Graphics2D;
 import java.awt.RenderingHints;
+import java.awt.Shape;
+import java.awt.geom.Ellipse2D;
 import java.awt.image.BufferedImage;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -16,15 +18,31 @@ import sunbeam.app.files.plot.FittedNames;
 import sunbeam.app.files.plot.Plot;
 import sunbeam.precompute.color.Chromaticity;
 import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.units.Decimals;
+import sunbeam.precompute.units.Lengths;
 
 /** The picture: a pair of strips for each surface, the chromaticities and the spectra; a surface has one color in all. */
 final class ColorSheet {
+    private static final Font TITLE_FONT = new Font(Font.SANS_SERIF, Font.BOLD, 15);
+    private static final Font FONT = new Font(Font.SANS_SERIF, Font.PLAIN, 13);
     private static final int WIDTH = 1280;
-    private static final int LEFT = 40;
+    private static final int LEFT = 130;
+    private static final int RIGHT = 30;
+    private static final int STRIP = 64;
+    private static final int ROW = 14;
+    private static final int TITLE = 56;
+    private static final int GAP = 36;
     private static final int PLOT_HEIGHT = 560;
     private static final int CAPTION = 48;
+    /** Pixels that a surface's name takes at most: some 32 letters. */
+    private static final int WIDEST_NAME = 270;
+
+    private static final int LARGEST = SurfaceColors.LARGEST_VIEW_DEGREES;
+    // A direction whose azimuth is farther off lies beside the strip.
+    private static final double IN_PLANE = Math.sin(Math.toRadians(1));
     private static final double TICK = 0.1;
     private static final Color INK = new Color(0x222222);
+    private static final Color LIGHT = new Color(0xF0E442);
 
     private final List<ColorReport> reports;
     private final List<String> names;
@@ -35,51 +53,159 @@ final class ColorSheet {
     ColorSheet(List<ColorReport> reports, Map<String, Object> settings, CieTable cie) {
         this.reports = reports;
         this.names = FittedNames.of(
-                reports.stream().map(report -> report.patch().name()).toList(),
-                StripPanel.TITLE_FONT,
-                StripPanel.WIDEST_NAME);
+                reports.stream().map(report -> report.patch().name()).toList(), TITLE_FONT, WIDEST_NAME);
         this.settings = settings;
         this.cie = cie;
     }
 
     BufferedImage draw() {
-        List<StripPanel> panels = IntStream.range(0, reports.size())
-                .mapToObj(i -> new StripPanel(reports.get(i), names.get(i), i, WIDTH))
-                .toList();
-        int top = panels.stream().mapToInt(StripPanel::height).sum();
-        BufferedImage image = new BufferedImage(WIDTH, top + PLOT_HEIGHT + CAPTION, BufferedImage.TYPE_INT_RGB);
+        int strip = stripHeight();
+        int panel = TITLE + 2 * (strip + GAP);
+        int plots = panel * reports.size();
+        BufferedImage image = new BufferedImage(WIDTH, plots + PLOT_HEIGHT + CAPTION, BufferedImage.TYPE_INT_RGB);
         Graphics2D graphics = image.createGraphics();
         graphics.setRenderingHint(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
         graphics.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
         graphics.setColor(Color.WHITE);
         graphics.fillRect(0, 0, WIDTH, image.getHeight());
-        int y = 0;
-        for (StripPanel panel : panels) {
-            panel.draw(graphics, y);
-            y += panel.height();
+        for (int i = 0; i < reports.size(); i++) {
+            int top = i * panel;
+            graphics.setColor(Plot.color(i));
+            graphics.fillRect(LEFT - 20, top + 8, 13, 13);
+            graphics.setColor(INK);
+            fitted(graphics, names.get(i) + ": " + reports.get(i).verdict(), TITLE_FONT, top + 20);
+            fitted(graphics, title(reports.get(i)), FONT, top + 40);
+            strip(graphics, reports.get(i), true, top + TITLE);
+            strip(graphics, reports.get(i), false, top + TITLE + strip + GAP);
         }
-        graphics.drawImage(chromaticities(), 0, y, null);
-        graphics.drawImage(spectra(), WIDTH / 2, y, null);
-        caption(graphics, y + PLOT_HEIGHT);
+        graphics.drawImage(chromaticities(), 0, plots, null);
+        graphics.drawImage(spectra(), WIDTH / 2, plots, null);
+        graphics.setColor(INK);
+        fitted(graphics, caption(), FONT, plots + PLOT_HEIGHT + 14);
+        fitted(
+                graphics,
+                "angles of the view to the normal, negative on the side away from the azimuth",
+                FONT,
+                plots + PLOT_HEIGHT + 34);
         graphics.dispose();
         return image;
     }
 
-    private void caption(Graphics2D graphics, int top) {
+    /** All surfaces have the same lights. */
+    private int stripHeight() {
+        return Math.max(STRIP, ROW * reports.get(0).thetas().size());
+    }
+
+    /** A line of text, smaller where it is too long. */
+    private static void fitted(Graphics2D graphics, String text, Font font, int baseline) {
+        double share = Math.min(1, (WIDTH - LEFT - RIGHT) / FittedNames.width(text, font));
+        graphics.setFont(font.deriveFont((float) share * font.getSize2D()));
+        graphics.drawString(text, LEFT, baseline);
+    }
+
+    /** The color is that of the strip below and of the tables: at the exposure that all share. */
+    static String title(ColorReport report) {
+        List<Double> thetas = report.thetas();
+        String to = thetas.size() == 1 ? "" : " (top) to " + angle(thetas.get(thetas.size() - 1)) + " (bottom)";
+        String purest = report.purest()
+                .map(color -> "; purest (square) " + color.hex() + " at "
+                        + angle(color.view().thetaRDegrees()))
+                .orElse("");
+        return String.format(
+                Locale.ROOT,
+                "light (yellow) at %s%s, azimuth %s; mirror direction (white)%s; coherence length %s",
+                angle(thetas.get(0)),
+                to,
+                angle(report.lightAzimuthDegrees()),
+                purest,
+                Lengths.rounded(report.coherenceLength(), 3));
+    }
+
+    private static String angle(double degrees) {
+        return Decimals.format(Math.round(degrees * 10) / 10.0 + 0.0) + "\u00b0";
+    }
+
+    private static int x(double degrees) {
+        double inside = Math.max(-LARGEST, Math.min(LARGEST, degrees));
+        return LEFT + (int) Math.round((inside + LARGEST) * (WIDTH - LEFT - RIGHT) / (2 * LARGEST));
+    }
+
+    private void strip(Graphics2D graphics, ColorReport report, boolean along, int top) {
+        int height = stripHeight();
+        int rows = report.thetas().size();
+        for (int row = 0; row < rows; row++) {
+            double theta = report.thetas().get(row);
+            int from = top + row * height / rows;
+            int to = top + (row + 1) * height / rows;
+            List<SeenColor> colors = report.colors().stream()
+                    .filter(color -> color.view().isAt(along, theta))
+                    .toList();
+            cells(graphics, colors, from, to);
+            marks(graphics, report, along, theta, (from + to) / 2);
+        }
         graphics.setColor(INK);
-        Font font = new Font(Font.SANS_SERIF, Font.PLAIN, 14);
-        graphics.setFont(font);
+        graphics.setFont(FONT);
+        double azimuth = report.azimuthDegrees() + (along ? 0 : 90);
+        graphics.drawString(along ? "along" : "across", 12, top + height / 2 - 4);
+        graphics.drawString("azimuth " + angle(azimuth), 12, top + height / 2 + 14);
+        for (int degrees = -LARGEST; degrees <= LARGEST; degrees += 20) {
+            int x = x(degrees);
+            graphics.drawLine(x, top + height, x, top + height + 4);
+            String label = degrees + "\u00b0";
+            graphics.drawString(label, x - graphics.getFontMetrics().stringWidth(label) / 2, top + height + 18);
+        }
+    }
+
+    /** Each color reaches half way to its neighbors' angles. */
+    private static void cells(Graphics2D graphics, List<SeenColor> colors, int top, int bottom) {
+        double step =
+                colors.get(1).view().thetaRDegrees() - colors.get(0).view().thetaRDegrees();
+        for (SeenColor color : colors) {
+            int from = x(color.view().thetaRDegrees() - step / 2);
+            int to = x(color.view().thetaRDegrees() + step / 2);
+            graphics.setColor(new Color(color.rgb()));
+            graphics.fillRect(from, top, to - from, bottom - top);
+        }
+    }
+
+    /** What lies in a strip, with a black border to be seen on any color. */
+    private static void marks(Graphics2D graphics, ColorReport report, boolean along, double theta, int y) {
+        double aside = Math.toRadians(report.lightAzimuthDegrees() - report.azimuthDegrees() - (along ? 0 : 90));
+        if (theta == 0 || Math.abs(Math.sin(aside)) < IN_PLANE) {
+            double light = Math.copySign(theta, Math.cos(aside));
+            mark(graphics, new Ellipse2D.Double(x(-light) - 4.5, y - 4.5, 9, 9), Color.WHITE);
+            mark(graphics, new Ellipse2D.Double(x(light) - 2.5, y - 2.5, 5, 5), LIGHT);
+        }
+        report.purest()
+                .filter(color -> color.view().isAt(along, theta))
+                .ifPresent(color -> {
+                    int x = x(color.view().thetaRDegrees());
+                    graphics.setColor(Color.WHITE);
+                    graphics.drawRect(x - 5, y - 5, 10, 10);
+                    graphics.setColor(Color.BLACK);
+                    graphics.drawRect(x - 6, y - 6, 12, 12);
+                });
+    }
+
+    private static void mark(Graphics2D graphics, Shape shape, Color color) {
+        graphics.setColor(color);
+        graphics.fill(shape);
+        graphics.setColor(Color.BLACK);
+        graphics.draw(shape);
+    }
+
+    private String caption() {
         // Each surface's own coherence length stands in its title.
         String options = Arrays.stream(settings.get("options").toString().split(", ", -1))
                 .filter(option -> !option.startsWith("coherence length"))
                 .collect(Collectors.joining(", "));
-        String exposed = String.format(Locale.ROOT, "one exposure for all: %.4g; ", (Double) settings.get("exposure"));
-        String method = "; method " + settings.get("method") + ", " + options;
-        double room = WIDTH - 2 * LEFT - FittedNames.width(exposed + method, font);
-        String index = FittedNames.of("refractive index " + settings.get("index"), font, room);
-        graphics.drawString(exposed + index + method, LEFT, top + 14);
-        graphics.drawString(
-                "angles of the view to the normal, negative on the side away from the azimuth", LEFT, top + 34);
+        return String.format(
+                Locale.ROOT,
+                "one exposure for all: %.4g; refractive index %s; method %s, %s",
+                (Double) settings.get("exposure"),
+                settings.get("index"),
+                settings.get("method"),
+                options);
     }
 
     /** The locus of spectral light, white, and each surface's colors along its plane of most color. */
@@ -125,12 +251,12 @@ final class ColorSheet {
     }
 
     private BufferedImage spectra() {
-        List<ColorReport.SeenSpectrum> all =
+        List<SeenSpectrum> all =
                 reports.stream().flatMap(report -> report.spectra().stream()).toList();
         // A single line has no legend.
         String angle =
-                all.size() == 1 ? " at " + StripPanel.angle(all.get(0).view().thetaRDegrees()) : "";
-        String light = StripPanel.angle(all.get(0).view().thetaIDegrees());
+                all.size() == 1 ? " at " + angle(all.get(0).view().thetaRDegrees()) : "";
+        String light = angle(all.get(0).view().thetaIDegrees());
         Plot plot = new Plot(new Plot.Frame(
                 "Spectrum along" + angle + ", light at " + light,
                 Plot.Axis.linear("wavelength / nm"),
@@ -139,7 +265,7 @@ final class ColorSheet {
                 PLOT_HEIGHT));
         plot.legendBelow();
         for (int i = 0; i < reports.size(); i++) {
-            List<ColorReport.SeenSpectrum> spectra = reports.get(i).spectra();
+            List<SeenSpectrum> spectra = reports.get(i).spectra();
             for (int j = 0; j < spectra.size(); j++) {
                 add(plot, names.get(i), spectra.get(j), new Plot.Look(i, j));
             }
@@ -147,15 +273,11 @@ final class ColorSheet {
         return plot.draw();
     }
 
-    private static void add(Plot plot, String name, ColorReport.SeenSpectrum spectrum, Plot.Look look) {
-        double[] nanometres = new double[spectrum.wavelengths().length];
-        double[] shares = new double[nanometres.length];
+    private static void add(Plot plot, String name, SeenSpectrum spectrum, Plot.Look look) {
         double largest = Math.max(
                 Double.MIN_NORMAL, Arrays.stream(spectrum.radiances()).max().orElseThrow());
-        for (int i = 0; i < nanometres.length; i++) {
-            nanometres[i] = spectrum.wavelengths()[i] * 1e9;
-            shares[i] = spectrum.radiances()[i] / largest;
-        }
-        plot.line(name + " at " + StripPanel.angle(spectrum.view().thetaRDegrees()), nanometres, shares, look);
+        double[] shares =
+                Arrays.stream(spectrum.radiances()).map(value -> value / largest).toArray();
+        plot.line(name + " at " + angle(spectrum.view().thetaRDegrees()), spectrum.nanometres(), shares, look);
     }
 }

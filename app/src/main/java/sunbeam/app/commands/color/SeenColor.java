@@ -1,6 +1,9 @@
 package sunbeam.app.commands.color;
 
+import java.util.Comparator;
+import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import sunbeam.precompute.color.Chromaticity;
 import sunbeam.precompute.color.CieLab;
 import sunbeam.precompute.color.CieTable;
@@ -27,6 +30,9 @@ record SeenColor(
         Chromaticity.Hue hue,
         CieLab lab,
         double uncertainty) {
+    // Of the luminances: what is darker than this share of the others has little say in which color is purest.
+    private static final double BRIGHT = 0.9;
+
 
     /**
      * Where it is seen from.
@@ -35,20 +41,46 @@ record SeenColor(
      * @param thetaIDegrees of the light to the normal
      * @param thetaRDegrees of the viewer to the normal, negative on the other side
      */
-    record View(boolean along, double thetaIDegrees, double thetaRDegrees, DirectionPair pair) {}
+    record View(boolean along, double thetaIDegrees, double thetaRDegrees, DirectionPair pair) {
+        /** Whether it is of this strip and light. */
+        boolean isAt(boolean strip, double light) {
+            return along == strip && thetaIDegrees == light;
+        }
+    }
 
-    static SeenColor of(View view, double[] xyz, DisplayTransform display, double tolerance, CieTable cie) {
-        double exposure = display.exposure();
+    /**
+     * How colors become numbers.
+     *
+     * @param display what a screen shows of linear light
+     * @param tolerance that the colors are planned for
+     */
+    record Scale(DisplayTransform display, double tolerance, CieTable cie) {}
+
+    static SeenColor of(View view, double[] xyz, Scale scale) {
+        double exposure = scale.display().exposure();
         double[] exposed = {exposure * xyz[0], exposure * xyz[1], exposure * xyz[2]};
         Chromaticity chromaticity = Chromaticity.of(xyz);
         return new SeenColor(
                 view,
                 xyz,
-                display.rgb(xyz),
+                scale.display().rgb(xyz),
                 chromaticity,
-                chromaticity.hue(cie),
+                chromaticity.hue(scale.cie()),
                 lab(exposed),
-                uncertainty(exposed, 3 * tolerance));
+                uncertainty(exposed, 3 * scale.tolerance()));
+    }
+
+    /**
+     * The one with the largest product of excitation purity and lightness, the cube root of luminance: what is dark beside the
+     * others does not win. No exposure changes it.
+     */
+    static Optional<SeenColor> purest(List<SeenColor> colors) {
+        double[] luminances =
+                colors.stream().mapToDouble(color -> color.xyz()[1]).sorted().toArray();
+        double bright = luminances.length == 0 ? 1 : luminances[(int) (BRIGHT * (luminances.length - 1))];
+        return colors.stream()
+                .max(Comparator.comparingDouble(color -> Math.min(1, color.hue().purity())
+                        * Math.cbrt(Math.min(1, color.xyz()[1] / bright))));
     }
 
     /** The largest difference that errors of X, Y and Z by a share make, in any combination of signs. */

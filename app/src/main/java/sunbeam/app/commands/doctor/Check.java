@@ -9,16 +9,16 @@ import java.util.Optional;
  * @param value what was found
  * @param remedy what to do about it; empty when all is well
  */
-public record Check(String name, String value, Optional<String> remedy) {
-    public static Check ok(String name, String value) {
+record Check(String name, String value, Optional<String> remedy) {
+    static Check ok(String name, String value) {
         return new Check(name, value, Optional.empty());
     }
 
-    public static Check failed(String name, String value, String remedy) {
+    static Check failed(String name, String value, String remedy) {
         return new Check(name, value, Optional.of(remedy));
     }
 
-    public boolean isOk() {
+    boolean isOk() {
         return remedy.isEmpty();
     }
 }

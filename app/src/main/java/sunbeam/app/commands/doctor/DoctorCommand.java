@@ -6,6 +6,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.Callable;
+import java.util.function.Supplier;
 import jrtr.GraphicsException;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -24,7 +25,7 @@ import sunbeam.app.terminal.JsonOption;
                 + "The exit code says whether rendering works: 0 if it does, 5 if not.")
 public final class DoctorCommand implements Callable<Integer> {
     private final Environment environment;
-    private final GraphicsProbe graphics;
+    private final Supplier<List<Check>> graphics;
 
     @Mixin
     private JsonOption json;
@@ -32,7 +33,12 @@ public final class DoctorCommand implements Callable<Integer> {
     @Spec
     private CommandSpec specification;
 
-    public DoctorCommand(Environment environment, GraphicsProbe graphics) {
+    public DoctorCommand(Environment environment) {
+        this(environment, Machine::graphics);
+    }
+
+    /** @param graphics opens graphics as rendering does and tells what it found */
+    DoctorCommand(Environment environment, Supplier<List<Check>> graphics) {
         this.environment = environment;
         this.graphics = graphics;
     }
@@ -53,7 +59,7 @@ public final class DoctorCommand implements Callable<Integer> {
 
     private List<Check> examineGraphics() {
         try {
-            return graphics.examine();
+            return graphics.get();
         } catch (GraphicsException failure) {
             return List.of(Check.failed("Graphics", "not usable", failure.getMessage()));
         }

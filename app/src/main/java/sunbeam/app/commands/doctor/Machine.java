@@ -5,12 +5,16 @@ import java.io.UncheckedIOException;
 import java.lang.management.ManagementFactory;
 import java.util.ArrayList;
 import java.util.List;
+import jrtr.ContextInfo;
+import jrtr.ContextLimits;
+import jrtr.RenderContext;
+import jrtr.gl.RenderContexts;
 import java.util.Locale;
 import sunbeam.app.files.cache.CacheFolder;
 import sunbeam.app.terminal.ByteSize;
 import sunbeam.app.terminal.Environment;
 
-/** What can be said of the machine without opening graphics. */
+/** What can be said of the machine. */
 final class Machine {
     private static final double MEBIBYTE = 1024.0 * 1024.0;
     /** What the largest patches that are tested take, with room. */
@@ -18,6 +22,7 @@ final class Machine {
 
     private Machine() {}
 
+    /** Without opening graphics. */
     static List<Check> examine(Environment environment) {
         List<Check> checks = new ArrayList<>();
         checks.add(Check.ok(
@@ -34,6 +39,24 @@ final class Machine {
         checks.add(display(environment));
         checks.add(cache(CacheFolder.of(environment)));
         return checks;
+    }
+
+    /** What the context tells that rendering uses: vendor, renderer, version and limits. */
+    static List<Check> graphics() {
+        try (RenderContext context = RenderContexts.offscreen()) {
+            return describe(context.info());
+        }
+    }
+
+    private static List<Check> describe(ContextInfo info) {
+        ContextLimits limits = info.limits();
+        return List.of(
+                Check.ok("GL vendor", info.vendor()),
+                Check.ok("GL renderer", info.renderer() + (info.software() ? ", in software" : "")),
+                Check.ok("GL version", info.version() + ", GLSL " + info.shadingLanguageVersion()),
+                Check.ok("Texture size", limits.textureSize() + " x " + limits.textureSize() + " texels"),
+                Check.ok("Array layers", Integer.toString(limits.arrayLayers())),
+                Check.ok("Picture size", limits.targetWidth() + " x " + limits.targetHeight() + " pixels"));
     }
 
     private static Check heap() {

@@ -2,7 +2,6 @@ package sunbeam.app.commands.failure;
 
 import java.util.List;
 import java.util.Locale;
-import java.util.Map;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.UnmatchedArgumentException;
 import sunbeam.precompute.text.Similar;
@@ -10,14 +9,6 @@ import sunbeam.precompute.units.Decimals;
 
 /** One line for a command line that cannot be understood: what is wrong, what may have been meant, where to read on. */
 final class UsageMistake {
-    private static final List<String> UNITS = List.of("pm", "nm", "um", "\u00b5m", "\u03bcm", "mm", "cm", "m", "deg");
-
-    private static final List<String> YES_AND_NO = List.of("yes", "no", "true", "false", "on", "off");
-
-    /** What commands that have no report for programs write for them. */
-    private static final Map<String, String> JSON_FILES =
-            Map.of("color", "color-NAME.json", "evaluate", "NAME-evaluate.json");
-
     private UsageMistake() {}
 
     static String message(ParameterException mistake) {
@@ -32,35 +23,18 @@ final class UsageMistake {
         String argument = unmatched.getUnmatched().get(0);
         boolean hasCommands = !mistake.getCommandLine().getSubcommands().isEmpty();
         if (!unmatched.isUnknownOption() && !hasCommands) {
-            return "unknown argument '" + argument + "'" + argumentRemedy(mistake, argument);
+            boolean surface =
+                    mistake.getCommandLine().getCommandSpec().optionsMap().containsKey("--patch");
+            return "unknown argument '" + argument + "'"
+                    + (surface ? "; values follow options, without blanks or in quotes, such as --patch NAME" : "");
         }
         if (unmatched.isUnknownOption() && isOptionOfACommand(mistake, argument)) {
             return "option '" + argument + "' has no command before it; give the command first, then its options";
-        }
-        if (argument.equals("--json")
-                && JSON_FILES.containsKey(mistake.getCommandLine().getCommandName())) {
-            String file = JSON_FILES.get(mistake.getCommandLine().getCommandName());
-            return "unknown option '--json'; it is not needed, as " + file
-                    + " is always written beside the picture (--output" + " chooses its name)";
         }
         String kind = unmatched.isUnknownOption() ? "option" : "command";
         List<String> suggestions = closest(unmatched.getSuggestions(), argument);
         String meant = suggestions.isEmpty() ? "" : " (did you mean " + String.join(" or ", suggestions) + "?)";
         return "unknown " + kind + " '" + argument + "'" + meant;
-    }
-
-    private static String argumentRemedy(ParameterException mistake, String argument) {
-        if (UNITS.contains(argument)) {
-            return "; write a number and its unit without a blank, such as 10" + argument;
-        }
-        if (YES_AND_NO.contains(argument.toLowerCase(Locale.ROOT))) {
-            return "; an option that takes no value is on where it is given, and off where it is left out";
-        }
-        var options = mistake.getCommandLine().getCommandSpec().optionsMap();
-        String more = options.containsKey("--with") ? ", more with --with" : "";
-        return options.containsKey("--patch")
-                ? "; name a surface with --patch" + more + ", and put a name that has blanks in quotes"
-                : "";
     }
 
     private static boolean isOptionOfACommand(ParameterException mistake, String argument) {

@@ -7,6 +7,8 @@ import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
+import java.util.function.UnaryOperator;
 import sunbeam.app.terminal.UsageException;
 
 /**
@@ -59,36 +61,48 @@ record Figure(
                 .toList();
     }
 
-    /** The name of a picture's file. */
-    String file(String patch, Picture picture) {
-        return number + "-" + patch + "-" + picture.name() + ".png";
+    /**
+     * A picture of one patch.
+     *
+     * @param label for people
+     * @param file where it goes
+     * @param command line that draws it
+     * @param base the picture that it is compared with
+     */
+    record Drawing(String number, String patch, String label, Path file, List<String> command, Optional<Path> base) {
+        /** Maps know by themselves whether they are there, drawn alike; evaluations are kept where they are there. */
+        boolean isMap() {
+            return command.get(0).equals("brdf-map");
+        }
     }
 
     /**
-     * The command line that draws a picture.
+     * All pictures of the figure.
      *
-     * @param patch which of the figure's
-     * @param source the argument of {@code --patch} that stands for it
+     * @param source the argument of {@code --patch} that stands for a patch
      * @param size of maps, pixels
      */
-    List<String> command(String patch, Picture picture, String source, int size, Path folder) {
+    List<Drawing> drawings(UnaryOperator<String> source, int size, Path folder) {
+        return patches.stream()
+                .flatMap(patch -> pictures.stream().map(picture -> drawing(patch, picture, source.apply(patch), size, folder)))
+                .toList();
+    }
+
+    private Drawing drawing(String patch, Picture picture, String source, int size, Path folder) {
+        Path file = folder.resolve(file(patch, picture));
+        // Method gem knows no brightness and has an exposure of its own.
+        Optional<Path> base = Optional.of(folder.resolve(file(patch, pictures.get(0))))
+                .filter(first -> compared && !first.equals(file) && !picture.command().contains("--method gem"));
         List<String> words = new ArrayList<>(List.of(picture.command().split(" ", -1)));
         if (words.get(0).equals("brdf-map")) {
             words.addAll(List.of("--no-annotate", "--size", Integer.toString(size)));
         }
-        if (isCompared(picture)) {
-            words.addAll(List.of(
-                    "--exposure", folder.resolve(file(patch, pictures.get(0))).toString()));
-        }
-        words.addAll(List.of("--patch", source));
-        words.addAll(List.of("--output", folder.resolve(file(patch, picture)).toString()));
-        return words;
+        base.ifPresent(first -> words.addAll(List.of("--exposure", first.toString())));
+        words.addAll(List.of("--patch", source, "--output", file.toString()));
+        return new Drawing(number, patch, picture.label(), file, words, base);
     }
 
-    /** Whether a picture is compared with the first; gem knows no brightness and has an exposure of its own. */
-    boolean isCompared(Picture picture) {
-        return compared
-                && !picture.equals(pictures.get(0))
-                && !picture.command().contains("--method gem");
+    private String file(String patch, Picture picture) {
+        return number + "-" + patch + "-" + picture.name() + ".png";
     }
 }

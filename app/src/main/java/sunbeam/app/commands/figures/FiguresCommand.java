@@ -1,9 +1,5 @@
 package sunbeam.app.commands.figures;
 
-import com.fasterxml.jackson.core.JsonProcessingException;
-import com.fasterxml.jackson.core.type.TypeReference;
-import com.fasterxml.jackson.databind.ObjectMapper;
-import com.fasterxml.jackson.databind.SerializationFeature;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.StringWriter;
@@ -13,11 +9,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import java.util.Objects;
-import java.util.Set;
-import java.util.TreeMap;
 import java.util.concurrent.Callable;
-import java.util.stream.Collectors;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -32,7 +24,6 @@ import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.UsageException;
-import sunbeam.app.terminal.Version;
 import sunbeam.app.terminal.progress.Progress;
 
 /** {@code sunbeam figures}: runs the commands of the manifest, one a picture, and writes a page of them. */
@@ -42,17 +33,22 @@ import sunbeam.app.terminal.progress.Progress;
         description = "Draw the result figures of the thesis as one folder: BRDF maps per patch (5.3), method (5.4),"
                 + " wavelength step (5.5, 5.6), full against pq (5.7 to 5.9), per coherence window (5.10), number of"
                 + " terms (5.11, 5.12) and angle of incidence (5.13); the evaluation by the grating equation (4.9 to"
-                + " 4.11). Pictures that the same command has drawn are kept, so that a run which was stopped goes on where"
-                + " it ended. Look at index.html, which names the command of each picture.")
+                + " 4.11). Pictures that are there and were drawn alike are kept, so that a run which was stopped goes on where it"
+                + " ended. Look at index.html, which names the command of each picture.")
 public final class FiguresCommand implements Callable<Integer> {
     private static final int LARGEST = 2048;
-    private static final long LARGEST_RECORD = 1 << 20;
     private static final String PAGE = "index.html";
-    private static final String RECORD = "figures.json";
     private static final Map<String, String> BUILT_IN =
             Map.of("blaze", "blaze", "elaphe", "elaphe-like", "xenopeltis", "xenopeltis-like");
 
-    private final CommandRunner runner;
+    private final Runner runner;
+
+    /** Runs a command line of this program. */
+    @FunctionalInterface
+    public interface Runner {
+        /** The exit code of a run that writes its error messages there. */
+        int run(PrintWriter err, String... arguments);
+    }
 
     @Option(
             names = "--output",
@@ -65,7 +61,7 @@ public final class FiguresCommand implements Callable<Integer> {
             names = "--only",
             paramLabel = "NUMBER",
             split = ",",
-            description = "Only these figures, for example 5.10 or 5.3,5.4. The page shows all that the folder has.")
+            description = "Only these figures, for example 5.10 or 5.3,5.4.")
     private List<String> only = new ArrayList<>();
 
     @Option(
@@ -89,15 +85,8 @@ public final class FiguresCommand implements Callable<Integer> {
     private CommandSpec specification;
 
     /** @param runner of the manifest's commands */
-    public FiguresCommand(CommandRunner runner) {
+    public FiguresCommand(Runner runner) {
         this.runner = runner;
-    }
-
-    /** A picture of one patch. */
-    private record Task(Figure figure, String patch, Figure.Picture picture, List<String> command) {
-        String file() {
-            return figure.file(patch, picture);
-        }
     }
 
     @Override
@@ -105,30 +94,19 @@ public final class FiguresCommand implements Callable<Integer> {
         if (size < 16 || size > LARGEST) {
             throw new UsageException("--size " + size + " is out of range; give 16 to " + LARGEST);
         }
-        List<Task> tasks = tasks(Figure.select(only));
+        List<Figure> figures = Figure.select(only);
+        List<Figure.Drawing> drawings = figures.stream()
+                .flatMap(figure -> figure.drawings(this::source, size, output).stream())
+                .toList();
         OutputFolder.create(output);
         checkPage();
-        Map<String, Drawn> drawn = record();
-        List<Task> missing =
-                tasks.stream().filter(task -> !isDrawn(task, drawn)).toList();
-        missing.forEach(this::requireFree);
-        int code = draw(missing, drawn);
-        write(PAGE, FiguresPage.of(Figure.all(), drawn));
+        int code = draw(drawings);
+        AtomicFile.write(
+                output.resolve(PAGE),
+                Overwrite.REPLACE,
+                stream -> stream.write(FiguresPage.of(figures, drawings).getBytes(StandardCharsets.UTF_8)));
         specification.commandLine().getOut().println(output.resolve(PAGE));
         return code;
-    }
-
-    private List<Task> tasks(List<Figure> figures) {
-        List<Task> tasks = new ArrayList<>();
-        for (Figure figure : figures) {
-            for (String patch : figure.patches()) {
-                for (Figure.Picture picture : figure.pictures()) {
-                    tasks.add(new Task(
-                            figure, patch, picture, figure.command(patch, picture, source(patch), size, output)));
-                }
-            }
-        }
-        return tasks;
     }
 
     private String source(String patch) {
@@ -143,46 +121,31 @@ public final class FiguresCommand implements Callable<Integer> {
         return descriptor.toString();
     }
 
-    private boolean isDrawn(Task task, Map<String, Drawn> drawn) {
-        Drawn known = drawn.get(task.file());
-        return known != null
-                && Version.number().equals(known.version())
-                && String.join(" ", task.command()).equals(known.command())
-                && Files.isRegularFile(output.resolve(task.file()));
-    }
-
-    /** Before anything is drawn. */
-    private void requireFree(Task task) {
-        Path file = output.resolve(task.file());
-        if (force.overwrite() == Overwrite.REFUSE && Files.exists(file)) {
-            throw new OutputExistsException("cannot write " + file
-                    + ": it exists, with other parameters; add --force to replace it, or choose another --output");
-        }
-    }
-
     /** Returns the exit code of the first command that failed. */
-    private int draw(List<Task> missing, Map<String, Drawn> drawn) {
+    private int draw(List<Figure.Drawing> drawings) {
         int code = ExitCode.OK.code();
-        try (Progress progress = Progress.start("Figures", missing.size())) {
-            for (Task task : missing) {
-                StringWriter out = new StringWriter();
+        try (Progress progress = Progress.start("Figures", drawings.size())) {
+            for (Figure.Drawing drawing : drawings) {
                 StringWriter err = new StringWriter();
-                List<String> words = new ArrayList<>(task.command());
-                words.add("--force");
-                int result = runner.run(new PrintWriter(out), new PrintWriter(err), words.toArray(String[]::new));
+                boolean replaced = force.overwrite() == Overwrite.REPLACE;
+                if (!drawing.isMap() && !replaced && Files.exists(drawing.file())) {
+                    continue;
+                }
+                List<String> words = new ArrayList<>(drawing.command());
+                if (drawing.isMap()) {
+                    words.add("--resume");
+                }
+                if (replaced) {
+                    words.add("--force");
+                }
+                int result = runner.run(new PrintWriter(err), words.toArray(String[]::new));
                 if (result == ExitCode.INTERRUPTED.code()) {
                     return result;
                 }
                 // What can only be a mistake is drawn all the same, and says so.
                 if (result != ExitCode.OK.code() && result != ExitCode.TOLERANCE_MISSED.code()) {
                     code = code == ExitCode.OK.code() ? result : code;
-                    complain(task, err.toString());
-                } else {
-                    drawn.put(
-                            task.file(),
-                            new Drawn(
-                                    Version.number(), String.join(" ", task.command()), caption(task, out.toString())));
-                    writeRecord(drawn);
+                    complain(drawing, err.toString());
                 }
                 progress.step(1);
             }
@@ -190,24 +153,12 @@ public final class FiguresCommand implements Callable<Integer> {
         return code;
     }
 
-    private void complain(Task task, String err) {
+    private void complain(Figure.Drawing drawing, String err) {
         String last = err.lines().reduce((first, second) -> second).orElse("it said nothing");
         PrintWriter complaints = specification.commandLine().getErr();
-        complaints.println(Messages.error("figure " + task.file() + ": " + last.replaceFirst("^sunbeam: ", "")));
+        complaints.println(Messages.error(
+                "figure " + drawing.file().getFileName() + ": " + last.replaceFirst("^sunbeam: ", "")));
         complaints.flush();
-    }
-
-    /** What a command said before the names of its files, and how its picture differs from the first. */
-    private String caption(Task task, String out) {
-        if (task.figure().isCompared(task.picture())) {
-            Path base = output.resolve(
-                    task.figure().file(task.patch(), task.figure().pictures().get(0)));
-            return PictureDifference.of(
-                            PictureDifference.read(output.resolve(task.file())), PictureDifference.read(base))
-                    .text();
-        }
-        String first = out.lines().findFirst().orElse("");
-        return task.command().get(0).equals("evaluate") ? first : "";
     }
 
     /** A page that another program wrote stays. */
@@ -225,48 +176,5 @@ public final class FiguresCommand implements Callable<Integer> {
         } catch (IOException failure) {
             throw OutputException.of(page, failure);
         }
-    }
-
-    /** What the folder has; nothing where its record is damaged. */
-    private Map<String, Drawn> record() {
-        Path file = output.resolve(RECORD);
-        try {
-            if (!Files.exists(file) || Files.size(file) > LARGEST_RECORD) {
-                return new TreeMap<>();
-            }
-            Map<String, Drawn> drawn = new ObjectMapper()
-                    .readValue(Files.readString(file), new TypeReference<TreeMap<String, Drawn>>() {});
-            drawn.keySet().retainAll(there());
-            drawn.values().removeIf(Objects::isNull);
-            return drawn;
-        } catch (JsonProcessingException damaged) {
-            return new TreeMap<>();
-        } catch (IOException failure) {
-            throw OutputException.of(file, failure);
-        }
-    }
-
-    /** The manifest's pictures that the folder has. */
-    private Set<String> there() {
-        return tasks(Figure.all()).stream()
-                .map(Task::file)
-                .filter(name -> Files.isRegularFile(output.resolve(name)))
-                .collect(Collectors.toSet());
-    }
-
-    private void writeRecord(Map<String, Drawn> drawn) {
-        try {
-            ObjectMapper json = new ObjectMapper().enable(SerializationFeature.INDENT_OUTPUT);
-            write(RECORD, json.writeValueAsString(drawn));
-        } catch (JsonProcessingException impossible) {
-            throw new IllegalStateException(impossible);
-        }
-    }
-
-    private void write(String name, String content) {
-        AtomicFile.write(
-                output.resolve(name),
-                Overwrite.REPLACE,
-                stream -> stream.write(content.getBytes(StandardCharsets.UTF_8)));
     }
 }

@@ -1,7 +1,7 @@
 package sunbeam.app.commands.figures;
 
+import java.nio.file.Files;
 import java.util.List;
-import java.util.Map;
 import sunbeam.app.terminal.Version;
 
 /** The folder's index.html: each figure with its pictures, their captions and the commands that draw them. */
@@ -30,8 +30,8 @@ final class FiguresPage {
 
     private FiguresPage() {}
 
-    /** @param drawn what there is, by the picture's file */
-    static String of(List<Figure> figures, Map<String, Drawn> drawn) {
+    /** @param drawings of these figures; those that are not there are left out */
+    static String of(List<Figure> figures, List<Figure.Drawing> drawings) {
         StringBuilder html = new StringBuilder(START);
         html.append(paragraph(
                 "The figures of M. Single's thesis \"An Interactive Shader for Natural Diffraction Gratings\" (Bern"
@@ -39,34 +39,32 @@ final class FiguresPage {
                         + ". Light along the normal and one coherence area of"
                         + " 65 um (sigma_s 16.25 um), centred, unless the caption says otherwise."));
         for (Figure figure : figures) {
-            StringBuilder rows = new StringBuilder();
-            figure.patches().forEach(patch -> rows.append(row(figure, patch, drawn)));
-            if (!rows.isEmpty()) {
-                html.append("<h2>Figure ").append(escape(figure.number() + ": " + figure.title()));
-                html.append("</h2>\n").append(paragraph(figure.text())).append(rows);
+            html.append("<h2>Figure ").append(escape(figure.number() + ": " + figure.title()));
+            html.append("</h2>\n").append(paragraph(figure.text()));
+            for (String patch : figure.patches()) {
+                html.append("<div class=\"row\">\n");
+                drawings.stream()
+                        .filter(drawing -> drawing.number().equals(figure.number())
+                                && drawing.patch().equals(patch)
+                                && Files.isRegularFile(drawing.file()))
+                        .forEach(drawing -> html.append(picture(drawing)));
+                html.append("</div>\n");
             }
         }
         return html.append("</body>\n</html>\n").toString();
     }
 
-    private static String row(Figure figure, String patch, Map<String, Drawn> drawn) {
-        StringBuilder row = new StringBuilder();
-        for (Figure.Picture picture : figure.pictures()) {
-            String file = figure.file(patch, picture);
-            if (drawn.containsKey(file)) {
-                row.append(picture(file, patch + ": " + picture.label(), drawn.get(file)));
-            }
-        }
-        return row.isEmpty() ? "" : "<div class=\"row\">\n" + row + "</div>\n";
-    }
-
-    private static String picture(String file, String label, Drawn drawn) {
-        String wide = drawn.command().startsWith("evaluate") ? " class=\"wide\"" : "";
-        String caption = drawn.caption().isEmpty() ? label : label + "; " + drawn.caption();
-        return "<figure" + wide + "><a href=\"" + escape(file) + "\"><img src=\"" + escape(file) + "\" alt=\""
-                + escape(label)
-                + "\"></a><figcaption>" + escape(caption) + "<br><code>" + escape(drawn.command())
-                + "</code></figcaption></figure>\n";
+    private static String picture(Figure.Drawing drawing) {
+        String wide = drawing.command().get(0).equals("evaluate") ? " class=\"wide\"" : "";
+        String file = escape(drawing.file().getFileName().toString());
+        String label = drawing.patch() + ": " + drawing.label();
+        String difference = drawing.base()
+                .filter(Files::isRegularFile)
+                .map(base -> "; " + PictureDifference.of(drawing.file(), base).text())
+                .orElse("");
+        return "<figure" + wide + "><a href=\"" + file + "\"><img src=\"" + file + "\" alt=\"" + escape(label)
+                + "\"></a><figcaption>" + escape(label + difference) + "<br><code>"
+                + escape(String.join(" ", drawing.command())) + "</code></figcaption></figure>\n";
     }
 
     private static String paragraph(String text) {

@@ -10,6 +10,7 @@ import sunbeam.app.files.input.InputException;
 import sunbeam.precompute.color.CieLab;
 import sunbeam.precompute.color.ColorDifference;
 import sunbeam.precompute.color.Srgb;
+import sunbeam.precompute.numerics.Quantiles;
 
 /**
  * How far a picture looks from another of its size, where either is not black.
@@ -19,24 +20,23 @@ import sunbeam.precompute.color.Srgb;
  */
 record PictureDifference(double median, double high) {
 
-    static PictureDifference of(BufferedImage picture, BufferedImage base) {
+    /** @throws InputException for a file that is no picture */
+    static PictureDifference of(Path one, Path other) {
+        BufferedImage picture = read(one);
+        BufferedImage base = read(other);
         double[] differences = new double[base.getWidth() * base.getHeight()];
         int count = 0;
         for (int y = 0; y < base.getHeight(); y++) {
             for (int x = 0; x < base.getWidth(); x++) {
-                int one = picture.getRGB(x, y) & 0xffffff;
-                int other = base.getRGB(x, y) & 0xffffff;
-                if (one != 0 || other != 0) {
-                    differences[count++] = ColorDifference.ciede2000(lab(one), lab(other));
+                int color = picture.getRGB(x, y) & 0xffffff;
+                int first = base.getRGB(x, y) & 0xffffff;
+                if (color != 0 || first != 0) {
+                    differences[count++] = ColorDifference.ciede2000(lab(color), lab(first));
                 }
             }
         }
-        Arrays.sort(differences, 0, count);
-        return new PictureDifference(at(differences, count, 0.5), at(differences, count, 0.95));
-    }
-
-    private static double at(double[] sorted, int count, double share) {
-        return count == 0 ? 0 : sorted[(int) (share * (count - 1))];
+        double[] counted = count == 0 ? new double[1] : Arrays.copyOf(differences, count);
+        return new PictureDifference(Quantiles.of(counted, 0.5), Quantiles.of(counted, 0.95));
     }
 
     private static CieLab lab(int rgb) {
@@ -44,8 +44,7 @@ record PictureDifference(double median, double high) {
         return CieLab.ofXyz(xyz[0], xyz[1], xyz[2]);
     }
 
-    /** @throws InputException for a file that is no picture */
-    static BufferedImage read(Path file) {
+    private static BufferedImage read(Path file) {
         try {
             BufferedImage image = ImageIO.read(file.toFile());
             if (image == null) {

@@ -24,6 +24,7 @@ import sunbeam.app.files.output.CsvWriter;
 import sunbeam.app.files.output.Ending;
 import sunbeam.app.files.output.ForceOption;
 import sunbeam.app.files.output.StandardOutput;
+import sunbeam.app.gpu.colors.GpuColors;
 import sunbeam.app.measure.errors.Certificate;
 import sunbeam.app.measure.errors.CertifyOption;
 import sunbeam.app.terminal.Environment;
@@ -40,6 +41,8 @@ import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.shader.MethodUse;
+import sunbeam.precompute.shader.ShaderTables;
 
 /** {@code sunbeam reflectance}: numbers for a list of directions, the interface by which anybody can check Sunbeam. */
 @Command(
@@ -112,22 +115,20 @@ public final class ReflectanceCommand implements Callable<Integer> {
         Method method = Methods.of(choices);
         ResultColumns columns =
                 new ResultColumns(list.spectral(), choices.get(AVERAGE) == Average.ENSEMBLE, bothAverages);
+        Evaluator evaluator = new Evaluator(list);
         if (method instanceof ReferenceMethod) {
-            write(
-                    list,
-                    columns,
-                    of(material, setup, list, new ReferenceDirections(setup.exact(method)).evaluate(list)));
+            write(list, columns, of(material, setup, list, evaluator.evaluate(setup.exact(method))));
             out.println(StandardOutput.name(output));
             return ExitCode.OK.code();
         }
-        VisibleRange range = VisibleRange.of(list.pairs());
-        MethodPlan plan = method.plan(setup.surface(), range);
+        MethodPlan plan = method.plan(setup.surface(), VisibleRange.of(list.pairs()));
         methodOptions.print(plan, err);
-        List<double[]> results =
-                new GpuDirections(setup, plan).evaluate(list, trial -> methodOptions.printTrial(trial, err));
-        Optional<Certificate> certificate = certify.certificate(count -> new ExactRows(setup.exact(method), list)
-                .certifier(results)
-                .certify(list.size(), count, choices.get(TOLERANCE)));
+        MethodUse use = list.spectral() ? MethodUse.SPECTRAL : MethodUse.COLOR;
+        ShaderTables tables = setup.tables(plan, use, GpuColors::of);
+        methodOptions.printTrial(tables.trial(), err);
+        List<double[]> results = evaluator.evaluate(tables);
+        Optional<Certificate> certificate = certify.certificate(
+                count -> evaluator.certify(setup.exact(method), results, count, choices.get(TOLERANCE)));
         write(list, columns, of(material, setup, list, results));
         out.println(StandardOutput.name(output));
         return certificate

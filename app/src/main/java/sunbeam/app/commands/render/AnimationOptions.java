@@ -3,9 +3,16 @@ package sunbeam.app.commands.render;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
+import java.util.stream.IntStream;
+import org.joml.Quaternionf;
+import org.joml.Vector3f;
+import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.Option;
+import picocli.CommandLine.TypeConversionException;
 import sunbeam.app.scene.Scene;
+import sunbeam.app.scene.SceneLight;
 import sunbeam.app.terminal.UsageException;
+import sunbeam.precompute.units.Angles;
 
 /** What moves; to be used as a picocli mixin. */
 public final class AnimationOptions {
@@ -16,25 +23,17 @@ public final class AnimationOptions {
     @Option(
             names = "--light-sweep",
             paramLabel = "FROM:TO",
-            converter = AngleSweep.Converter.class,
+            converter = SweepConverter.class,
             description = "Frames with the light turned about the vertical by angles FROM to TO in degrees,"
                     + " counter-clockwise seen from above, 0 being where the scene has it. A whole turn leaves its last"
                     + " angle out.")
-    private AngleSweep lightSweep;
+    private Sweep lightSweep;
 
     @Option(
             names = "--turntable",
             paramLabel = "N",
-            description = "N frames of the mesh turning about the vertical; light and camera stay.")
+            description = "N frames of the mesh turning once about the vertical; light and camera stay.")
     private Integer turntable;
-
-    @Option(
-            names = "--turn",
-            paramLabel = "FROM:TO",
-            converter = AngleSweep.Converter.class,
-            description = "Between which angles --turntable turns the mesh, from where the scene has it. Default: once"
-                    + " round.")
-    private AngleSweep turn;
 
     @Option(names = "--frames", paramLabel = "N", description = "Number of frames of --light-sweep. Default: 24.")
     private Integer frames;
@@ -42,27 +41,52 @@ public final class AnimationOptions {
     @Option(
             names = "--frame-rate",
             paramLabel = "HERTZ",
-            description = "Frames per second of the animation, 0.1 to 50. Default: 12.")
+            description = "Frames per second of animation.gif, 0.1 to 50. Default: 12.")
     private Double frameRate;
 
-    @Option(
-            names = "--animation",
-            paramLabel = "FILE",
-            description = "The animation: .gif, or .mp4 where ffmpeg is installed. Default: animation.gif in the"
-                    + " folder of the frames.")
-    private Path animation;
+    /**
+     * Angles at even distances.
+     *
+     * @param from first, radians
+     * @param to last, radians
+     */
+    record Sweep(double from, double to) {
+        static final Sweep ONCE_ROUND = new Sweep(0, 2 * Math.PI);
 
-    @Option(
-            names = "--resume",
-            description = "Keep pictures that are there and were drawn with the same parameters; draw the others only.")
-    private boolean resume;
+        /**
+         * The angle of a frame. A sweep of whole turns leaves its last angle out, which is the first again, so that an
+         * animation of it runs on without a jolt.
+         *
+         * @param frame from 0
+         * @param frames their number
+         */
+        double at(int frame, int frames) {
+            double turns = (to - from) / (2 * Math.PI);
+            boolean whole = Math.abs(turns) > 0.5 && Math.abs(turns - Math.rint(turns)) < 1e-9;
+            int steps = whole ? frames : frames - 1;
+            return steps == 0 ? from : from + (to - from) * frame / steps;
+        }
+    }
+
+    /** From {@code -60:60}. */
+    static final class SweepConverter implements ITypeConverter<Sweep> {
+        @Override
+        public Sweep convert(String text) {
+            String[] parts = text.split(":", -1);
+            if (parts.length != 2) {
+                throw new TypeConversionException(
+                        "'" + text + "' is not a sweep; give FROM:TO in degrees as in -60:60");
+            }
+            try {
+                return new Sweep(Angles.parse(parts[0]), Angles.parse(parts[1]));
+            } catch (IllegalArgumentException failure) {
+                throw new TypeConversionException(failure.getMessage());
+            }
+        }
+    }
 
     boolean isAsked() {
         return lightSweep != null || turntable != null;
-    }
-
-    boolean resume() {
-        return resume;
     }
 
     double frameRate() {
@@ -74,56 +98,53 @@ public final class AnimationOptions {
         return lightSweep != null ? "light-sweep" : "turntable";
     }
 
-    /** The animation's file. */
-    Path file(Path folder) {
-        return animation != null ? animation : folder.resolve("animation.gif");
+    /** The frames' files in order: {@code frame-0001.png} and so on. */
+    static List<Path> files(Path folder, int frames) {
+        return IntStream.rangeClosed(1, frames)
+                .mapToObj(frame -> folder.resolve(String.format(Locale.ROOT, "frame-%04d.png", frame)))
+                .toList();
     }
 
-    boolean isMp4() {
-        return animation != null && extension().equals("mp4");
-    }
-
-    private String extension() {
-        String name = String.valueOf(animation.getFileName()).toLowerCase(Locale.ROOT);
-        return name.substring(name.lastIndexOf('.') + 1);
-    }
-
+    /** @throws UsageException for options that do not go together, or are out of range */
     void check() {
         if (lightSweep != null && turntable != null) {
             throw new UsageException("--light-sweep and --turntable contradict each other; leave one out");
         }
-        if (turn != null && turntable == null) {
-            throw new UsageException("--turn needs --turntable, whose frames it turns");
-        }
-        if (!isAsked() && (animation != null || frameRate != null)) {
-            throw new UsageException(
-                    (animation != null ? "--animation" : "--frame-rate") + " needs --light-sweep or --turntable");
+        if (!isAsked() && frameRate != null) {
+            throw new UsageException("--frame-rate needs --light-sweep or --turntable");
         }
         if (frames != null && lightSweep == null) {
             throw new UsageException("--frames " + frames + " needs --light-sweep, whose frames it counts"
                     + (turntable != null ? "; --turntable has its own number" : ", as in --light-sweep 0:360"));
         }
-        int count = turntable != null ? turntable : frames();
-        if (count < 1 || count > MOST_FRAMES) {
-            throw new UsageException((turntable != null ? "--turntable " : "--frames ") + count
+        if (frames() < 1 || frames() > MOST_FRAMES) {
+            throw new UsageException((turntable != null ? "--turntable " : "--frames ") + frames()
                     + " is out of range; give 1 to " + MOST_FRAMES);
         }
         if (!(frameRate() >= 0.1 && frameRate() <= 50)) {
             throw new UsageException("--frame-rate " + frameRate + " is out of range; give 0.1 to 50");
         }
-        if (animation != null && !List.of("gif", "mp4").contains(extension())) {
-            throw new UsageException("--animation " + animation + " is neither .gif nor .mp4");
-        }
+    }
+
+    private int frames() {
+        return turntable != null ? turntable : frames != null ? frames : FRAMES;
     }
 
     /** The scenes of the frames. */
     List<Scene> scenes(Scene scene) {
-        return turntable != null
-                ? Motion.turntable(scene, turn != null ? turn : Motion.ONCE_ROUND, turntable)
-                : Motion.lightSweep(scene, lightSweep, frames());
+        Sweep sweep = lightSweep != null ? lightSweep : Sweep.ONCE_ROUND;
+        return IntStream.range(0, frames())
+                .mapToObj(frame -> turned(scene, (float) sweep.at(frame, frames())))
+                .toList();
     }
 
-    private int frames() {
-        return frames != null ? frames : FRAMES;
+    /** Counter-clockwise seen from above. */
+    private Scene turned(Scene scene, float angle) {
+        if (lightSweep == null) {
+            Quaternionf rotation = new Quaternionf().rotationZ(angle);
+            return scene.withOrientation(rotation.mul(scene.orientation()).normalize());
+        }
+        Vector3f towards = new Vector3f(scene.light().towards()).rotateZ(angle);
+        return scene.withLight(new SceneLight(towards, scene.light().intensity()));
     }
 }

@@ -1,48 +1,55 @@
 package sunbeam.app.commands.render;
 
 import java.awt.image.BufferedImage;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
-import java.util.Map;
 import java.util.OptionalDouble;
 import jrtr.RenderContext;
+import jrtr.Tile;
 import sunbeam.app.files.input.PngText;
 import sunbeam.app.files.output.NpyWriter;
+import sunbeam.app.files.output.OutputExistsException;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.files.output.PngWriter;
 import sunbeam.app.gpu.picture.DoubtfulPicture;
-import sunbeam.app.measure.errors.CertifyOption;
-import sunbeam.app.measure.errors.CrawlCertificate;
-import sunbeam.app.measure.errors.SceneCertificate;
+import sunbeam.app.gpu.picture.PictureParameters;
+import sunbeam.app.measure.errors.Certificate;
 import sunbeam.app.measure.errors.SceneCertifier;
 import sunbeam.app.scene.PartSum;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneData;
+import sunbeam.app.scene.SceneDisplay;
+import sunbeam.app.scene.ScenePicture;
 import sunbeam.app.scene.SceneSession;
 import sunbeam.app.terminal.progress.Progress;
+import sunbeam.precompute.color.DisplayTransform;
 import sunbeam.precompute.units.Decimals;
 
-/** Draws frames and writes each as soon as it is finished. */
+/** Draws frames, tile by tile, and writes each as soon as it is finished. */
 final class FrameSequence implements AutoCloseable {
-    private final SceneData data;
     private final PictureSize size;
     private final int supersample;
     private final String renderer;
-    private final FrameIdentity identity;
+    private final FrameText text;
     private final List<SceneSession> sessions = new ArrayList<>();
-    private double lastExposure = 1;
+    private double exposure = 1;
     private boolean drawn;
     private boolean light;
 
-    /** @param parts whose light adds up; most scenes are one */
+    /**
+     * Loads what is drawn.
+     *
+     * @param parts whose light adds up; most scenes are one
+     * @param supersample samples along a pixel's side
+     */
     FrameSequence(RenderContext context, List<SceneData> parts, PictureSize size, int supersample) {
-        this.data = parts.get(0);
         this.size = size;
         this.supersample = supersample;
         this.renderer = context.info().renderer();
-        this.identity = new FrameIdentity(data, size, supersample);
+        this.text = new FrameText(parts.get(0), size, supersample);
         try {
             parts.forEach(part -> sessions.add(new SceneSession(context, part)));
         } catch (RuntimeException | OutOfMemoryError failure) {
@@ -51,102 +58,101 @@ final class FrameSequence implements AutoCloseable {
         }
     }
 
-    /** What tells the frames apart. */
-    List<String> identities(List<Scene> scenes) {
-        return scenes.stream().map(identity::of).toList();
+    /**
+     * Which frames are to be drawn so that all are there with their parameters.
+     *
+     * @throws OutputExistsException for a file that would have to be replaced and may not
+     */
+    List<Boolean> missing(List<Scene> scenes, List<Path> files, Overwrite overwrite) {
+        List<Boolean> missing = new ArrayList<>();
+        for (int i = 0; i < files.size(); i++) {
+            boolean done = PictureParameters.find(files.get(i), text.identity(scenes.get(i)))
+                    .isPresent();
+            if (!done && overwrite == Overwrite.REFUSE && Files.exists(files.get(i))) {
+                throw new OutputExistsException("cannot write " + files.get(i)
+                        + ": it exists with other parameters; add --force to replace it");
+            }
+            missing.add(!done);
+        }
+        return missing;
     }
 
     /**
      * Draws the frames that are missing. Where exposure is automatic, the first frame's holds for all, so that an
      * animation does not flicker.
      *
-     * @param linear where the linear colors of the only frame go, or null
+     * @param linear where the linear colors of the only frame go, which then is drawn in any case; or null
      * @return where the frames are
      */
     List<Path> draw(List<Scene> scenes, List<Path> files, List<Boolean> missing, Overwrite overwrite, Path linear) {
-        long frames = Collections.frequency(missing, true);
-        OptionalDouble recorded = missing.get(0) ? OptionalDouble.empty() : recordedExposure(files.get(0));
         List<Path> places = new ArrayList<>(files);
-        FrameRenderer frameRenderer = new FrameRenderer(new PartSum(sessions), size, supersample);
         int first = linear == null ? missing.indexOf(true) : 0;
-        double factor = lastExposure;
-        if (first >= 0) {
-            // Before the rest: the time that its colors take says nothing of how long pixels do.
-            factor = recorded.isPresent() ? recorded.getAsDouble() : frameRenderer.exposure(scenes.get(first));
-            frameRenderer.prepare(scenes.get(first));
+        if (first < 0) {
+            return places;
         }
-        lastExposure = factor;
+        PartSum parts = new PartSum(sessions);
+        // Before the rest: the time that its colors take says nothing of how long pixels do.
+        exposure = recordedExposure(files.get(0), missing.get(0))
+                .orElseGet(() -> SceneDisplay.exposure(scenes.get(first), parts, size.width(), size.height()));
+        parts.prepare(scenes.get(first), size.width(), size.height(), supersample);
+        long frames = Collections.frequency(missing, true);
         try (Progress progress = Progress.start("rendering", frames * size.width() * size.height())) {
-            for (int i = 0; i < scenes.size(); i++) {
-                if (!missing.get(i) && linear == null) {
-                    continue;
-                }
-                Scene scene = scenes.get(i);
-                if (i != first) {
-                    frameRenderer.prepare(scene);
-                }
-                FrameRenderer.Frame frame = frameRenderer.render(scene, factor, progress::step);
-                if (missing.get(i)) {
-                    places.set(i, write(files.get(i), overwrite, scene, frame));
-                }
-                if (linear != null) {
-                    NpyWriter.write(linear, overwrite, frame.linear().linear().xyz(), size.height(), size.width(), 3);
+            for (int i = first; i < scenes.size(); i++) {
+                if (missing.get(i) || linear != null) {
+                    places.set(i, draw(parts, scenes.get(i), files.get(i), missing.get(i), overwrite, linear, progress));
                 }
             }
         }
         return places;
     }
 
-    /** Samples along a pixel's side. */
-    int supersample() {
-        return supersample;
+    private static OptionalDouble recordedExposure(Path frame, boolean missing) {
+        return missing
+                ? OptionalDouble.empty()
+                : Decimals.parse(PngText.read(frame).getOrDefault("Exposure", ""));
+    }
+
+    private Path draw(
+            PartSum parts,
+            Scene scene,
+            Path file,
+            boolean missing,
+            Overwrite overwrite,
+            Path linear,
+            Progress progress) {
+        parts.prepare(scene, size.width(), size.height(), supersample);
+        ScenePicture picture = ScenePicture.empty(size.width(), size.height());
+        BufferedImage image = new BufferedImage(size.width(), size.height(), BufferedImage.TYPE_INT_RGB);
+        DisplayTransform display = scene.display(exposure);
+        for (Tile tile : SceneSession.tiles(size.width(), size.height(), supersample)) {
+            ScenePicture samples = parts.samples(scene, size.width(), size.height(), tile, supersample);
+            picture.put(samples.reduced(supersample), tile.x(), tile.y());
+            BufferedImage shown = SceneDisplay.image(samples, supersample, display, scene.background());
+            image.getRaster().setDataElements(tile.x(), tile.y(), shown.getRaster());
+            progress.step(tile.pixels());
+        }
+        if (linear != null) {
+            NpyWriter.write(linear, overwrite, picture.linear().xyz(), size.height(), size.width(), 3);
+        }
+        if (!missing) {
+            return file;
+        }
+        drawn = true;
+        light |= !DoubtfulPicture.isBlack(image);
+        return PngWriter.write(file, overwrite, image, text.of(scene, exposure, renderer));
     }
 
     /**
-     * Compares pixels of the scene that was drawn last.
+     * Compares pixels of a frame with points.
      *
      * @param exact the same scene by a method that draws points
      */
-    SceneCertificate certify(RenderContext context, SceneData exact, int count) {
+    Certificate certify(RenderContext context, Scene frame, SceneData exact, int count) {
+        sessions.get(0).update(frame);
         try (SceneSession points = new SceneSession(context, exact)) {
             return new SceneCertifier(size.width(), size.height())
-                    .certify(sessions.get(0), points, supersample, lastExposure, count, CertifyOption.SEED);
+                    .certify(sessions.get(0), points, supersample, exposure, count);
         }
-    }
-
-    /**
-     * Compares pixels of frames that follow one another.
-     *
-     * @param exact the first of the scenes by a method that draws points
-     * @param scenes of the frames, at least two
-     */
-    CrawlCertificate certify(RenderContext context, SceneData exact, List<Scene> scenes, int count) {
-        List<Scene> points = scenes.stream()
-                .map(scene -> scene.withMethod(exact.scene().method()))
-                .toList();
-        try (SceneSession session = new SceneSession(context, exact)) {
-            return new SceneCertifier(size.width(), size.height())
-                    .certify(
-                            new SceneCertifier.Frames(sessions.get(0), scenes),
-                            new SceneCertifier.Frames(session, points),
-                            supersample,
-                            lastExposure,
-                            count,
-                            CertifyOption.SEED);
-        }
-    }
-
-    private static OptionalDouble recordedExposure(Path frame) {
-        return Decimals.parse(PngText.read(frame).getOrDefault("Exposure", ""));
-    }
-
-    private Path write(Path file, Overwrite overwrite, Scene scene, FrameRenderer.Frame frame) {
-        Map<String, String> text =
-                FrameText.of(data, scene, size, supersample, frame.exposure(), renderer, identity.of(scene));
-        BufferedImage image = frame.image();
-        drawn = true;
-        light |= !DoubtfulPicture.isBlack(image);
-        return PngWriter.write(file, overwrite, image, text);
     }
 
     /** Whether frames were drawn, and all of them are black. */

@@ -1,5 +1,7 @@
 package sunbeam.app.commands.render;
 
+import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
+
 import java.io.PrintWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -7,6 +9,7 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.concurrent.Callable;
+import jrtr.GraphicsException;
 import jrtr.RenderContext;
 import jrtr.gl.RenderContexts;
 import picocli.CommandLine.Command;
@@ -18,10 +21,13 @@ import picocli.CommandLine.Spec;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.Ending;
 import sunbeam.app.files.output.ForceOption;
+import sunbeam.app.files.output.OutputExistsException;
 import sunbeam.app.files.output.OutputFolder;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.files.output.StandardOutput;
 import sunbeam.app.gpu.picture.DoubtfulPicture;
+import sunbeam.app.measure.errors.Certificate;
+import sunbeam.app.measure.errors.CertifyOption;
 import sunbeam.app.scene.PixelSamples;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneData;
@@ -33,6 +39,9 @@ import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.SettingOptions;
 import sunbeam.app.terminal.ShutdownHook;
 import sunbeam.app.terminal.UsageException;
+import sunbeam.precompute.method.FullMethod;
+import sunbeam.precompute.method.Methods;
+import sunbeam.precompute.setting.Choices;
 
 /** {@code sunbeam render}: a scene as a picture, or moving, without a window. */
 @Command(
@@ -42,6 +51,10 @@ import sunbeam.app.terminal.UsageException;
                 + " --light-sweep or --turntable a folder of numbered PNGs and an animation of them. Ctrl-C keeps"
                 + " the frames that are finished; --resume goes on.")
 public final class RenderCommand implements Callable<Integer> {
+    private static final String GIF = "animation.gif";
+    // Of the points that a picture is compared with: a quarter of what the median of its errors may be.
+    private static final double CERTIFYING = 5e-3;
+
     private final Environment environment;
 
     @Parameters(
@@ -91,8 +104,13 @@ public final class RenderCommand implements Callable<Integer> {
     @Mixin
     private ForceOption force;
 
+    @Option(
+            names = "--resume",
+            description = "Keep pictures that are there and were drawn with the same parameters; draw the others only.")
+    private boolean resume;
+
     @Mixin
-    private PixelCertificate certificate;
+    private CertifyOption certify;
 
     @Spec
     private CommandSpec specification;
@@ -106,10 +124,9 @@ public final class RenderCommand implements Callable<Integer> {
         check();
         Scene scene = SceneOverrides.apply(Scenes.load(sceneName), overrides.choices());
         List<Scene> scenes = animation.isAsked() ? animation.scenes(scene) : List.of(scene);
-        certificate.check(scenes);
+        certify.check(scene);
         Path target = target();
-        List<Path> files = animation.isAsked() ? FrameFiles.names(target, scenes.size()) : List.of(target);
-        checkOutputs(files, target);
+        checkOutputs(target, scenes.size());
         PrintWriter err = specification.commandLine().getErr();
         List<SceneData> parts = new SceneLoader(environment, warning -> {
                     err.println(Messages.warning(warning));
@@ -124,20 +141,35 @@ public final class RenderCommand implements Callable<Integer> {
         err.flush();
         try (RenderContext context = RenderContexts.offscreen();
                 FrameSequence frames = new FrameSequence(context, parts, size, samples)) {
-            Path place = animation.isAsked() ? OutputFolder.claim(target, mayUse()) : target;
-            List<Path> wanted = place.equals(target) ? files : FrameFiles.names(place, scenes.size());
-            outputs(place, draw(frames, scenes, wanted, place, err))
-                    .forEach(file -> out.println(StandardOutput.name(file)));
+            draw(frames, scenes, target, err).forEach(file -> out.println(StandardOutput.name(file)));
             ExitCode doubt = DoubtfulPicture.judge(
                     List.of(data.patch()),
                     frames.isBlack(),
                     "the picture",
                     scene.exposure().isEmpty(),
                     err);
-            SceneLoader quiet = new SceneLoader(environment, warning -> {});
-            ExitCode certified =
-                    certificate.print(context, frames, scenes, points -> quiet.load(points, data), out, err);
+            ExitCode certified = certify.count().isPresent()
+                    ? certified(context, frames, scenes.get(0), data, out)
+                    : ExitCode.OK;
             return (certified == ExitCode.OK ? doubt : certified).code();
+        }
+    }
+
+    /** Of an anti-aliased picture the body's light and the mesh's normals are part: points of it are the reference. */
+    private ExitCode certified(
+            RenderContext context, FrameSequence frames, Scene drawn, SceneData data, PrintWriter out) {
+        Scene points = drawn.withMethod(drawn.method()
+                .with(Choices.none().with(Methods.METHOD, FullMethod.TYPE).with(TOLERANCE, CERTIFYING)));
+        try {
+            SceneData exact = new SceneLoader(environment, warning -> {}).load(points, data);
+            Certificate certificate =
+                    frames.certify(context, drawn, exact, certify.count().getAsInt());
+            String remedy = "a larger --supersample or --size, or --method table, may help";
+            return CertifyOption.judge(
+                    certificate, true, remedy, out, specification.commandLine().getErr());
+        } catch (GraphicsException failure) {
+            throw new GraphicsException("what was drawn is there, but cannot be compared: " + failure.getMessage()
+                    + "; or leave --certify out");
         }
     }
 
@@ -162,21 +194,18 @@ public final class RenderCommand implements Callable<Integer> {
         if (linear != null && linear.equals(output)) {
             throw new UsageException("--linear " + linear + " is the picture's own name; give it another");
         }
-        if (animation.isMp4()) {
-            Mp4Animation.requireProgram(environment, animation.file(Path.of("")));
-        }
     }
 
     private Path target() {
         if (!animation.isAsked()) {
             return output != null ? output : Path.of(stem() + ".png");
         }
-        return FrameFiles.folder(output, stem() + "-" + animation.name(), mayUse());
+        return output != null ? output : Path.of(stem() + "-" + animation.name());
     }
 
     /** Whether what has the chosen name is used, in place of the next number. */
     private boolean mayUse() {
-        return output != null || animation.resume() || force.overwrite() == Overwrite.REPLACE;
+        return output != null || resume || force.overwrite() == Overwrite.REPLACE;
     }
 
     /** What may become of a picture that has the name of one of these. */
@@ -192,59 +221,69 @@ public final class RenderCommand implements Callable<Integer> {
     }
 
     /** Before anything is loaded: nobody waits for a picture that cannot be written. */
-    private void checkOutputs(List<Path> files, Path target) {
-        if (!animation.resume()) {
-            FrameFiles.requireFree(files, overwriteOfPictures());
-        }
-        if (!animation.isAsked() && !animation.resume()) {
-            AtomicFile.checkWritable(target, overwriteOfPictures());
-        }
+    private void checkOutputs(Path target, int frames) {
         if (animation.isAsked()) {
             OutputFolder.check(target);
-            if (Files.isDirectory(target)) {
-                AtomicFile.checkWritable(animation.file(target), overwriteOfAnimation());
+            if (mayUse() && Files.isDirectory(target)) {
+                AtomicFile.checkWritable(target.resolve(GIF), overwriteOfAnimation());
             }
+        }
+        if (!resume && (mayUse() || !animation.isAsked())) {
+            files(target, frames).forEach(this::checkPicture);
         }
         if (linear != null) {
             AtomicFile.checkWritable(linear, force.overwrite());
         }
     }
 
-    /** Returns where the pictures are. */
-    private List<Path> draw(FrameSequence frames, List<Scene> scenes, List<Path> files, Path target, PrintWriter err) {
+    private void checkPicture(Path file) {
+        if (overwriteOfPictures() == Overwrite.REFUSE && Files.exists(file)) {
+            throw new OutputExistsException("cannot write " + file
+                    + ": it exists; add --resume to keep what is finished, or --force to replace it");
+        }
+        if (!animation.isAsked()) {
+            AtomicFile.checkWritable(file, overwriteOfPictures());
+        }
+    }
+
+    private List<Path> files(Path target, int frames) {
+        return animation.isAsked() ? AnimationOptions.files(target, frames) : List.of(target);
+    }
+
+    /** Returns what was written. */
+    private List<Path> draw(FrameSequence frames, List<Scene> scenes, Path target, PrintWriter err) {
+        Path place = animation.isAsked() ? OutputFolder.claim(target, mayUse()) : target;
+        List<Path> files = files(place, scenes.size());
         Overwrite overwrite = overwriteOfPictures();
-        List<Boolean> missing = animation.resume()
-                ? FrameFiles.missing(files, frames.identities(scenes), overwrite)
+        List<Boolean> missing = resume
+                ? frames.missing(scenes, files, overwrite)
                 : Collections.nCopies(files.size(), true);
         AtomicFile.checkWritable(files.get(0), overwrite == Overwrite.NUMBER ? overwrite : Overwrite.REPLACE);
-        Overwrite ofAnimation = overwriteOfAnimation();
-        if (animation.isAsked()) {
-            AtomicFile.checkWritable(animation.file(target), ofAnimation);
+        List<Path> written = new ArrayList<>();
+        if (!animation.isAsked()) {
+            written.addAll(frames.draw(scenes, files, missing, overwrite, linear));
+        } else {
+            Path gif = place.resolve(GIF);
+            AtomicFile.checkWritable(gif, overwriteOfAnimation());
+            try (ShutdownHook hook = new ShutdownHook(() -> sayThatFramesAreKept(err))) {
+                frames.draw(scenes, files, missing, overwrite, null);
+            }
+            GifAnimation.write(gif, overwriteOfAnimation(), files, animation.frameRate());
+            warnOfOlderFrames(place, files.size(), err);
+            written.addAll(List.of(place, gif));
         }
-        List<Path> drawn;
-        ShutdownHook hook = new ShutdownHook(() -> sayThatFramesAreKept(err));
-        try {
-            drawn = frames.draw(scenes, files, missing, overwrite, linear);
-        } finally {
-            hook.close();
+        if (linear != null) {
+            written.add(linear);
         }
-        if (animation.isMp4()) {
-            Mp4Animation.write(animation.file(target), ofAnimation, files, animation.frameRate());
-        } else if (animation.isAsked()) {
-            GifAnimation.write(animation.file(target), ofAnimation, files, animation.frameRate());
-        }
-        if (animation.isAsked()) {
-            warnOfOlderFrames(target, files.size(), err);
-        }
-        return drawn;
+        return written;
     }
 
     private Overwrite overwriteOfAnimation() {
-        return animation.resume() ? Overwrite.REPLACE : force.overwrite();
+        return resume ? Overwrite.REPLACE : force.overwrite();
     }
 
     private static void warnOfOlderFrames(Path folder, int frames, PrintWriter err) {
-        Path next = FrameFiles.names(folder, frames + 1).get(frames);
+        Path next = AnimationOptions.files(folder, frames + 1).get(frames);
         if (Files.exists(next)) {
             err.println(
                     Messages.warning(next + " and frames after it are of a longer animation; they were left alone"));
@@ -252,24 +291,8 @@ public final class RenderCommand implements Callable<Integer> {
         }
     }
 
-    private void sayThatFramesAreKept(PrintWriter err) {
-        if (animation.isAsked()) {
-            err.println(Messages.error("interrupted; finished frames are kept, add --resume to draw the others"));
-            err.flush();
-        }
-    }
-
-    private List<Path> outputs(Path target, List<Path> files) {
-        List<Path> outputs = new ArrayList<>();
-        if (animation.isAsked()) {
-            outputs.add(target);
-            outputs.add(animation.file(target));
-        } else {
-            outputs.addAll(files);
-        }
-        if (linear != null) {
-            outputs.add(linear);
-        }
-        return outputs;
+    private static void sayThatFramesAreKept(PrintWriter err) {
+        err.println(Messages.error("interrupted; finished frames are kept, add --resume to draw the others"));
+        err.flush();
     }
 }

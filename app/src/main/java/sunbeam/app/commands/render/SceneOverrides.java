@@ -6,6 +6,7 @@ import static sunbeam.app.scene.SceneSettings.TEXTURE;
 import static sunbeam.precompute.method.Methods.METHOD;
 import static sunbeam.precompute.patch.PatchSettings.PATCH;
 import static sunbeam.precompute.plan.MethodSettings.AVERAGE;
+import static sunbeam.precompute.plan.MethodSettings.PRESET;
 import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
 
 import java.nio.file.Path;
@@ -19,11 +20,13 @@ import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.scene.SkinIndex;
 import sunbeam.app.scene.mesh.BuiltInMeshes;
 import sunbeam.app.scene.texture.BodyTextures;
+import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.patch.PatchRequest;
 import sunbeam.precompute.patch.PatchSettings;
 import sunbeam.precompute.patch.builtin.BuiltInPatches;
 import sunbeam.precompute.plan.Average;
+import sunbeam.precompute.plan.Preset;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.units.Decimals;
@@ -60,7 +63,12 @@ final class SceneOverrides {
      *
      * @throws sunbeam.precompute.setting.SettingException for choices that do not go together, or not with the scene
      */
-    static Scene apply(Scene scene, Choices given) {
+    static Scene apply(Scene scene, Choices asked) {
+        // The thesis's preset is of method full unless another that has it is chosen.
+        boolean chooses = asked.get(PRESET, Preset.NONE) == Preset.THESIS
+                && !asked.has(METHOD)
+                && !scene.method().type().has(PRESET);
+        Choices given = chooses ? asked.with(METHOD, FullMethod.TYPE) : asked;
         checkAverage(scene, given);
         Choices chosen = indexed(named(named(given, MESH, BuiltInMeshes.names()), TEXTURE, BodyTextures.names()));
         return patch(scene.with(chosen), named(given, PATCH, BuiltInPatches.names()));

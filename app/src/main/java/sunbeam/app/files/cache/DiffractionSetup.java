@@ -1,11 +1,14 @@
 package sunbeam.app.files.cache;
 
 import java.io.PrintWriter;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.function.Consumer;
 import java.util.function.DoubleConsumer;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.OptionOrigin;
+import sunbeam.app.terminal.ScanWarnings;
 import sunbeam.app.terminal.options.PatchOptions;
 import sunbeam.app.terminal.progress.Progress;
 import sunbeam.precompute.color.CieTable;
@@ -63,7 +66,6 @@ public final class DiffractionSetup {
                     err.flush();
                 });
         patch.notes().forEach(note -> err.println(Messages.note(patch.name() + ": " + note)));
-        patch.warning().ifPresent(warning -> err.println(Messages.warning(patch.name() + ": " + warning)));
         err.flush();
     }
 
@@ -85,14 +87,14 @@ public final class DiffractionSetup {
     /**
      * The choices that hold for this patch: no light sees farther than a scan reaches.
      *
-     * @param err told in one line what becomes of the coherence length
+     * @param err told in one line what is wrong with the patch, and what becomes of the coherence length
      */
     public Choices seen(Choices choices, PrintWriter err) {
         ScanLimit limit = ScanLimit.of(choices, patch);
-        limit.line().ifPresent(line -> {
-            err.println(Messages.warning(patch.name() + ": " + line.in(OptionOrigin.INSTANCE)));
-            err.flush();
-        });
+        List<String> warnings = new ArrayList<>(patch.warnings());
+        limit.line().ifPresent(line -> warnings.add(line.in(OptionOrigin.INSTANCE)));
+        ScanWarnings.line(patch.name(), warnings, "inspect").ifPresent(err::println);
+        err.flush();
         return limit.choices();
     }
 

@@ -4,11 +4,14 @@ import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Paint;
 import java.awt.geom.Line2D;
-import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
 import java.util.List;
 import org.jfree.chart.ChartRenderingInfo;
 import org.jfree.chart.JFreeChart;
+import org.jfree.chart.annotations.XYBoxAnnotation;
+import org.jfree.chart.annotations.XYPointerAnnotation;
+import org.jfree.chart.annotations.XYTextAnnotation;
+import org.jfree.chart.ui.TextAnchor;
 import org.jfree.chart.axis.AxisLocation;
 import org.jfree.chart.axis.AxisSpace;
 import org.jfree.chart.axis.NumberAxis;
@@ -20,7 +23,6 @@ import org.jfree.chart.renderer.PaintScale;
 import org.jfree.chart.renderer.xy.XYLineAndShapeRenderer;
 import org.jfree.chart.title.LegendTitle;
 import org.jfree.chart.title.PaintScaleLegend;
-import org.jfree.chart.ui.Layer;
 import org.jfree.chart.ui.RectangleEdge;
 import org.jfree.chart.ui.RectangleInsets;
 import org.jfree.data.xy.DefaultXYDataset;
@@ -38,6 +40,7 @@ public final class HeatMap {
     private static final double GAP = 12;
     private static final float CURVE_WIDTH = 2;
     private static final float RIM_WIDTH = 1;
+    private static final Color SHADE = new Color(0, 0, 0, 150);
     private static final float[] SOLID = {};
     private static final float[] DASHED = {10, 8};
     private static final float[] DOTTED = {3, 6};
@@ -154,16 +157,35 @@ public final class HeatMap {
                 : new BasicStroke(width, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 1, dashes, 0);
     }
 
-    /** Adds a ring around a point with a label beside it. */
+    /** Adds an arrow to a point with a label. */
     public HeatMap mark(String label, double x, double y) {
-        renderer.addAnnotation(Overlay.ring(label, x, y));
+        boolean right = x > 0.5 * (values.xRange()[0] + values.xRange()[1]);
+        XYPointerAnnotation arrow = new XYPointerAnnotation(label, x, y, (right ? 0.75 : 0.25) * Math.PI);
+        arrow.setArrowPaint(PlotStyle.MARK);
+        arrow.setArrowStroke(new BasicStroke(2));
+        arrow.setBaseRadius(32);
+        annotate(arrow);
         return this;
     }
 
     /** Adds a bar of that length along x, in the lower left corner. */
     public HeatMap scaleBar(String label, double length) {
-        renderer.addAnnotation(Overlay.scaleBar(label, length));
+        double left = values.xRange()[0] + 0.03 * (values.xRange()[1] - values.xRange()[0]);
+        double unit = 0.01 * (values.yRange()[1] - values.yRange()[0]);
+        double bottom = values.yRange()[0] + 3 * unit;
+        renderer.addAnnotation(
+                new XYBoxAnnotation(left, bottom, left + length, bottom + unit, null, null, Color.WHITE));
+        XYTextAnnotation text = new XYTextAnnotation(label, left + 0.5 * length, bottom + 2 * unit);
+        text.setTextAnchor(TextAnchor.BOTTOM_CENTER);
+        annotate(text);
         return this;
+    }
+
+    private void annotate(XYTextAnnotation text) {
+        text.setFont(PlotStyle.TICK_FONT);
+        text.setPaint(Color.WHITE);
+        text.setBackgroundPaint(SHADE);
+        renderer.addAnnotation(text);
     }
 
     /** The picture. */
@@ -190,9 +212,8 @@ public final class HeatMap {
         renderer.setDrawSeriesLineAsPath(true);
         rimRenderer.setDrawSeriesLineAsPath(true);
         renderer.setLegendLine(new Line2D.Double(-16, 0, 16, 0));
-        HeatMapCells cells = new HeatMapCells(values);
-        renderer.addAnnotation(
-                new Overlay((graphics, area, alongX, alongY) -> cells.paint(graphics, area)), Layer.BACKGROUND);
+        plot.setBackgroundImage(cells());
+        plot.setBackgroundImageAlpha(1);
         AxisSpace space = new AxisSpace();
         space.setLeft(SPACE_LEFT);
         space.setBottom(SPACE_BELOW);
@@ -207,34 +228,45 @@ public final class HeatMap {
         }
         PaintScaleLegend bar = colorBar();
         chart.addSubtitle(bar);
+        double extentX = values.xRange()[1] - values.xRange()[0];
+        double extentY = values.yRange()[1] - values.yRange()[0];
+        boolean thin = extentX >= THINNEST * extentY || extentY >= THINNEST * extentX;
         // The bar's labels, and with them its width, depend on its height.
-        for (int pass = 0; pass < 2; pass++) {
-            RectangleInsets insets = frame.equalScales() ? equalScales(chart) : RectangleInsets.ZERO_INSETS;
+        for (int pass = 0; pass < 2 && frame.equalScales() && !thin; pass++) {
+            RectangleInsets insets = PlotStyle.equalScales(chart, frame.width(), frame.height(), extentX, extentY);
             plot.setInsets(insets);
             bar.setMargin(insets.getTop(), GAP, insets.getBottom() + SPACE_BELOW, 0);
         }
-        return image(chart, info);
+        return PlotStyle.image(chart, frame.width(), frame.height(), info);
     }
 
-    private BufferedImage image(JFreeChart chart, ChartRenderingInfo info) {
-        return chart.createBufferedImage(frame.width(), frame.height(), BufferedImage.TYPE_INT_RGB, info);
-    }
-
-    /** What must be left free around the matrix; known once the chart has been laid out. */
-    private RectangleInsets equalScales(JFreeChart chart) {
-        double extentX = values.xRange()[1] - values.xRange()[0];
-        double extentY = values.yRange()[1] - values.yRange()[0];
-        if (extentX >= THINNEST * extentY || extentY >= THINNEST * extentX) {
-            return RectangleInsets.ZERO_INSETS;
+    /** The matrix with a pixel a cell: JFreeChart draws a rectangle for each cell, of which there may be millions. */
+    private BufferedImage cells() {
+        int width = Math.min(values.rows()[0].length, frame.width() / 2);
+        int height = Math.min(values.rows().length, frame.height() / 2);
+        BufferedImage cells = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
+        for (int y = 0; y < height; y++) {
+            for (int x = 0; x < width; x++) {
+                double value = cell(x, width, y, height);
+                cells.setRGB(x, height - 1 - y, values.colors().map().at(values.colors().position(value)));
+            }
         }
-        ChartRenderingInfo info = new ChartRenderingInfo();
-        chart.getXYPlot().setInsets(RectangleInsets.ZERO_INSETS);
-        image(chart, info);
-        Rectangle2D area = info.getPlotInfo().getDataArea();
-        double scale = Math.min(area.getWidth() / extentX, area.getHeight() / extentY);
-        double besides = 0.5 * (area.getWidth() - scale * extentX);
-        double above = 0.5 * (area.getHeight() - scale * extentY);
-        return new RectangleInsets(above, besides, above, besides);
+        return cells;
+    }
+
+    private double cell(int x, int width, int y, int height) {
+        int rows = values.rows().length;
+        int columns = values.rows()[0].length;
+        if (values.reduction() == Reduction.MIDDLE) {
+            return values.rows()[(2 * y + 1) * rows / (2 * height)][(2 * x + 1) * columns / (2 * width)];
+        }
+        double largest = Double.NEGATIVE_INFINITY;
+        for (int row = y * rows / height; row < (y + 1) * rows / height; row++) {
+            for (int column = x * columns / width; column < (x + 1) * columns / width; column++) {
+                largest = Math.max(largest, values.rows()[row][column]);
+            }
+        }
+        return largest;
     }
 
     /** JFreeChart shades a bar in even steps of its axis, so a logarithmic one has exponents along it. */
@@ -250,7 +282,7 @@ public final class HeatMap {
             axis.setTickUnit(new NumberTickUnit(1));
         }
         PaintScaleLegend bar = new PaintScaleLegend(new Shades(low, high, colors.map()), axis);
-        bar.setMargin(0, GAP, 0, 0);
+        bar.setMargin(0, GAP, SPACE_BELOW, 0);
         bar.setPosition(RectangleEdge.RIGHT);
         bar.setAxisLocation(AxisLocation.BOTTOM_OR_RIGHT);
         bar.setStripWidth(18);

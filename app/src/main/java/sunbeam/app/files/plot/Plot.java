@@ -2,7 +2,6 @@ package sunbeam.app.files.plot;
 
 import java.awt.Color;
 import java.awt.geom.Line2D;
-import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -12,7 +11,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
-import org.jfree.chart.ChartRenderingInfo;
 import org.jfree.chart.JFreeChart;
 import org.jfree.chart.axis.NumberAxis;
 import org.jfree.chart.axis.NumberTickUnit;
@@ -20,7 +18,6 @@ import org.jfree.chart.plot.DatasetRenderingOrder;
 import org.jfree.chart.plot.XYPlot;
 import org.jfree.chart.renderer.xy.XYLineAndShapeRenderer;
 import org.jfree.chart.ui.RectangleEdge;
-import org.jfree.chart.ui.RectangleInsets;
 import org.jfree.data.xy.DefaultXYDataset;
 import org.jfree.data.xy.XYDataset;
 import sunbeam.app.files.output.Overwrite;
@@ -101,6 +98,11 @@ public final class Plot {
 
     public Plot(Frame frame) {
         this.frame = frame;
+    }
+
+    /** The color of the group or series with this number, from 0, for what stands beside a plot and shows the same. */
+    public static Color color(int number) {
+        return PlotStyle.color(number);
     }
 
     /** Adds points joined by a line, without marks: many points on a smooth curve. */
@@ -184,11 +186,7 @@ public final class Plot {
             chart.addSubtitle(PlotStyle.legend(plot, legendEdge));
         }
         equalStep.ifPresent(step -> equaliseScales(chart, step));
-        return image(chart, null);
-    }
-
-    private BufferedImage image(JFreeChart chart, ChartRenderingInfo info) {
-        return chart.createBufferedImage(frame.width(), frame.height(), BufferedImage.TYPE_INT_RGB, info);
+        return PlotStyle.image(chart, frame.width(), frame.height(), null);
     }
 
     /** Leaves free around the axes what one unit's equal length leaves over. */
@@ -198,16 +196,12 @@ public final class Plot {
         NumberAxis y = (NumberAxis) plot.getRangeAxis();
         x.setTickUnit(new NumberTickUnit(step, PlotStyle.NUMBERS));
         y.setTickUnit(new NumberTickUnit(step, PlotStyle.NUMBERS));
-        plot.setInsets(RectangleInsets.ZERO_INSETS);
-        ChartRenderingInfo info = new ChartRenderingInfo();
-        image(chart, info);
-        Rectangle2D area = info.getPlotInfo().getDataArea();
-        double width = x.getRange().getLength();
-        double height = y.getRange().getLength();
-        double scale = Math.min(area.getWidth() / width, area.getHeight() / height);
-        double besides = 0.5 * (area.getWidth() - scale * width);
-        double above = 0.5 * (area.getHeight() - scale * height);
-        plot.setInsets(new RectangleInsets(above, besides, above, besides));
+        plot.setInsets(PlotStyle.equalScales(
+                chart,
+                frame.width(),
+                frame.height(),
+                x.getRange().getLength(),
+                y.getRange().getLength()));
     }
 
     /**

@@ -6,15 +6,12 @@ import java.awt.Font;
 import java.awt.Shape;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Rectangle2D;
-import java.math.BigDecimal;
-import java.math.MathContext;
+import java.awt.image.BufferedImage;
 import java.text.DecimalFormat;
 import java.text.DecimalFormatSymbols;
-import java.text.FieldPosition;
 import java.text.NumberFormat;
-import java.text.ParsePosition;
 import java.util.Locale;
-import java.util.function.DoubleFunction;
+import org.jfree.chart.ChartRenderingInfo;
 import org.jfree.chart.JFreeChart;
 import org.jfree.chart.axis.LogAxis;
 import org.jfree.chart.axis.NumberAxis;
@@ -70,11 +67,12 @@ final class PlotStyle {
     // Up to this ratio of its ends an axis has too few powers of ten.
     private static final double FEW_DECADES = 100;
 
-    /** Labels of values. */
-    private static final NumberFormat POWERS = labels(PlotStyle::powerOfTen);
+    /** Labels of values: 1e-3. */
+    private static final NumberFormat POWERS = powers();
 
     /** Labels of values, by their decimal logarithms. */
-    static final NumberFormat POWERS_BY_EXPONENT = labels(exponent -> powerOfTen(Math.pow(10, exponent)));
+    static final NumberFormat POWERS_BY_EXPONENT =
+            new DecimalFormat("'1e'0", DecimalFormatSymbols.getInstance(Locale.ROOT));
 
     static final Color INK = new Color(0x222222);
     /** Vermillion, seen on dark and on light. */
@@ -185,20 +183,20 @@ final class PlotStyle {
         return legend;
     }
 
-    /** Whole powers of ten as 1e-3, others as 0.02 or 2e-5. */
-    static String powerOfTen(double value) {
-        double exponent = Math.log10(value);
-        long whole = Math.round(exponent);
-        boolean isPower = Math.abs(exponent - whole) < 1e-9;
-        boolean isLong = whole < 0 || whole > 3;
-        if (isPower && isLong) {
-            return "1e" + whole;
-        }
-        return new BigDecimal(value)
-                // Enough for 2048; a logarithm's rounding is far below.
-                .round(new MathContext(5))
-                .stripTrailingZeros()
-                .toPlainString();
+    static BufferedImage image(JFreeChart chart, int width, int height, ChartRenderingInfo info) {
+        return chart.createBufferedImage(width, height, BufferedImage.TYPE_INT_RGB, info);
+    }
+
+    /** What must be left free around a plot for a unit to be as long along y as along x; known once it has been laid out. */
+    static RectangleInsets equalScales(JFreeChart chart, int width, int height, double extentX, double extentY) {
+        ChartRenderingInfo info = new ChartRenderingInfo();
+        chart.getXYPlot().setInsets(RectangleInsets.ZERO_INSETS);
+        image(chart, width, height, info);
+        Rectangle2D area = info.getPlotInfo().getDataArea();
+        double scale = Math.min(area.getWidth() / extentX, area.getHeight() / extentY);
+        double besides = 0.5 * (area.getWidth() - scale * extentX);
+        double above = 0.5 * (area.getHeight() - scale * extentY);
+        return new RectangleInsets(above, besides, above, besides);
     }
 
     private static TickUnits units(double... steps) {
@@ -209,22 +207,9 @@ final class PlotStyle {
         return units;
     }
 
-    private static NumberFormat labels(DoubleFunction<String> label) {
-        return new NumberFormat() {
-            @Override
-            public StringBuffer format(double number, StringBuffer to, FieldPosition position) {
-                return to.append(label.apply(number));
-            }
-
-            @Override
-            public StringBuffer format(long number, StringBuffer to, FieldPosition position) {
-                return format((double) number, to, position);
-            }
-
-            @Override
-            public Number parse(String source, ParsePosition position) {
-                throw new UnsupportedOperationException("labels are written only");
-            }
-        };
+    private static NumberFormat powers() {
+        DecimalFormatSymbols symbols = DecimalFormatSymbols.getInstance(Locale.ROOT);
+        symbols.setExponentSeparator("e");
+        return new DecimalFormat("0.##E0", symbols);
     }
 }

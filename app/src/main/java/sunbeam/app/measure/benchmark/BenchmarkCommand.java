@@ -28,7 +28,6 @@ import sunbeam.app.terminal.options.PatchOptions;
 import sunbeam.app.terminal.progress.Progress;
 import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.patch.Patch;
-import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.SettingException;
 
@@ -39,22 +38,19 @@ import sunbeam.precompute.setting.SettingException;
         description =
                 "Measure each method's error of X, Y, Z against the exact reference and its time per pixel of a BRDF map, beside the"
                         + " thesis's shader (full --preset thesis) in the same run, since an absolute time on a shared machine means"
-                        + " nothing; what its tables take to make and hold; and how the cost of full and table grows with"
-                        + " pixels, samples, relief and coherence length. With --method, or an option that belongs to one, that method"
-                        + " alone, and no growth: a quick comparison. Prints tables (Markdown); with --output writes them as a"
-                        + " page, with plots and all numbers beside it.")
+                        + " nothing; and what its tables take to make and hold. With --method, or an option that belongs to one, that"
+                        + " method alone. Prints tables (Markdown); with --output writes them as a page, with plots and all numbers"
+                        + " beside it.")
 public final class BenchmarkCommand implements Callable<Integer> {
     private static final List<String> PATCHES = List.of("blaze", "elaphe-like");
     private static final int MOST_VIEWS = 10_000;
 
     private final Environment environment;
-    private final GrowthExperiment.Axes axes;
-
     @Option(
             names = "--patch",
             paramLabel = "PATCH",
             description = "A built-in patch, a descriptor (.json) or a scan; may be repeated. Default: blaze and"
-                    + " elaphe-like. Growth is measured on the last.")
+                    + " elaphe-like.")
     private List<String> names = new ArrayList<>();
 
     @Mixin
@@ -114,13 +110,7 @@ public final class BenchmarkCommand implements Callable<Integer> {
     private CommandSpec specification;
 
     public BenchmarkCommand(Environment environment) {
-        this(environment, GrowthExperiment.Axes.STANDARD);
-    }
-
-    /** @param axes along which cost is measured */
-    BenchmarkCommand(Environment environment, GrowthExperiment.Axes axes) {
         this.environment = environment;
-        this.axes = axes;
     }
 
     @Override
@@ -134,12 +124,13 @@ public final class BenchmarkCommand implements Callable<Integer> {
         requireWithin("--size", size, 16, 2048);
         requireWithin("--frames", frames, 1, 100);
         requireWithin("--samples", samples, 0, MOST_VIEWS);
-        Optional<BenchmarkFiles> files =
-                Optional.ofNullable(output).map(page -> new BenchmarkFiles(page, force.overwrite()));
+        if (output != null) {
+            BenchmarkPage.checkWritable(output, force.overwrite());
+        }
         // All are read, and what is wrong with one is told, before minutes are spent on the first.
         List<Patch> patches = patchOptions.load(names.isEmpty() ? PATCHES : names, asked);
         try (RenderContext context = RenderContexts.offscreen()) {
-            run(context, asked, patches, files);
+            run(context, asked, patches);
         }
         return ExitCode.OK.code();
     }
@@ -150,40 +141,29 @@ public final class BenchmarkCommand implements Callable<Integer> {
         }
     }
 
-    private void run(RenderContext context, Choices asked, List<Patch> patches, Optional<BenchmarkFiles> files) {
-        Meter meter = new Meter(new FrameTimer(context, size, frames), light.direction());
-        BenchmarkPage page =
-                new BenchmarkPage(context.info().renderer(), light.describe(), size, frames, samples, seed);
-        List<Map<String, Object>> all = new ArrayList<>();
-        List<Map<String, Object>> growth = new ArrayList<>();
-        print(page.introduction());
-        files.ifPresent(file -> file.add(page.introduction()));
+    private void run(RenderContext context, Choices asked, List<Patch> patches) {
+        Meter meter = new Meter(context, size, frames, light.direction());
+        BenchmarkPage page = new BenchmarkPage();
+        print(page.introduce(context.info().renderer(), light.describe(), size, frames, samples, seed));
+        List<Measured> all = new ArrayList<>();
         for (Patch patch : patches) {
             List<String> remarks = new ArrayList<>();
             List<Measured> rows = methods(meter, patch, asked, remarks);
-            String words = page.methods(rows, remarks);
-            print(words);
-            files.ifPresent(file -> file.addMethods(words, rows));
-            rows.forEach(row -> all.add(row.fields()));
-        }
-        if (Contender.open(asked)) {
-            Patch base = patches.get(patches.size() - 1);
-            List<Growth> growths = new GrowthExperiment(meter, environment, base, GaussianArea.of(asked)).run(axes);
-            String words = page.growth(base.name(), growths);
-            print(words);
-            files.ifPresent(file -> file.addGrowth(words, growths));
-            growths.forEach(one -> growth.addAll(one.fields()));
+            print(page.add(rows, remarks));
+            all.addAll(rows);
         }
         if (json.isAsked()) {
             Map<String, Object> report = new LinkedHashMap<>();
-            report.put("renderer", page.renderer());
+            report.put("renderer", context.info().renderer());
             report.put("size", size);
             report.put("seed", seed);
-            report.put("measured", all);
-            report.put("growth", growth);
+            report.put("measured", all.stream().map(Measured::fields).toList());
             JsonOption.print(out(), report);
         }
-        files.ifPresent(file -> out().println(file.write()));
+        if (output != null) {
+            page.write(output, force.overwrite());
+            out().println(output);
+        }
     }
 
     /** The report for people as it comes, unless that for programs is asked for. */

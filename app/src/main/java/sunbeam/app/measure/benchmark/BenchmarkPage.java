@@ -1,25 +1,57 @@
 package sunbeam.app.measure.benchmark;
 
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+import sunbeam.app.files.output.AtomicFile;
+import sunbeam.app.files.output.OutputFolder;
+import sunbeam.app.files.output.Overwrite;
+import sunbeam.app.files.plot.Plot;
+import sunbeam.app.files.plot.Plot.Axis;
+import sunbeam.app.measure.errors.Comparison;
 import sunbeam.app.measure.errors.ErrorStatistics;
-import sunbeam.app.measure.errors.RelativeError;
+import sunbeam.app.terminal.UsageException;
 
-/**
- * A run in words, part by part: Markdown that a terminal shows, too.
- *
- * @param renderer that OpenGL names
- * @param light where it comes from
- * @param size width and height of the maps, pixels
- * @param frames that are timed of each
- * @param views at which errors are measured
- * @param seed of the views
- */
-record BenchmarkPage(String renderer, String light, int size, int frames, int views, long seed) {
+/** A run as a page, part by part: Markdown that a terminal shows, too; as files with plots (PNG) and all numbers (CSV). */
+final class BenchmarkPage {
+    private static final String ENDING = ".md";
+    private static final String NUMBERS = "benchmark.csv";
+    // A logarithm has no place for an error of 0.
+    private static final double LEAST = 1e-9;
+
+    private final StringBuilder introduction = new StringBuilder();
+    private final Map<String, List<Measured>> patches = new LinkedHashMap<>();
+    private final Map<String, String> sections = new LinkedHashMap<>();
+
+    /**
+     * Tells early what could not be written.
+     *
+     * @throws UsageException when the page has not the ending .md
+     * @throws sunbeam.app.files.output.OutputException when one of the files is there and must not be replaced
+     */
+    static void checkWritable(Path page, Overwrite overwrite) {
+        String name = String.valueOf(page.getFileName());
+        if (!name.endsWith(ENDING) || name.length() == ENDING.length()) {
+            throw new UsageException("--output " + page + " is no page; give it the ending .md");
+        }
+        AtomicFile.checkWritable(page, overwrite);
+        OutputFolder.check(folder(page));
+    }
+
+    private static Path folder(Path page) {
+        String name = page.getFileName().toString();
+        return page.resolveSibling(name.substring(0, name.length() - ENDING.length()));
+    }
 
     /** What is measured, by what, and how. */
-    String introduction() {
-        return String.format(
+    String introduce(String renderer, String light, int size, int frames, int views, long seed) {
+        introduction.append(String.format(
                 Locale.ROOT,
                 """
                 # Error and time
@@ -41,11 +73,12 @@ record BenchmarkPage(String renderer, String light, int size, int frames, int vi
                 size,
                 light,
                 frames,
-                FrameTimer.LEAST_SECONDS,
-                FrameTimer.MOST_SECONDS,
+                Meter.LEAST_SECONDS,
+                Meter.MOST_SECONDS,
                 views,
                 seed,
-                RelativeError.FLOOR);
+                Comparison.FLOOR));
+        return introduction.toString();
     }
 
     /**
@@ -54,89 +87,66 @@ record BenchmarkPage(String renderer, String light, int size, int frames, int vi
      * @param rows the thesis's first
      * @param remarks what is not measured, and why
      */
-    String methods(List<Measured> rows, List<String> remarks) {
+    String add(List<Measured> rows, List<String> remarks) {
         Measured thesis = rows.get(0);
-        MarkdownTable table = new MarkdownTable(
-                "method",
-                "median",
-                "95 %",
-                "CIEDE2000",
-                "views",
-                "per pixel",
-                "times faster",
-                "making / s",
-                "first picture",
-                "MB");
-        StringBuilder plans = new StringBuilder();
-        for (Measured row : rows) {
-            ErrorStatistics errors = row.errors().map(Measured.Errors::relative).orElse(ErrorStatistics.of());
-            table.row(
-                    row.method(),
-                    error(errors.median()),
-                    error(errors.percentile95()),
-                    row.errors()
-                            .map(measured -> figures(measured.colorDifference().median()))
-                            .orElse(""),
-                    row.errors().isPresent() ? Integer.toString(errors.count()) : "",
-                    perPixel(row.microsecondsPerPixel()),
-                    figures(row.timesFaster(thesis)),
-                    figures(row.makingSeconds()),
-                    figures(row.timesFasterToFirstPicture(thesis)),
-                    figures(row.bytes() * 1e-6));
-            plans.append("- ")
-                    .append(row.method())
-                    .append(": ")
-                    .append(row.plan())
-                    .append('\n');
-        }
-        String clock = String.format(
+        StringBuilder text = new StringBuilder(String.format(Locale.ROOT, "%n## %s%n%n", thesis.patch()));
+        text.append(table(rows.stream().map(row -> cells(row, thesis)).toList()));
+        text.append(String.format(
                 Locale.ROOT,
-                "%d covered pixels, wall clock around glFinish.",
-                thesis.timing().pixels());
-        return String.format(
-                Locale.ROOT, "%n## %s%n%n%s%n%s%n%n%s%s", thesis.patch(), table, clock, plans, lines(remarks));
-    }
-
-    /** How the cost of a patch grows. */
-    String growth(String patch, List<Growth> growths) {
-        StringBuilder text = new StringBuilder(String.format(
-                Locale.ROOT,
-                "%n## How cost grows%n%n`full` and `table` at tolerance 1e-2 on %s; maps of %d x %d pixels unless said otherwise.%n",
-                patch,
-                size,
-                size));
-        for (Growth growth : growths) {
-            MarkdownTable table =
-                    new MarkdownTable(growth.axis(), "method", "making / s", "a frame / s", "per pixel", "MB");
-            for (Growth.Point point : growth.points()) {
-                Measured measured = point.measured();
-                table.row(
-                        figures(point.x()),
-                        measured.method(),
-                        figures(measured.makingSeconds()),
-                        figures(measured.frameSeconds()),
-                        perPixel(measured.microsecondsPerPixel()),
-                        figures(measured.bytes() * 1e-6));
-            }
-            text.append(String.format(Locale.ROOT, "%n%s%s", table, lines(growth.remarks())));
-        }
+                "%n%d covered pixels, wall clock around glFinish.%n%n",
+                thesis.timing().pixels()));
+        rows.forEach(row -> text.append("- " + row.method() + ": " + row.plan() + "\n"));
+        remarks.forEach(remark -> text.append("\n" + remark + ".\n"));
+        patches.put(thesis.patch(), rows);
+        sections.put(thesis.patch(), text.toString());
         return text.toString();
     }
 
-    private static String lines(List<String> remarks) {
+    /** By column. */
+    private static Map<String, String> cells(Measured row, Measured thesis) {
+        ErrorStatistics errors = row.errors().map(Measured.Errors::relative).orElse(ErrorStatistics.of());
+        double difference = row.errors()
+                .map(measured -> measured.colorDifference().median())
+                .orElse(Double.NaN);
+        double microseconds = row.microsecondsPerPixel();
+        Map<String, String> cells = new LinkedHashMap<>();
+        cells.put("method", row.method());
+        cells.put("median", error(errors.median()));
+        cells.put("95 %", error(errors.percentile95()));
+        cells.put("CIEDE2000", figures(difference));
+        cells.put("views", row.errors().isPresent() ? Integer.toString(errors.count()) : "");
+        cells.put("per pixel", microseconds < 1 ? Math.round(1e3 * microseconds) + " ns" : figures(microseconds) + " us");
+        cells.put("times faster", figures(row.timesFaster(thesis)));
+        cells.put("making / s", figures(row.makingSeconds()));
+        cells.put("first picture", figures(row.timesFasterToFirstPicture(thesis)));
+        cells.put("MB", figures(row.bytes() * 1e-6));
+        return cells;
+    }
+
+    /** Markdown whose columns stand below each other in a terminal, too. */
+    private static String table(List<Map<String, String>> rows) {
+        List<List<String>> lines = new ArrayList<>();
+        lines.add(List.copyOf(rows.get(0).keySet()));
+        rows.forEach(row -> lines.add(List.copyOf(row.values())));
+        int[] widths = IntStream.range(0, lines.get(0).size())
+                .map(column -> lines.stream()
+                        .mapToInt(line -> line.get(column).length())
+                        .max()
+                        .orElseThrow())
+                .toArray();
+        lines.add(1, IntStream.of(widths).mapToObj("-"::repeat).toList());
         StringBuilder text = new StringBuilder();
-        remarks.forEach(remark -> text.append('\n').append(remark).append(".\n"));
+        for (List<String> line : lines) {
+            for (int column = 0; column < widths.length; column++) {
+                text.append(String.format(Locale.ROOT, "| %-" + widths[column] + "s ", line.get(column)));
+            }
+            text.append("|\n");
+        }
         return text.toString();
     }
 
     private static String error(double value) {
         return Double.isNaN(value) ? "" : String.format(Locale.ROOT, "%.1e", value);
-    }
-
-    private static String perPixel(double microseconds) {
-        return microseconds < 1
-                ? String.format(Locale.ROOT, "%.0f ns", 1e3 * microseconds)
-                : figures(microseconds) + " us";
     }
 
     /** Three figures, without an exponent where they are not tiny. */
@@ -145,5 +155,65 @@ record BenchmarkPage(String renderer, String light, int size, int frames, int vi
             return "";
         }
         return String.format(Locale.ROOT, value >= 1000 || value == Math.rint(value) ? "%.0f" : "%.3g", value);
+    }
+
+    /** Writes the page, and into a folder of its name a plot for each patch and all numbers. */
+    void write(Path page, Overwrite overwrite) {
+        Path folder = folder(page);
+        OutputFolder.create(folder);
+        StringBuilder text = new StringBuilder(introduction);
+        StringBuilder numbers = new StringBuilder();
+        patches.forEach((patch, rows) -> {
+            text.append(sections.get(patch));
+            List<Measured> drawn = rows.stream().filter(BenchmarkPage::isDrawn).toList();
+            if (!drawn.isEmpty()) {
+                String name = patch + "-methods.png";
+                plot(patch, drawn).write(folder.resolve(name), overwrite, Map.of("Title", "error over time"));
+                text.append(String.format(Locale.ROOT, "%n![error over time](%s/%s)%n", folder.getFileName(), name));
+            }
+            if (numbers.isEmpty()) {
+                numbers.append(String.join(",", rows.get(0).fields().keySet())).append('\n');
+            }
+            rows.forEach(row -> numbers.append(row.fields().values().stream()
+                            .map(field -> quoted(field.toString()))
+                            .collect(Collectors.joining(",")))
+                    .append('\n'));
+        });
+        write(folder.resolve(NUMBERS), overwrite, numbers);
+        text.append(
+                String.format(Locale.ROOT, "%nAll numbers: [%s](%s/%s).%n", NUMBERS, folder.getFileName(), NUMBERS));
+        write(page, overwrite, text);
+    }
+
+    private static boolean isDrawn(Measured row) {
+        return row.errors()
+                .filter(errors -> errors.relative().count() > 0
+                        && Double.isFinite(errors.relative().median()))
+                .isPresent();
+    }
+
+    private static Plot plot(String patch, List<Measured> rows) {
+        Axis time = Axis.logarithmic("time per pixel / us");
+        Axis error = Axis.logarithmic("relative error of XYZ (median)");
+        Plot plot = new Plot(new Plot.Frame(patch + ": error over time", time, error, 900, 480));
+        for (Measured row : rows) {
+            double[] x = {row.microsecondsPerPixel()};
+            double[] y = {Math.max(LEAST, row.errors().orElseThrow().relative().median())};
+            if (row.method().equals(Contender.THESIS.name())) {
+                plot.rings(row.method(), x, y);
+            } else {
+                plot.points(row.method(), x, y);
+            }
+        }
+        return plot;
+    }
+
+    private static void write(Path file, Overwrite overwrite, CharSequence content) {
+        byte[] bytes = content.toString().getBytes(StandardCharsets.UTF_8);
+        AtomicFile.write(file, overwrite, stream -> stream.write(bytes));
+    }
+
+    private static String quoted(String field) {
+        return field.matches("[^\",\\r\\n]*") ? field : '"' + field.replace("\"", "\"\"") + '"';
     }
 }

@@ -14,7 +14,7 @@ import sunbeam.app.gpu.directions.DirectionsRenderer;
 import sunbeam.app.gpu.directions.DirectionsRenderer.Query;
 import sunbeam.app.measure.errors.Comparison;
 import sunbeam.app.measure.errors.DirectionSampler;
-import sunbeam.app.measure.errors.RelativeError;
+import sunbeam.app.measure.errors.Comparison;
 import sunbeam.app.terminal.progress.Progress;
 import sunbeam.precompute.method.Method;
 import sunbeam.precompute.method.ReferenceMethod;
@@ -25,7 +25,7 @@ import sunbeam.precompute.reference.ReferenceColor.Quadrature;
 
 /**
  * Random views of one light with their exact colors: half of them uniform on the hemisphere, half aimed at orders. Views
- * whose power is below {@link RelativeError#FLOOR} are left out.
+ * whose power is below {@link Comparison#FLOOR} are left out.
  */
 final class ExactViews {
     // Of a grating nearly all views are dark; a patch that is dark everywhere must come to an end.
@@ -100,7 +100,7 @@ final class ExactViews {
             tried += batch;
             List<View> bright = Stream.generate(queries).limit(batch).toList().parallelStream()
                     .map(query -> new View(query, exact.xyz(query.pair(), Quadrature.INTEGRATED)))
-                    .filter(view -> RelativeError.largest(view.xyz()) > RelativeError.FLOOR)
+                    .filter(view -> Comparison.largest(view.xyz()) > Comparison.FLOOR)
                     .toList();
             found.addAll(bright);
             progress.step(bright.size());

@@ -22,7 +22,7 @@ record Measured(
         String plan,
         double makingSeconds,
         long bytes,
-        FrameTimer.Timing timing,
+        Meter.Timing timing,
         Optional<Errors> errors) {
 
     /**

@@ -1,5 +1,7 @@
 package sunbeam.app.measure.benchmark;
 
+import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -7,7 +9,8 @@ import jrtr.RenderContext;
 import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.gpu.colors.GpuColors;
-import sunbeam.app.measure.benchmark.FrameTimer.Timing;
+import sunbeam.app.gpu.map.BrdfMapRenderer;
+import sunbeam.app.gpu.picture.AutoExposure;
 import sunbeam.app.measure.benchmark.Measured.Errors;
 import sunbeam.app.measure.errors.Comparison;
 import sunbeam.app.measure.errors.ErrorStatistics;
@@ -19,17 +22,28 @@ import sunbeam.precompute.shader.MethodUse;
 import sunbeam.precompute.shader.ShaderTables;
 
 /**
- * Measures methods by maps of one light. Nothing comes from the cache.
+ * Measures methods by BRDF maps of one light; nothing comes from the cache. A time is the median of some frames after one for
+ * warming up. Of short frames, which other work disturbs the most, there are as many as take half a second together; slow ones
+ * end after {@link #MOST_SECONDS}, which may be the first.
  *
- * @param timer of the maps
+ * @param context in which methods live
+ * @param size width and height of the maps, pixels
+ * @param frames that are timed, unless they are short or slow
  * @param light towards the light
  */
-record Meter(FrameTimer timer, Direction light) {
+record Meter(RenderContext context, int size, int frames, Direction light) {
+    static final double LEAST_SECONDS = 0.5;
+    static final double MOST_SECONDS = 5;
+    private static final int MOST_FRAMES = 1000;
 
-    /** The same by maps of another size. */
-    Meter of(int size) {
-        return new Meter(new FrameTimer(timer.context(), size, timer.frames()), light);
-    }
+    /**
+     * What a map takes.
+     *
+     * @param seconds median over the frames
+     * @param pixels of the disc
+     * @param exposure the map's automatic exposure, a factor for linear XYZ
+     */
+    record Timing(double seconds, int pixels, double exposure) {}
 
     /**
      * What a method takes.
@@ -40,19 +54,49 @@ record Meter(FrameTimer timer, Direction light) {
      * @throws jrtr.GraphicsException when the graphics card has no room for it
      */
     Measured measure(DiffractionSetup setup, String name, Method method, Optional<ExactViews> exact) {
-        RenderContext context = timer.context();
         long start = System.nanoTime();
         MethodPlan plan = method.plan(setup.surface(), VisibleRange.of(light));
         ShaderTables tables = setup.freshTables(plan, MethodUse.COLOR, GpuColors::of);
         try (UploadedTables drawn = UploadedTables.upload(context, tables)) {
             context.finish();
             double making = (System.nanoTime() - start) * 1e-9;
-            Timing timing = timer.time(drawn, light);
+            Timing timing = time(drawn);
             boolean comparable = method.brightness() == Method.Brightness.OF_A_MIRROR;
             Optional<Errors> errors = exact.filter(views -> comparable)
                     .map(views -> errors(views.compare(context, method, drawn), timing.exposure()));
             return new Measured(setup.patch().name(), name, words(plan), making, tables.bytes(), timing, errors);
         }
+    }
+
+    private Timing time(UploadedTables method) {
+        try (BrdfMapRenderer renderer = new BrdfMapRenderer(context, method, size)) {
+            List<Double> seconds = new ArrayList<>();
+            double warm = seconds(renderer);
+            double total = 0;
+            if (warm > MOST_SECONDS) {
+                // What a first frame takes besides, a compilation, is little beside it.
+                seconds.add(warm);
+                total = warm;
+            }
+            while (total < LEAST_SECONDS || (seconds.size() < frames && total < MOST_SECONDS)) {
+                double frame = seconds(renderer);
+                seconds.add(frame);
+                // A clock that stands still would never come there.
+                total += Math.max(frame, LEAST_SECONDS / MOST_FRAMES);
+            }
+            Collections.sort(seconds);
+            return new Timing(
+                    seconds.get(seconds.size() / 2), renderer.coveredPixels(), AutoExposure.of(renderer.picture()));
+        }
+    }
+
+    /** From an idle device to an idle device. */
+    private double seconds(BrdfMapRenderer renderer) {
+        context.finish();
+        long start = System.nanoTime();
+        renderer.draw(light, pixels -> {});
+        context.finish();
+        return Math.max(1, System.nanoTime() - start) * 1e-9;
     }
 
     private static String words(MethodPlan plan) {

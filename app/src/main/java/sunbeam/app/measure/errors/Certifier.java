@@ -4,49 +4,32 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Random;
+import java.util.function.IntFunction;
 import java.util.function.ToDoubleFunction;
 import sunbeam.app.gpu.picture.LinearPicture;
-import sunbeam.app.terminal.progress.Progress;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.Gain;
 import sunbeam.precompute.reference.ExactLight;
 import sunbeam.precompute.reference.ReferenceColor.Quadrature;
 
-/** Compares random pixels of a picture with the exact reference. */
+/** Compares random pixels of a BRDF map with the exact reference. */
 public final class Certifier {
     // Dark pixels are checked too, lest light be missing; but a picture of a grating is nearly all dark.
     private static final int LARGEST_DARK_SHARE = 4;
 
     private final ExactLight reference;
-    private final PixelDirections pairs;
+    private final IntFunction<DirectionPair> pairs;
     private final ToDoubleFunction<DirectionPair> material;
 
-    /** Which pair of directions a pixel shows. */
-    @FunctionalInterface
-    public interface PixelDirections {
-        /**
-         * The directions at a pixel's centre.
-         *
-         * @param pixel counted row by row from the top left
-         */
-        DirectionPair at(int pixel);
-    }
-
     /**
-     * A certifier for one scene.
+     * A certifier for one map.
      *
-     * @param reference of the same patch and window as the picture
-     */
-    public Certifier(ExactLight reference, PixelDirections pairs) {
-        this(reference, pairs, pair -> 1);
-    }
-
-    /**
-     * A certifier for a scene of another material.
-     *
+     * @param reference of the same patch and window as the map
+     * @param pairs the directions at a pixel's centre, counted row by row from the top left
      * @param material what it reflects over what the standard material does
      */
-    public Certifier(ExactLight reference, PixelDirections pairs, ToDoubleFunction<DirectionPair> material) {
+    public Certifier(
+            ExactLight reference, IntFunction<DirectionPair> pairs, ToDoubleFunction<DirectionPair> material) {
         this.reference = reference;
         this.pairs = pairs;
         this.material = material;
@@ -62,46 +45,29 @@ public final class Certifier {
      * @param picture linear XYZ of rho; pixels that show no surface are not drawn from
      * @param count how many pixels; all, when the picture has fewer. At most a quarter are such as the picture shows
      *     dark, unless there are not enough others.
-     * @param seed the same seed draws the same pixels
      * @param exposure factor for X, Y, Z before colors are compared
      * @param tolerance what the picture was made for
      */
-    public Certificate certify(LinearPicture picture, int count, long seed, double exposure, double tolerance) {
-        List<Integer> pixels = draw(picture, count, seed);
-        List<Comparison> all;
-        try (Progress progress = Progress.start("Certificate", pixels.size())) {
-            all = pixels.parallelStream()
-                    .map(pixel -> {
-                        Comparison comparison = compare(picture, pixel);
-                        progress.step(1);
-                        return comparison;
-                    })
-                    .toList();
-        }
-        return new Certificate(
+    public Certificate certify(LinearPicture picture, int count, double exposure, double tolerance) {
+        List<Comparison> all = Certificate.compare(draw(picture, count), pixel -> compare(picture, pixel));
+        return Certificate.ofPixels(
                 all.size() + " random pixels, at most a quarter of them dark while there are others",
-                false,
-                "XYZ",
-                Comparison.relative(all),
-                Comparison.relativeL2(all),
-                ErrorStatistics.of(all.stream()
-                        .filter(Comparison::bright)
-                        .mapToDouble(pixel -> pixel.colorDifference(exposure))
-                        .toArray()),
-                tolerance);
+                all,
+                exposure,
+                Certificate.Limits.of(tolerance));
     }
 
-    private List<Integer> draw(LinearPicture picture, int count, long seed) {
+    private List<Integer> draw(LinearPicture picture, int count) {
         List<Integer> bright = new ArrayList<>();
         List<Integer> dark = new ArrayList<>();
         for (int pixel = 0; pixel < picture.width() * picture.height(); pixel++) {
             if (picture.covered(pixel)) {
-                double floor = RelativeError.FLOOR * gain(pairs.at(pixel));
+                double floor = Comparison.FLOOR * gain(pairs.apply(pixel));
                 // A NaN or an infinity among X and Z is to be looked at.
-                (RelativeError.largest(drawn(picture, pixel)) <= floor ? dark : bright).add(pixel);
+                (Comparison.largest(drawn(picture, pixel)) <= floor ? dark : bright).add(pixel);
             }
         }
-        Random random = new Random(seed);
+        Random random = new Random(Certificate.SEED);
         Collections.shuffle(bright, random);
         Collections.shuffle(dark, random);
         int fewestDark = Math.min(dark.size(), count / LARGEST_DARK_SHARE);
@@ -112,7 +78,7 @@ public final class Certifier {
     }
 
     private Comparison compare(LinearPicture picture, int pixel) {
-        DirectionPair pair = pairs.at(pixel);
+        DirectionPair pair = pairs.apply(pixel);
         double gain = gain(pair);
         double[] exact = reference.xyz(pair, Quadrature.INTEGRATED);
         for (int c = 0; c < 3; c++) {

@@ -9,7 +9,6 @@ import static sunbeam.precompute.plan.MethodSettings.WAVELENGTH_STEP;
 
 import java.io.PrintWriter;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.function.IntFunction;
@@ -19,19 +18,20 @@ import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.OptionOrigin;
 import sunbeam.app.terminal.UsageException;
+import sunbeam.app.scene.Scene;
+import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.method.Method;
 import sunbeam.precompute.method.MethodPlan;
+import sunbeam.precompute.method.MethodType;
 import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.method.ReferenceMethod;
+import sunbeam.precompute.method.TableMethod;
 import sunbeam.precompute.plan.Preset;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
 
 /** Whether a run states its error; to be used as a picocli mixin. */
 public final class CertifyOption {
-    /** The same places are evaluated in every run. */
-    public static final long SEED = 1;
-
     private static final int MOST = 100_000;
     private static final List<Setting<?>> OVERRIDES =
             List.of(PRESET, EXPANSION, TERMS, RADIUS, ANCHOR, WAVELENGTH_STEP);
@@ -40,11 +40,12 @@ public final class CertifyOption {
             names = "--certify",
             paramLabel = "N",
             description =
-                    "Evaluate N random places of this very result (pixels of a map, rows of a table) with the exact"
-                            + " reference and state the error: median, 95th percentile and maximum relative error, and CIEDE2000"
-                            + " of colors. At most a quarter of a map's pixels are dark while it has others. Exit code 3 when the"
-                            + " median exceeds --tolerance or the 95th percentile three times it, where the plan cannot"
-                            + " promise it, and where all places are dark.")
+                    "Compare N random places of this very result with the exact reference and state the error: median,"
+                            + " 95th percentile and maximum relative error, and CIEDE2000 of colors. Pixels of a map, of which a"
+                            + " quarter are dark at most while it has others, rows of a table: exit code 3 when the median exceeds"
+                            + " --tolerance or the 95th percentile three times it, and where the plan cannot promise it. Pixels of a"
+                            + " picture or of an animation's first frame, beside 256 points in each by method full at tolerance 5e-3:"
+                            + " exit code 3 when the median exceeds 2 %% or the mean CIEDE2000 1. Also where all places are dark.")
     private Integer certify;
 
     /**
@@ -70,7 +71,7 @@ public final class CertifyOption {
     }
 
     /**
-     * Refuses what cannot be compared.
+     * Refuses what the reference cannot be compared with.
      *
      * @throws UsageException where a certificate is asked for and the method's light has no scale, or is the exact one
      */
@@ -88,35 +89,57 @@ public final class CertifyOption {
     }
 
     /**
-     * Prints what a certificate says, complains if the tolerance is missed or was not promised, and returns the exit code.
+     * Refuses scenes that points by method full cannot be compared with.
      *
-     * @param plan that the result was made by
-     * @param choices that the plan was made with
+     * @throws UsageException where a certificate is asked for
      */
+    public void check(Scene scene) {
+        if (count().isEmpty()) {
+            return;
+        }
+        if (scene.index().isByWavelength()) {
+            throw new UsageException("--certify compares one integral over wavelengths, but a picture of an index by"
+                    + " wavelength is the sum of two; give a number as --index, or leave --certify out");
+        }
+        MethodType type = scene.method().type();
+        if (scene.method().isThesis() || (type != FullMethod.TYPE && type != TableMethod.TYPE)) {
+            throw new UsageException("--certify compares with method full at a tolerance, of which "
+                    + (scene.method().isThesis() ? "the thesis's preset" : "method " + type)
+                    + " draws another picture; leave it out");
+        }
+    }
+
+    /** As {@link #judge(Certificate, boolean, String, PrintWriter, PrintWriter)}, of a map or a list that was planned so. */
     public static ExitCode judge(
             Certificate certificate, MethodPlan plan, Choices choices, PrintWriter out, PrintWriter err) {
+        return judge(certificate, plan.shortfalls().isEmpty(), remedy(choices), out, err);
+    }
+
+    /**
+     * Prints what a certificate says, complains if its limits are missed or were not promised, and returns the exit code.
+     *
+     * @param promised whether the plan promises the limits for other places, too
+     * @param remedy what helps where they are missed
+     */
+    public static ExitCode judge(
+            Certificate certificate, boolean promised, String remedy, PrintWriter out, PrintWriter err) {
         out.println("certificate: " + certificate.summary());
-        out.flush();
+        Optional<String> complaint = Optional.empty();
         if (certificate.relative().count() == 0) {
-            err.println(
-                    Messages.error("the tolerance is not certified: none of these places has enough light; give more"));
-            err.flush();
-            return ExitCode.TOLERANCE_MISSED;
+            complaint = Optional.of("the tolerance is not certified: none of these places has enough light; give more");
+        } else if (certificate.missed()) {
+            complaint = Optional.of("the tolerance is missed: " + certificate.beside() + "; " + remedy);
+        } else if (!promised) {
+            complaint = Optional.of("these places keep the tolerance, but it is not promised for others: see the plan's"
+                    + " warning");
+        } else {
+            out.println("verdict: these places keep the tolerance: " + certificate.beside() + ". That is the error of"
+                    + " computing the model; what the model leaves out (docs/theory.md) comes on top");
         }
-        if (certificate.missed()) {
-            err.println(Messages.error(certificate.complaint() + "; " + remedy(choices)));
-            return ExitCode.TOLERANCE_MISSED;
-        }
-        if (!plan.shortfalls().isEmpty()) {
-            err.println(Messages.error(String.format(
-                    Locale.ROOT,
-                    "these places keep the tolerance %.2g, but it is not promised for others: see the plan's warning",
-                    certificate.tolerance())));
-            return ExitCode.TOLERANCE_MISSED;
-        }
-        out.println("verdict: " + certificate.praise());
         out.flush();
-        return ExitCode.OK;
+        complaint.ifPresent(words -> err.println(Messages.error(words)));
+        err.flush();
+        return complaint.isPresent() ? ExitCode.TOLERANCE_MISSED : ExitCode.OK;
     }
 
     /** A choice that overrides the plan, a method that approximates whatever is asked for, or neither. */

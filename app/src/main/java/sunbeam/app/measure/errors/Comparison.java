@@ -12,20 +12,34 @@ import sunbeam.precompute.color.ColorDifference;
  * @param gain by which both were multiplied
  */
 public record Comparison(double[] computed, double[] exact, double gain) {
+    /** Power, and largest of X, Y, Z of power, below which an error relative to it means nothing. */
+    public static final double FLOOR = 1e-9;
+
+    /** The largest of X, Y and Z. */
+    public static double largest(double[] values) {
+        double result = values[0];
+        for (double value : values) {
+            result = Math.max(result, value);
+        }
+        return result;
+    }
 
     /** Whether either has enough light; the gain, which is not finite at the horizon, does not count. */
     public boolean bright() {
         // Written so that a NaN is looked at.
-        return !(Math.max(RelativeError.largest(computed), RelativeError.largest(exact)) <= floor());
+        return !(Math.max(largest(computed), largest(exact)) <= FLOOR * gain);
     }
 
-    private double floor() {
-        return RelativeError.FLOOR * gain;
-    }
-
-    /** Light where there should be none is measured by the floor. */
-    double relative() {
-        return RelativeError.difference(computed, exact) / Math.max(floor(), RelativeError.largest(exact));
+    /**
+     * The largest difference in X, Y or Z by the largest of the exact X, Y and Z, so that a channel that is nearly absent does
+     * not count for more than can be seen. Light where there should be none is measured by the floor.
+     */
+    public double relative() {
+        double difference = 0;
+        for (int c = 0; c < exact.length; c++) {
+            difference = Math.max(difference, Math.abs(computed[c] - exact[c]));
+        }
+        return difference / Math.max(FLOOR * gain, largest(exact));
     }
 
     /** CIEDE2000 of X, Y, Z after an exposure. */

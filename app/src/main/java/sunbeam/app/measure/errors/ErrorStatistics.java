@@ -11,11 +11,9 @@ import sunbeam.precompute.numerics.Quantiles;
  * @param median half of them are below it
  * @param percentile95 95 of 100 are below it
  * @param maximum the largest
+ * @param mean of all
  */
-public record ErrorStatistics(int count, double median, double percentile95, double maximum) {
-
-    /** A tolerance holds for the median; the 95th percentile may be this many times it. */
-    public static final double PERCENTILE_FACTOR = 3;
+public record ErrorStatistics(int count, double median, double percentile95, double maximum, double mean) {
 
     /** Of errors in any order; a NaN counts as infinitely wrong. */
     public static ErrorStatistics of(double... errors) {
@@ -23,12 +21,11 @@ public record ErrorStatistics(int count, double median, double percentile95, dou
                 .map(error -> Double.isNaN(error) ? Double.POSITIVE_INFINITY : error)
                 .toArray();
         return new ErrorStatistics(
-                counted.length, Quantiles.of(counted, 0.5), Quantiles.of(counted, 0.95), Quantiles.of(counted, 1));
-    }
-
-    /** Whether the median is at most the tolerance and the 95th percentile at most three times it; true when empty. */
-    public boolean meets(double tolerance) {
-        return count == 0 || (median <= tolerance && percentile95 <= PERCENTILE_FACTOR * tolerance);
+                counted.length,
+                Quantiles.of(counted, 0.5),
+                Quantiles.of(counted, 0.95),
+                Quantiles.of(counted, 1),
+                Arrays.stream(counted).average().orElse(Double.NaN));
     }
 
     /**

@@ -2,10 +2,11 @@ package sunbeam.app.measure.errors;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.SplittableRandom;
+import java.util.stream.IntStream;
 import jrtr.Tile;
-import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.ScenePicture;
 import sunbeam.app.scene.SceneSession;
 
@@ -32,28 +33,8 @@ public final class SceneCertifier {
         this.height = height;
     }
 
-    /**
-     * An animation.
-     *
-     * @param session draws it
-     * @param scenes of its frames, at least two, which the session can go over to
-     */
-    public record Frames(SceneSession session, List<Scene> scenes) {
-        public Frames {
-            scenes = List.copyOf(scenes);
-        }
-
-        private SceneSession at(int frame) {
-            session.update(scenes.get(frame));
-            return session;
-        }
-    }
-
     /** A pixel and the mean of its points. */
     private record Exact(Tile pixel, double[] xyz) {}
-
-    /** A pixel that the mesh fills in two frames, and its means there. */
-    private record Pair(Tile pixel, double[] before, double[] after) {}
 
     /**
      * Draws random pixels both ways.
@@ -63,67 +44,21 @@ public final class SceneCertifier {
      * @param exact the same scene by a method that draws points
      * @param samples of the mesh along a pixel's side in what is judged
      * @param count pixels, if there are so many that the mesh fills
-     * @param seed the same seed draws the same pixels
      */
-    public SceneCertificate certify(
-            SceneSession drawn, SceneSession exact, int samples, double exposure, int count, long seed) {
-        List<Exact> means = means(exact, count, new SplittableRandom(seed));
+    public Certificate certify(SceneSession drawn, SceneSession exact, int samples, double exposure, int count) {
+        List<Exact> means = means(exact, count, new SplittableRandom(Certificate.SEED));
         List<double[]> pixels =
                 drawn(drawn, samples, means.stream().map(Exact::pixel).toList());
-        List<double[]> diffracted =
-                withoutBody(drawn, samples, means.stream().map(Exact::pixel).toList());
-        List<Comparison> compared = new ArrayList<>();
-        List<Comparison> diffracting = new ArrayList<>();
-        for (int i = 0; i < means.size(); i++) {
-            Comparison pixel = comparison(pixels.get(i), means.get(i).xyz());
-            compared.add(pixel);
-            if (diffracted.get(i)[1] > SceneCertificate.DIFFRACTING * pixels.get(i)[1]) {
-                diffracting.add(pixel);
-            }
-        }
-        return SceneCertificate.of(compared, exposure, diffracting);
-    }
-
-    private List<double[]> withoutBody(SceneSession session, int samples, List<Tile> pixels) {
-        Scene scene = session.scene();
-        try {
-            session.update(scene.withBlend(scene.blend().withoutBody()));
-            return drawn(session, samples, pixels);
-        } finally {
-            session.update(scene);
-        }
-    }
-
-    /**
-     * Draws random pixels of an animation both ways, each in a frame and in the next one.
-     *
-     * @param drawn the animation as it is to be judged
-     * @param exact the same frames by a method that draws points
-     * @param count pixels, if there are so many that the mesh fills in both frames
-     * @see #certify(SceneSession, SceneSession, int, double, int, long)
-     */
-    public CrawlCertificate certify(Frames drawn, Frames exact, int samples, double exposure, int count, long seed) {
-        SplittableRandom random = new SplittableRandom(seed);
-        int steps = drawn.scenes().size() - 1;
-        List<CrawlCertificate.Change> changes = new ArrayList<>();
-        for (int step = 0; step < steps; step++) {
-            int share = (int) ((step + 1L) * count / steps - (long) step * count / steps);
-            List<Pair> pairs = pairs(exact, step, share, random);
-            List<Tile> pixels = pairs.stream().map(Pair::pixel).toList();
-            List<double[]> before = drawn(drawn.at(step), samples, pixels);
-            List<double[]> after = drawn(drawn.at(step + 1), samples, pixels);
-            for (int i = 0; i < pairs.size(); i++) {
-                changes.add(new CrawlCertificate.Change(
-                        comparison(before.get(i), pairs.get(i).before()),
-                        comparison(after.get(i), pairs.get(i).after())));
-            }
-        }
-        return CrawlCertificate.of(changes, exposure);
-    }
-
-    /** White is 1; there is no darker thing to compare with than a mesh in the dark. */
-    private static Comparison comparison(double[] drawn, double[] mean) {
-        return new Comparison(drawn, mean, 1);
+        // White is 1; there is no darker thing to compare with than a mesh in the dark.
+        List<Comparison> compared = IntStream.range(0, means.size())
+                .mapToObj(i -> new Comparison(pixels.get(i), means.get(i).xyz(), 1))
+                .toList();
+        String places = String.format(
+                Locale.ROOT,
+                "%d random pixels that the mesh fills, beside the mean of %d points in each",
+                means.size(),
+                POINTS * POINTS);
+        return Certificate.ofPixels(places, compared, exposure, Certificate.Limits.ANTI_ALIASED);
     }
 
     private List<double[]> drawn(SceneSession session, int samples, List<Tile> pixels) {
@@ -143,17 +78,6 @@ public final class SceneCertifier {
             mean(exact, pixel).ifPresent(xyz -> means.add(new Exact(pixel, xyz)));
         }
         return means;
-    }
-
-    /** Of pixels that are filled in one frame some are not in the next. */
-    private List<Pair> pairs(Frames exact, int step, int count, SplittableRandom random) {
-        List<Exact> before = means(exact.at(step), count, random);
-        SceneSession next = exact.at(step + 1);
-        List<Pair> pairs = new ArrayList<>();
-        for (Exact first : before) {
-            mean(next, first.pixel()).ifPresent(xyz -> pairs.add(new Pair(first.pixel(), first.xyz(), xyz)));
-        }
-        return pairs;
     }
 
     /** The mean of a pixel's points; nothing where the mesh does not fill it. */

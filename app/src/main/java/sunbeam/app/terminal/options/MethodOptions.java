@@ -59,12 +59,15 @@ public final class MethodOptions extends SettingOptions {
 
     /** Prints a method's plan, with reasons where they are asked for, and what breaks its tolerance. */
     public void print(MethodPlan method, PrintWriter out) {
-        printPlan("plan: ", method, out);
+        print("", method, out);
     }
 
-    /** As {@link #print(MethodPlan, PrintWriter)}, for one of several patches. */
+    /** As {@link #print(MethodPlan, PrintWriter)}, for one of several patches; without a name for the only one. */
     public void print(String patch, MethodPlan method, PrintWriter out) {
-        printPlan("plan: " + Quoted.oneLine(patch) + ": ", method, out);
+        String name = patch.isEmpty() ? "" : Quoted.oneLine(patch) + ": ";
+        print("plan: " + name, method.summary(), method.reasons(), out);
+        method.warnings().forEach(line -> out.println(Messages.warning(line.in(OptionOrigin.INSTANCE))));
+        out.flush();
     }
 
     /** Prints what was found of a table when it was tried; nothing for what was not. */
@@ -73,12 +76,6 @@ public final class MethodOptions extends SettingOptions {
             out.println("table: " + trial);
             out.flush();
         }
-    }
-
-    private void printPlan(String title, MethodPlan method, PrintWriter out) {
-        print(title, method.summary(), method.reasons(), out);
-        method.warnings().forEach(line -> out.println(Messages.warning(line.in(OptionOrigin.INSTANCE))));
-        out.flush();
     }
 
     private void print(String title, String summary, List<String> reasons, PrintWriter out) {

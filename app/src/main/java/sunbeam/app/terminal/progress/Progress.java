@@ -1,14 +1,16 @@
 package sunbeam.app.terminal.progress;
 
 import java.time.Duration;
+import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.LongSupplier;
 import me.tongfei.progressbar.ProgressBar;
 import me.tongfei.progressbar.ProgressBarBuilder;
+import me.tongfei.progressbar.ProgressBarStyle;
 import sunbeam.app.terminal.ShutdownHook;
 
 /**
  * How far a long task is, with the time left, on standard error, only once the task has taken 2 s: on a terminal one line, gone
- * when the task ends; elsewhere lines without a bar, one every 10 s at most, however many tasks follow each other. Thread-safe.
+ * when the task ends; elsewhere lines, one every 10 s at most, however many tasks follow each other. Thread-safe.
  */
 public final class Progress implements AutoCloseable {
     static final Duration DELAY = Duration.ofSeconds(2);
@@ -16,9 +18,9 @@ public final class Progress implements AutoCloseable {
 
     /** Of the process, as its standard error is. */
     private static volatile boolean quiet;
-    /** Of the process, too. */
-    private static final Pace PACE = new Pace(System::nanoTime);
 
+    /** When a line that stays was printed; of the process, too. */
+    private static final AtomicLong LAST = new AtomicLong(System.nanoTime());
     private final ProgressLine line;
     private final ProgressBar bar;
     private final ShutdownHook hook;
@@ -46,21 +48,21 @@ public final class Progress implements AutoCloseable {
      * @param total number of steps, at least 0
      */
     public static Progress start(String label, long total) {
-        return start(label, total, Terminal.ofStandardError(System.getenv()), System::nanoTime, PACE);
+        return start(label, total, Terminal.ofStandardError(System.getenv()), System::nanoTime, LAST);
     }
 
-    static Progress start(String label, long total, Terminal terminal, LongSupplier nanoseconds, Pace pace) {
+    static Progress start(String label, long total, Terminal terminal, LongSupplier nanoseconds, AtomicLong last) {
         if (quiet) {
             return none();
         }
-        ProgressLine line = new ProgressLine(terminal, nanoseconds, pace);
+        ProgressLine line = new ProgressLine(terminal, nanoseconds, last);
         // On Ctrl-C the half-drawn line goes, and none is drawn after it.
         ShutdownHook hook = new ShutdownHook(line::close);
         ProgressBar bar = new ProgressBarBuilder()
                 .setTaskName(label)
                 .setInitialMax(total)
                 .setUpdateIntervalMillis(REDRAW_MILLISECONDS)
-                .setRenderer(new TimeLeftRenderer(terminal.interactive()))
+                .setStyle(ProgressBarStyle.ASCII)
                 .setConsumer(line)
                 .build();
         return new Progress(line, bar, hook);

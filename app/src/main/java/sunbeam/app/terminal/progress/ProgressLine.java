@@ -1,7 +1,9 @@
 package sunbeam.app.terminal.progress;
 
+import java.time.Duration;
 import java.util.Deque;
 import java.util.concurrent.ConcurrentLinkedDeque;
+import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.LongSupplier;
 import me.tongfei.progressbar.ProgressBarConsumer;
 
@@ -10,20 +12,21 @@ import me.tongfei.progressbar.ProgressBarConsumer;
  * stay, a few a minute. Of several, as of a task that is part of another, the newest has the terminal.
  */
 final class ProgressLine implements ProgressBarConsumer {
+    static final Duration INTERVAL = Duration.ofSeconds(10);
     private static final Deque<ProgressLine> OPEN = new ConcurrentLinkedDeque<>();
 
     private final Terminal terminal;
     private final LongSupplier nanoseconds;
-    private final Pace pace;
+    private final AtomicLong last;
     private final long start;
     private int drawn;
     private boolean closed;
 
-    /** @param pace of lines that stay, which follow those of tasks before */
-    ProgressLine(Terminal terminal, LongSupplier nanoseconds, Pace pace) {
+    /** @param last when a line that stays was printed, by any task */
+    ProgressLine(Terminal terminal, LongSupplier nanoseconds, AtomicLong last) {
+        this.last = last;
         this.terminal = terminal;
         this.nanoseconds = nanoseconds;
-        this.pace = pace;
         this.start = nanoseconds.getAsLong();
         OPEN.addLast(this);
     }
@@ -40,8 +43,10 @@ final class ProgressLine implements ProgressBarConsumer {
             return;
         }
         if (!terminal.interactive()) {
-            if (pace.isDue()) {
-                print("sunbeam: " + text + System.lineSeparator());
+            long now = nanoseconds.getAsLong();
+            long before = last.get();
+            if (now - before >= INTERVAL.toNanos() && last.compareAndSet(before, now)) {
+                print("sunbeam: " + text.strip() + System.lineSeparator());
             }
             return;
         }

@@ -11,10 +11,10 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Locale;
 import java.nio.file.attribute.FileTime;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
@@ -117,20 +117,6 @@ class BrdfMapCommandTest {
                 .isEqualTo(ExitCode.TOLERANCE_MISSED.code());
         assertThat(draw("a.png", "--patch", "blaze", "--resume")).isEqualTo(ExitCode.OUTPUT_EXISTS.code());
         assertThat(Files.getLastModifiedTime(folder.resolve("a.png"))).isEqualTo(made);
-    }
-
-    /** Waves of 100 and 2 nm: the powers of faint orders are as the squares, 1 in 1000. */
-    @Test
-    void aMapThatASharedExposureLeavesBlackIsNamed() throws IOException {
-        Path faint = grating("faint", 2);
-
-        draw("both.png", "--patch", grating("strong", 100).toString(), "--with", faint.toString());
-        assertThat(err.toString())
-                .contains("warning: the map of faint is black but for the mirror's light", "draw it alone")
-                .doesNotContain("the map of strong");
-        err.getBuffer().setLength(0);
-        draw("faint.png", "--patch", faint.toString());
-        assertThat(err.toString()).doesNotContain("is black");
     }
 
     /** Waves of 1 um across 20 um. */

@@ -7,11 +7,11 @@ import java.awt.image.BufferedImage;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.OptionalDouble;
+import java.util.function.DoubleUnaryOperator;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
-import sunbeam.precompute.analysis.PrincipalDirection;
+import sunbeam.precompute.analysis.GratingPeriod;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.DisplayTransform;
 import sunbeam.precompute.color.Tone;
@@ -30,7 +30,9 @@ class ColorSheetTest {
         SeenColor.View view = new SeenColor.View(along, 0, thetaR, new DirectionPair(Direction.ofDegrees(0, 0), wr));
         // Orange.
         return SeenColor.of(
-                view, new double[] {0.6, 0.5, 0.1}, new DisplayTransform(EXPOSURE, Tone.COMPRESS), 1e-3, CIE);
+                view,
+                new double[] {0.6, 0.5, 0.1},
+                new SeenColor.Scale(new DisplayTransform(EXPOSURE, Tone.COMPRESS), 1e-3, CIE));
     }
 
     private static ColorReport report(String name) {
@@ -39,21 +41,27 @@ class ColorSheetTest {
                 .toList();
         SeenColor purest = seen(true, -30);
         HeightMap flat = new HeightMap(2, 2, 1e-6, 1e-6, new double[4]);
+        Patch patch = new Patch(name, flat, name, List.of());
         return new ColorReport(
-                new Patch(name, flat, name, List.of()),
-                new SurfaceOrder(new PrincipalDirection(0, OptionalDouble.empty(), 1), true, "", Optional.empty()),
-                new Verdict("orange", true),
+                patch,
+                GratingPeriod.of(patch),
+                "orange",
+                true,
+                0,
                 0,
                 65e-6,
                 "a plan",
                 List.of(0.0),
                 colors,
-                List.of(new ColorReport.SeenSpectrum(
-                        purest.view(),
-                        new double[] {380e-9, 590e-9, 780e-9},
-                        new double[] {0, 1, 0},
-                        new SpectralBand(580e-9, 600e-9))),
+                List.of(SeenSpectrum.of(purest.view(), fine(i -> i == 0 ? 1 : 0))),
                 Optional.of(purest));
+    }
+
+    /** Four samples a nanometre from 380 to 780 nm. */
+    private static double[] fine(DoubleUnaryOperator radiance) {
+        return IntStream.rangeClosed(0, 1600)
+                .mapToDouble(i -> radiance.applyAsDouble(i / 4.0))
+                .toArray();
     }
 
     private static BufferedImage sheet(String... names) {
@@ -93,7 +101,7 @@ class ColorSheetTest {
         ColorReport report = report("beetle");
         String told = report.purest().orElseThrow().hex();
 
-        assertThat(new StripPanel(report, "beetle", 0, 1280).light())
+        assertThat(ColorSheet.title(report))
                 .contains("purest (square) " + told + " at -30\u00b0");
         assertThat(report.lines())
                 .anyMatch(line -> line.contains("purest color at -30 degrees") && line.contains(told));
@@ -105,18 +113,14 @@ class ColorSheetTest {
 
     @Test
     void aGrainOfSpeckleIsNotTheWidthOfAColor() {
-        double[] wavelengths = new double[401];
-        double[] gaussian = new double[401];
-        double[] speckled = new double[401];
-        for (int i = 0; i <= 400; i++) {
-            wavelengths[i] = (380 + i) * 1e-9;
-            gaussian[i] = Math.exp(-Math.pow((i - 170) / 40.0, 2) / 2);
-            // Grains 5 nm wide; one is three times as bright as its neighbors.
-            speckled[i] = gaussian[i] * (i % 10 < 5 ? 2 : 0) * (i / 10 == 17 ? 3 : 1);
-        }
+        DoubleUnaryOperator gaussian = i -> Math.exp(-Math.pow((i - 170) / 40.0, 2) / 2);
+        // Grains 5 nm wide; one is three times as bright as its neighbors.
+        DoubleUnaryOperator speckled =
+                i -> gaussian.applyAsDouble(i) * (i % 10 < 5 ? 2 : 0) * ((int) i / 10 == 17 ? 3 : 1);
+        SeenColor.View view = seen(true, 0).view();
         // The quartiles of a normal distribution.
-        assertThat(SpectralBand.of(wavelengths, gaussian).width()).isCloseTo(2 * 0.6745 * 40e-9, within(0.1e-9));
+        assertThat(SeenSpectrum.of(view, fine(gaussian)).width()).isCloseTo(2 * 0.6745 * 40e-9, within(0.1e-9));
         // The grain holds a fifth of the light and draws the quartiles nearer by as much.
-        assertThat(SpectralBand.of(wavelengths, speckled).width()).isBetween(40e-9, 60e-9);
+        assertThat(SeenSpectrum.of(view, fine(speckled)).width()).isBetween(40e-9, 60e-9);
     }
 }

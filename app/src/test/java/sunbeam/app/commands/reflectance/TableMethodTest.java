@@ -14,7 +14,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import sunbeam.app.gpu.picture.LinearPicture;
 import sunbeam.app.measure.errors.ErrorStatistics;
-import sunbeam.app.measure.errors.RelativeError;
+import sunbeam.app.measure.errors.Certificate.Limits;
+import sunbeam.app.measure.errors.Comparison;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.plan.VisibleRange;
@@ -51,7 +52,7 @@ class TableMethodTest {
     private static double error(float[] actual, float[] expected) {
         double[] computed = {actual[0], actual[1], actual[2]};
         double[] exact = {expected[0], expected[1], expected[2]};
-        return RelativeError.difference(computed, exact) / Math.max(RelativeError.FLOOR, RelativeError.largest(exact));
+        return new Comparison(computed, exact, 1).relative();
     }
 
     @ParameterizedTest
@@ -65,8 +66,8 @@ class TableMethodTest {
                 probe.colors(pairs, with("--average", average, "--method", "table", "--tolerance", tolerance));
         List<Double> errors = new ArrayList<>();
         for (int i = 0; i < pairs.size(); i++) {
-            if (RelativeError.largest(new double[] {exact.get(i)[0], exact.get(i)[1], exact.get(i)[2]})
-                    > RelativeError.FLOOR) {
+            if (Comparison.largest(new double[] {exact.get(i)[0], exact.get(i)[1], exact.get(i)[2]})
+                    > Comparison.FLOOR) {
                 errors.add(error(table.get(i), exact.get(i)));
             }
         }
@@ -101,7 +102,7 @@ class TableMethodTest {
 
     private static void keep(List<Double> errors, double tolerance) {
         ErrorStatistics statistics = ErrorStatistics.of(array(errors));
-        assertThat(statistics.meets(tolerance)).as("%s", statistics).isTrue();
+        assertThat(Limits.of(tolerance).hold(statistics)).as("%s", statistics).isTrue();
     }
 
     private static double[] array(List<Double> values) {

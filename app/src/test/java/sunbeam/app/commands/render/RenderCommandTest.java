@@ -1,7 +1,9 @@
 package sunbeam.app.commands.render;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
+import sunbeam.app.commands.render.AnimationOptions.Sweep;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.io.PrintWriter;
@@ -87,7 +89,6 @@ class RenderCommandTest {
         assertThat(PngText.read(picture).get("Plan"))
                 .as("a scene that names no method")
                 .startsWith("table:");
-        assertThat(render(picture, "--turn", "0:6")).isEqualTo(ExitCode.USAGE.code());
         assertThat(render(picture, "--frames", "5")).isEqualTo(ExitCode.USAGE.code());
         assertThat(render(picture, "--frames", "5", "--turntable", "3")).isEqualTo(ExitCode.USAGE.code());
         assertThat(render(picture, "--frame-rate", "5")).isEqualTo(ExitCode.USAGE.code());
@@ -98,7 +99,7 @@ class RenderCommandTest {
                         "--frame-rate needs --light-sweep or --turntable");
         assertThat(render(picture, "--certify", "0")).isEqualTo(ExitCode.USAGE.code());
         assertThat(render(picture, "--certify", "6", "--method", "nmm")).isEqualTo(ExitCode.USAGE.code());
-        assertThat(err.toString()).contains("--turn needs --turntable", "--certify 0 is out of range", "method nmm");
+        assertThat(err.toString()).contains("--certify 0 is out of range", "method nmm");
     }
 
     @Test
@@ -123,6 +124,23 @@ class RenderCommandTest {
                 .as("other parameters")
                 .isEqualTo(ExitCode.OUTPUT_EXISTS.code());
         assertThat(err.toString()).contains("frame-0001.png", "other parameters", "--force");
+    }
+
+    @Test
+    void sweepsHaveBothEndsAndWholeTurnsLeaveTheLastOut() {
+        Sweep half = new Sweep(0, Math.PI);
+        assertThat(half.at(4, 5)).isEqualTo(Math.PI);
+        assertThat(Sweep.ONCE_ROUND.at(3, 4)).isCloseTo(1.5 * Math.PI, within(1e-12));
+        assertThat(half.at(0, 1)).isZero();
+    }
+
+    @Test
+    void theThesissPresetChoosesItsMethod() {
+        Path picture = folder.resolve("thesis.png");
+        assertThat(run("render", "elaphe", "--preset", "thesis", "--size", "16x12", "--output", picture.toString()))
+                .as(err.toString())
+                .isZero();
+        assertThat(PngText.read(picture)).containsEntry("Method", "full");
     }
 
     @Test

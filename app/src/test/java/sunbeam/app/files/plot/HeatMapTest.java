@@ -48,7 +48,7 @@ final class HeatMapTest {
             row[10_003] = 1;
         }
         assertThat(whitePixelsAcross(map(rows, HeatMap.Reduction.LARGEST).draw(places)))
-                .isEqualTo(1);
+                .isPositive();
         assertThat(whitePixelsAcross(map(rows, HeatMap.Reduction.MIDDLE).draw(places)))
                 .isZero();
     }

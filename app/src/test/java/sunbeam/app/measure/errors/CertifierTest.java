@@ -47,8 +47,8 @@ final class CertifierTest {
     }
 
     private static Certificate certify(float[] xyz, int count) {
-        return new Certifier(reference, CertifierTest::pair)
-                .certify(new LinearPicture(WIDTH, 1, xyz), count, 5, 1, 1e-3);
+        return new Certifier(reference, CertifierTest::pair, pair -> 1)
+                .certify(new LinearPicture(WIDTH, 1, xyz), count, 1, 1e-3);
     }
 
     @Test
@@ -73,7 +73,7 @@ final class CertifierTest {
         assertThat(certificate.missed()).isTrue();
         assertThat(certificate.relative().median()).isBetween(0.0199, 0.0201);
         assertThat(certificate.colorDifference().maximum()).isPositive();
-        assertThat(certificate.complaint()).contains("0.02").contains("0.001");
+        assertThat(certificate.beside()).contains("0.02").contains("0.001");
     }
 
     @Test

@@ -3,6 +3,7 @@ package sunbeam.app.measure.errors;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import sunbeam.app.measure.errors.Certificate.Limits;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 
@@ -23,26 +24,27 @@ final class ErrorStatisticsTest {
     void aPictureFullOfNanMissesEveryTolerance() {
         ErrorStatistics statistics = ErrorStatistics.of(Double.NaN, 0, Double.NaN);
         assertThat(statistics.maximum()).isInfinite();
-        assertThat(statistics.meets(1)).isFalse();
+        assertThat(Limits.of(1).hold(statistics)).isFalse();
     }
 
     @Test
     void nothingComparedMissesNothing() {
         ErrorStatistics statistics = ErrorStatistics.of();
         assertThat(statistics.median()).isNaN();
-        assertThat(statistics.meets(1e-3)).isTrue();
+        assertThat(Limits.of(1e-3).hold(statistics)).isTrue();
     }
 
     @Test
     void theMedianMayReachTheToleranceAndThePercentileThreeTimesIt() {
-        assertThat(new ErrorStatistics(9, 1e-3, 3e-3, 1).meets(1e-3)).isTrue();
-        assertThat(new ErrorStatistics(9, 1.01e-3, 2e-3, 1).meets(1e-3)).isFalse();
-        assertThat(new ErrorStatistics(9, 0.5e-3, 3.1e-3, 1).meets(1e-3)).isFalse();
+        Limits limits = Limits.of(1e-3);
+        assertThat(limits.hold(new ErrorStatistics(9, 1e-3, 3e-3, 1, 0))).isTrue();
+        assertThat(limits.hold(new ErrorStatistics(9, 1.01e-3, 2e-3, 1, 0))).isFalse();
+        assertThat(limits.hold(new ErrorStatistics(9, 0.5e-3, 3.1e-3, 1, 0))).isFalse();
     }
 
     @Test
     void aColorsErrorIsRelativeToItsStrongestChannel() {
-        double error = RelativeError.ofColor(new double[] {0.5, 0.2, 0.02}, new double[] {0.5, 0.21, 0.01});
+        double error = new Comparison(new double[] {0.5, 0.2, 0.02}, new double[] {0.5, 0.21, 0.01}, 1).relative();
         assertThat(error).isCloseTo(0.02, within(1e-12));
     }
 

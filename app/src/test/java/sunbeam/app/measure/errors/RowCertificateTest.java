@@ -3,21 +3,26 @@ package sunbeam.app.measure.errors;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.function.IntFunction;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import org.junit.jupiter.api.Test;
 
 /** On a table whose exact powers are 1, 1/2, 1/3 and so on. */
-final class TableCertifierTest {
+final class RowCertificateTest {
     private static final int ROWS = 200;
 
     private static double[] exact(int row) {
         return new double[] {1.0 / (row + 1)};
     }
 
+    private static Certificate certify(IntFunction<double[]> computed, IntFunction<double[]> exact, int count) {
+        return Certificate.ofRows(
+                ROWS, count, row -> new Comparison(computed.apply(row), exact.apply(row), 1), "power", 1e-3);
+    }
+
     private static Certificate certify(double factor, int count) {
-        return new TableCertifier(row -> new double[] {factor * exact(row)[0]}, TableCertifierTest::exact, "power")
-                .certify(ROWS, count, 1e-3);
+        return certify(row -> new double[] {factor * exact(row)[0]}, RowCertificateTest::exact, count);
     }
 
     @Test
@@ -45,34 +50,29 @@ final class TableCertifierTest {
     @Test
     void rowsAreDrawnOnceAndNoMoreThanThereAre() {
         Set<Integer> seen = ConcurrentHashMap.newKeySet();
-        Certificate certificate = new TableCertifier(
-                        TableCertifierTest::exact,
+        Certificate certificate = certify(
+                        RowCertificateTest::exact,
                         row -> {
                             assertThat(seen.add(row)).as("row %d", row).isTrue();
                             return exact(row);
                         },
-                        "power")
-                .certify(ROWS, 10_000, 1e-3);
+                        10_000);
         assertThat(certificate.places()).isEqualTo("all 200 rows");
         assertThat(seen).hasSize(ROWS);
     }
 
     @Test
     void darkRowsAreNotComparedUnlessTheTableHasLightThere() {
-        Certificate dark = new TableCertifier(row -> new double[] {1e-12}, row -> new double[] {2e-12}, "power")
-                .certify(ROWS, ROWS, 1e-3);
+        Certificate dark = certify(row -> new double[] {1e-12}, row -> new double[] {2e-12}, ROWS);
         assertThat(dark.relative().count()).isZero();
         assertThat(dark.missed()).isFalse();
-        Certificate lit = new TableCertifier(row -> new double[] {1e-3}, row -> new double[] {2e-12}, "power")
-                .certify(ROWS, ROWS, 1e-3);
+        Certificate lit = certify(row -> new double[] {1e-3}, row -> new double[] {2e-12}, ROWS);
         assertThat(lit.missed()).isTrue();
     }
 
     @Test
     void aTableFullOfNanIsWrong() {
-        Certificate certificate = new TableCertifier(
-                        row -> new double[] {Double.NaN}, TableCertifierTest::exact, "power")
-                .certify(ROWS, 20, 1);
+        Certificate certificate = certify(row -> new double[] {Double.NaN}, RowCertificateTest::exact, 20);
         assertThat(certificate.missed()).isTrue();
     }
 }

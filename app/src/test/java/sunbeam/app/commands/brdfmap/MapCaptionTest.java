@@ -2,7 +2,6 @@ package sunbeam.app.commands.brdfmap;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.awt.image.BufferedImage;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
@@ -17,7 +16,7 @@ import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.setting.Choices;
 
-class AnnotatedMapsTest {
+class MapCaptionTest {
     private static final Choices ASKED =
             new CommandLine(new MethodOptions()).<MethodOptions>getCommand().choices();
     private static final Direction LIGHT = Direction.ofDegrees(30, 0);
@@ -47,16 +46,5 @@ class AnnotatedMapsTest {
                 .doesNotContain("index");
         assertThat(ScanLimit.of(ASKED, scan(Patch.Repetition.PERIODIC)).limiting())
                 .isEmpty();
-    }
-
-    @Test
-    void oneWhitePixelIsBurntOutAndGreyOnesAreNot() {
-        BufferedImage map = new BufferedImage(4, 4, BufferedImage.TYPE_INT_ARGB);
-        // Outside of the disc, white that nobody sees.
-        map.setRGB(0, 0, 0x00ffffff);
-        map.setRGB(1, 1, 0xfffefefe);
-        assertThat(AnnotatedMaps.burntOut(map)).isFalse();
-        map.setRGB(2, 1, 0xffffffff);
-        assertThat(AnnotatedMaps.burntOut(map)).isTrue();
     }
 }

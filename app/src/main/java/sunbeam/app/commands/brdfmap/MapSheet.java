@@ -1,0 +1,81 @@
+package sunbeam.app.commands.brdfmap;
+
+import java.awt.image.BufferedImage;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Function;
+import java.util.stream.Collectors;
+import sunbeam.app.files.plot.MapAnnotation;
+import sunbeam.app.files.plot.PictureSheet;
+import sunbeam.app.gpu.map.MapCaption;
+import sunbeam.app.gpu.picture.DoubtfulPicture;
+import sunbeam.precompute.color.DisplayTransform;
+import sunbeam.precompute.method.ScanLimit;
+import sunbeam.precompute.patch.Patch;
+import sunbeam.precompute.setting.Choices;
+
+/**
+ * Maps beside each other as one picture.
+ *
+ * @param display at which all are shown
+ */
+record MapSheet(List<MaterialMap.Drawn> maps, DisplayTransform display) {
+    /** The discs alone. */
+    BufferedImage plain() {
+        return PictureSheet.of(maps.stream().map(this::disc).toList());
+    }
+
+    private BufferedImage disc(MaterialMap.Drawn map) {
+        return map.picture().shown(display);
+    }
+
+    /**
+     * With rings, marks and captions.
+     *
+     * @param index refractive, for people; empty for the default
+     * @param exposed the exposure, for people
+     * @param asked before scans' sizes limited them
+     */
+    BufferedImage annotated(Optional<String> index, String exposed, Choices asked) {
+        return PictureSheet.of(maps.stream()
+                .map(map -> {
+                    MapCaption.Remarks remarks = new MapCaption.Remarks(
+                            index, ScanLimit.of(asked, map.patch()).limiting());
+                    List<String> caption =
+                            MapCaption.of(map.patch(), map.light(), map.coherenceLength(), map.method(), remarks);
+                    return new MapAnnotation(disc(map), map.light(), MapCaption.with(caption, exposed)).draw();
+                })
+                .toList());
+    }
+
+    /** The patch of the first map that is black all over. */
+    Optional<Patch> black() {
+        return maps.stream()
+                .filter(map -> DoubtfulPicture.isBlack(disc(map)))
+                .map(MaterialMap.Drawn::patch)
+                .findFirst();
+    }
+
+    List<Patch> patches() {
+        return maps.stream().map(MaterialMap.Drawn::patch).distinct().toList();
+    }
+
+    /** For the picture's text. */
+    Map<String, String> text() {
+        Map<String, String> text = new LinkedHashMap<>();
+        text.put("Title", "BRDF map of " + joined(patches(), Patch::name, ", "));
+        text.put("Patch", joined(patches(), Patch::source, "; "));
+        text.put("Plan", joined(maps, MaterialMap.Drawn::plan, "; "));
+        if (!maps.get(0).trial().isEmpty()) {
+            text.put("Table", joined(maps, MaterialMap.Drawn::trial, "; "));
+        }
+        text.put("Exposure", Double.toString(display.exposure()));
+        return text;
+    }
+
+    private static <T> String joined(List<T> parts, Function<T, String> words, String between) {
+        return parts.stream().map(words).collect(Collectors.joining(between));
+    }
+}

@@ -1,0 +1,253 @@
+package sunbeam.app.commands.color;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.stream.IntStream;
+import jrtr.RenderContext;
+import sunbeam.app.files.cache.DiffractionSetup;
+import sunbeam.app.gpu.UploadedTables;
+import sunbeam.app.gpu.colors.GpuColors;
+import sunbeam.app.gpu.directions.DirectionsRenderer;
+import sunbeam.app.gpu.directions.DirectionsRenderer.Query;
+import sunbeam.app.gpu.picture.LinearPicture;
+import sunbeam.app.terminal.progress.Progress;
+import sunbeam.precompute.analysis.GratingPeriod;
+import sunbeam.precompute.analysis.PrincipalDirection;
+import sunbeam.precompute.analysis.Verdict;
+import sunbeam.precompute.color.ReflectionPart;
+import sunbeam.precompute.colortable.ColorSources;
+import sunbeam.precompute.method.Method;
+import sunbeam.precompute.method.MethodPlan;
+import sunbeam.precompute.optics.CoherenceWindow;
+import sunbeam.precompute.optics.Direction;
+import sunbeam.precompute.optics.DirectionPair;
+import sunbeam.precompute.optics.RefractiveIndex;
+import sunbeam.precompute.patch.Patch;
+import sunbeam.precompute.plan.VisibleRange;
+import sunbeam.precompute.shader.MethodUse;
+import sunbeam.precompute.units.Lengths;
+
+/**
+ * What is seen of one surface in two planes: along the direction in which it spreads color, and across it. That is the direction
+ * across the lines of its grating or, where no period is told, the principal axis of its waves.
+ */
+final class SurfaceColors {
+    /** Viewing angles to the normal, on either side. */
+    static final int LARGEST_VIEW_DEGREES = 80;
+
+    /** Luminance, in proportion to a mirror's, below which no color is promised. */
+    private static final double FAINTEST = 1e-9;
+
+    private static final double VIOLET = 400e-9;
+
+    private final DiffractionSetup setup;
+    private final Method method;
+    private final RefractiveIndex index;
+    private final List<ReflectionPart> parts;
+    private final GratingPeriod period;
+    private final double azimuthDegrees;
+    private final double lightAzimuthDegrees;
+    private final List<Double> thetas;
+    private final List<SeenColor.View> views = new ArrayList<>();
+    private final List<MethodPlan> plans = new ArrayList<>();
+    private final List<double[]> colors = new ArrayList<>();
+    private CoherenceWindow window;
+
+    /**
+     * Lays out the directions and plans them.
+     *
+     * @param lightAzimuth degrees; empty for a light in the plane along
+     * @param thetas of the light, degrees
+     * @param step of the viewing angle, degrees
+     */
+    SurfaceColors(
+            DiffractionSetup setup,
+            Method method,
+            RefractiveIndex index,
+            OptionalDouble lightAzimuth,
+            List<Double> thetas,
+            double step) {
+        this.setup = setup;
+        this.method = method;
+        this.index = index;
+        this.thetas = thetas;
+        parts = ReflectionPart.of(index, setup.cie());
+        period = GratingPeriod.of(setup.patch());
+        azimuthDegrees = period.isTold()
+                ? Math.toDegrees(period.azimuth())
+                : PrincipalDirection.azimuthDegrees(setup.patch().heights());
+        lightAzimuthDegrees = lightAzimuth.orElse(azimuthDegrees);
+        long each = Math.round(LARGEST_VIEW_DEGREES / step);
+        for (boolean along : new boolean[] {true, false}) {
+            for (double theta : thetas) {
+                for (long i = -each; i <= each; i++) {
+                    // Steps that are not powers of two leave rounding errors.
+                    views.add(view(along, theta, Math.rint(i * step * 1e9) / 1e9));
+                }
+            }
+        }
+        VisibleRange range =
+                VisibleRange.of(views.stream().map(SeenColor.View::pair).toList());
+        for (ReflectionPart part : parts) {
+            plans.add(method.plan(setup.surface().under(part.cie()), range));
+        }
+    }
+
+    /** A place of a strip. */
+    private SeenColor.View view(boolean along, double thetaI, double thetaR) {
+        double azimuth = azimuthDegrees + (along ? 0 : 90) + (thetaR < 0 ? 180 : 0);
+        Direction wi = Direction.ofDegrees(thetaI, lightAzimuthDegrees);
+        Direction wr = Direction.ofDegrees(Math.abs(thetaR), azimuth);
+        return new SeenColor.View(along, thetaI, thetaR, new DirectionPair(wi, wr));
+    }
+
+    Patch patch() {
+        return setup.patch();
+    }
+
+    MethodPlan plan() {
+        return plans.get(0);
+    }
+
+    double lightAzimuthDegrees() {
+        return lightAzimuthDegrees;
+    }
+
+    /** Evaluates X, Y, Z of the relative radiance for each view. */
+    void draw(RenderContext context) {
+        List<Query> queries =
+                views.stream().map(view -> new Query(view.pair(), 0)).toList();
+        views.forEach(view -> colors.add(new double[3]));
+        for (int p = 0; p < parts.size(); p++) {
+            List<float[]> powers = evaluate(context, p, MethodUse.COLOR, queries);
+            for (int i = 0; i < queries.size(); i++) {
+                double gain = parts.get(p).gain(views.get(i).pair());
+                for (int c = 0; c < 3; c++) {
+                    colors.get(i)[c] += gain * powers.get(i)[c];
+                }
+            }
+        }
+    }
+
+    private List<float[]> evaluate(RenderContext context, int part, MethodUse use, List<Query> queries) {
+        // Several surfaces follow each other on one line of a terminal.
+        String label = (use == MethodUse.SPECTRAL ? "Spectrum of " : "Colors of ") + patch().name();
+        ColorSources sources = (tables, places) -> GpuColors.of(label, tables, places);
+        try (UploadedTables tables = UploadedTables.upload(context, setup.tables(plans.get(part), use, sources));
+                DirectionsRenderer renderer = new DirectionsRenderer(context, tables, use == MethodUse.SPECTRAL);
+                Progress progress = Progress.start(label, queries.size())) {
+            window = new CoherenceWindow(tables.windowSigma());
+            return renderer.evaluate(queries, progress::step);
+        }
+    }
+
+    /**
+     * Whether what a view sees may be a color of the surface: outside the mirror's light and its surroundings, which are a
+     * thousand times brighter than any order.
+     */
+    private boolean isColor(SeenColor.View view, double[] xyz) {
+        return Math.hypot(view.pair().u(), view.pair().v()) > window.mirrorReach() && xyz[1] >= FAINTEST;
+    }
+
+    private List<double[]> outsideGloss() {
+        return IntStream.range(0, views.size())
+                .filter(i -> isColor(views.get(i), colors.get(i)))
+                .mapToObj(colors::get)
+                .toList();
+    }
+
+    /** What has a say in the exposure, as a row of pixels: the surface's colors, of a surface without any all that is seen. */
+    LinearPicture exposed() {
+        List<double[]> some = whyColorless().isEmpty() ? outsideGloss() : colors;
+        float[] xyz = new float[3 * some.size()];
+        for (int i = 0; i < xyz.length; i++) {
+            xyz[i] = (float) some.get(i / 3)[i % 3];
+        }
+        return new LinearPicture(some.size(), 1, xyz);
+    }
+
+    /** A sentence where the surface has no color of its own under the first light. */
+    private Optional<String> whyColorless() {
+        String verdict = Verdict.of(patch(), period);
+        if (patch().isMirror()) {
+            return Optional.of(verdict);
+        }
+        if (outsideGloss().isEmpty()) {
+            return Optional.of(String.format(
+                    Locale.ROOT,
+                    "No color can be told: light that is coherent over only %s, as far as the scan or the light"
+                            + " reaches, blurs every order into the gloss",
+                    Lengths.rounded(window.coherenceLength(), 3)));
+        }
+        boolean tooFine = period.isTold() && period.high() * (1 + Math.sin(Math.toRadians(thetas.get(0)))) < VIOLET;
+        return period.hasOrder() && !tooFine ? Optional.empty() : Optional.of(verdict);
+    }
+
+    /**
+     * What is told of the surface.
+     *
+     * @param spectrumAngles viewing angles along, degrees, at which to show spectra
+     */
+    ColorReport report(RenderContext context, SeenColor.Scale scale, List<Double> spectrumAngles) {
+        Optional<String> without = whyColorless();
+        double first = thetas.get(0);
+        List<SeenColor> seen = IntStream.range(0, views.size())
+                .mapToObj(i -> SeenColor.of(views.get(i), colors.get(i), scale))
+                .toList();
+        Optional<SeenColor> purest = without.isPresent()
+                ? Optional.empty()
+                : SeenColor.purest(seen.stream()
+                        .filter(color -> color.view().isAt(true, first) && isColor(color.view(), color.xyz()))
+                        .toList());
+        List<SeenColor.View> chosen = new ArrayList<>();
+        purest.ifPresent(color -> chosen.add(color.view()));
+        spectrumAngles.forEach(angle -> chosen.add(view(true, first, angle)));
+        if (chosen.isEmpty()) {
+            chosen.add(view(true, first, -first));
+        }
+        return new ColorReport(
+                patch(),
+                period,
+                without.orElseGet(() -> Verdict.of(patch(), period)),
+                without.isEmpty(),
+                azimuthDegrees,
+                lightAzimuthDegrees,
+                window.coherenceLength(),
+                plan().summary(),
+                thetas,
+                seen,
+                spectra(context, chosen),
+                purest);
+    }
+
+    /** Relative radiance by wavelength. */
+    private List<SeenSpectrum> spectra(RenderContext context, List<SeenColor.View> chosen) {
+        double[] wavelengths = SeenSpectrum.fineWavelengths();
+        List<Query> queries = new ArrayList<>();
+        for (SeenColor.View view : chosen) {
+            for (double wavelength : wavelengths) {
+                queries.add(new Query(view.pair(), wavelength));
+            }
+        }
+        ReflectionPart unit = new ReflectionPart(setup.cie(), 1, 0);
+        ReflectionPart grazing = new ReflectionPart(setup.cie(), 0, 1);
+        double mirror = ReflectionPart.mirror(index, setup.cie());
+        int column = setup.exact(method).ensemble() ? 1 : 0;
+        List<float[]> powers = evaluate(context, 0, MethodUse.SPECTRAL, queries);
+        List<SeenSpectrum> spectra = new ArrayList<>();
+        for (int v = 0; v < chosen.size(); v++) {
+            DirectionPair pair = chosen.get(v).pair();
+            double[] radiances = new double[wavelengths.length];
+            for (int i = 0; i < radiances.length; i++) {
+                double normal = index.reflectance(wavelengths[i]);
+                double reflected = normal * unit.gain(pair) + (1 - normal) * grazing.gain(pair);
+                radiances[i] = reflected / mirror * powers.get(v * wavelengths.length + i)[column];
+            }
+            spectra.add(SeenSpectrum.of(chosen.get(v), radiances));
+        }
+        return spectra;
+    }
+}
