@@ -64,17 +64,6 @@ final class SunbeamTest {
     }
 
     @Test
-    void aCommandThatWritesJsonAnywayNamesTheFile() {
-        assertThat(run("color", "--json")).isEqualTo(2);
-        assertThat(run("evaluate", "--patch", "blaze", "--json")).isEqualTo(2);
-        assertThat(err.toString().lines())
-                .allMatch(line -> line.startsWith("sunbeam: unknown option '--json'; "))
-                .satisfiesExactly(
-                        color -> assertThat(color).contains("color-NAME.json is always written"),
-                        evaluate -> assertThat(evaluate).contains("NAME-evaluate.json is always written"));
-    }
-
-    @Test
     void anUnknownOptionIsOneLineThatSaysWhereToReadOn() {
         assertThat(run("doctor", "--sise=3")).isEqualTo(2);
         assertThat(err.toString())

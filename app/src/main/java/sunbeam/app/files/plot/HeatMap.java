@@ -200,6 +200,7 @@ public final class HeatMap {
         ValueAxis upright = PlotStyle.upright(Plot.Axis.linear(frame.yLabel()), 0, 1);
         upright.setRange(values.yRange()[0], values.yRange()[1]);
         XYPlot plot = PlotStyle.plot(horizontal, upright);
+        plot.setInsets(RectangleInsets.ZERO_INSETS);
         plot.setDomainGridlinesVisible(false);
         plot.setRangeGridlinesVisible(false);
         plot.setDataset(curves);

@@ -10,6 +10,7 @@ import java.io.StringWriter;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
+import java.util.function.Supplier;
 import jrtr.GraphicsException;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -22,7 +23,7 @@ final class DoctorCommandTest {
 
     private final StringWriter out = new StringWriter();
 
-    private int run(Map<String, String> variables, GraphicsProbe graphics, String... arguments) {
+    private int run(Map<String, String> variables, Supplier<List<Check>> graphics, String... arguments) {
         CommandLine commandLine = new CommandLine(new DoctorCommand(new Environment(variables, home), graphics));
         commandLine.setOut(new PrintWriter(out));
         return commandLine.execute(arguments);
