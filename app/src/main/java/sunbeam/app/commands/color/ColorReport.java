@@ -44,7 +44,7 @@ record ColorReport(
                 "purest color at %.0f degrees in the plane of azimuth %.0f degrees: %s, %s; half of its light lies within"
                         + " %.0f nm, from %.0f to %.0f nm",
                 color.view().thetaRDegrees(),
-                azimuthDegrees + 0.0,
+                Math.rint(azimuthDegrees) + 0.0,
                 color.describeHue(),
                 color.hex(),
                 1e9 * spectra.get(0).width(),

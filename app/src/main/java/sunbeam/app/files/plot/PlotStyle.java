@@ -72,7 +72,7 @@ final class PlotStyle {
 
     /** Labels of values, by their decimal logarithms. */
     static final NumberFormat POWERS_BY_EXPONENT =
-            new DecimalFormat("'1e'0", DecimalFormatSymbols.getInstance(Locale.ROOT));
+            new DecimalFormat("'1e'0;'1e-'0", DecimalFormatSymbols.getInstance(Locale.ROOT));
 
     static final Color INK = new Color(0x222222);
     /** Vermillion, seen on dark and on light. */
