@@ -11,8 +11,7 @@ package sunbeam.acceptance;
 public record SunbeamResult(String commandLine, int exitCode, String stdout, String stderr) {
     /** What stands on standard error besides the plan, and what a slow machine is told of progress. */
     public String complaints() {
-        return stderr.replaceFirst("(?m)^plan: .*\n", "")
-                .replaceAll("(?m)^sunbeam: .* \\d+% \\[.*\n", "");
+        return stderr.replaceFirst("(?m)^plan: .*\n", "").replaceAll("(?m)^sunbeam: .* \\d+% \\[.*\n", "");
     }
 
     /** The whole story, for the message of a failed assertion. */

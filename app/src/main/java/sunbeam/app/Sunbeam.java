@@ -101,8 +101,8 @@ public final class Sunbeam {
         root.addSubcommand(new ReflectanceCommand(environment));
         root.addSubcommand(new InspectCommand());
         root.addSubcommand(new EvaluateCommand(environment));
-        root.addSubcommand(new FiguresCommand(
-                (stderr, arguments) -> new Sunbeam(environment, new PrintWriter(Writer.nullWriter()), stderr).run(arguments)));
+        root.addSubcommand(new FiguresCommand((stderr, arguments) ->
+                new Sunbeam(environment, new PrintWriter(Writer.nullWriter()), stderr).run(arguments)));
         root.addSubcommand(new PrecomputeCommand(environment));
         root.addSubcommand(new BenchmarkCommand(environment));
         root.addSubcommand(new RenderCommand(environment));

@@ -140,8 +140,7 @@ final class FileActions {
                 () -> {
                     int samples = PixelSamples.alongSide(data.scene().method(), size.width(), size.height());
                     FrameText text = new FrameText(data, size, samples);
-                    PngWriter.write(
-                            file, Overwrite.REPLACE, image, text.of(data.scene(), exposure, renderer));
+                    PngWriter.write(file, Overwrite.REPLACE, image, text.of(data.scene(), exposure, renderer));
                     return file;
                 },
                 saved -> window.status().message("saved " + saved));

@@ -2,7 +2,6 @@ package sunbeam.app.promise;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import sunbeam.app.measure.errors.Certificate.Limits;
 import java.util.stream.LongStream;
 import jrtr.RenderContext;
 import jrtr.gl.RenderContexts;
@@ -11,6 +10,7 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import sunbeam.app.gpu.NeedsDisplay;
+import sunbeam.app.measure.errors.Certificate.Limits;
 
 /** The promise of the tolerance on surfaces, windows and directions that nobody chose. */
 @NeedsDisplay

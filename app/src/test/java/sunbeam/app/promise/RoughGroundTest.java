@@ -2,7 +2,6 @@ package sunbeam.app.promise;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import sunbeam.app.measure.errors.Certificate.Limits;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
@@ -12,6 +11,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import sunbeam.app.gpu.NeedsDisplay;
 import sunbeam.app.gpu.directions.DirectionsRenderer.Query;
+import sunbeam.app.measure.errors.Certificate.Limits;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
@@ -99,6 +99,8 @@ class RoughGroundTest {
                 .as("the grid whose errors this is about")
                 .startsWith("grid");
         // The promise itself: median at most the tolerance, 95th percentile at most three times it.
-        assertThat(Limits.of(TOLERANCE).hold(outcome.errors())).as("%s", outcome.errors()).isTrue();
+        assertThat(Limits.of(TOLERANCE).hold(outcome.errors()))
+                .as("%s", outcome.errors())
+                .isTrue();
     }
 }

@@ -201,7 +201,9 @@ public final class BrdfMapCommand implements Callable<Integer> {
             doubt = DoubtfulPicture.judge(
                     sheet.patches(),
                     black.isPresent(),
-                    areSeveral() && black.isPresent() ? "the map of " + black.get().name() : "the map",
+                    areSeveral() && black.isPresent()
+                            ? "the map of " + black.get().name()
+                            : "the map",
                     exposure.isAutomatic(),
                     err);
             Map<String, String> text = sheet.text();

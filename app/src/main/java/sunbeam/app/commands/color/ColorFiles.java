@@ -42,8 +42,7 @@ final class ColorFiles {
      * @param warnings about the surfaces, for JSON
      * @return where they are
      */
-    List<Path> write(
-            List<ColorReport> reports, Map<String, Object> settings, List<String> warnings, ColorSheet sheet) {
+    List<Path> write(List<ColorReport> reports, Map<String, Object> settings, List<String> warnings, ColorSheet sheet) {
         Map<String, String> text = new LinkedHashMap<>();
         text.put(
                 "Title", "Colors of " + joined(reports, report -> report.patch().name()));

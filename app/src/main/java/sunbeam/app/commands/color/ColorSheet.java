@@ -176,15 +176,13 @@ final class ColorSheet {
             mark(graphics, new Ellipse2D.Double(x(-light) - 4.5, y - 4.5, 9, 9), Color.WHITE);
             mark(graphics, new Ellipse2D.Double(x(light) - 2.5, y - 2.5, 5, 5), LIGHT);
         }
-        report.purest()
-                .filter(color -> color.view().isAt(along, theta))
-                .ifPresent(color -> {
-                    int x = x(color.view().thetaRDegrees());
-                    graphics.setColor(Color.WHITE);
-                    graphics.drawRect(x - 5, y - 5, 10, 10);
-                    graphics.setColor(Color.BLACK);
-                    graphics.drawRect(x - 6, y - 6, 12, 12);
-                });
+        report.purest().filter(color -> color.view().isAt(along, theta)).ifPresent(color -> {
+            int x = x(color.view().thetaRDegrees());
+            graphics.setColor(Color.WHITE);
+            graphics.drawRect(x - 5, y - 5, 10, 10);
+            graphics.setColor(Color.BLACK);
+            graphics.drawRect(x - 6, y - 6, 12, 12);
+        });
     }
 
     private static void mark(Graphics2D graphics, Shape shape, Color color) {
@@ -254,8 +252,7 @@ final class ColorSheet {
         List<SeenSpectrum> all =
                 reports.stream().flatMap(report -> report.spectra().stream()).toList();
         // A single line has no legend.
-        String angle =
-                all.size() == 1 ? " at " + angle(all.get(0).view().thetaRDegrees()) : "";
+        String angle = all.size() == 1 ? " at " + angle(all.get(0).view().thetaRDegrees()) : "";
         String light = angle(all.get(0).view().thetaIDegrees());
         Plot plot = new Plot(new Plot.Frame(
                 "Spectrum along" + angle + ", light at " + light,
@@ -276,8 +273,9 @@ final class ColorSheet {
     private static void add(Plot plot, String name, SeenSpectrum spectrum, Plot.Look look) {
         double largest = Math.max(
                 Double.MIN_NORMAL, Arrays.stream(spectrum.radiances()).max().orElseThrow());
-        double[] shares =
-                Arrays.stream(spectrum.radiances()).map(value -> value / largest).toArray();
+        double[] shares = Arrays.stream(spectrum.radiances())
+                .map(value -> value / largest)
+                .toArray();
         plot.line(name + " at " + angle(spectrum.view().thetaRDegrees()), spectrum.nanometres(), shares, look);
     }
 }

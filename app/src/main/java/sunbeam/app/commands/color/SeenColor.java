@@ -33,7 +33,6 @@ record SeenColor(
     // Of the luminances: what is darker than this share of the others has little say in which color is purest.
     private static final double BRIGHT = 0.9;
 
-
     /**
      * Where it is seen from.
      *
@@ -79,8 +78,8 @@ record SeenColor(
                 colors.stream().mapToDouble(color -> color.xyz()[1]).sorted().toArray();
         double bright = luminances.length == 0 ? 1 : luminances[(int) (BRIGHT * (luminances.length - 1))];
         return colors.stream()
-                .max(Comparator.comparingDouble(color -> Math.min(1, color.hue().purity())
-                        * Math.cbrt(Math.min(1, color.xyz()[1] / bright))));
+                .max(Comparator.comparingDouble(
+                        color -> Math.min(1, color.hue().purity()) * Math.cbrt(Math.min(1, color.xyz()[1] / bright))));
     }
 
     /** The largest difference that errors of X, Y and Z by a share make, in any combination of signs. */

@@ -84,7 +84,8 @@ record Figure(
      */
     List<Drawing> drawings(UnaryOperator<String> source, int size, Path folder) {
         return patches.stream()
-                .flatMap(patch -> pictures.stream().map(picture -> drawing(patch, picture, source.apply(patch), size, folder)))
+                .flatMap(patch ->
+                        pictures.stream().map(picture -> drawing(patch, picture, source.apply(patch), size, folder)))
                 .toList();
     }
 
@@ -92,7 +93,8 @@ record Figure(
         Path file = folder.resolve(file(patch, picture));
         // Method gem knows no brightness and has an exposure of its own.
         Optional<Path> base = Optional.of(folder.resolve(file(patch, pictures.get(0))))
-                .filter(first -> compared && !first.equals(file) && !picture.command().contains("--method gem"));
+                .filter(first ->
+                        compared && !first.equals(file) && !picture.command().contains("--method gem"));
         List<String> words = new ArrayList<>(List.of(picture.command().split(" ", -1)));
         if (words.get(0).equals("brdf-map")) {
             words.addAll(List.of("--no-annotate", "--size", Integer.toString(size)));

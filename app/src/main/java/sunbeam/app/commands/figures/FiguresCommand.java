@@ -156,8 +156,8 @@ public final class FiguresCommand implements Callable<Integer> {
     private void complain(Figure.Drawing drawing, String err) {
         String last = err.lines().reduce((first, second) -> second).orElse("it said nothing");
         PrintWriter complaints = specification.commandLine().getErr();
-        complaints.println(Messages.error(
-                "figure " + drawing.file().getFileName() + ": " + last.replaceFirst("^sunbeam: ", "")));
+        complaints.println(
+                Messages.error("figure " + drawing.file().getFileName() + ": " + last.replaceFirst("^sunbeam: ", "")));
         complaints.flush();
     }
 

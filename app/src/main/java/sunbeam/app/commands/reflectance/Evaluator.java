@@ -14,9 +14,9 @@ import sunbeam.app.measure.errors.Comparison;
 import sunbeam.app.terminal.progress.Progress;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.Gain;
+import sunbeam.precompute.reference.ExactLight;
 import sunbeam.precompute.reference.ReferenceColor.Quadrature;
 import sunbeam.precompute.reference.ReferenceEvaluator.Power;
-import sunbeam.precompute.reference.ExactLight;
 import sunbeam.precompute.shader.ShaderTables;
 
 /** The rows of a list of directions, by the shaders or by the exact reference: coherent power, ensemble's power, rho, BRDF; X, Y, Z, gain. */

@@ -99,7 +99,8 @@ final class FrameSequence implements AutoCloseable {
         try (Progress progress = Progress.start("rendering", frames * size.width() * size.height())) {
             for (int i = first; i < scenes.size(); i++) {
                 if (missing.get(i) || linear != null) {
-                    places.set(i, draw(parts, scenes.get(i), files.get(i), missing.get(i), overwrite, linear, progress));
+                    places.set(
+                            i, draw(parts, scenes.get(i), files.get(i), missing.get(i), overwrite, linear, progress));
                 }
             }
         }

@@ -148,9 +148,8 @@ public final class RenderCommand implements Callable<Integer> {
                     "the picture",
                     scene.exposure().isEmpty(),
                     err);
-            ExitCode certified = certify.count().isPresent()
-                    ? certified(context, frames, scenes.get(0), data, out)
-                    : ExitCode.OK;
+            ExitCode certified =
+                    certify.count().isPresent() ? certified(context, frames, scenes.get(0), data, out) : ExitCode.OK;
             return (certified == ExitCode.OK ? doubt : certified).code();
         }
     }
@@ -255,9 +254,8 @@ public final class RenderCommand implements Callable<Integer> {
         Path place = animation.isAsked() ? OutputFolder.claim(target, mayUse()) : target;
         List<Path> files = files(place, scenes.size());
         Overwrite overwrite = overwriteOfPictures();
-        List<Boolean> missing = resume
-                ? frames.missing(scenes, files, overwrite)
-                : Collections.nCopies(files.size(), true);
+        List<Boolean> missing =
+                resume ? frames.missing(scenes, files, overwrite) : Collections.nCopies(files.size(), true);
         AtomicFile.checkWritable(files.get(0), overwrite == Overwrite.NUMBER ? overwrite : Overwrite.REPLACE);
         List<Path> written = new ArrayList<>();
         if (!animation.isAsked()) {

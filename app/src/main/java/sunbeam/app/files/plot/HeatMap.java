@@ -11,7 +11,6 @@ import org.jfree.chart.JFreeChart;
 import org.jfree.chart.annotations.XYBoxAnnotation;
 import org.jfree.chart.annotations.XYPointerAnnotation;
 import org.jfree.chart.annotations.XYTextAnnotation;
-import org.jfree.chart.ui.TextAnchor;
 import org.jfree.chart.axis.AxisLocation;
 import org.jfree.chart.axis.AxisSpace;
 import org.jfree.chart.axis.NumberAxis;
@@ -25,6 +24,7 @@ import org.jfree.chart.title.LegendTitle;
 import org.jfree.chart.title.PaintScaleLegend;
 import org.jfree.chart.ui.RectangleEdge;
 import org.jfree.chart.ui.RectangleInsets;
+import org.jfree.chart.ui.TextAnchor;
 import org.jfree.data.xy.DefaultXYDataset;
 
 /**
@@ -249,7 +249,10 @@ public final class HeatMap {
         for (int y = 0; y < height; y++) {
             for (int x = 0; x < width; x++) {
                 double value = cell(x, width, y, height);
-                cells.setRGB(x, height - 1 - y, values.colors().map().at(values.colors().position(value)));
+                cells.setRGB(
+                        x,
+                        height - 1 - y,
+                        values.colors().map().at(values.colors().position(value)));
             }
         }
         return cells;

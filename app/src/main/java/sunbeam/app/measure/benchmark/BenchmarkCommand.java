@@ -46,6 +46,7 @@ public final class BenchmarkCommand implements Callable<Integer> {
     private static final int MOST_VIEWS = 10_000;
 
     private final Environment environment;
+
     @Option(
             names = "--patch",
             paramLabel = "PATCH",

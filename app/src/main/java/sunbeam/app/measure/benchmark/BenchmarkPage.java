@@ -115,7 +115,8 @@ final class BenchmarkPage {
         cells.put("95 %", error(errors.percentile95()));
         cells.put("CIEDE2000", figures(difference));
         cells.put("views", row.errors().isPresent() ? Integer.toString(errors.count()) : "");
-        cells.put("per pixel", microseconds < 1 ? Math.round(1e3 * microseconds) + " ns" : figures(microseconds) + " us");
+        cells.put(
+                "per pixel", microseconds < 1 ? Math.round(1e3 * microseconds) + " ns" : figures(microseconds) + " us");
         cells.put("times faster", figures(row.timesFaster(thesis)));
         cells.put("making / s", figures(row.makingSeconds()));
         cells.put("first picture", figures(row.timesFasterToFirstPicture(thesis)));

@@ -14,7 +14,6 @@ import sunbeam.app.gpu.directions.DirectionsRenderer;
 import sunbeam.app.gpu.directions.DirectionsRenderer.Query;
 import sunbeam.app.measure.errors.Comparison;
 import sunbeam.app.measure.errors.DirectionSampler;
-import sunbeam.app.measure.errors.Comparison;
 import sunbeam.app.terminal.progress.Progress;
 import sunbeam.precompute.method.Method;
 import sunbeam.precompute.method.ReferenceMethod;

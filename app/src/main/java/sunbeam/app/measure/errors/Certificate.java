@@ -51,8 +51,7 @@ public record Certificate(
 
         /** Whether relative errors keep to these; so do none at all. */
         public boolean hold(ErrorStatistics relative) {
-            return relative.count() == 0
-                    || (relative.median() <= median && relative.percentile95() <= percentile95);
+            return relative.count() == 0 || (relative.median() <= median && relative.percentile95() <= percentile95);
         }
     }
 

@@ -28,8 +28,7 @@ public final class Certifier {
      * @param pairs the directions at a pixel's centre, counted row by row from the top left
      * @param material what it reflects over what the standard material does
      */
-    public Certifier(
-            ExactLight reference, IntFunction<DirectionPair> pairs, ToDoubleFunction<DirectionPair> material) {
+    public Certifier(ExactLight reference, IntFunction<DirectionPair> pairs, ToDoubleFunction<DirectionPair> material) {
         this.reference = reference;
         this.pairs = pairs;
         this.material = material;

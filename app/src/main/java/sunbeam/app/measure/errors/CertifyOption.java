@@ -14,11 +14,11 @@ import java.util.OptionalInt;
 import java.util.function.IntFunction;
 import java.util.stream.Collectors;
 import picocli.CommandLine.Option;
+import sunbeam.app.scene.Scene;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.OptionOrigin;
 import sunbeam.app.terminal.UsageException;
-import sunbeam.app.scene.Scene;
 import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.method.Method;
 import sunbeam.precompute.method.MethodPlan;
@@ -130,8 +130,8 @@ public final class CertifyOption {
         } else if (certificate.missed()) {
             complaint = Optional.of("the tolerance is missed: " + certificate.beside() + "; " + remedy);
         } else if (!promised) {
-            complaint = Optional.of("these places keep the tolerance, but it is not promised for others: see the plan's"
-                    + " warning");
+            complaint = Optional.of(
+                    "these places keep the tolerance, but it is not promised for others: see the plan's" + " warning");
         } else {
             out.println("verdict: these places keep the tolerance: " + certificate.beside() + ". That is the error of"
                     + " computing the model; what the model leaves out (docs/theory.md) comes on top");

@@ -21,6 +21,7 @@ public final class Progress implements AutoCloseable {
 
     /** When a line that stays was printed; of the process, too. */
     private static final AtomicLong LAST = new AtomicLong(System.nanoTime());
+
     private final ProgressLine line;
     private final ProgressBar bar;
     private final ShutdownHook hook;

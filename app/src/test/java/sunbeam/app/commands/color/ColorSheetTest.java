@@ -101,8 +101,7 @@ class ColorSheetTest {
         ColorReport report = report("beetle");
         String told = report.purest().orElseThrow().hex();
 
-        assertThat(ColorSheet.title(report))
-                .contains("purest (square) " + told + " at -30\u00b0");
+        assertThat(ColorSheet.title(report)).contains("purest (square) " + told + " at -30\u00b0");
         assertThat(report.lines())
                 .anyMatch(line -> line.contains("purest color at -30 degrees") && line.contains(told));
         // In the strip below the title, the cell around -30 degrees, beside its mark.

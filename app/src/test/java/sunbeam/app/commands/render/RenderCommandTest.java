@@ -3,7 +3,6 @@ package sunbeam.app.commands.render;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import sunbeam.app.commands.render.AnimationOptions.Sweep;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.io.PrintWriter;
@@ -21,6 +20,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledIfEnvironmentVariable;
 import org.junit.jupiter.api.io.TempDir;
 import sunbeam.app.Sunbeam;
+import sunbeam.app.commands.render.AnimationOptions.Sweep;
 import sunbeam.app.files.input.PngText;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;

@@ -2,7 +2,6 @@ package sunbeam.app.measure.benchmark;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import sunbeam.app.terminal.ExitCode;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
@@ -18,6 +17,7 @@ import org.junit.jupiter.api.io.TempDir;
 import sunbeam.app.Sunbeam;
 import sunbeam.app.gpu.NeedsDisplay;
 import sunbeam.app.terminal.Environment;
+import sunbeam.app.terminal.ExitCode;
 
 @NeedsDisplay
 final class BenchmarkCommandTest {

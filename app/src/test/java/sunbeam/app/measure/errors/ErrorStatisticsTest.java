@@ -3,9 +3,9 @@ package sunbeam.app.measure.errors;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import sunbeam.app.measure.errors.Certificate.Limits;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
+import sunbeam.app.measure.errors.Certificate.Limits;
 
 final class ErrorStatisticsTest {
     @Test

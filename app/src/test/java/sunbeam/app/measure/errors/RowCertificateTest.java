@@ -3,9 +3,9 @@ package sunbeam.app.measure.errors;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import java.util.function.IntFunction;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.function.IntFunction;
 import org.junit.jupiter.api.Test;
 
 /** On a table whose exact powers are 1, 1/2, 1/3 and so on. */
@@ -51,12 +51,12 @@ final class RowCertificateTest {
     void rowsAreDrawnOnceAndNoMoreThanThereAre() {
         Set<Integer> seen = ConcurrentHashMap.newKeySet();
         Certificate certificate = certify(
-                        RowCertificateTest::exact,
-                        row -> {
-                            assertThat(seen.add(row)).as("row %d", row).isTrue();
-                            return exact(row);
-                        },
-                        10_000);
+                RowCertificateTest::exact,
+                row -> {
+                    assertThat(seen.add(row)).as("row %d", row).isTrue();
+                    return exact(row);
+                },
+                10_000);
         assertThat(certificate.places()).isEqualTo("all 200 rows");
         assertThat(seen).hasSize(ROWS);
     }

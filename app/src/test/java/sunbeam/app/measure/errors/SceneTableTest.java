@@ -2,7 +2,6 @@ package sunbeam.app.measure.errors;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import sunbeam.app.measure.errors.Certificate.Limits;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
@@ -20,6 +19,7 @@ import org.joml.Vector3f;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import sunbeam.app.gpu.NeedsDisplay;
+import sunbeam.app.measure.errors.Certificate.Limits;
 import sunbeam.app.scene.Blend;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneColor;
