@@ -263,8 +263,11 @@ public final class RenderCommand implements Callable<Integer> {
         } else {
             Path gif = place.resolve(GIF);
             AtomicFile.checkWritable(gif, overwriteOfAnimation());
-            try (ShutdownHook hook = new ShutdownHook(() -> sayThatFramesAreKept(err))) {
+            ShutdownHook hook = new ShutdownHook(() -> sayThatFramesAreKept(err));
+            try {
                 frames.draw(scenes, files, missing, overwrite, null);
+            } finally {
+                hook.close();
             }
             GifAnimation.write(gif, overwriteOfAnimation(), files, animation.frameRate());
             warnOfOlderFrames(place, files.size(), err);
