@@ -28,6 +28,9 @@ final class Plausibility {
     /** Samples, 2048 x 2048, of a patch whose heights are all equal: work on them takes seconds. */
     static final long MOST_FLAT_SAMPLES = 1L << 22;
 
+    // Of the longer side, metres: force microscopes reach 150 um, interference microscopes a few hundred.
+    private static final double USUAL_FROM = 300e-9;
+    private static final double USUAL_TO = 1e-3;
     private static final int MOST_LOOKED_AT = 100_000;
     // Whole numbers recur, and a drawn surface has fewer levels.
     private static final int FEWEST_LEVELS = 16;
@@ -87,6 +90,11 @@ final class Plausibility {
     static List<String> oddities(HeightMap map) {
         List<String> told = new ArrayList<>();
         double side = Math.max(map.width(), map.height());
+        if (side < USUAL_FROM || side > USUAL_TO) {
+            told.add("the scan is " + Lengths.rounded(side, 3) + " wide, and microscopes of heights scan "
+                    + Lengths.format(USUAL_FROM) + " to " + Lengths.format(USUAL_TO)
+                    + ": is its unit of length right?");
+        }
         if (map.relief() > side) {
             told.add("the relief of " + Lengths.format(map.relief()) + " is larger than the patch ("
                     + Lengths.format(side) + "): is the unit of the heights right?");

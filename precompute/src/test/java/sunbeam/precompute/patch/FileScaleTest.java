@@ -215,6 +215,7 @@ class FileScaleTest {
     @ParameterizedTest
     @CsvSource({
         "2.5um, 5um, relief of 5 um is larger than the patch (2.5 um)",
+        "20mm, 5um, the scan is 20 mm wide",
         "65um, 20um, one grey level is 78.4314 nm"
     })
     void warnsOfScalesThatHardlyAre(String width, String maxHeight, String warning) throws IOException {
