@@ -60,27 +60,6 @@ class LauncherStartTest {
                         + Pattern.quote(repository + "/app/target/run/") + "\\1/lib/\\*"));
     }
 
-    @Test
-    void aLocaleWithoutUnicodeIsReplacedSinceJavaTakesFileNamesInIt() throws Exception {
-        sandbox.installJava("jdk", "17.0.1", "echo \"locale $LC_ALL\"");
-        sandbox.installProgram("locale", "printf '%s\\n' C C.utf8 POSIX en_GB.utf8");
-
-        SunbeamResult plain = sandbox.command("inspect")
-                .without("LC_ALL")
-                .without("LC_CTYPE")
-                .with("LANG", "C")
-                .run();
-        // As ssh brings it along from another machine.
-        SunbeamResult missing =
-                sandbox.command("inspect").with("LC_ALL", "de_DE.UTF-8").run();
-        SunbeamResult unicode =
-                sandbox.command("inspect").with("LC_ALL", "en_GB.UTF-8").run();
-
-        assertThat(plain.stdout().lines()).endsWith("locale C.UTF-8");
-        assertThat(missing.stdout().lines()).endsWith("locale C.UTF-8");
-        assertThat(unicode.stdout().lines()).endsWith("locale en_GB.UTF-8");
-    }
-
     /** Mesa maps its cache of shaders into memory: on a full disk that would kill Java. */
     @Test
     void aFullDiskNeitherKillsJavaNorDoesADeadJavaLeaveFilesInTheUsersFolder() throws Exception {

@@ -3,9 +3,7 @@ package sunbeam.acceptance;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -29,21 +27,6 @@ class NoGraphicsTest {
                 brdfMap().with("DISPLAY", "localhost:9876").run(),
                 Complaint.NO_GRAPHICS,
                 "no display: DISPLAY=localhost:9876 does not answer. Set DISPLAY to a running X server");
-        assertThat(workplace.files()).isEmpty();
-    }
-
-    /** An X server without the extension that OpenGL goes through. */
-    @Test
-    void aDisplayWithoutOpenGl() throws Exception {
-        Path launcher = launcherWith(Xvfb.WITHOUT_OPENGL);
-
-        SunbeamResult result = workplace
-                .equip(Sunbeam.launcher(launcher, "brdf-map", "--patch", "blaze", "--size", "8"))
-                .without("DISPLAY")
-                .run();
-
-        Complaint.assertThatIt(
-                result, Complaint.NO_GRAPHICS, "no OpenGL 3.3 core context on display :", "Install a driver");
         assertThat(workplace.files()).isEmpty();
     }
 
@@ -76,27 +59,5 @@ class NoGraphicsTest {
     private enum Xvfb {
         USUAL,
         WITHOUT_OPENGL
-    }
-
-    /** The real launcher, after some shell commands and with a screen of some kind. */
-    private Path launcherWith(Xvfb screen, String... shellCommands) throws IOException {
-        Path programs = Files.createDirectory(root.resolve("programs"));
-        if (screen == Xvfb.WITHOUT_OPENGL) {
-            script(programs.resolve("Xvfb"), "PATH=${PATH#*:}", "exec Xvfb -extension GLX \"$@\"");
-        }
-        Path launcher = root.resolve("launcher");
-        String start = "exec '" + Sunbeam.repository().resolve("sunbeam") + "' \"$@\"";
-        script(
-                launcher,
-                Stream.concat(
-                                Stream.of("PATH='" + programs + "':$PATH", "export PATH"),
-                                Stream.concat(Stream.of(shellCommands), Stream.of(start)))
-                        .toArray(String[]::new));
-        return launcher;
-    }
-
-    private static void script(Path file, String... lines) throws IOException {
-        Files.writeString(file, "#!/bin/sh\n" + String.join("\n", lines) + "\n");
-        assertThat(file.toFile().setExecutable(true)).isTrue();
     }
 }

@@ -91,26 +91,18 @@ final class GlFloatTarget extends GlResource implements FloatTarget {
             gl.glTexParameteri(GL3.GL_TEXTURE_2D, GL3.GL_TEXTURE_MAG_FILTER, GL3.GL_NEAREST);
             gl.glTexParameteri(GL3.GL_TEXTURE_2D, GL3.GL_TEXTURE_MAX_LEVEL, 0);
             long pixels = (long) spec.width() * spec.height();
-            if (spec.format() == FloatTargetSpec.Format.RGBA8) {
-                // In the order in which colors are read back: a copy then, without a look at each.
-                memory.allocate(
-                        gl,
-                        GL3.GL_RGBA8,
-                        spec.width(),
-                        spec.height(),
-                        GL3.GL_BGRA,
-                        SCREEN_COLORS,
-                        Integer.BYTES * pixels);
-            } else {
-                memory.allocate(
-                        gl,
-                        GL3.GL_RGBA32F,
-                        spec.width(),
-                        spec.height(),
-                        GL3.GL_RGBA,
-                        GL3.GL_FLOAT,
-                        CHANNELS * Float.BYTES * pixels);
-            }
+            // In the order in which colors are read back: a copy then, without a look at each.
+            boolean screen = spec.format() == FloatTargetSpec.Format.RGBA8;
+            memory.allocate(
+                    gl,
+                    GL3.GL_TEXTURE_2D,
+                    screen ? GL3.GL_RGBA8 : GL3.GL_RGBA32F,
+                    spec.width(),
+                    spec.height(),
+                    1,
+                    screen ? GL3.GL_BGRA : GL3.GL_RGBA,
+                    screen ? SCREEN_COLORS : GL3.GL_FLOAT,
+                    (screen ? Integer.BYTES : CHANNELS * Float.BYTES) * pixels);
             return name;
         } catch (RuntimeException failure) {
             gl.glDeleteTextures(1, new int[] {name}, 0);

@@ -49,12 +49,16 @@ final class GlFloatTexture extends GlResource implements FloatTexture, GlTexture
         int internalFormat = TextureMemory.internalFormat(spec.format());
         int format = TextureMemory.pixelFormat(spec.format());
         long bytes = spec.format().bytesPerChannel() * spec.floats();
-        if (spec.array()) {
-            memory.allocateArray(
-                    gl, internalFormat, spec.width(), spec.height(), spec.layers(), format, GL3.GL_FLOAT, bytes);
-        } else {
-            memory.allocate(gl, internalFormat, spec.width(), spec.height(), format, GL3.GL_FLOAT, bytes);
-        }
+        memory.allocate(
+                gl,
+                target,
+                internalFormat,
+                spec.width(),
+                spec.height(),
+                spec.layers(),
+                format,
+                GL3.GL_FLOAT,
+                bytes);
     }
 
     @Override

@@ -44,25 +44,15 @@ final class TextureMemory {
         return name[0];
     }
 
-    /** Takes memory for level 0 of the bound 2-D texture. */
-    void allocate(GL3 gl, int internalFormat, int width, int height, int format, int type, long bytes) {
-        gl.glTexImage2D(GL3.GL_TEXTURE_2D, 0, internalFormat, width, height, 0, format, type, null);
-        device.check(gl, taking(bytes));
-    }
-
-    /** Takes memory for the bound 2-D array texture. */
-    void allocateArray(
-            GL3 gl, int internalFormat, int width, int height, int layers, int format, int type, long bytes) {
-        gl.glTexImage3D(GL3.GL_TEXTURE_2D_ARRAY, 0, internalFormat, width, height, layers, 0, format, type, null);
-        device.check(gl, taking(bytes));
-    }
-
-    private String taking(long bytes) {
-        return "taking " + mebibytes(bytes) + " for '" + label + "'";
-    }
-
-    private static String mebibytes(long bytes) {
-        return String.format(Locale.ROOT, "%.1f MiB", bytes / (double) (1 << 20));
+    /** Takes memory for level 0 of the bound texture, 2-D or an array of such. */
+    void allocate(
+            GL3 gl, int target, int internalFormat, int width, int height, int layers, int format, int type, long bytes) {
+        if (target == GL3.GL_TEXTURE_2D) {
+            gl.glTexImage2D(target, 0, internalFormat, width, height, 0, format, type, null);
+        } else {
+            gl.glTexImage3D(target, 0, internalFormat, width, height, layers, 0, format, type, null);
+        }
+        device.check(gl, String.format(Locale.ROOT, "taking %.1f MiB for '%s'", bytes / (double) (1 << 20), label));
     }
 
     static int internalFormat(FloatFormat format) {

@@ -63,24 +63,6 @@ class OffscreenContextTest {
     }
 
     @Test
-    void severalContextsLiveOnOneThread() {
-        try (Rendering first = new Rendering();
-                Rendering second = new Rendering()) {
-            ShaderProgram one = first.program("", "vec4(1)");
-            ShaderProgram two = second.program("", "vec4(2)");
-            FloatTarget target = first.target(1, 1);
-
-            assertThat(first.drawn(one, 1, 1)).containsOnly(1);
-            assertThat(second.drawn(two, 1, 1)).containsOnly(2);
-            assertThatThrownBy(() -> first.draw(two, target))
-                    .isInstanceOf(IllegalStateException.class)
-                    .hasMessageContaining("another render context");
-            second.context.close();
-            assertThat(first.drawn(one, 1, 1)).containsOnly(1);
-        }
-    }
-
-    @Test
     void closingTheContextClosesItsResourcesAndIsRepeatable() {
         Rendering rendering = new Rendering();
         ShaderProgram program = rendering.program("uniform float x;", "vec4(x)");

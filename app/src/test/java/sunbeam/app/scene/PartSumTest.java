@@ -2,8 +2,6 @@ package sunbeam.app.scene;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
-import static sunbeam.precompute.method.Methods.METHOD;
-import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -16,7 +14,6 @@ import java.util.stream.IntStream;
 import jrtr.RenderContext;
 import jrtr.Tile;
 import jrtr.gl.RenderContexts;
-import org.joml.Vector3f;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -24,12 +21,9 @@ import org.junit.jupiter.api.io.TempDir;
 import sunbeam.app.gpu.NeedsDisplay;
 import sunbeam.app.terminal.Environment;
 import sunbeam.precompute.color.ReflectionPart;
-import sunbeam.precompute.method.TableMethod;
 import sunbeam.precompute.optics.DirectionPair;
-import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.reference.ReferenceColor;
 import sunbeam.precompute.reference.ReferenceEvaluator;
-import sunbeam.precompute.setting.Choices;
 
 /** A skin whose index is a file's is the sum of two parts of light, over one body. */
 @NeedsDisplay
@@ -69,37 +63,6 @@ class PartSumTest {
     private SkinIndex file(String table) throws IOException {
         return SkinIndex.of(
                 Files.writeString(folder.resolve("index.csv"), table).toString());
-    }
-
-    /** Light at 70 degrees, where Schlick's second term counts, and a body whose share depends on the sum of both. */
-    private static Scene grazing() {
-        return PlaneScenes.blaze()
-                .withLight(new SceneLight(new Vector3f(-0.94f, 0.1f, 0.34f), 0.7))
-                .withTexture("elaphe")
-                .withBlend(new Blend(30, 1, 0.9, 0.2));
-    }
-
-    @Test
-    void aFileOfOneIndexDrawsWhatThatIndexDraws() throws IOException {
-        for (Scene scene : List.of(
-                grazing(),
-                grazing()
-                        .withMethod(new SceneMethod(
-                                Choices.none().with(METHOD, TableMethod.TYPE).with(TOLERANCE, 0.01))))) {
-            float[] constant = draw(scene.withIndex(SkinIndex.of(RefractiveIndex.constant(2, 0))))
-                    .rgba();
-            float[] sum = draw(scene.withIndex(file("wl,n\n0.3,2\n0.9,2\n"))).rgba();
-            double brightest = 0;
-            for (float value : constant) {
-                brightest = Math.max(brightest, value);
-            }
-            assertThat(brightest).isGreaterThan(0.1);
-            // Each part has a plan of its own within the tolerance of 1e-3 (table: of the levels, too).
-            assertThat(sum).hasSameSizeAs(constant);
-            for (int i = 0; i < sum.length; i++) {
-                assertThat((double) sum[i]).as("value %d", i).isCloseTo(constant[i], within(4e-3 * brightest));
-            }
-        }
     }
 
     @Test

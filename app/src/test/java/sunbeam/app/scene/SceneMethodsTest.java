@@ -80,17 +80,6 @@ class SceneMethodsTest {
     }
 
     @Test
-    void gemKnowsTheSpacingAndNotTheSurface() {
-        try (RenderContext context = RenderContexts.offscreen()) {
-            Scene scene = gem(2.5e-6);
-            float[] blaze = draw(context, scene);
-            assertThat(draw(context, scene.withPatch(PatchRequest.of("lamellar"))))
-                    .isEqualTo(blaze);
-            assertThat(draw(context, gem(1e-6))).isNotEqualTo(blaze);
-        }
-    }
-
-    @Test
     void whatAMethodCannotDoIsRefused() {
         Choices replicated = Choices.none().with(METHOD, PqMethod.TYPE).with(AVERAGE, Average.ENSEMBLE);
         assertThatThrownBy(() -> with(replicated))

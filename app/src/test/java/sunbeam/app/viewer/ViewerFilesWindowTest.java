@@ -9,13 +9,8 @@ import java.awt.image.BufferedImage;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import javax.imageio.ImageIO;
-import org.joml.Vector3f;
 import org.junit.jupiter.api.Test;
-import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.scene.Scene;
-import sunbeam.app.scene.SceneLight;
-import sunbeam.app.scene.SceneWriter;
-import sunbeam.precompute.patch.PatchRequest;
 
 /** Scenes and pictures that are saved and loaded through the window's keys and dialogs. */
 final class ViewerFilesWindowTest extends ViewerInAWindow {
@@ -58,31 +53,6 @@ final class ViewerFilesWindowTest extends ViewerInAWindow {
     }
 
     @Test
-    void aSceneOfABrokenPatchLeavesAllAsItWas() throws Exception {
-        BufferedImage before = picture();
-        String title = onEvents(() -> viewer.window().getTitle());
-        Path patch = PatchFiles.descriptor(folder, "waves");
-        Path file = folder.resolve("broken.json");
-        SceneWriter.write(
-                file,
-                Overwrite.REFUSE,
-                scene().withPatch(PatchRequest.of(patch.toString()))
-                        .withLight(new SceneLight(new Vector3f(0, -1, 0), 1)));
-        Files.writeString(patch, "{}");
-        open(file);
-        await(() -> message().contains("heights"));
-        awaitFinal();
-        assertThat(onEvents(() -> viewer.model().scene())).isEqualTo(scene());
-        assertThat(onEvents(() -> viewer.window().getTitle())).isEqualTo(title);
-        assertThat(different(before, picture(), false)).isZero();
-        press(KeyEvent.VK_RIGHT);
-        press(KeyEvent.VK_HOME);
-        await(() -> loadedScene().equals(scene()));
-        awaitFinal();
-        assertThat(different(before, picture(), false)).isZero();
-    }
-
-    @Test
     void aFileIsReplacedOnlyIfOneSaysSo() throws Exception {
         Path file = Files.writeString(folder.resolve("kept.json"), "mine");
         press(KeyEvent.VK_CONTROL, KeyEvent.VK_S);
@@ -105,11 +75,6 @@ final class ViewerFilesWindowTest extends ViewerInAWindow {
         awaitFinal();
         assertThat(different(ImageIO.read(file.toFile()), picture(), false)).isZero();
         assertThat(different(picture(), rendered("scene"), false)).isZero();
-    }
-
-    private void open(Path scene) throws Exception {
-        press(KeyEvent.VK_CONTROL, KeyEvent.VK_O);
-        Dialogs.choose("Load scene", scene);
     }
 
     private Scene loadedScene() throws Exception {

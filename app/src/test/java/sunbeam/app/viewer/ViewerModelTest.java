@@ -11,14 +11,12 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.FutureTask;
 import java.util.concurrent.TimeUnit;
 import javax.swing.SwingUtilities;
-import org.joml.Vector3f;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import sunbeam.app.scene.Scene;
-import sunbeam.app.scene.SceneLight;
 import sunbeam.app.scene.SceneLoader;
 import sunbeam.app.scene.SceneMethod;
 import sunbeam.app.terminal.Environment;
@@ -35,7 +33,6 @@ class ViewerModelTest {
     private final CountDownLatch begun = new CountDownLatch(1);
     private final CountDownLatch mayEnd = new CountDownLatch(1);
     private final List<String> problems = new ArrayList<>();
-    private final List<SceneLight> opened = new ArrayList<>();
     private ViewerModel model;
 
     private final class Listener implements ViewerModel.Listener {
@@ -129,17 +126,6 @@ class ViewerModelTest {
     }
 
     @Test
-    void aSceneThatCannotBeOpenedBringsBackAllThatWas() throws Exception {
-        Scene before = onEvents(() -> model.scene());
-        open(before.withLight(new SceneLight(new Vector3f(0, 0, 1), 7))
-                .withPatch(PatchRequest.of(folder.resolve("missing.json").toString())));
-        awaitLoads();
-
-        assertThat(onEvents(() -> model.scene())).isEqualTo(before);
-        assertThat(onEvents(() -> opened)).isEmpty();
-    }
-
-    @Test
     void aCoherenceLengthBelowThePatchsSamplesIsRefusedInThePlannersWords() throws Exception {
         Scene before = onEvents(() -> model.scene());
         onEvents(() -> {
@@ -157,14 +143,5 @@ class ViewerModelTest {
                 .contains("150 nm is less than")
                 .doesNotContain("internal error");
         assertThat(onEvents(() -> model.scene())).isEqualTo(before);
-    }
-
-    private void open(Scene scene) throws Exception {
-        onEvents(() -> {
-            model.open(scene, () -> {
-                opened.add(scene.light());
-            });
-            return null;
-        });
     }
 }

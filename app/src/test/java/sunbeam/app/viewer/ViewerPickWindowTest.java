@@ -66,18 +66,6 @@ final class ViewerPickWindowTest extends ViewerInAWindow {
         await(() -> different(onEvents(() -> painted(plot())), spectrum, false) > 0);
     }
 
-    @Test
-    void theBackgroundIsNoSkin() throws Exception {
-        String hint = panelText();
-        doubleClick();
-        await(() -> !panelText().equals(hint) && curvePixels() > 0);
-        middle(-viewer.window().picture().getWidth() / 2 + 8);
-        click(2);
-        await(() -> onEvents(() -> viewer.inspector().point().isEmpty()));
-        assertThat(panelText()).isEqualTo(hint);
-        await(() -> curvePixels() == 0);
-    }
-
     private String panelText() throws Exception {
         return onEvents(() ->
                 Dialogs.all(viewer.window().pick(), JTextArea.class).get(0).getText());

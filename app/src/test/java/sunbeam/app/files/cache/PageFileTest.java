@@ -185,18 +185,6 @@ final class PageFileTest {
     }
 
     @Test
-    void noMoreIsKeptThanTheFileMayTake() throws IOException {
-        try (KeptPages pages = open(KEY, 8_000)) {
-            for (int page = 0; page < PAGES; page++) {
-                pages.keep(0, Map.of(page, coefficients(0, page)));
-            }
-            assertThat(pages.kept(0, all()).cardinality()).isEqualTo(2);
-        }
-        assertThat(Files.size(file())).isLessThanOrEqualTo(8_000);
-        assertThat(warnings).isEmpty();
-    }
-
-    @Test
     void aFolderThatIsGoneKeepsNothing() {
         KeptPages pages = PageFile.of(
                 folder.resolve("gone").resolve("one.pages"),

@@ -155,20 +155,6 @@ class TableStoreTest {
     }
 
     @Test
-    void aTableThatTheLimitLeavesNoRoomForIsMadeEachTime() throws Exception {
-        store("a").tables(new Counted("plan"), MethodUse.COLOR, NO_COLORS);
-        CacheFolder.of(new Environment(Map.of(), home)).setLimit(0);
-        Counted other = new Counted("other");
-        for (int run = 0; run < 2; run++) {
-            assertThat(numbers(store("a").tables(other, MethodUse.COLOR, NO_COLORS)))
-                    .containsExactly(1, 2, 3);
-        }
-        assertThat(other.made).isEqualTo(2);
-        assertThat(CacheFolder.of(new Environment(Map.of(), home)).entries()).isEmpty();
-        assertThat(warnings).isEmpty();
-    }
-
-    @Test
     void withoutACacheFolderTablesAreMadeEachTime() throws Exception {
         Files.createFile(home.resolve(".cache"));
         Counted plan = new Counted("plan");

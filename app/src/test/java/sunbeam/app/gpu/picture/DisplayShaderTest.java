@@ -15,14 +15,12 @@ import jrtr.FloatTextureSpec;
 import jrtr.ShaderProgram;
 import jrtr.Tile;
 import jrtr.glsl.ShaderLibrary;
-import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import sunbeam.app.gpu.InAContext;
 import sunbeam.app.gpu.NeedsDisplay;
 import sunbeam.app.gpu.Shaders;
 import sunbeam.precompute.color.DisplayTransform;
-import sunbeam.precompute.color.Srgb;
 import sunbeam.precompute.color.Tone;
 
 /** display.glsl and srgb.glsl against what they stand for in double precision. */
@@ -92,31 +90,6 @@ class DisplayShaderTest extends InAContext {
                 assertThat((double) shown[4 * i + c])
                         .as("channel %d of %s", c, java.util.Arrays.toString(xyz))
                         .isCloseTo(expected[c], within(20 * DIGITS * cancellation * Math.max(1, expected[c])));
-            }
-        }
-    }
-
-    @Test
-    void theShadersMatricesAreTheStandardsAndEachOthersInverse() {
-        String shader = """
-                #version 330 core
-                #include "include/srgb.glsl"
-                layout(location = 0) out vec4 color;
-                void main() {
-                    int column = int(gl_FragCoord.x);
-                    vec3 unit = vec3(column % 3 == 0, column % 3 == 1, column % 3 == 2);
-                    color.rgb = column < 3 ? LINEAR_SRGB_TO_XYZ * unit : XYZ_TO_LINEAR_SRGB * (LINEAR_SRGB_TO_XYZ * unit);
-                }
-                """;
-        float[] pixels = drawn(shader, 6, List.of(), 1, Tone.COMPRESS);
-
-        for (int column = 0; column < 3; column++) {
-            double[] expected = Srgb.xyz(column == 0 ? 1 : 0, column == 1 ? 1 : 0, column == 2 ? 1 : 0);
-            for (int row = 0; row < 3; row++) {
-                assertThat((double) pixels[4 * column + row]).isCloseTo(expected[row], within(DIGITS));
-                // Three products of seven digits and coefficients of up to 3.2.
-                assertThat((double) pixels[4 * (column + 3) + row])
-                        .isCloseTo(row == column ? 1 : 0, within(3 * 3.3 * 2 * DIGITS));
             }
         }
     }

@@ -177,17 +177,6 @@ class MeshReaderTest {
     }
 
     @Test
-    void negativeIndicesCountBackwards() throws IOException {
-        Mesh positive = read(SQUARE + TEXTURE + "f 2/2 3/3 4/4\n").mesh();
-        Mesh negative =
-                read(SQUARE + TEXTURE + "f -3/-3 -2/-2 -1/-1\nv 9 9 9\n").mesh();
-
-        assertThat(negative.positions()).isEqualTo(positive.positions());
-        assertThat(negative.textureCoordinates()).isEqualTo(positive.textureCoordinates());
-        assertRefused(SQUARE + "f -5 -2 -1\n").hasMessageContaining("line 5").hasMessageContaining("4 are given");
-    }
-
-    @Test
     void theFormatsCornersAreRead() throws IOException {
         Mesh plain = read(SQUARE + TEXTURE + "vn 0 0 1\nf 1/1/1 2/2/1 3/3/1\n").mesh();
         Mesh odd = read("\u00EF\u00BB\u00BF# comment\r\no thing\r\n" + SQUARE + "vt 0\n"

@@ -2,18 +2,8 @@ package sunbeam.app.scene.texture;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
-import static org.assertj.core.api.Assertions.within;
 
-import java.awt.Transparency;
-import java.awt.color.ColorSpace;
-import java.awt.image.BandedSampleModel;
 import java.awt.image.BufferedImage;
-import java.awt.image.ColorModel;
-import java.awt.image.ComponentColorModel;
-import java.awt.image.DataBuffer;
-import java.awt.image.DataBufferFloat;
-import java.awt.image.Raster;
-import java.awt.image.WritableRaster;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -51,24 +41,6 @@ class BodyTexturesTest {
                 assertThat(channel(texture, 0, 0, c)).as("type %d", type).isZero();
             }
             assertThat(channel(texture, 2, 1, 3)).isEqualTo(255);
-        }
-    }
-
-    @Test
-    void greyPicturesOfFloatsAreLinear() throws IOException {
-        float[] values = {0, 0.25f, 0.5f, 1};
-        WritableRaster raster = Raster.createWritableRaster(
-                new BandedSampleModel(DataBuffer.TYPE_FLOAT, 4, 1, 1), new DataBufferFloat(values, 4), null);
-        ColorModel model = new ComponentColorModel(
-                ColorSpace.getInstance(ColorSpace.CS_GRAY), false, false, Transparency.OPAQUE, DataBuffer.TYPE_FLOAT);
-        Path file = folder.resolve("floats.tif");
-        assertThat(ImageIO.write(new BufferedImage(model, raster, false, null), "tiff", file.toFile()))
-                .isTrue();
-        BodyTexture texture = BodyTextures.load(file.toString());
-        // 255 times the sRGB curve of 0.25 and 0.5 (IEC 61966-2-1); Java rounds by its own tables.
-        int[] expected = {0, 137, 188, 255};
-        for (int x = 0; x < 4; x++) {
-            assertThat(channel(texture, x, 0, 0)).isCloseTo(expected[x], within(1));
         }
     }
 

@@ -2,7 +2,6 @@ package sunbeam.app.scene.texture;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
-import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.awt.image.BufferedImage;
 import java.io.IOException;
@@ -85,15 +84,5 @@ final class DamagedTexturesTest {
         assertThatThrownBy(() -> ImageTextureReader.read(file, HEAP))
                 .isInstanceOf(InputException.class)
                 .hasMessageContaining("8000 x 8000", "too many for Java's memory", "SUNBEAM_JAVA_OPTIONS=-Xmx1024m");
-    }
-
-    @Test
-    void aPipeIsNoTexture() throws Exception {
-        assumeTrue(Files.isExecutable(Path.of("/usr/bin/mkfifo")), "skipped: no mkfifo");
-        assertThat(new ProcessBuilder("mkfifo", file.toString()).start().waitFor())
-                .isZero();
-        assertThatThrownBy(() -> BodyTextures.load(file.toString()))
-                .isInstanceOf(InputException.class)
-                .hasMessageContaining("no regular file");
     }
 }

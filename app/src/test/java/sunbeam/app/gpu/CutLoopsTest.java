@@ -1,0 +1,95 @@
+package sunbeam.app.gpu;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.util.List;
+import java.util.Optional;
+import jrtr.GraphicsException;
+import jrtr.RenderContext;
+import jrtr.gl.RenderContexts;
+import org.junit.jupiter.api.Test;
+import sunbeam.app.gpu.directions.DirectionsRenderer;
+import sunbeam.app.gpu.directions.DirectionsRenderer.Query;
+import sunbeam.precompute.method.Surface;
+import sunbeam.precompute.optics.CoherenceWindow;
+import sunbeam.precompute.optics.Direction;
+import sunbeam.precompute.optics.DirectionPair;
+import sunbeam.precompute.optics.HeightMap;
+import sunbeam.precompute.optics.WindowOrigin;
+import sunbeam.precompute.patch.Patch;
+import sunbeam.precompute.plan.Average;
+import sunbeam.precompute.plan.BandRule;
+import sunbeam.precompute.plan.GaussianArea;
+import sunbeam.precompute.plan.Neighborhood;
+import sunbeam.precompute.plan.OrderSampling;
+import sunbeam.precompute.plan.Plan;
+import sunbeam.precompute.plan.TableChoices;
+import sunbeam.precompute.plan.VisibleRange;
+import sunbeam.precompute.shader.MethodUse;
+import sunbeam.precompute.shader.ShaderTables;
+import sunbeam.precompute.table.TableBuilder;
+
+/** Mesa's software renderer ends loops after 65,535 steps, without a word: what it leaves must not pass for a result. */
+@NeedsDisplay
+class CutLoopsTest {
+    private static final GaussianArea AREA =
+            new GaussianArea(CoherenceWindow.ofCoherenceLength(30e-6), WindowOrigin.CENTRE, Average.ENSEMBLE);
+    private static final List<Query> ASKED =
+            List.of(new Query(new DirectionPair(Direction.ofDisc(0.5, 0.2), Direction.ofDisc(0.1, 0.3)), 500e-9));
+
+    @Test
+    void whatAnEndedLoopLeavesIsRefused() {
+        try (RenderContext context = RenderContexts.offscreen()) {
+            assumeTrue(context.info().renderer().contains("llvmpipe"), "only llvmpipe is known to end loops");
+            // 961 bins at some hundred wavelengths, more than 65,535 together.
+            assertThatThrownBy(() -> evaluate(context, 15))
+                    .isInstanceOf(GraphicsException.class)
+                    .hasMessageContaining("65,535");
+        }
+    }
+
+    @Test
+    void whatIsWholePasses() {
+        try (RenderContext context = RenderContexts.offscreen()) {
+            assertThat(evaluate(context, 1).get(0)[1]).isPositive();
+        }
+    }
+
+    private static List<float[]> evaluate(RenderContext context, int radius) {
+        double[] heights = new double[64];
+        heights[27] = 200e-9;
+        Surface surface =
+                Surface.of(new Patch("grain", new HeightMap(8, 8, 200e-9, 200e-9, heights), "made up", List.of()));
+        Plan planned = surface.planner()
+                .plan(
+                        TableChoices.within(1e-3),
+                        AREA,
+                        VisibleRange.of(List.of(ASKED.get(0).pair())));
+        OrderSampling sampling = new OrderSampling(
+                new Neighborhood(radius, Neighborhood.Anchor.NEAREST),
+                Optional.empty(),
+                new BandRule(100, 0.1, 5e3, 50e3));
+        Plan plan = new Plan(
+                planned.accuracy(),
+                planned.range(),
+                planned.expansion(),
+                planned.range().bandX(surface.map().width(), radius + 1),
+                planned.range().bandY(surface.map().height(), radius + 1),
+                AREA.window(),
+                AREA.origin(),
+                AREA.average(),
+                sampling);
+        ShaderTables tables = sampling.tables(
+                plan,
+                new TableBuilder(surface.identity(), surface.levels(), done -> {})
+                        .build(plan.expansion(), plan.bandX(), plan.bandY()),
+                MethodUse.COLOR,
+                surface.cie());
+        try (UploadedTables method = UploadedTables.upload(context, tables);
+                DirectionsRenderer renderer = new DirectionsRenderer(context, method, false)) {
+            return renderer.evaluate(ASKED, done -> {});
+        }
+    }
+}
