@@ -50,15 +50,7 @@ final class GlFloatTexture extends GlResource implements FloatTexture, GlTexture
         int format = TextureMemory.pixelFormat(spec.format());
         long bytes = spec.format().bytesPerChannel() * spec.floats();
         memory.allocate(
-                gl,
-                target,
-                internalFormat,
-                spec.width(),
-                spec.height(),
-                spec.layers(),
-                format,
-                GL3.GL_FLOAT,
-                bytes);
+                gl, target, internalFormat, spec.width(), spec.height(), spec.layers(), format, GL3.GL_FLOAT, bytes);
     }
 
     @Override

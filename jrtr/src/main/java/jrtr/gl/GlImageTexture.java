@@ -29,7 +29,16 @@ final class GlImageTexture extends GlResource implements ImageTexture, GlTexture
             gl.glTexParameteri(TARGET, GL3.GL_TEXTURE_MIN_FILTER, GL3.GL_LINEAR_MIPMAP_LINEAR);
             gl.glTexParameteri(TARGET, GL3.GL_TEXTURE_MAG_FILTER, GL3.GL_LINEAR);
             int format = spec.encoding() == ColorEncoding.SRGB ? GL3.GL_SRGB8_ALPHA8 : GL3.GL_RGBA8;
-            memory.allocate(gl, TARGET, format, spec.width(), spec.height(), 1, GL3.GL_RGBA, GL3.GL_UNSIGNED_BYTE, spec.bytes());
+            memory.allocate(
+                    gl,
+                    TARGET,
+                    format,
+                    spec.width(),
+                    spec.height(),
+                    1,
+                    GL3.GL_RGBA,
+                    GL3.GL_UNSIGNED_BYTE,
+                    spec.bytes());
             return texture;
         } catch (RuntimeException failure) {
             texture.close();

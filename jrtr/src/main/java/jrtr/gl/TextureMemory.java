@@ -46,7 +46,15 @@ final class TextureMemory {
 
     /** Takes memory for level 0 of the bound texture, 2-D or an array of such. */
     void allocate(
-            GL3 gl, int target, int internalFormat, int width, int height, int layers, int format, int type, long bytes) {
+            GL3 gl,
+            int target,
+            int internalFormat,
+            int width,
+            int height,
+            int layers,
+            int format,
+            int type,
+            long bytes) {
         if (target == GL3.GL_TEXTURE_2D) {
             gl.glTexImage2D(target, 0, internalFormat, width, height, 0, format, type, null);
         } else {
