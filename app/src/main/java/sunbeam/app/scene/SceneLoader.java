@@ -14,7 +14,6 @@ import sunbeam.app.files.input.IndexFile;
 import sunbeam.app.gpu.colors.GpuColors;
 import sunbeam.app.gpu.colors.LevelSources;
 import sunbeam.app.scene.mesh.Mesh;
-import sunbeam.app.scene.mesh.MeshSource;
 import sunbeam.app.scene.mesh.ReadMesh;
 import sunbeam.app.scene.texture.BodyTexture;
 import sunbeam.app.scene.texture.BodyTextures;
@@ -163,7 +162,7 @@ public final class SceneLoader {
     }
 
     private Mesh mesh(Scene scene) {
-        ReadMesh read = MeshSource.load(scene.mesh(), Path.of(""));
+        ReadMesh read = ReadMesh.load(scene.mesh(), Path.of(""));
         read.warnings().forEach(warning);
         return read.mesh();
     }

@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static sunbeam.precompute.method.Methods.METHOD;
 import static sunbeam.precompute.plan.MethodSettings.AVERAGE;
-import static sunbeam.precompute.plan.MethodSettings.SPACING;
 import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
 
 import java.nio.file.Path;
@@ -43,10 +42,6 @@ class SceneMethodsTest {
 
     private static Scene with(Choices choices) {
         return PlaneScenes.blaze().withMethod(new SceneMethod(choices));
-    }
-
-    private static Scene gem(double spacing) {
-        return with(Choices.none().with(METHOD, GemMethod.TYPE).with(SPACING, spacing));
     }
 
     private float[] draw(RenderContext context, Scene scene) {

@@ -15,7 +15,6 @@ import sunbeam.app.files.output.ForceOption;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.files.output.StandardOutput;
 import sunbeam.app.scene.mesh.MeshReader;
-import sunbeam.app.scene.mesh.MeshSource;
 import sunbeam.app.scene.mesh.MeshWriter;
 import sunbeam.app.scene.mesh.ReadMesh;
 import sunbeam.app.terminal.ExitCode;
@@ -54,7 +53,7 @@ public final class MeshCommand implements Callable<Integer> {
         Overwrite overwrite = force.overwrite(output);
         Path target = output != null ? output : Path.of(stem() + ".obj");
         AtomicFile.checkWritable(target, overwrite);
-        ReadMesh read = MeshSource.load(mesh, Path.of(""));
+        ReadMesh read = ReadMesh.load(mesh, Path.of(""));
         PrintWriter err = specification.commandLine().getErr();
         read.warnings().forEach(warning -> err.println(Messages.warning(warning)));
         Path written = MeshWriter.write(target, overwrite, read.mesh());
