@@ -54,10 +54,4 @@ class NoGraphicsTest {
     private Sunbeam brdfMap() {
         return workplace.command("brdf-map", "--patch", "blaze", "--size", "8");
     }
-
-    /** How the launcher's private screen is started. */
-    private enum Xvfb {
-        USUAL,
-        WITHOUT_OPENGL
-    }
 }
