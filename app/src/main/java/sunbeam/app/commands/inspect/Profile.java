@@ -39,21 +39,10 @@ record Profile(double[] positions, double[] heights) {
                 && Math.abs(y) <= 0.5 * (map.rows() - 1) * map.pitchY();
     }
 
-    /** Height at a point relative to the centre, bilinear between samples. */
+    /** Height of the sample that is nearest to a point, relative to the centre. */
     private static double at(HeightMap map, double x, double y) {
-        double column = 0.5 * (map.columns() - 1) + x / map.pitchX();
-        double row = 0.5 * (map.rows() - 1) - y / map.pitchY();
-        int left = clamp((int) Math.floor(column), map.columns());
-        int top = clamp((int) Math.floor(row), map.rows());
-        int right = clamp(left + 1, map.columns());
-        int bottom = clamp(top + 1, map.rows());
-        double across = column - left;
-        double upper = map.at(left, top) * (1 - across) + map.at(right, top) * across;
-        double lower = map.at(left, bottom) * (1 - across) + map.at(right, bottom) * across;
-        return upper + (row - top) * (lower - upper);
-    }
-
-    private static int clamp(int index, int count) {
-        return Math.max(0, Math.min(count - 1, index));
+        return map.at(
+                (int) Math.floor(0.5 * map.columns() + x / map.pitchX() - 1e-9),
+                (int) Math.floor(0.5 * map.rows() - y / map.pitchY() - 1e-9));
     }
 }
