@@ -153,7 +153,8 @@ public final class EvaluateCommand implements Callable<Integer> {
         PrintWriter err = specification.commandLine().getErr();
         Patch patch = patchOptions.load(asked);
         ScanLimit limit = ScanLimit.of(asked, patch);
-        List<String> limits = limit.line().map(line -> line.in(OptionOrigin.INSTANCE)).stream().toList();
+        List<String> limits = limit.line().map(line -> line.in(OptionOrigin.INSTANCE)).stream()
+                .toList();
         ScanWarnings.print(patch, limits, methodOptions.explains(), err);
         FileGroup files = files(output != null ? stem(output) : Path.of(patch.name() + "-evaluate"));
         files.checkWritable();

@@ -41,8 +41,7 @@ record Profile(double[] positions, double[] heights) {
 
     /** Height of the sample that is nearest to a point, relative to the centre. */
     private static double at(HeightMap map, double x, double y) {
-        return map.at(
-                (int) Math.floor(0.5 * map.columns() + x / map.pitchX() - 1e-9),
-                (int) Math.floor(0.5 * map.rows() - y / map.pitchY() - 1e-9));
+        return map.at((int) Math.floor(0.5 * map.columns() + x / map.pitchX() - 1e-9), (int)
+                Math.floor(0.5 * map.rows() - y / map.pitchY() - 1e-9));
     }
 }
