@@ -1,12 +1,10 @@
 package sunbeam.app.terminal;
 
-import java.io.PrintWriter;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.Collectors;
-import java.util.stream.Stream;
-import sunbeam.precompute.patch.Patch;
 
-/** What the user should know of a scan; several warnings in one line, as each by itself is longer than most people read. */
+/** What is wrong with a scan in one line; each warning by itself is longer than most people read. */
 public final class ScanWarnings {
     // Characters of a line that is read.
     private static final int LONGEST = 200;
@@ -14,23 +12,21 @@ public final class ScanWarnings {
     private ScanWarnings() {}
 
     /**
-     * Prints a patch's notes and warnings: the whole of a short one, of others their beginnings, up to the first colon.
+     * The whole of a short one; of others their beginnings, up to the first colon.
      *
-     * @param more warnings
-     * @param whole whether each is printed in full, as {@code --explain} asks for
+     * @param name of the scan
+     * @param remedy the option that tells all of it
      */
-    public static void print(Patch patch, List<String> more, boolean whole, PrintWriter err) {
-        String name = patch.name() + ": ";
-        patch.notes().forEach(note -> err.println(Messages.note(name + note)));
-        List<String> warnings =
-                Stream.concat(patch.warnings().stream(), more.stream()).toList();
-        if (whole || (warnings.size() == 1 && warnings.get(0).length() <= LONGEST)) {
-            warnings.forEach(warning -> err.println(Messages.warning(name + warning)));
-        } else if (!warnings.isEmpty()) {
-            String heads = warnings.stream().map(ScanWarnings::head).collect(Collectors.joining("; "));
-            err.println(Messages.warning(name + heads + " (--explain tells more)"));
+    public static Optional<String> line(String name, List<String> warnings, String remedy) {
+        if (warnings.isEmpty()) {
+            return Optional.empty();
         }
-        err.flush();
+        boolean whole = warnings.size() == 1 && warnings.get(0).length() <= LONGEST;
+        String heads = whole
+                ? warnings.get(0)
+                : warnings.stream().map(ScanWarnings::head).collect(Collectors.joining("; ")) + " (" + remedy
+                        + " tells more)";
+        return Optional.of(Messages.warning(name + ": " + heads));
     }
 
     private static String head(String warning) {

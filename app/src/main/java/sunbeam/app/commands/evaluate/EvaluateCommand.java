@@ -3,6 +3,7 @@ package sunbeam.app.commands.evaluate;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.PrintWriter;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
@@ -153,9 +154,7 @@ public final class EvaluateCommand implements Callable<Integer> {
         PrintWriter err = specification.commandLine().getErr();
         Patch patch = patchOptions.load(asked);
         ScanLimit limit = ScanLimit.of(asked, patch);
-        List<String> limits = limit.line().map(line -> line.in(OptionOrigin.INSTANCE)).stream()
-                .toList();
-        ScanWarnings.print(patch, limits, methodOptions.explains(), err);
+        warn(patch, limit, err);
         FileGroup files = files(output != null ? stem(output) : Path.of(patch.name() + "-evaluate"));
         files.checkWritable();
         Choices choices = limit.choices();
@@ -196,6 +195,19 @@ public final class EvaluateCommand implements Callable<Integer> {
                 .findFirst()
                 .map(ending -> named.resolveSibling(name.substring(0, name.length() - ending.length())))
                 .orElse(named);
+    }
+
+    /** Notes, and all warnings in one line. */
+    private void warn(Patch patch, ScanLimit limit, PrintWriter err) {
+        patch.notes().forEach(note -> err.println(Messages.note(patch.name() + ": " + note)));
+        List<String> warnings = new ArrayList<>(patch.warnings());
+        limit.line().ifPresent(line -> warnings.add(line.in(OptionOrigin.INSTANCE)));
+        if (methodOptions.explains()) {
+            warnings.forEach(warning -> err.println(Messages.warning(patch.name() + ": " + warning)));
+        } else {
+            ScanWarnings.line(patch.name(), warnings, "--explain").ifPresent(err::println);
+        }
+        err.flush();
     }
 
     private static void say(String line, PrintWriter err) {
