@@ -28,7 +28,7 @@ final class Requests {
             double coherenceLength, Average average, WindowOrigin origin, Optional<ExpansionKind> expansion) {
         return new FullMethod(
                 new TableChoices(
-                        new Accuracy.ByTolerance(TOLERANCE),
+                        Accuracy.within(TOLERANCE),
                         expansion,
                         OptionalInt.empty(),
                         Optional.empty(),

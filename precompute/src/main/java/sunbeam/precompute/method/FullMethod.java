@@ -64,7 +64,7 @@ public record FullMethod(TableChoices table, GaussianArea area) implements Metho
 
     /** The thesis's shader: the baseline of every comparison. */
     public static FullMethod thesis() {
-        return new FullMethod(TableChoices.of(new Accuracy.ThesisPreset()), GaussianArea.THESIS);
+        return new FullMethod(TableChoices.of(Accuracy.THESIS), GaussianArea.THESIS);
     }
 
     /** The same with other tables. */

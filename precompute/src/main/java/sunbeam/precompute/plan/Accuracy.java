@@ -6,42 +6,30 @@ import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
 import java.util.OptionalDouble;
 import sunbeam.precompute.setting.Choices;
 
-/** What stands in for the choices of a plan that nobody makes. */
-public sealed interface Accuracy {
+/**
+ * What stands in for the choices of a plan that nobody makes.
+ *
+ * @param tolerance relative error of power and XYZ that they are made for; empty for the thesis's choices (design, section
+ *     5), which promise nothing
+ */
+public record Accuracy(OptionalDouble tolerance) {
+    /** What holds where nothing is chosen. */
+    public static final Accuracy STANDARD = within(ErrorBudget.STANDARD);
 
-    /**
-     * They are made for a relative error of power and XYZ.
-     *
-     * @param relativeError {@link ErrorBudget#FINEST}..{@link ErrorBudget#COARSEST}
-     */
-    record ByTolerance(double relativeError) implements Accuracy {
-        /** What holds where nothing is chosen. */
-        public static final ByTolerance STANDARD = new ByTolerance(ErrorBudget.STANDARD);
+    public static final Accuracy THESIS = new Accuracy(OptionalDouble.empty());
 
-        public ByTolerance {
-            TOLERANCE.kind().check(relativeError);
-        }
-
-        @Override
-        public OptionalDouble tolerance() {
-            return OptionalDouble.of(relativeError);
-        }
+    public Accuracy {
+        tolerance.ifPresent(TOLERANCE.kind()::check);
     }
 
-    /** They are the thesis's (design, section 5), which promise nothing. */
-    record ThesisPreset() implements Accuracy {
-        @Override
-        public OptionalDouble tolerance() {
-            return OptionalDouble.empty();
-        }
+    /** {@link ErrorBudget#FINEST}..{@link ErrorBudget#COARSEST}. */
+    public static Accuracy within(double tolerance) {
+        return new Accuracy(OptionalDouble.of(tolerance));
     }
-
-    /** The relative error that is promised, if any. */
-    OptionalDouble tolerance();
 
     /** Whether the thesis's choices stand in. */
-    default boolean isThesis() {
-        return this instanceof ThesisPreset;
+    public boolean isThesis() {
+        return tolerance.isEmpty();
     }
 
     /**
@@ -51,7 +39,7 @@ public sealed interface Accuracy {
      */
     static Accuracy of(Choices choices) {
         if (choices.get(PRESET, Preset.NONE) == Preset.NONE) {
-            return new ByTolerance(choices.get(TOLERANCE));
+            return within(choices.get(TOLERANCE));
         }
         if (choices.has(TOLERANCE)) {
             throw choices.complaint(
@@ -60,6 +48,6 @@ public sealed interface Accuracy {
                     PRESET,
                     " " + choices.written(PRESET) + ", whose choices keep no tolerance; leave one of them out");
         }
-        return new ThesisPreset();
+        return THESIS;
     }
 }

@@ -1,6 +1,5 @@
 package sunbeam.precompute.plan;
 
-import java.util.Locale;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.shader.ShaderTables;
 
@@ -62,16 +61,6 @@ public record BandRule(int fewestNodes, double reach, double panel, double large
     /** Most wavelengths of any ray up to this |(u, v)|. */
     int mostNodes(double longestUv) {
         return Math.max(fewestNodes, nodes(longestUv));
-    }
-
-    /** In a few words. */
-    String inWords() {
-        return String.format(
-                Locale.ROOT,
-                "%d equal steps of 1 / lambda where |(u, v)| < %.3f, else Gauss's rule of 4 on panels of %.4g cycles per metre",
-                fewestNodes,
-                reach,
-                panel);
     }
 
     void addTo(ShaderTables.Builder tables) {

@@ -58,18 +58,8 @@ public record BinSampling(Neighborhood neighborhood, WavelengthNodes wavelengths
     }
 
     @Override
-    public String wavelengths(VisibleRange range) {
-        return wavelengths.count() + " wavelengths a pixel";
-    }
-
-    @Override
     public String summary(VisibleRange range) {
         return neighborhood.summary() + " at " + wavelengths.count() + " wavelengths";
-    }
-
-    @Override
-    public List<String> reasons(VisibleRange range) {
-        return List.of("spectrum and wavelengths: " + summary(range) + ", as asked for");
     }
 
     @Override

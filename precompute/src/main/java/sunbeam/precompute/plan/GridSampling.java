@@ -30,7 +30,6 @@ import sunbeam.precompute.table.FourierTable;
  *     one, take this many wavelengths or more and interpolate both axes
  * @param band the wavelengths of these directions
  * @param single what serves single wavelengths; empty where that is a grid, fine enough for both averages
- * @param apart whether columns and rows lie in a texture of their own each, for drivers that have none so large for both
  * @param budget what each source may err
  */
 public record GridSampling(
@@ -40,18 +39,12 @@ public record GridSampling(
         int fewestNodes,
         BandRule band,
         Optional<OrderSampling> single,
-        boolean apart,
         ErrorBudget budget)
         implements Sampling {
 
     /** The same with columns that lie so many times closer. */
     GridSampling withColumnsCloser(int times) {
-        return new GridSampling(interpolation, nodeStep / times, longestStep, fewestNodes, band, single, apart, budget);
-    }
-
-    /** The same with columns and rows apart. */
-    GridSampling intoTwo() {
-        return new GridSampling(interpolation, nodeStep, longestStep, fewestNodes, band, single, true, budget);
+        return new GridSampling(interpolation, nodeStep / times, longestStep, fewestNodes, band, single, budget);
     }
 
     /**
@@ -66,11 +59,6 @@ public record GridSampling(
     public double centreReach() {
         double waveNumbers = 1 / CieTable.MINIMUM_WAVELENGTH - 1 / CieTable.MAXIMUM_WAVELENGTH;
         return fewestNodes * nodeStep / waveNumbers;
-    }
-
-    @Override
-    public String wavelengths(VisibleRange range) {
-        return Sampling.count(fewestNodes, mostNodes(range)) + " wavelengths a pixel";
     }
 
     @Override
@@ -91,42 +79,8 @@ public record GridSampling(
 
     /** Columns per step of a ray that crosses them at 45 degrees, which takes the most steps. */
     private int diagonalStride() {
-        return stride(Math.sqrt(0.5), Double.POSITIVE_INFINITY);
-    }
-
-    /**
-     * Columns per step of a ray.
-     *
-     * @param cosine of its angle to the columns' normal, 0.7 to 1
-     * @param crossed columns that it crosses
-     */
-    public int stride(double cosine, double crossed) {
-        // The diagonal's own stride is a whole number, however it is rounded.
-        double most = Math.min(longestStep * cosine / nodeStep * (1 + 1e-6), crossed / fewestNodes);
-        return (int) Math.max(1, Math.floor(most));
-    }
-
-    @Override
-    public List<String> reasons(VisibleRange range) {
-        return List.of(
-                String.format(
-                        Locale.ROOT,
-                        "spectrum: windowed and resampled at %.2f samples per deviation, interpolated by %d Kaiser-Bessel"
-                                + " taps; relative error of an amplitude %.1e",
-                        interpolation.deviation(),
-                        interpolation.taps(),
-                        interpolation.error()),
-                String.format(
-                        Locale.ROOT,
-                        "wavelengths: where the ray (u, v) / lambda crosses columns %.4g cycles per metre apart, with"
-                                + " strides of up to %d (%.4g cycles per metre along the ray), at most %d; where |u|, |v| < %.3f,"
-                                + " %s",
-                        nodeStep,
-                        stride(1, Double.POSITIVE_INFINITY),
-                        longestStep,
-                        mostNodes(range),
-                        centreReach(),
-                        band.inWords()));
+        // A whole number, however it is rounded.
+        return (int) Math.max(1, longestStep * Math.sqrt(0.5) / nodeStep * (1 + 1e-6));
     }
 
     @Override
@@ -170,7 +124,6 @@ public record GridSampling(
                         fewestNodes,
                         band,
                         single,
-                        apart,
                         budget));
     }
 

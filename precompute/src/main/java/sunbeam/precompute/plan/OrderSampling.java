@@ -1,7 +1,6 @@
 package sunbeam.precompute.plan;
 
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.optics.CoherenceWindow;
@@ -10,7 +9,6 @@ import sunbeam.precompute.shader.ColorArrays;
 import sunbeam.precompute.shader.MethodUse;
 import sunbeam.precompute.shader.ShaderTables;
 import sunbeam.precompute.table.FourierTable;
-import sunbeam.precompute.units.Lengths;
 
 /**
  * Sums the DFT bins around a frequency, each of which is a diffraction order of the repeated patch, at wavelengths along the
@@ -56,34 +54,10 @@ public record OrderSampling(Neighborhood neighborhood, Optional<OrderNodes> reso
     }
 
     @Override
-    public String wavelengths(VisibleRange range) {
-        return resolved.map(nodes -> nodes.fewest() + " wavelengths or more for each order")
-                .orElseGet(() -> Sampling.count(band.fewestNodes(), mostNodes(range)) + " wavelengths a pixel");
-    }
-
-    @Override
     public String summary(VisibleRange range) {
         return resolved.map(nodes -> "single orders with " + nodes.fewest() + " wavelengths each or more")
                 .orElseGet(() -> neighborhood.summary() + " at " + Sampling.count(band.fewestNodes(), mostNodes(range))
                         + " wavelengths");
-    }
-
-    @Override
-    public List<String> reasons(VisibleRange range) {
-        return resolved.map(nodes -> List.of(
-                        "spectrum: the patch is so small that the window resolves every order; the nearest bin is enough",
-                        String.format(
-                                Locale.ROOT,
-                                "wavelengths: %d or more around each order's middle, %.2f deviations of its power and at"
-                                        + " most %s apart; %d or more within the specular order",
-                                nodes.fewest(),
-                                nodes.spacing(),
-                                Lengths.format(nodes.largestStep()),
-                                band.fewestNodes())))
-                .orElseGet(() -> List.of(
-                        "spectrum: the window's is so narrow that its flanks lie bare between orders, or a grid would not"
-                                + " fit into memory; " + neighborhood.summary() + " are summed",
-                        "wavelengths: " + band.inWords()));
     }
 
     @Override

@@ -27,7 +27,7 @@ public final class PlanReport {
                 accuracy(),
                 Lengths.format(plan.window().coherenceLength()),
                 plan.average().name().toLowerCase(Locale.ROOT),
-                plan.sampling().wavelengths(plan.range()));
+                plan.sampling().summary(plan.range()));
     }
 
     private String accuracy() {
@@ -96,7 +96,6 @@ public final class PlanReport {
                 Lengths.format(plan.window().coherenceLength()),
                 plan.window().sigmaFrequency(),
                 plan.origin() == WindowOrigin.CORNER ? "corner" : "patch's centre"));
-        lines.addAll(plan.sampling().reasons(range));
         lines.add("bins: " + bins() + " reach every visible frequency at 380 nm and the window's width beyond");
         return lines;
     }

@@ -16,19 +16,13 @@ import sunbeam.precompute.table.FourierTable;
  */
 public sealed interface Sampling permits BinSampling, GridSampling, OrderSampling {
 
-    /** What is summed or interpolated, in a few words. */
+    /** What is summed or interpolated, and at how many wavelengths, in a few words. */
     String summary(VisibleRange range);
-
-    /** How many wavelengths a pixel adds up, for people. */
-    String wavelengths(VisibleRange range);
 
     /** "60 to 166", or one number where both are equal. */
     static String count(int fewest, int most) {
         return fewest == most ? Integer.toString(fewest) : fewest + " to " + most;
     }
-
-    /** Why, one line each. */
-    List<String> reasons(VisibleRange range);
 
     /** Parts that a user fixed and that break the plan's tolerance, one line each. */
     default List<Sentence> warnings(Plan plan, double tolerance, HeightMap map) {

@@ -64,8 +64,8 @@ final class SamplingPlanner {
         Sampling bins = OrderSampling.overlapping(bins(), band(fewestNodes()));
         // Where orders are resolved along an axis, a grid fine enough for them is larger than the bins.
         return interpolates(map, window)
-                ? List.of(fast, compact, compact.intoTwo(), bins)
-                : List.of(bins, fast, compact, compact.intoTwo());
+                ? List.of(fast, compact, bins)
+                : List.of(bins, fast, compact);
     }
 
     /** All that count; half way between two orders both count alike. */
@@ -113,7 +113,7 @@ final class SamplingPlanner {
         double step = rough ? uncut : Math.min(uncut, budget.cutSpacing() * deviation / Math.sqrt(2));
         BandRule band = rough ? band(fewestNodes()).evenlyTo(uncut) : band(fewestNodes());
         double longest = Math.sqrt(2) * step;
-        GridSampling coarse = new GridSampling(design, step, longest, fewestNodes(), band, single(band), false, budget);
+        GridSampling coarse = new GridSampling(design, step, longest, fewestNodes(), band, single(band), budget);
         return coarse.withColumnsCloser((int) Math.ceil(coarse.centreReach() / LARGEST_CENTRE));
     }
 

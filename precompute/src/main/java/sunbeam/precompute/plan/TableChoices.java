@@ -48,7 +48,7 @@ public record TableChoices(
 
     /** Nothing fixed but a tolerance. */
     public static TableChoices within(double tolerance) {
-        return of(new Accuracy.ByTolerance(tolerance));
+        return of(Accuracy.within(tolerance));
     }
 
     /**

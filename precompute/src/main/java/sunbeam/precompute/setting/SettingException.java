@@ -45,17 +45,6 @@ public final class SettingException extends RuntimeException {
         this.place = origin.place();
     }
 
-    /**
-     * The same complaint, which does not know yet where the choice was made, with more to say.
-     *
-     * @param more that continues what is wrong and what helps
-     */
-    public SettingException and(Sentence more) {
-        List<Object> parts = new ArrayList<>(problem.parts());
-        parts.addAll(more.parts());
-        return new SettingException(about, new Sentence(parts), Origin.PROGRAM, value, this);
-    }
-
     /** The setting. */
     public Setting<?> about() {
         return about;

@@ -20,7 +20,7 @@ import sunbeam.precompute.table.TableLabel;
  *
  * <pre>
  * 16 bytes   "SUNBEAM1", version and length of the header (int32, big-endian)
- * header     key, label, shader, defines, uniforms, shapes of the arrays
+ * header     JSON: key, label, shader, defines, uniforms, shapes of the arrays
  * arrays     layer by layer, float32, little-endian
  * 8 bytes    CRC-32C of all that comes before (int64, big-endian)
  * </pre>
@@ -32,7 +32,7 @@ public final class ShaderTablesFile {
      * Part of every file and of every key. To be raised with any change of what the same plan puts into its tables, so
      * that files from before are not taken for new ones.
      */
-    public static final int VERSION = 16;
+    public static final int VERSION = 17;
 
     private static final long MAGIC = 0x53554e4245414d31L;
     private static final int PREFIX = Long.BYTES + 2 * Integer.BYTES;
@@ -117,8 +117,7 @@ public final class ShaderTablesFile {
      */
     public static TableLabel label(Path file) {
         try (FileChannel channel = FileChannel.open(file, StandardOpenOption.READ)) {
-            return TablesHeader.decoded(map(channel, PREFIX, headerBytes(channel)))
-                    .label();
+            return header(channel, headerBytes(channel)).label();
         } catch (TableException e) {
             throw new TableException(file + ": " + e.getMessage());
         } catch (IOException e) {
@@ -150,7 +149,7 @@ public final class ShaderTablesFile {
     private static ShaderTables read(FileChannel channel, String key) throws IOException {
         long size = channel.size();
         int headerBytes = headerBytes(channel);
-        TablesHeader header = TablesHeader.decoded(map(channel, PREFIX, headerBytes));
+        TablesHeader header = header(channel, headerBytes);
         requireSize(size, header, headerBytes);
         if (!header.key().equals(key)) {
             throw new TableException("tables of another surface or plan");
@@ -163,15 +162,13 @@ public final class ShaderTablesFile {
         if (map(channel, size - Long.BYTES, Long.BYTES).getLong() != checksum.getValue()) {
             throw new TableException("its checksum does not fit: the file was altered or damaged");
         }
-        ShaderTables read = header.tables();
-        return new ShaderTables(
-                read.shader(),
-                read.defines(),
-                read.uniforms(),
-                arrays,
-                read.windowSigma(),
-                read.specularReach(),
-                read.trial());
+        return header.tables(arrays);
+    }
+
+    private static TablesHeader header(FileChannel channel, int length) throws IOException {
+        byte[] bytes = new byte[length];
+        map(channel, PREFIX, length).get(bytes);
+        return TablesHeader.decoded(bytes);
     }
 
     private static MappedByteBuffer map(FileChannel channel, long position, int bytes) throws IOException {

@@ -26,9 +26,9 @@ class PlannerTest {
     private static final VisibleRange MAP = VisibleRange.of(new Direction(0, 0, 1));
     private static final CieTable CIE = CieTable.load();
     private static final Request STANDARD =
-            new Request(TableChoices.of(Accuracy.ByTolerance.STANDARD), GaussianArea.STANDARD);
+            new Request(TableChoices.of(Accuracy.STANDARD), GaussianArea.STANDARD);
     private static final Request THESIS =
-            new Request(TableChoices.of(new Accuracy.ThesisPreset()), GaussianArea.THESIS);
+            new Request(TableChoices.of(Accuracy.THESIS), GaussianArea.THESIS);
 
     /** What is fixed of a plan. */
     private record Request(TableChoices table, GaussianArea area) {}
@@ -213,7 +213,7 @@ class PlannerTest {
         GaussianArea area = GaussianArea.STANDARD.with(CoherenceWindow.ofCoherenceLength(5e-6));
 
         Plan plan = new Planner(line, HeightLevels.of(line), CIE, MUCH_MEMORY)
-                .plan(TableChoices.of(Accuracy.ByTolerance.STANDARD), area, VisibleRange.all());
+                .plan(TableChoices.of(Accuracy.STANDARD), area, VisibleRange.all());
 
         Neighborhood bins = ((OrderSampling) plan.sampling()).neighborhood();
         assertThat(bins.radiusY()).isEqualTo(1);
@@ -228,7 +228,7 @@ class PlannerTest {
             double coherenceLength,
             double wavelengthStep) {
         TableChoices table = new TableChoices(
-                Accuracy.ByTolerance.STANDARD,
+                Accuracy.STANDARD,
                 expansion,
                 terms == 0 ? OptionalInt.empty() : OptionalInt.of(terms),
                 radius.isEmpty()

@@ -10,6 +10,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -148,7 +149,9 @@ class ShaderTablesFileTest {
     @Test
     void anArrayLargerThanTheFileTakesNoMemory() {
         ArrayLayout huge = ArrayLayout.layered("huge", 8192, 8192, Integer.MAX_VALUE, 4);
-        byte[] header = new TablesHeader(KEY, LABEL, tables(), List.of(huge)).encoded();
+        TableArray claimed = TableArray.of(huge, new float[0]);
+        byte[] header = TablesHeader.of(KEY, LABEL, new ShaderTables("", Map.of(), Map.of(), List.of(claimed), 1, 1, ""))
+                .encoded();
         ByteBuffer claims = ByteBuffer.allocate(16 + header.length + 8);
         claims.put(good, 0, Long.BYTES + Integer.BYTES).putInt(header.length).put(header);
 

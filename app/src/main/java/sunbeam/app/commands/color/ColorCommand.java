@@ -41,7 +41,6 @@ import sunbeam.app.terminal.options.PatchOptions;
 import sunbeam.app.terminal.progress.Progress;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.DisplayTransform;
-import sunbeam.precompute.method.FittingPart;
 import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.method.ScanLimit;
 import sunbeam.precompute.optics.RefractiveIndex;
@@ -230,7 +229,7 @@ public final class ColorCommand implements Callable<Integer> {
     /**
      * Lays out and plans what is seen of a surface; says what is wrong with it in one line, or with {@code --explain} in full.
      *
-     * @throws SettingException where that takes too much; it says which part of the surface can be drawn
+     * @throws SettingException where that takes too much
      */
     private SurfaceColors planned(Patch patch, Choices choices, RefractiveIndex material, List<String> warnings) {
         try (Progress progress = Progress.start("Planning " + patch.name(), 1)) {
@@ -251,12 +250,6 @@ public final class ColorCommand implements Callable<Integer> {
             }
             err.flush();
             return surface;
-        } catch (SettingException tooMuch) {
-            throw FittingPart.of(
-                            patch,
-                            part -> surface(part, ScanLimit.of(choices, part).choices(), material))
-                    .map(part -> tooMuch.and(part.sentence(patch)))
-                    .orElse(tooMuch);
         }
     }
 

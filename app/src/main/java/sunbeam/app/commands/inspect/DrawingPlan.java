@@ -2,9 +2,7 @@ package sunbeam.app.commands.inspect;
 
 import java.util.Optional;
 import sunbeam.app.terminal.OptionOrigin;
-import sunbeam.precompute.method.FittingPart;
 import sunbeam.precompute.method.FullMethod;
-import sunbeam.precompute.method.ScanLimit;
 import sunbeam.precompute.method.Surface;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.plan.PlanReport;
@@ -25,7 +23,7 @@ record DrawingPlan(Optional<PlanReport> plan, String refusal) {
         try {
             return new DrawingPlan(Optional.of(plan(patch, standard)), "");
         } catch (SettingException tooMuch) {
-            return new DrawingPlan(Optional.empty(), tooMuch.getMessage() + fittingPart(patch, choices));
+            return new DrawingPlan(Optional.empty(), tooMuch.getMessage());
         }
     }
 
@@ -33,16 +31,6 @@ record DrawingPlan(Optional<PlanReport> plan, String refusal) {
     private static PlanReport plan(Patch patch, FullMethod method) {
         return Choices.at(OptionOrigin.INSTANCE)
                 .located(() -> new PlanReport(method.tablePlan(Surface.withoutIdentity(patch), VisibleRange.all())));
-    }
-
-    /** In words; empty where there is none. */
-    private static String fittingPart(Patch patch, Choices choices) {
-        return FittingPart.of(
-                        patch,
-                        part -> plan(
-                                part, FullMethod.of(ScanLimit.of(choices, part).choices())))
-                .map(part -> part.sentence(patch).in(OptionOrigin.INSTANCE))
-                .orElse("");
     }
 
     /** One line: what is planned, or why nothing is. */

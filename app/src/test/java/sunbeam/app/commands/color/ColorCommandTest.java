@@ -103,24 +103,6 @@ class ColorCommandTest {
     }
 
     @Test
-    void aScanThatIsTooLargeIsRefusedWithThePartThatIsNot() throws IOException {
-        StringBuilder text = new StringBuilder();
-        for (int i = 0; i < 128 * 64; i++) {
-            text.append(500 * Math.sin(2 * Math.PI * (i % 128) / 16.0)).append(i % 128 == 127 ? "\n" : "\t");
-        }
-        Path scan = Files.writeString(folder.resolve("scan.txt"), text);
-        String[] arguments = {
-            "color", "--patch", scan.toString(), "--width", "2mm", "--height-unit", "nm", "--coherence-length", "65um"
-        };
-        Environment environment = new Environment(Map.of(), folder);
-        Sunbeam program = new Sunbeam(environment, new PrintWriter(new StringWriter()), new PrintWriter(err));
-        assertThat(program.run(arguments)).isEqualTo(2);
-        assertThat(err.toString())
-                .containsPattern(
-                        "can be drawn as it is \\(--crop [0-9.]+[um]m:[0-9.]+[um]m,[0-9.]+[um]m:[0-9.]+[um]m\\)");
-    }
-
-    @Test
     void thePurestColorLiesBesideTheGlossWhateverTheExposure() throws IOException {
         String[] light = {"--patch", "sinusoid", "--theta-i", "30"};
         JsonNode told = tell(light);
