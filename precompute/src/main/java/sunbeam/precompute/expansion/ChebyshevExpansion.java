@@ -56,7 +56,6 @@ public record ChebyshevExpansion(HeightScale scale, int terms, double maximumPha
     }
 
     /** What is left out, with every polynomial at its largest. */
-    @Override
     public double errorBound(double zeta) {
         double[] coefficients = bessel(Math.max(terms, orderWhereCoefficientsVanish(zeta)), zeta);
         double sum = 0;
@@ -64,5 +63,11 @@ public record ChebyshevExpansion(HeightScale scale, int terms, double maximumPha
             sum += Math.abs(coefficients[n]);
         }
         return sum;
+    }
+
+    /** At the largest phase. */
+    @Override
+    public double error() {
+        return errorBound(maximumPhase);
     }
 }

@@ -43,8 +43,8 @@ public interface Expansion {
     /** The largest phase that the expansion was made for. */
     double maximumPhase();
 
-    /** A bound of |exp(-i zeta s) - sum| in exact arithmetic, for every height that occurs. */
-    double errorBound(double zeta);
+    /** Error of the sum in exact arithmetic that a plan is made by. */
+    double error();
 
     /** Which expansion of a patch's heights it is, as text; numbers are written so that no two of them are written alike. */
     default String key() {

@@ -1,6 +1,5 @@
 package sunbeam.precompute.expansion;
 
-import org.apache.commons.math3.complex.Complex;
 import sunbeam.precompute.patch.HeightLevels;
 
 /**
@@ -9,8 +8,6 @@ import sunbeam.precompute.patch.HeightLevels;
  * is the kernel's projection on c_n, held as a Chebyshev series.
  */
 public final class LowRankExpansion implements Expansion {
-    // The bound looks at this many heights at most, extremes included.
-    private static final int BOUND_SAMPLES = 4096;
     // Of the largest coefficient of all terms: a hundredth of a double's last digit.
     private static final double LOST = 1e-18;
 
@@ -20,16 +17,14 @@ public final class LowRankExpansion implements Expansion {
     // Coefficients of T_0, T_2, ... and of T_1, T_3, ... of each term.
     private final double[][] even;
     private final double[][] odd;
-    private final HeightLevels heights;
 
-    private LowRankExpansion(HeightScale scale, PhaseBasis phases, int terms, HeightLevels heights) {
+    private LowRankExpansion(HeightScale scale, PhaseBasis phases, int terms) {
         this.scale = scale;
         this.phases = phases;
         this.terms = terms;
         double[][] series = phases.chebyshevSeries(terms);
         this.even = everySecond(series, 0);
         this.odd = everySecond(series, 1);
-        this.heights = heights;
     }
 
     /**
@@ -44,14 +39,14 @@ public final class LowRankExpansion implements Expansion {
         while (terms < phases.size() && phases.rootMeanSquareError(terms) > tolerance) {
             terms++;
         }
-        return new LowRankExpansion(scale, phases, terms, heights);
+        return new LowRankExpansion(scale, phases, terms);
     }
 
     /** The best expansion of a given number of terms. */
     public static LowRankExpansion ofTerms(
             HeightLevels heights, HeightScale scale, double minimumPhase, double maximumPhase, int terms) {
         PhaseBasis phases = PhaseBasis.of(heights, scale, minimumPhase, maximumPhase);
-        return new LowRankExpansion(scale, phases, Math.min(terms, phases.size()), heights);
+        return new LowRankExpansion(scale, phases, Math.min(terms, phases.size()));
     }
 
     private static double[][] everySecond(double[][] series, int first) {
@@ -84,17 +79,6 @@ public final class LowRankExpansion implements Expansion {
         return length;
     }
 
-    /** Some of the heights that occur, scaled. */
-    private double[] occurring() {
-        int count = Math.min(BOUND_SAMPLES, heights.count());
-        double[] result = new double[count];
-        for (int i = 0; i < count; i++) {
-            int level = count == 1 ? 0 : (int) ((long) i * (heights.count() - 1) / (count - 1));
-            result[i] = scale.scaled(heights.levels()[level]);
-        }
-        return result;
-    }
-
     @Override
     public ExpansionKind kind() {
         return ExpansionKind.LOWRANK;
@@ -110,14 +94,22 @@ public final class LowRankExpansion implements Expansion {
         return scale;
     }
 
-    /**
-     * Even Chebyshev polynomials make the real part (Jacobi-Anger), by Clenshaw's recurrence in y = 2 s^2 - 1: with s = cos x,
-     * T_2j(s) = cos 2jx = T_j(y).
-     */
+    /** Even Chebyshev polynomials make the real part (Jacobi-Anger): with s = cos x, T_2j(s) = cos 2jx = T_j(y), y = 2 s^2 - 1. */
     @Override
     public double realBasis(int n, double s) {
-        double[] coefficients = even[n];
         double y = 2 * s * s - 1;
+        return clenshaw(even[n], y, y);
+    }
+
+    /** Odd ones make the imaginary part: T_2j+1(s) = s V_j(y), the Chebyshev polynomials of the third kind (DLMF 18.5.3). */
+    @Override
+    public double imaginaryBasis(int n, double s) {
+        double y = 2 * s * s - 1;
+        return s * clenshaw(odd[n], y, 2 * y - 1);
+    }
+
+    /** Clenshaw's sum of polynomials with p_0 = 1, a first one, and p_j+1 = 2 y p_j - p_j-1. */
+    private static double clenshaw(double[] coefficients, double y, double first) {
         double next = 0;
         double afterNext = 0;
         for (int j = coefficients.length - 1; j >= 1; j--) {
@@ -125,22 +117,7 @@ public final class LowRankExpansion implements Expansion {
             afterNext = next;
             next = value;
         }
-        return y * next - afterNext + coefficients[0];
-    }
-
-    /** Odd ones make the imaginary part: T_2j+1(s) = s V_j(y), the Chebyshev polynomials of the third kind (DLMF 18.5.3). */
-    @Override
-    public double imaginaryBasis(int n, double s) {
-        double[] coefficients = odd[n];
-        double y = 2 * s * s - 1;
-        double next = 0;
-        double afterNext = 0;
-        for (int j = coefficients.length - 1; j >= 0; j--) {
-            double value = 2 * y * next - afterNext + coefficients[j];
-            afterNext = next;
-            next = value;
-        }
-        return s * (next - afterNext);
+        return first * next - afterNext + coefficients[0];
     }
 
     @Override
@@ -159,18 +136,8 @@ public final class LowRankExpansion implements Expansion {
     }
 
     /** Root mean square over the patch's heights and the phases. */
-    public double rootMeanSquareError() {
-        return phases.rootMeanSquareError(terms);
-    }
-
-    /** The largest error at the heights that occur. */
     @Override
-    public double errorBound(double zeta) {
-        double worst = 0;
-        for (double s : occurring()) {
-            Complex exact = new Complex(Math.cos(zeta * s), -Math.sin(zeta * s));
-            worst = Math.max(worst, exact.subtract(sum(zeta, s)).abs());
-        }
-        return worst;
+    public double error() {
+        return phases.rootMeanSquareError(terms);
     }
 }

@@ -40,8 +40,13 @@ public record TaylorExpansion(HeightScale scale, int terms, double maximumPhase)
     }
 
     /** Lagrange's remainder with M = 1, because the argument is imaginary (the thesis's eq. 2.51 takes e^zeta). */
-    @Override
     public double errorBound(double zeta) {
         return coefficients(zeta)[terms - 1] * zeta / terms;
+    }
+
+    /** At the largest phase. */
+    @Override
+    public double error() {
+        return errorBound(maximumPhase);
     }
 }

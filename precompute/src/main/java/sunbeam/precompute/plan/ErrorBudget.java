@@ -119,21 +119,14 @@ public record ErrorBudget(double tolerance, Roughness roughness) {
         return average == Average.ENSEMBLE ? interpolatedPower() : interpolatedAmplitude();
     }
 
+    /** Deviations of the Gaussian down to where it counts. */
     private double skirt(Average average) {
         if (roughness.isRough()) {
             return ROUGH_SKIRT;
         }
-        return average == Average.ENSEMBLE ? powerSkirt() : amplitudeSkirt();
-    }
-
-    /** Deviations of an amplitude's Gaussian down to the darkest amplitude. */
-    public static double amplitudeSkirt() {
-        return Math.sqrt(-2 * Math.log(DARKEST_AMPLITUDE));
-    }
-
-    /** Deviations of a power's Gaussian, narrower by sqrt(2), down to the darkest power. */
-    public static double powerSkirt() {
-        return Math.sqrt(-2 * Math.log(DARKEST_POWER));
+        // A power's Gaussian is narrower by sqrt(2), and ends where the power is darkest.
+        double darkest = average == Average.ENSEMBLE ? DARKEST_POWER : DARKEST_AMPLITUDE;
+        return Math.sqrt(-2 * Math.log(darkest));
     }
 
     /**

@@ -84,18 +84,13 @@ public record MemoryNeed(long heapBytes, long textureBytes, long largestTextureB
                         layouts.stream().mapToInt(ArrayLayout::layers).max().orElse(0)));
     }
 
-    /** Whether a texture is too long, which only a smaller patch mends. */
-    boolean isTooLong() {
-        return longestSide > LONGEST_SIDE;
-    }
-
     /**
      * What there is not enough of, continuing "this plan ..."; nothing where it fits.
      *
      * @param heapLimit largest size of the heap, bytes
      */
     Optional<String> excess(long heapLimit) {
-        if (isTooLong()) {
+        if (longestSide > LONGEST_SIDE) {
             return excess(
                     "textures of %d texels along a side, more than the %d of common drivers",
                     longestSide, LONGEST_SIDE);

@@ -74,39 +74,29 @@ final class PlanChecks {
 
     /** Taylor's terms reach e^phase before they cancel, and float32 has seven digits. */
     static TaylorExpansion accurate(TaylorExpansion expansion, double tolerance) {
-        double phase = expansion.maximumPhase();
-        double reachable = Math.ulp(1f) * expansion.largestTerm(phase);
+        double reachable = Math.ulp(1f) * expansion.largestTerm(expansion.maximumPhase());
         if (reachable > tolerance) {
-            throw taylor(String.format(
-                    Locale.ROOT,
-                    "reaches only %.1g in float32 at this relief (%s, phases up to %.1f), not the"
-                            + " tolerance %s; use lowrank or chebyshev",
-                    reachable,
-                    Lengths.format(2 * expansion.scale().halfRange()),
-                    phase,
-                    tolerance));
+            throw taylor(expansion, String.format(Locale.ROOT, "reaches only %.1g in float32", reachable));
         }
         return expansion;
     }
 
-    private static SettingException taylor(String problem) {
-        return SettingException.of(EXPANSION, ExpansionKind.TAYLOR, problem);
-    }
-
-    /** A number of terms that was given may be inaccurate, but not overflow. */
+    /** A number of terms that was given may be inaccurate, but not overflow, squared, as a power. */
     static TaylorExpansion withinFloatRange(TaylorExpansion expansion) {
-        double phase = expansion.maximumPhase();
-        double largest = expansion.largestTerm(phase);
-        // Squared, as a power.
-        if (largest * largest > Float.MAX_VALUE) {
-            throw taylor(String.format(
-                    Locale.ROOT,
-                    "with %d terms leaves the range of float32 at this relief (%s, phases up to %.1f);"
-                            + " use lowrank or chebyshev",
-                    expansion.terms(),
-                    Lengths.format(2 * expansion.scale().halfRange()),
-                    phase));
+        if (Math.pow(expansion.largestTerm(expansion.maximumPhase()), 2) > Float.MAX_VALUE) {
+            throw taylor(
+                    expansion,
+                    String.format(Locale.ROOT, "with %d terms leaves the range of float32", expansion.terms()));
         }
         return expansion;
+    }
+
+    private static SettingException taylor(TaylorExpansion expansion, String problem) {
+        String relief = String.format(
+                Locale.ROOT,
+                " at this relief (%s, phases up to %.1f); use lowrank or chebyshev",
+                Lengths.format(2 * expansion.scale().halfRange()),
+                expansion.maximumPhase());
+        return SettingException.of(EXPANSION, ExpansionKind.TAYLOR, problem + relief);
     }
 }

@@ -7,6 +7,7 @@ import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
 import static sunbeam.precompute.plan.MethodSettings.WAVELENGTH_STEP;
 
 import java.util.Locale;
+import java.util.Optional;
 import sunbeam.precompute.setting.SettingException;
 
 /**
@@ -21,63 +22,46 @@ record PlanLimits(int rows, long heapLimit) {
     private static final long MOST_LOOP_STEPS = 60_000;
 
     boolean hold(Plan plan) {
-        return MemoryNeed.of(plan, rows).excess(heapLimit).isEmpty()
-                && plan.sampling().loopSteps(plan) <= MOST_LOOP_STEPS;
+        return excess(plan).isEmpty();
     }
 
     /** @throws SettingException where a plan takes more */
     void require(Plan plan) {
-        MemoryNeed need = MemoryNeed.of(plan, rows);
-        need.excess(heapLimit).ifPresent(excess -> refuseMemory(plan, need, excess));
-        if (plan.sampling().loopSteps(plan) > MOST_LOOP_STEPS) {
-            refuseLoops(plan);
-        }
+        excess(plan).ifPresent(excess -> {
+            throw SettingException.of(
+                    COHERENCE_LENGTH,
+                    plan.window().coherenceLength(),
+                    excess + "; crop the patch, or give a coarser ",
+                    TOLERANCE,
+                    ", fewer ",
+                    TERMS,
+                    ", a smaller ",
+                    RADIUS,
+                    ", a larger ",
+                    WAVELENGTH_STEP,
+                    " or another ",
+                    COHERENCE_LENGTH);
+        });
     }
 
-    private static void refuseMemory(Plan plan, MemoryNeed need, String excess) {
-        double coherenceLength = plan.window().coherenceLength();
-        String problem = String.format(
-                Locale.ROOT,
-                "and %d x %d DFT bins in %d terms %s; crop the patch",
-                plan.bandX().count(),
-                plan.bandY().count(),
-                plan.expansion().terms(),
-                excess);
-        throw need.isTooLong()
-                ? SettingException.of(COHERENCE_LENGTH, coherenceLength, problem)
-                : SettingException.of(
-                        COHERENCE_LENGTH,
-                        coherenceLength,
-                        problem + ", or give a coarser ",
-                        TOLERANCE,
-                        ", fewer ",
-                        TERMS,
-                        " or another ",
-                        COHERENCE_LENGTH);
-    }
-
-    private static void refuseLoops(Plan plan) {
-        double coherenceLength = plan.window().coherenceLength();
-        String problem = String.format(
-                Locale.ROOT,
-                "takes %,d steps a pixel with %s, and graphics drivers end loops after 65,535; ",
-                plan.sampling().loopSteps(plan),
-                plan.sampling().summary(plan.range()));
-        throw plan.sampling() instanceof BinSampling
-                ? SettingException.of(
-                        COHERENCE_LENGTH,
-                        coherenceLength,
-                        problem + "give a smaller ",
-                        RADIUS,
-                        " or a larger ",
-                        WAVELENGTH_STEP)
-                : SettingException.of(
-                        COHERENCE_LENGTH,
-                        coherenceLength,
-                        problem + "give another ",
-                        COHERENCE_LENGTH,
-                        ", a coarser ",
-                        TOLERANCE,
-                        ", or crop the patch");
+    /** What a plan takes too much of, continuing "coherence length 65 um ...". */
+    private Optional<String> excess(Plan plan) {
+        long steps = plan.sampling().loopSteps(plan);
+        Optional<String> loops = Optional.of(String.format(
+                        Locale.ROOT,
+                        "takes %,d steps a pixel with %s, and graphics drivers end loops after 65,535",
+                        steps,
+                        plan.sampling().summary(plan.range())))
+                .filter(words -> steps > MOST_LOOP_STEPS);
+        return MemoryNeed.of(plan, rows)
+                .excess(heapLimit)
+                .map(excess -> String.format(
+                        Locale.ROOT,
+                        "and %d x %d DFT bins in %d terms %s",
+                        plan.bandX().count(),
+                        plan.bandY().count(),
+                        plan.expansion().terms(),
+                        excess))
+                .or(() -> loops);
     }
 }

@@ -7,7 +7,6 @@ import java.util.List;
 import java.util.Locale;
 import java.util.OptionalDouble;
 import sunbeam.precompute.expansion.Expansion;
-import sunbeam.precompute.expansion.LowRankExpansion;
 import sunbeam.precompute.optics.WindowOrigin;
 import sunbeam.precompute.units.Lengths;
 
@@ -83,14 +82,11 @@ public final class PlanReport {
                 range.maximumW()));
         Expansion expansion = plan.expansion();
         lines.add(format(
-                "expansion: phases k |w| h of %.2f to %.2f rad take %s; largest error at the largest phase %.1e%s",
+                "expansion: phases k |w| h of %.2f to %.2f rad take %s; error %.1e",
                 expansion.minimumPhase(),
                 expansion.maximumPhase(),
                 terms(),
-                expansion.errorBound(expansion.maximumPhase()),
-                expansion instanceof LowRankExpansion lowRank
-                        ? format(", root mean square %.1e over heights and phases", lowRank.rootMeanSquareError())
-                        : ""));
+                expansion.error()));
         lines.add(format(
                 "window: coherence length %s, its spectrum has a deviation of %.4g cycles per metre, centred on the %s",
                 Lengths.format(plan.window().coherenceLength()),

@@ -7,7 +7,6 @@ import java.util.List;
 import java.util.Locale;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.expansion.Expansion;
-import sunbeam.precompute.expansion.LowRankExpansion;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.setting.Sentence;
 import sunbeam.precompute.units.Lengths;
@@ -65,9 +64,7 @@ final class PlanWarnings {
 
     private void checkTerms(double tolerance, List<Sentence> lines) {
         Expansion expansion = plan.expansion();
-        double error = expansion instanceof LowRankExpansion lowRank
-                ? lowRank.rootMeanSquareError()
-                : expansion.errorBound(expansion.maximumPhase());
+        double error = expansion.error();
         if (error > tolerance) {
             lines.add(Sentence.of(
                     format(

@@ -95,11 +95,6 @@ public record TableChoices(
         return accuracy.tolerance().orElse(ErrorBudget.STANDARD);
     }
 
-    /** The same with an expansion of so many terms. */
-    public TableChoices withExpansion(ExpansionKind kind, int count) {
-        return new TableChoices(accuracy, Optional.of(kind), OptionalInt.of(count), neighborhood, wavelengthStep);
-    }
-
     /** The same with a neighborhood of bins. */
     public TableChoices with(Neighborhood other) {
         return new TableChoices(accuracy, expansion, terms, Optional.of(other), wavelengthStep);
