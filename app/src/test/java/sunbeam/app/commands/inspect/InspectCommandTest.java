@@ -193,7 +193,7 @@ final class InspectCommandTest {
         inspectScan(0, "--explain", "--width", "2mm");
         assertThat(err.toString()).doesNotContain("likely");
         assertThat(out.toString())
-                .contains("size      2 mm x 1 mm", "plan      none;", "--coherence-length 65 um", "(--crop ")
+                .contains("size      2 mm x 1 mm", "plan      none;", "--coherence-length 65 um", "crop the patch")
                 .doesNotContain("cost ");
         assertThat(ImageIO.read(new File(picture())).getWidth()).isGreaterThan(1000);
         inspectScan(0, "--width", "2mm", "--json");
