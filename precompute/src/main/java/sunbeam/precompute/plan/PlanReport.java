@@ -83,10 +83,7 @@ public final class PlanReport {
         Expansion expansion = plan.expansion();
         lines.add(format(
                 "expansion: phases k |w| h of %.2f to %.2f rad take %s; error %.1e",
-                expansion.minimumPhase(),
-                expansion.maximumPhase(),
-                terms(),
-                expansion.error()));
+                expansion.minimumPhase(), expansion.maximumPhase(), terms(), expansion.error()));
         lines.add(format(
                 "window: coherence length %s, its spectrum has a deviation of %.4g cycles per metre, centred on the %s",
                 Lengths.format(plan.window().coherenceLength()),

@@ -63,9 +63,7 @@ final class SamplingPlanner {
         GridSampling compact = grid(budget.compactInterpolation(average));
         Sampling bins = OrderSampling.overlapping(bins(), band(fewestNodes()));
         // Where orders are resolved along an axis, a grid fine enough for them is larger than the bins.
-        return interpolates(map, window)
-                ? List.of(fast, compact, bins)
-                : List.of(bins, fast, compact);
+        return interpolates(map, window) ? List.of(fast, compact, bins) : List.of(bins, fast, compact);
     }
 
     /** All that count; half way between two orders both count alike. */

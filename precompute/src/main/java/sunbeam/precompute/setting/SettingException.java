@@ -1,7 +1,5 @@
 package sunbeam.precompute.setting;
 
-import java.util.ArrayList;
-import java.util.List;
 import java.util.Optional;
 import sunbeam.precompute.text.Quoted;
 

@@ -37,8 +37,8 @@ class ExpansionTest {
         HeightLevels heights = heights(relief);
         HeightScale scale = HeightScale.midRange(heights);
         double maximum = scale.phase(380e-9, 2);
-        for (ChebyshevExpansion expansion : List.of(
-                ChebyshevExpansion.within(scale, maximum, 1e-3), new ChebyshevExpansion(scale, 7, maximum))) {
+        for (ChebyshevExpansion expansion :
+                List.of(ChebyshevExpansion.within(scale, maximum, 1e-3), new ChebyshevExpansion(scale, 7, maximum))) {
             for (double share : SHARES) {
                 double zeta = share * maximum;
                 assertThat(measured(expansion, heights, zeta))

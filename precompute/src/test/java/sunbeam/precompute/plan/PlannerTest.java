@@ -25,10 +25,8 @@ class PlannerTest {
     private static final long MUCH_MEMORY = 64L << 30;
     private static final VisibleRange MAP = VisibleRange.of(new Direction(0, 0, 1));
     private static final CieTable CIE = CieTable.load();
-    private static final Request STANDARD =
-            new Request(TableChoices.of(Accuracy.STANDARD), GaussianArea.STANDARD);
-    private static final Request THESIS =
-            new Request(TableChoices.of(Accuracy.THESIS), GaussianArea.THESIS);
+    private static final Request STANDARD = new Request(TableChoices.of(Accuracy.STANDARD), GaussianArea.STANDARD);
+    private static final Request THESIS = new Request(TableChoices.of(Accuracy.THESIS), GaussianArea.THESIS);
 
     /** What is fixed of a plan. */
     private record Request(TableChoices table, GaussianArea area) {}

@@ -73,8 +73,7 @@ class SamplingTablesTest {
     }
 
     private static Plan plan(Preset preset, double coherenceLength, Average average) {
-        Accuracy accuracy =
-                preset == Preset.THESIS ? Accuracy.THESIS : Accuracy.within(ErrorBudget.STANDARD);
+        Accuracy accuracy = preset == Preset.THESIS ? Accuracy.THESIS : Accuracy.within(ErrorBudget.STANDARD);
         CoherenceWindow window = CoherenceWindow.ofCoherenceLength(coherenceLength);
         return new Planner(SKIN, HeightLevels.of(SKIN), CIE)
                 .plan(

@@ -150,7 +150,8 @@ class ShaderTablesFileTest {
     void anArrayLargerThanTheFileTakesNoMemory() {
         ArrayLayout huge = ArrayLayout.layered("huge", 8192, 8192, Integer.MAX_VALUE, 4);
         TableArray claimed = TableArray.of(huge, new float[0]);
-        byte[] header = TablesHeader.of(KEY, LABEL, new ShaderTables("", Map.of(), Map.of(), List.of(claimed), 1, 1, ""))
+        byte[] header = TablesHeader.of(
+                        KEY, LABEL, new ShaderTables("", Map.of(), Map.of(), List.of(claimed), 1, 1, ""))
                 .encoded();
         ByteBuffer claims = ByteBuffer.allocate(16 + header.length + 8);
         claims.put(good, 0, Long.BYTES + Integer.BYTES).putInt(header.length).put(header);
