@@ -1,18 +1,15 @@
 /**
- * jrtr, a small real-time rendering engine. This package is its vocabulary: contexts, shaders, textures, targets and
- * timers, none of which names OpenGL.
+ * jrtr, a small real-time rendering engine. This package is its vocabulary: values that do not name
+ * OpenGL.
  *
  * <p>The rooms:
  *
  * <ul>
- *   <li>{@code jrtr}: the interfaces and values that an application programs against. Start at {@link
- *       jrtr.RenderContext}.
+ *   <li>{@code jrtr.gl}: contexts, programs, textures and targets, on JOGL. Start at {@link jrtr.gl.RenderContext}.
  *   <li>{@code jrtr.glsl}: shader text before any driver sees it, that is include expansion, source maps and the reading
  *       of compilers' logs. Plain string code.
- *   <li>{@code jrtr.gl}: the implementation on JOGL. Its one public class is {@link jrtr.gl.RenderContexts}, the
- *       factory.
  *   <li>{@link jrtr.scene}: the scene graph (groups, shapes, lights, camera, render queue) and its renderer; stands on
- *       this package and {@code jrtr.glsl}. Start at {@link jrtr.scene.SceneRenderer}.
+ *       {@code jrtr.gl}. Start at {@link jrtr.scene.SceneRenderer}.
  * </ul>
  *
  * <p>Conventions: images and rectangles are counted from the top left, row 0 is the top one; the implementation turns

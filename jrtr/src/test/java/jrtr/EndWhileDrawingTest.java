@@ -8,8 +8,10 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
+import jrtr.gl.FloatTarget;
 import jrtr.gl.NeedsDisplay;
-import jrtr.gl.RenderContexts;
+import jrtr.gl.ShaderProgram;
+import jrtr.gl.RenderContext;
 import jrtr.glsl.ShaderTexts;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -47,7 +49,7 @@ class EndWhileDrawingTest {
                         color = vec4(sum);
                     }
                     """;
-            try (RenderContext context = RenderContexts.offscreen();
+            try (RenderContext context = RenderContext.offscreen();
                     FloatTarget target = context.createFloatTarget("pixels", FloatTargetSpec.color(64, 64))) {
                 ShaderProgram program = context.createFullScreenProgram(
                         ShaderTexts.of(Map.of("sum.frag", code)).load("sum.frag"));

@@ -14,7 +14,7 @@ final class GlDevice {
     private final OffscreenSurface surface;
     private final Thread owner = Thread.currentThread();
     private final ContextInfo info;
-    private final Set<GlResource> resources = new LinkedHashSet<>();
+    private final Set<Resource> resources = new LinkedHashSet<>();
     private boolean closed;
 
     GlDevice(OffscreenSurface surface) {
@@ -75,11 +75,11 @@ final class GlDevice {
                 "OpenGL reported " + GlNames.error(error) + " while " + doing + GlNames.remedy(error));
     }
 
-    void register(GlResource resource) {
+    void register(Resource resource) {
         resources.add(resource);
     }
 
-    void unregister(GlResource resource) {
+    void unregister(Resource resource) {
         resources.remove(resource);
     }
 
@@ -92,7 +92,7 @@ final class GlDevice {
         try {
             GL3 gl = surface.makeCurrent();
             EndOfProcess.pass(gl);
-            List<GlResource> open = new ArrayList<>(resources);
+            List<Resource> open = new ArrayList<>(resources);
             for (int index = open.size() - 1; index >= 0; index--) {
                 open.get(index).close();
             }

@@ -2,12 +2,11 @@ package jrtr.gl;
 
 import com.jogamp.opengl.GL3;
 import java.util.List;
-import jrtr.Binding;
 import jrtr.Faces;
 import jrtr.Tile;
 
 /** Draws; sets all state that a draw depends on. */
-final class GlDraw extends GlResource {
+final class GlDraw extends Resource {
     // Corners of a full-screen triangle come from the vertex number; OpenGL wants an empty vertex array.
     private final int[] noVertices = new int[1];
 
@@ -17,7 +16,7 @@ final class GlDraw extends GlResource {
     }
 
     /** One triangle over the whole target. */
-    void fullScreen(GlProgram program, List<Binding> bindings, GlFloatTarget target, Tile tile) {
+    void fullScreen(ShaderProgram program, List<Binding> bindings, FloatTarget target, Tile tile) {
         GL3 gl = begin(program, bindings, target, tile, Faces.BOTH, false);
         gl.glBindVertexArray(noVertices[0]);
         gl.glDrawArrays(GL3.GL_TRIANGLES, 0, 3);
@@ -26,11 +25,11 @@ final class GlDraw extends GlResource {
 
     /** The triangles of a mesh. */
     void mesh(
-            GlProgram program,
+            ShaderProgram program,
             List<Binding> bindings,
-            GlVertexBuffer mesh,
+            VertexBuffer mesh,
             Faces faces,
-            GlFloatTarget target,
+            FloatTarget target,
             Tile tile) {
         mesh.requireUsableBy(device());
         if (!target.spec().depth()) {
@@ -43,7 +42,7 @@ final class GlDraw extends GlResource {
     }
 
     private GL3 begin(
-            GlProgram program, List<Binding> bindings, GlFloatTarget target, Tile tile, Faces faces, boolean depth) {
+            ShaderProgram program, List<Binding> bindings, FloatTarget target, Tile tile, Faces faces, boolean depth) {
         GL3 gl = gl();
         program.requireUsableBy(device());
         target.requireUsableBy(device());

@@ -5,7 +5,6 @@ import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import jrtr.Binding;
 import jrtr.ShaderException;
 
 /** A program's samplers. Each has its texture unit for good, so that a draw only binds textures. */
@@ -37,12 +36,13 @@ final class GlSamplers {
      *
      * @throws ShaderException if a sampler is unknown, bound twice, of another kind than its texture, or not bound
      */
-    void bind(GL3 gl, GlDevice device, List<Binding> bindings, GlFloatTarget target) {
+    void bind(GL3 gl, GlDevice device, List<Binding> bindings, FloatTarget target) {
         Arrays.fill(boundUnits, false);
         for (int index = 0; index < bindings.size(); index++) {
             Binding binding = bindings.get(index);
-            GlTexture texture = (GlTexture) binding.texture();
-            texture.requireReadyFor(device);
+            Texture texture = binding.texture();
+            texture.requireUsableBy(device);
+            texture.requireUploaded();
             if (target.owns(texture)) {
                 throw new IllegalStateException(
                         "target '" + target.label() + "' is drawn to and read as a texture in one draw");
@@ -52,12 +52,12 @@ final class GlSamplers {
         requireAllBound();
     }
 
-    private void bindOne(GL3 gl, String sampler, GlTexture texture) {
+    private void bindOne(GL3 gl, String sampler, Texture texture) {
         GlUniform uniform = uniforms.find(sampler);
         if (uniform == null) {
             return;
         }
-        if (uniform.samplerTarget() != texture.glTarget()) {
+        if (uniform.samplerTarget() != texture.glTarget) {
             throw new ShaderException(program + ": '" + texture.label() + "' is "
                     + (texture.isArray() ? "an array" : "no array") + " and cannot be bound to "
                     + uniform.describe());
@@ -68,7 +68,7 @@ final class GlSamplers {
         }
         boundUnits[unit] = true;
         gl.glActiveTexture(GL3.GL_TEXTURE0 + unit);
-        gl.glBindTexture(texture.glTarget(), texture.glName());
+        gl.glBindTexture(texture.glTarget, texture.glName());
     }
 
     private void requireAllBound() {

@@ -1,7 +1,6 @@
 /**
- * The engine on JOGL: OpenGL 3.3 core or later. {@link jrtr.gl.RenderContexts} makes contexts; all else is private.
+ * What lives on the graphics card, on JOGL: OpenGL 3.3 core or later. Start at {@link jrtr.gl.RenderContext}.
  *
- * <p>Resources are written against {@code GlDevice}, which knows the thread, the limits and the open resources, and the
- * device against {@code GlSurface}, the only part that differs between an offscreen context and one in a window.
+ * <p>Resources are written against {@code GlDevice}, which knows the thread, the limits and the open resources.
  */
 package jrtr.gl;

@@ -1,7 +1,7 @@
 package jrtr.scene;
 
 import java.util.List;
-import jrtr.ShaderProgram;
+import jrtr.gl.ShaderProgram;
 import org.joml.Vector3fc;
 
 /** The uniforms of jrtr/lights.glsl. */

@@ -3,16 +3,16 @@ package jrtr.scene;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
-import jrtr.Binding;
+import jrtr.gl.Binding;
 import jrtr.Faces;
-import jrtr.ShaderProgram;
+import jrtr.gl.ShaderProgram;
 
 /**
  * How a shape looks: a program, textures for its samplers, values for its uniforms. Several materials may share a
  * program. Owns neither program nor textures. The engine's own uniforms (mesh.vert.glsl, jrtr/surface.glsl) are set by
  * {@link SceneRenderer}; all others, those of {@link #tangentsTurned} among them, are the material's.
  *
- * @param program from {@link jrtr.RenderContext#createMeshProgram}
+ * @param program from {@link jrtr.gl.RenderContext#createMeshProgram}
  * @param textures by sampler name
  * @param uniforms {@code float}s by name
  * @param faces which sides of its triangles are drawn

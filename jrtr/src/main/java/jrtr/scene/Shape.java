@@ -1,7 +1,7 @@
 package jrtr.scene;
 
 import java.util.Objects;
-import jrtr.VertexBuffer;
+import jrtr.gl.VertexBuffer;
 
 /**
  * A leaf that is drawn: triangles and how they look. Owns neither.

@@ -1,6 +1,6 @@
 package jrtr.scene;
 
-import jrtr.ShaderProgram;
+import jrtr.gl.ShaderProgram;
 import org.joml.Matrix4f;
 import org.joml.Vector3f;
 import org.joml.Vector3fc;

@@ -4,11 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.List;
-import jrtr.Binding;
-import jrtr.FloatTarget;
 import jrtr.FloatTargetSpec;
 import jrtr.GraphicsException;
-import jrtr.ShaderProgram;
 import jrtr.Tile;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;

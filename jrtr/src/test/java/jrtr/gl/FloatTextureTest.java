@@ -6,15 +6,12 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.nio.FloatBuffer;
 import java.nio.ShortBuffer;
-import jrtr.Binding;
 import jrtr.ContextLimits;
 import jrtr.Filter;
 import jrtr.FloatFormat;
-import jrtr.FloatTexture;
 import jrtr.FloatTextureSpec;
 import jrtr.GraphicsException;
 import jrtr.ShaderException;
-import jrtr.ShaderProgram;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;

@@ -3,11 +3,8 @@ package jrtr.gl;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import jrtr.Binding;
 import jrtr.ColorEncoding;
-import jrtr.ImageTexture;
 import jrtr.ImageTextureSpec;
-import jrtr.ShaderProgram;
 import jrtr.Wrap;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;

@@ -13,18 +13,14 @@ import java.util.concurrent.Future;
 import java.util.stream.Stream;
 import jrtr.ContextInfo;
 import jrtr.FloatFormat;
-import jrtr.FloatTarget;
-import jrtr.FloatTexture;
 import jrtr.FloatTextureSpec;
-import jrtr.RenderContext;
-import jrtr.ShaderProgram;
 import org.junit.jupiter.api.Test;
 
 @NeedsDisplay
 class OffscreenContextTest {
     @Test
     void saysWhoRendersAndWhatIsAllowed() {
-        try (RenderContext context = RenderContexts.offscreen()) {
+        try (RenderContext context = RenderContext.offscreen()) {
             ContextInfo info = context.info();
 
             assertThat(info.vendor()).isNotBlank();
@@ -103,10 +99,10 @@ class OffscreenContextTest {
 
     @Test
     void contextsLeaveNoConnectionsAndFilesBehind() throws IOException {
-        RenderContexts.offscreen().close();
+        RenderContext.offscreen().close();
         long before = openFiles();
         for (int repetition = 0; repetition < 10; repetition++) {
-            RenderContexts.offscreen().close();
+            RenderContext.offscreen().close();
         }
 
         // Below one for each context; the virtual machine itself may open a few in the meantime.

@@ -10,7 +10,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.TimeUnit;
 import jrtr.GraphicsException;
-import jrtr.RenderContext;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -26,7 +25,7 @@ class OwnJvmTest {
 
         public static void main(String[] arguments) {
             try {
-                RenderContext context = RenderContexts.offscreen();
+                RenderContext context = RenderContext.offscreen();
                 System.out.println("rendered by " + context.info().renderer());
                 if (!List.of(arguments).contains("leave-open")) {
                     context.close();

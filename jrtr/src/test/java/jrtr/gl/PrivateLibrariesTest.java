@@ -12,7 +12,6 @@ import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
 import jrtr.GraphicsException;
-import jrtr.RenderContext;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -36,7 +35,7 @@ class PrivateLibrariesTest {
         private Program() {}
 
         public static void main(String[] arguments) throws IOException {
-            try (RenderContext context = RenderContexts.offscreen()) {
+            try (RenderContext context = RenderContext.offscreen()) {
                 Path temporary = Path.of(System.getProperty("java.io.tmpdir")).toRealPath();
                 System.out.println("rendered by " + context.info().renderer());
                 for (String line : Files.readAllLines(Path.of("/proc/self/maps"))) {

@@ -2,18 +2,14 @@ package jrtr.gl;
 
 import java.util.List;
 import java.util.Map;
-import jrtr.Binding;
-import jrtr.FloatTarget;
 import jrtr.FloatTargetSpec;
-import jrtr.RenderContext;
-import jrtr.ShaderProgram;
 import jrtr.ShaderSource;
 import jrtr.Tile;
 import jrtr.glsl.ShaderTexts;
 
 /** A context with short ways to small drawings. */
 final class Rendering implements AutoCloseable {
-    final RenderContext context = RenderContexts.offscreen();
+    final RenderContext context = RenderContext.offscreen();
 
     static ShaderSource fragment(String code) {
         return ShaderTexts.of(Map.of("test.frag.glsl", "#version 330 core\n" + code))

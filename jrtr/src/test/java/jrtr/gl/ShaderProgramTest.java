@@ -5,7 +5,6 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.Map;
 import jrtr.ShaderException;
-import jrtr.ShaderProgram;
 import jrtr.ShaderSource;
 import jrtr.glsl.ShaderTexts;
 import org.joml.Matrix3f;

@@ -4,13 +4,26 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.List;
+import java.util.Map;
+import jrtr.gl.NeedsDisplay;
+import jrtr.gl.RenderContext;
+import jrtr.gl.ShaderProgram;
+import jrtr.glsl.ShaderTexts;
 import org.joml.Matrix4f;
 import org.joml.Vector3f;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.TestInstance;
 
+@NeedsDisplay
+@TestInstance(TestInstance.Lifecycle.PER_CLASS)
 class GraphTest {
     private static final Camera CAMERA = new Camera(new Vector3f(0, -5, 0), new Vector3f(), new Vector3f(0, 0, 1));
     private static final Frustum FRUSTUM = new Frustum(1, 0.1f, 100);
+
+    private RenderContext context;
+    private ShaderProgram program;
 
     private static SceneGraph scene(Node root) {
         return new SceneGraph(root, CAMERA, FRUSTUM);
@@ -24,8 +37,21 @@ class GraphTest {
         return item.shape().vertices().label();
     }
 
-    private static Shape ball(String label) {
-        return FakeShapes.ball(label, 1);
+    @BeforeAll
+    void open() {
+        context = RenderContext.offscreen();
+        String text = "#version 330 core\nout vec4 color;\nvoid main() { color = vec4(1); }\n";
+        program = context.createMeshProgram(ShaderTexts.of(Map.of("test.frag", text)).load("test.frag"));
+    }
+
+    @AfterAll
+    void close() {
+        context.close();
+    }
+
+    private Shape ball(String label) {
+        return new Shape(
+                context.createVertexBuffer(label, TestMeshes.sphere(4, 4)), new Material(program, List.of(), Map.of()));
     }
 
     @Test

@@ -6,14 +6,13 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
 import java.util.Map;
-import jrtr.FloatTarget;
+import jrtr.gl.FloatTarget;
 import jrtr.FloatTargetSpec;
-import jrtr.RenderContext;
-import jrtr.ShaderProgram;
+import jrtr.gl.RenderContext;
+import jrtr.gl.ShaderProgram;
 import jrtr.Tile;
 import jrtr.VertexData;
 import jrtr.gl.NeedsDisplay;
-import jrtr.gl.RenderContexts;
 import jrtr.glsl.EngineShaders;
 import jrtr.glsl.ShaderTexts;
 import org.joml.Matrix4f;
@@ -38,7 +37,7 @@ class SceneRendererTest {
 
     @BeforeAll
     void open() {
-        context = RenderContexts.offscreen();
+        context = RenderContext.offscreen();
         renderer = new SceneRenderer(context);
         target = context.createFloatTarget("picture", new FloatTargetSpec(WIDTH, HEIGHT, 1, true));
     }

@@ -4,13 +4,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
 import java.util.Map;
-import jrtr.FloatTarget;
+import jrtr.gl.FloatTarget;
 import jrtr.FloatTargetSpec;
-import jrtr.RenderContext;
+import jrtr.gl.RenderContext;
 import jrtr.Tile;
 import jrtr.VertexData;
 import jrtr.gl.NeedsDisplay;
-import jrtr.gl.RenderContexts;
 import jrtr.glsl.EngineShaders;
 import jrtr.glsl.ShaderTexts;
 import org.joml.Matrix4f;
@@ -52,7 +51,7 @@ class TangentFrameTest {
 
     @BeforeAll
     void open() {
-        context = RenderContexts.offscreen();
+        context = RenderContext.offscreen();
     }
 
     @AfterAll

@@ -1,8 +1,8 @@
 package sunbeam.app.gpu;
 
-import jrtr.FloatTarget;
+import jrtr.gl.FloatTarget;
 import jrtr.FloatTargetSpec;
-import jrtr.RenderContext;
+import jrtr.gl.RenderContext;
 
 /** A target of one image that is kept for as long as the same size is asked for. */
 public final class KeptTarget implements AutoCloseable {

@@ -1,9 +1,9 @@
 package sunbeam.app.scene;
 
-import jrtr.FloatTarget;
+import jrtr.gl.FloatTarget;
 import jrtr.FloatTargetSpec;
-import jrtr.RenderContext;
-import jrtr.ShaderProgram;
+import jrtr.gl.RenderContext;
+import jrtr.gl.ShaderProgram;
 import jrtr.Tile;
 import jrtr.scene.SceneRenderer;
 import sunbeam.app.gpu.KeptTarget;

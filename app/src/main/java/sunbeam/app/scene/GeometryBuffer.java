@@ -2,10 +2,10 @@ package sunbeam.app.scene;
 
 import java.util.List;
 import java.util.stream.IntStream;
-import jrtr.Binding;
-import jrtr.FloatTarget;
+import jrtr.gl.Binding;
+import jrtr.gl.FloatTarget;
 import jrtr.FloatTargetSpec;
-import jrtr.RenderContext;
+import jrtr.gl.RenderContext;
 import jrtr.Tile;
 
 /**

@@ -2,11 +2,11 @@ package sunbeam.app.scene;
 
 import java.util.Arrays;
 import jrtr.FloatFormat;
-import jrtr.FloatTarget;
+import jrtr.gl.FloatTarget;
 import jrtr.FloatTargetSpec;
-import jrtr.FloatTexture;
+import jrtr.gl.FloatTexture;
 import jrtr.FloatTextureSpec;
-import jrtr.RenderContext;
+import jrtr.gl.RenderContext;
 import jrtr.Tile;
 import sunbeam.app.gpu.CutLoops;
 

@@ -2,12 +2,12 @@ package sunbeam.app.scene;
 
 import java.util.List;
 import java.util.Optional;
-import jrtr.FloatTarget;
+import jrtr.gl.FloatTarget;
 import jrtr.FloatTargetSpec;
-import jrtr.RenderContext;
-import jrtr.ShaderProgram;
+import jrtr.gl.RenderContext;
+import jrtr.gl.ShaderProgram;
 import jrtr.Tile;
-import jrtr.VertexBuffer;
+import jrtr.gl.VertexBuffer;
 import jrtr.scene.Material;
 import jrtr.scene.PictureArea;
 import jrtr.scene.SceneRenderer;

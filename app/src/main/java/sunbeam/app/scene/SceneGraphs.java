@@ -1,7 +1,7 @@
 package sunbeam.app.scene;
 
 import jrtr.BoundingSphere;
-import jrtr.VertexBuffer;
+import jrtr.gl.VertexBuffer;
 import jrtr.scene.Camera;
 import jrtr.scene.Frustum;
 import jrtr.scene.Group;

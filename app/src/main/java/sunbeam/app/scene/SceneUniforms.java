@@ -1,7 +1,7 @@
 package sunbeam.app.scene;
 
 import java.util.List;
-import jrtr.ShaderProgram;
+import jrtr.gl.ShaderProgram;
 import jrtr.scene.LightUniforms;
 
 /** What a scene tells the shaders that light geometry: jrtr/lights.glsl and include/blend.glsl. */

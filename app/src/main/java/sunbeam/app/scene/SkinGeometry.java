@@ -1,12 +1,12 @@
 package sunbeam.app.scene;
 
 import java.util.List;
-import jrtr.Binding;
+import jrtr.gl.Binding;
 import jrtr.Faces;
-import jrtr.ImageTexture;
-import jrtr.ShaderProgram;
+import jrtr.gl.ImageTexture;
+import jrtr.gl.ShaderProgram;
 import jrtr.Tile;
-import jrtr.VertexBuffer;
+import jrtr.gl.VertexBuffer;
 import jrtr.scene.Material;
 import jrtr.scene.PictureArea;
 import jrtr.scene.SceneGraph;

@@ -2,12 +2,12 @@ package sunbeam.app.scene;
 
 import java.util.ArrayList;
 import java.util.List;
-import jrtr.Binding;
-import jrtr.FloatTarget;
+import jrtr.gl.Binding;
+import jrtr.gl.FloatTarget;
 import jrtr.FloatTargetSpec;
-import jrtr.FloatTexture;
-import jrtr.RenderContext;
-import jrtr.ShaderProgram;
+import jrtr.gl.FloatTexture;
+import jrtr.gl.RenderContext;
+import jrtr.gl.ShaderProgram;
 import jrtr.Tile;
 import jrtr.scene.LightUniforms;
 import sunbeam.app.gpu.Shaders;

@@ -1,10 +1,10 @@
 package sunbeam.app.scene;
 
 import jrtr.ColorEncoding;
-import jrtr.ImageTexture;
+import jrtr.gl.ImageTexture;
 import jrtr.ImageTextureSpec;
-import jrtr.RenderContext;
-import jrtr.VertexBuffer;
+import jrtr.gl.RenderContext;
+import jrtr.gl.VertexBuffer;
 import jrtr.Wrap;
 import sunbeam.app.scene.texture.BodyTexture;
 

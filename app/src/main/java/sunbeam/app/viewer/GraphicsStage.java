@@ -7,9 +7,8 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.BooleanSupplier;
 import jrtr.ContextInfo;
-import jrtr.RenderContext;
+import jrtr.gl.RenderContext;
 import jrtr.Tile;
-import jrtr.gl.RenderContexts;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.scene.PartSum;
 import sunbeam.app.scene.Pick;
@@ -37,7 +36,7 @@ class GraphicsStage implements AutoCloseable {
 
     /** Opens a context without a window. */
     GraphicsStage() {
-        context = RenderContexts.offscreen();
+        context = RenderContext.offscreen();
         map = new MapStage(context);
     }
 

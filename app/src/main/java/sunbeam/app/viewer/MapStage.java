@@ -2,7 +2,7 @@ package sunbeam.app.viewer;
 
 import java.awt.image.BufferedImage;
 import java.util.function.BooleanSupplier;
-import jrtr.RenderContext;
+import jrtr.gl.RenderContext;
 import jrtr.Tile;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.gpu.map.BrdfMapRenderer;

@@ -2,7 +2,7 @@ package sunbeam.app.gpu;
 
 import java.util.List;
 import java.util.stream.IntStream;
-import jrtr.RenderContext;
+import jrtr.gl.RenderContext;
 import sunbeam.app.gpu.directions.DirectionsRenderer;
 import sunbeam.app.gpu.directions.DirectionsRenderer.Query;
 import sunbeam.precompute.color.CieTable;

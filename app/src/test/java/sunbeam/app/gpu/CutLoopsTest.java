@@ -7,8 +7,7 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 import java.util.List;
 import java.util.Optional;
 import jrtr.GraphicsException;
-import jrtr.RenderContext;
-import jrtr.gl.RenderContexts;
+import jrtr.gl.RenderContext;
 import org.junit.jupiter.api.Test;
 import sunbeam.app.gpu.directions.DirectionsRenderer;
 import sunbeam.app.gpu.directions.DirectionsRenderer.Query;
@@ -41,7 +40,7 @@ class CutLoopsTest {
 
     @Test
     void whatAnEndedLoopLeavesIsRefused() {
-        try (RenderContext context = RenderContexts.offscreen()) {
+        try (RenderContext context = RenderContext.offscreen()) {
             assumeTrue(context.info().renderer().contains("llvmpipe"), "only llvmpipe is known to end loops");
             // 961 bins at some hundred wavelengths, more than 65,535 together.
             assertThatThrownBy(() -> evaluate(context, 15))
@@ -52,7 +51,7 @@ class CutLoopsTest {
 
     @Test
     void whatIsWholePasses() {
-        try (RenderContext context = RenderContexts.offscreen()) {
+        try (RenderContext context = RenderContext.offscreen()) {
             assertThat(evaluate(context, 1).get(0)[1]).isPositive();
         }
     }

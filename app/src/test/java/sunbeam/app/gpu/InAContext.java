@@ -1,7 +1,6 @@
 package sunbeam.app.gpu;
 
-import jrtr.RenderContext;
-import jrtr.gl.RenderContexts;
+import jrtr.gl.RenderContext;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 
@@ -12,7 +11,7 @@ public abstract class InAContext {
 
     @BeforeAll
     static void open() {
-        context = RenderContexts.offscreen();
+        context = RenderContext.offscreen();
     }
 
     @AfterAll

@@ -5,8 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
-import jrtr.RenderContext;
-import jrtr.gl.RenderContexts;
+import jrtr.gl.RenderContext;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import sunbeam.app.gpu.NeedsDisplay;
@@ -55,7 +54,7 @@ class MirrorWithDustTest {
         GaussianArea area = new GaussianArea(WINDOW, WindowOrigin.CENTRE, average);
         RandomCase made = new RandomCase(0, "dust", map, area, 1e-2, "all aims", colors, queries);
         double[][] exact = made.exact();
-        try (RenderContext context = RenderContexts.offscreen()) {
+        try (RenderContext context = RenderContext.offscreen()) {
             for (double tolerance : new double[] {1e-2, 1e-3, 1e-4}) {
                 RandomCase.Outcome outcome = made.with(tolerance).measure(context, exact);
                 // The promise itself: median at most the tolerance, 95th percentile at most three times it.

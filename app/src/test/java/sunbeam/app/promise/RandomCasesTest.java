@@ -3,8 +3,7 @@ package sunbeam.app.promise;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.stream.LongStream;
-import jrtr.RenderContext;
-import jrtr.gl.RenderContexts;
+import jrtr.gl.RenderContext;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -22,7 +21,7 @@ class RandomCasesTest {
 
     @BeforeAll
     static void open() {
-        context = RenderContexts.offscreen();
+        context = RenderContext.offscreen();
     }
 
     @AfterAll

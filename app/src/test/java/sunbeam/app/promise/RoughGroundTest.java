@@ -5,8 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
-import jrtr.RenderContext;
-import jrtr.gl.RenderContexts;
+import jrtr.gl.RenderContext;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import sunbeam.app.gpu.NeedsDisplay;
@@ -91,7 +90,7 @@ class RoughGroundTest {
         RandomCase made = new RandomCase(25, "ground", ground.map(), area, TOLERANCE, "skirts", true, ground.queries());
 
         RandomCase.Outcome outcome;
-        try (RenderContext context = RenderContexts.offscreen()) {
+        try (RenderContext context = RenderContext.offscreen()) {
             outcome = made.measure(context);
         }
 

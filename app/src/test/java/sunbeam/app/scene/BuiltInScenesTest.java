@@ -10,8 +10,7 @@ import java.nio.file.Path;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
-import jrtr.RenderContext;
-import jrtr.gl.RenderContexts;
+import jrtr.gl.RenderContext;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import sunbeam.app.gpu.NeedsDisplay;
@@ -38,7 +37,7 @@ class BuiltInScenesTest {
                 .sorted(Comparator.comparing((Scene scene) -> scene.patch().toString()))
                 .toList();
         SceneData data = loader.load(scenes.get(0));
-        try (RenderContext context = RenderContexts.offscreen();
+        try (RenderContext context = RenderContext.offscreen();
                 SceneSession session = new SceneSession(context, data)) {
             for (Scene scene : scenes) {
                 data = loader.load(scene, data);

@@ -5,12 +5,11 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
 import java.util.Optional;
-import jrtr.FloatTarget;
+import jrtr.gl.FloatTarget;
 import jrtr.FloatTargetSpec;
-import jrtr.RenderContext;
-import jrtr.ShaderProgram;
+import jrtr.gl.RenderContext;
+import jrtr.gl.ShaderProgram;
 import jrtr.Tile;
-import jrtr.gl.RenderContexts;
 import jrtr.glsl.ShaderLibrary;
 import org.joml.Vector3f;
 import org.junit.jupiter.api.AfterEach;
@@ -63,7 +62,7 @@ class LookTest {
 
     @BeforeEach
     void open() {
-        context = RenderContexts.offscreen();
+        context = RenderContext.offscreen();
     }
 
     @AfterEach

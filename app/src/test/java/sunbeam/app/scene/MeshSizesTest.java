@@ -6,8 +6,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
-import jrtr.RenderContext;
-import jrtr.gl.RenderContexts;
+import jrtr.gl.RenderContext;
 import jrtr.scene.Camera;
 import org.joml.Vector3f;
 import org.junit.jupiter.api.io.TempDir;
@@ -41,7 +40,7 @@ class MeshSizesTest {
         // Beside the middle, lest the small ones hit the middle of a pixel.
         Camera camera = new Camera(new Vector3f(0, -0.1f * distance, distance), new Vector3f(), new Vector3f(0, 1, 0));
         Scene scene = PlaneScenes.blaze().withMesh(mesh.toString()).withView(new Viewpoint(camera, Math.toRadians(30)));
-        try (RenderContext context = RenderContexts.offscreen();
+        try (RenderContext context = RenderContext.offscreen();
                 SceneSession session = new SceneSession(context, PlaneScenes.load(scene, folder))) {
             ScenePicture picture = session.draw(SIDE, SIDE);
 

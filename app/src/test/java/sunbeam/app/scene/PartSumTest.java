@@ -11,9 +11,8 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.IntStream;
-import jrtr.RenderContext;
+import jrtr.gl.RenderContext;
 import jrtr.Tile;
-import jrtr.gl.RenderContexts;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -39,7 +38,7 @@ class PartSumTest {
 
     @BeforeEach
     void open() {
-        context = RenderContexts.offscreen();
+        context = RenderContext.offscreen();
         loader = new SceneLoader(new Environment(Map.of(), folder), warning -> {});
     }
 

@@ -10,8 +10,7 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.stream.IntStream;
-import jrtr.RenderContext;
-import jrtr.gl.RenderContexts;
+import jrtr.gl.RenderContext;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import sunbeam.app.gpu.NeedsDisplay;
@@ -60,7 +59,7 @@ class SceneMethodsTest {
 
     @Test
     void nmmDrawsWhatFullDraws() {
-        try (RenderContext context = RenderContexts.offscreen()) {
+        try (RenderContext context = RenderContext.offscreen()) {
             float[] full = draw(context, with(FullMethod.TYPE));
             float[] nmm = draw(context, with(NmmMethod.TYPE));
             int[] brightest = Arrays.copyOf(byLuminance(full), 200);

@@ -7,9 +7,8 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.stream.IntStream;
-import jrtr.RenderContext;
+import jrtr.gl.RenderContext;
 import jrtr.Tile;
-import jrtr.gl.RenderContexts;
 import jrtr.scene.Camera;
 import org.joml.Vector3f;
 import org.junit.jupiter.api.AfterEach;
@@ -36,7 +35,7 @@ class SceneSessionTest {
 
     @BeforeEach
     void open() {
-        context = RenderContexts.offscreen();
+        context = RenderContext.offscreen();
         session = new SceneSession(context, PlaneScenes.load(PlaneScenes.blaze(), folder));
     }
 

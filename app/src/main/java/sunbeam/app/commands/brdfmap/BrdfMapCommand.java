@@ -16,8 +16,7 @@ import java.util.OptionalInt;
 import java.util.concurrent.Callable;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import jrtr.RenderContext;
-import jrtr.gl.RenderContexts;
+import jrtr.gl.RenderContext;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -184,7 +183,7 @@ public final class BrdfMapCommand implements Callable<Integer> {
         Optional<Certificate> certificate;
         ExitCode doubt;
         Path written;
-        try (RenderContext context = RenderContexts.offscreen()) {
+        try (RenderContext context = RenderContext.offscreen()) {
             List<MaterialMap.Drawn> maps =
                     materials.stream().map(one -> one.draw(context, size)).toList();
             maps.forEach(map -> methodOptions.printTrial(map.trial(), err));

@@ -2,7 +2,7 @@ package sunbeam.app.commands.brdfmap;
 
 import java.util.ArrayList;
 import java.util.List;
-import jrtr.RenderContext;
+import jrtr.gl.RenderContext;
 import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.gpu.colors.GpuColors;

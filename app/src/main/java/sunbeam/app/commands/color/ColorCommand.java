@@ -13,8 +13,7 @@ import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.concurrent.Callable;
 import java.util.stream.Collectors;
-import jrtr.RenderContext;
-import jrtr.gl.RenderContexts;
+import jrtr.gl.RenderContext;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -159,7 +158,7 @@ public final class ColorCommand implements Callable<Integer> {
         Map<String, Object> settings = new LinkedHashMap<>();
         List<ColorReport> reports;
         CieTable cie = CieTable.load();
-        try (RenderContext context = RenderContexts.offscreen()) {
+        try (RenderContext context = RenderContext.offscreen()) {
             surfaces.forEach(surface -> surface.draw(context));
             double factor = factor(exposed, surfaces);
             describe(settings, surfaces, choices, material, factor);

@@ -8,8 +8,7 @@ import java.util.List;
 import java.util.Locale;
 import jrtr.ContextInfo;
 import jrtr.ContextLimits;
-import jrtr.RenderContext;
-import jrtr.gl.RenderContexts;
+import jrtr.gl.RenderContext;
 import sunbeam.app.files.cache.CacheFolder;
 import sunbeam.app.terminal.ByteSize;
 import sunbeam.app.terminal.Environment;
@@ -43,7 +42,7 @@ final class Machine {
 
     /** What the context tells that rendering uses: vendor, renderer, version and limits. */
     static List<Check> graphics() {
-        try (RenderContext context = RenderContexts.offscreen()) {
+        try (RenderContext context = RenderContext.offscreen()) {
             return describe(context.info());
         }
     }

@@ -5,8 +5,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.function.Consumer;
 import java.util.stream.IntStream;
-import jrtr.RenderContext;
-import jrtr.gl.RenderContexts;
+import jrtr.gl.RenderContext;
 import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.gpu.colors.GpuColors;
@@ -51,7 +50,7 @@ final class Responses {
         ShaderTables tables = setup.tables(plan, MethodUse.SPECTRAL, GpuColors::of);
         double[] wavelengths = grid.wavelengths();
         double[][] power = new double[wavelengths.length][];
-        try (RenderContext context = RenderContexts.offscreen();
+        try (RenderContext context = RenderContext.offscreen();
                 UploadedTables uploaded = UploadedTables.upload(context, tables);
                 DirectionsRenderer renderer = DirectionsRenderer.ofOnePower(context, uploaded);
                 Progress progress = Progress.start("Response", (long) wavelengths.length * grid.angles().length)) {

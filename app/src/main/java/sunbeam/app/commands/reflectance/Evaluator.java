@@ -4,8 +4,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.IntStream;
-import jrtr.RenderContext;
-import jrtr.gl.RenderContexts;
+import jrtr.gl.RenderContext;
 import sunbeam.app.files.input.DirectionList;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.gpu.directions.DirectionsRenderer;
@@ -28,7 +27,7 @@ record Evaluator(DirectionList list) {
             double wavelength = list.spectral() ? list.wavelength(row) : 0;
             queries.add(new DirectionsRenderer.Query(list.pair(row), wavelength));
         }
-        try (RenderContext context = RenderContexts.offscreen();
+        try (RenderContext context = RenderContext.offscreen();
                 UploadedTables method = UploadedTables.upload(context, tables);
                 DirectionsRenderer renderer = new DirectionsRenderer(context, method, list.spectral());
                 Progress progress = Progress.start("Directions", list.size())) {

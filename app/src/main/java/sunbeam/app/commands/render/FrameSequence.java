@@ -7,7 +7,7 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.OptionalDouble;
-import jrtr.RenderContext;
+import jrtr.gl.RenderContext;
 import jrtr.Tile;
 import sunbeam.app.files.input.PngText;
 import sunbeam.app.files.output.NpyWriter;

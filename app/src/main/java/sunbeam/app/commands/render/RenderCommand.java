@@ -10,8 +10,7 @@ import java.util.Collections;
 import java.util.List;
 import java.util.concurrent.Callable;
 import jrtr.GraphicsException;
-import jrtr.RenderContext;
-import jrtr.gl.RenderContexts;
+import jrtr.gl.RenderContext;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -139,7 +138,7 @@ public final class RenderCommand implements Callable<Integer> {
         err.println("plan: " + data.method().summary() + "; " + samples * samples
                 + (samples == 1 ? " sample a pixel" : " samples a pixel (--supersample " + samples + ")"));
         err.flush();
-        try (RenderContext context = RenderContexts.offscreen();
+        try (RenderContext context = RenderContext.offscreen();
                 FrameSequence frames = new FrameSequence(context, parts, size, samples)) {
             draw(frames, scenes, target, err).forEach(file -> out.println(StandardOutput.name(file)));
             ExitCode doubt = DoubtfulPicture.judge(

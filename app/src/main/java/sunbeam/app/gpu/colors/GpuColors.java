@@ -3,16 +3,15 @@ package sunbeam.app.gpu.colors;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.LongConsumer;
-import jrtr.Binding;
+import jrtr.gl.Binding;
 import jrtr.FloatFormat;
-import jrtr.FloatTarget;
+import jrtr.gl.FloatTarget;
 import jrtr.FloatTargetSpec;
-import jrtr.FloatTexture;
+import jrtr.gl.FloatTexture;
 import jrtr.FloatTextureSpec;
-import jrtr.RenderContext;
-import jrtr.ShaderProgram;
+import jrtr.gl.RenderContext;
+import jrtr.gl.ShaderProgram;
 import jrtr.Tile;
-import jrtr.gl.RenderContexts;
 import sunbeam.app.gpu.CutLoops;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.terminal.progress.Progress;
@@ -63,7 +62,7 @@ public final class GpuColors implements ColorSource {
      * @throws jrtr.GraphicsException if the device has no room for them
      */
     public static GpuColors of(String label, ShaderTables tables, long places) {
-        RenderContext context = RenderContexts.offscreen();
+        RenderContext context = RenderContext.offscreen();
         Progress progress = Progress.start(label, places);
         return prepared(new GpuColors(context, progress::step, progress::close), tables);
     }
@@ -75,7 +74,7 @@ public final class GpuColors implements ColorSource {
      * @throws jrtr.GraphicsException if the device has no room for them
      */
     public static GpuColors of(ShaderTables tables, LongConsumer done) {
-        return prepared(new GpuColors(RenderContexts.offscreen(), done, () -> {}), tables);
+        return prepared(new GpuColors(RenderContext.offscreen(), done, () -> {}), tables);
     }
 
     private static GpuColors prepared(GpuColors colors, ShaderTables tables) {

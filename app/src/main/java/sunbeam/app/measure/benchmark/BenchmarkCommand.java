@@ -9,8 +9,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import jrtr.GraphicsException;
-import jrtr.RenderContext;
-import jrtr.gl.RenderContexts;
+import jrtr.gl.RenderContext;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -130,7 +129,7 @@ public final class BenchmarkCommand implements Callable<Integer> {
         }
         // All are read, and what is wrong with one is told, before minutes are spent on the first.
         List<Patch> patches = patchOptions.load(names.isEmpty() ? PATCHES : names, asked);
-        try (RenderContext context = RenderContexts.offscreen()) {
+        try (RenderContext context = RenderContext.offscreen()) {
             run(context, asked, patches);
         }
         return ExitCode.OK.code();

@@ -6,8 +6,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import jrtr.RenderContext;
-import jrtr.gl.RenderContexts;
+import jrtr.gl.RenderContext;
 import picocli.CommandLine;
 import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.gpu.UploadedTables;
@@ -74,7 +73,7 @@ final class MethodProbe {
     private List<float[]> evaluate(List<DirectionPair> pairs, double wavelength, MethodUse use, String... options) {
         List<DirectionsRenderer.Query> queries = new ArrayList<>();
         pairs.forEach(pair -> queries.add(new DirectionsRenderer.Query(pair, wavelength)));
-        try (RenderContext context = RenderContexts.offscreen();
+        try (RenderContext context = RenderContext.offscreen();
                 UploadedTables method = upload(context, plan(VisibleRange.of(pairs), options), use);
                 DirectionsRenderer renderer = new DirectionsRenderer(context, method, use == MethodUse.SPECTRAL)) {
             return renderer.evaluate(queries, count -> {});
@@ -88,7 +87,7 @@ final class MethodProbe {
     /** A BRDF map, lit from the normal. */
     LinearPicture map(int size, String... options) {
         Direction normal = new Direction(0, 0, 1);
-        try (RenderContext context = RenderContexts.offscreen();
+        try (RenderContext context = RenderContext.offscreen();
                 UploadedTables method = upload(context, plan(VisibleRange.of(normal), options), MethodUse.COLOR);
                 BrdfMapRenderer renderer = new BrdfMapRenderer(context, method, size)) {
             return renderer.render(normal, pixels -> {});

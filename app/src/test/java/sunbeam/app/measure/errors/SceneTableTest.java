@@ -10,9 +10,8 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.Function;
 import java.util.stream.IntStream;
-import jrtr.RenderContext;
+import jrtr.gl.RenderContext;
 import jrtr.Tile;
-import jrtr.gl.RenderContexts;
 import jrtr.scene.Camera;
 import org.joml.Quaternionf;
 import org.joml.Vector3f;
@@ -83,7 +82,7 @@ class SceneTableTest {
     void pixelsThatSeePointsHaveTheColorsOfFull() {
         int width = 24;
         int height = 18;
-        try (RenderContext context = RenderContexts.offscreen();
+        try (RenderContext context = RenderContext.offscreen();
                 SceneSession full =
                         new SceneSession(context, load(plane(EYE, LIGHT, 1, DIFFRACTION_ONLY, FullMethod.TYPE)));
                 SceneSession table =
@@ -125,7 +124,7 @@ class SceneTableTest {
     /** Pixels are 0.02 wide in (u, v), several times an order's width, as those of a whole snake are. */
     private void certify(Function<MethodType, Scene> scene) {
         SceneCertifier certifier = new SceneCertifier(24, 18);
-        try (RenderContext context = RenderContexts.offscreen();
+        try (RenderContext context = RenderContext.offscreen();
                 SceneSession full = new SceneSession(context, load(scene.apply(FullMethod.TYPE)));
                 SceneSession table = new SceneSession(context, load(scene.apply(TableMethod.TYPE)))) {
             Certificate certificate = certifier.certify(table, full, 1, 1, 40);
@@ -141,7 +140,7 @@ class SceneTableTest {
     @Test
     void aMeshThatTurnsItsBackToTheLightIsDark() {
         Scene scene = plane(EYE, new Vector3f(0.2f, 0, -0.9f), 10, DIFFRACTION_ONLY, TableMethod.TYPE);
-        try (RenderContext context = RenderContexts.offscreen();
+        try (RenderContext context = RenderContext.offscreen();
                 SceneSession session = new SceneSession(context, load(scene))) {
             float[] drawn = session.draw(8, 6).rgba();
             assertThat(xyz(drawn, 27)).containsExactly(0, 0, 0);
@@ -153,7 +152,7 @@ class SceneTableTest {
     void aPictureIsTheSameHoweverItIsPreparedAndDivided() {
         int width = 24;
         int height = 18;
-        try (RenderContext context = RenderContexts.offscreen();
+        try (RenderContext context = RenderContext.offscreen();
                 SceneSession one = new SceneSession(context, load(plane(EYE, LIGHT, 10, ON_A_BODY, TableMethod.TYPE)));
                 SceneSession other =
                         new SceneSession(context, load(plane(EYE, LIGHT, 10, ON_A_BODY, TableMethod.TYPE)))) {

@@ -1,21 +1,30 @@
 package jrtr.gl;
 
 import com.jogamp.opengl.GL3;
-import jrtr.ShaderProgram;
+import jrtr.ShaderException;
 import jrtr.ShaderSource;
 import org.joml.Matrix3fc;
 import org.joml.Matrix4fc;
 import org.joml.Vector2fc;
 import org.joml.Vector3fc;
 
-/** A linked program. */
-final class GlProgram extends GlResource implements ShaderProgram {
+/**
+ * A linked pair of a vertex and a fragment shader with its uniforms. Values stay set until they are set again.
+ *
+ * <p>Every setter obeys the same rules. A name that the linked program uses is set. A name that the shaders declare but
+ * that the compiler optimised away, or that lies behind an {@code #if} not taken, is ignored. Any other name is a {@link
+ * ShaderException} that lists the names there are; so is a value of the wrong type. Samplers are not set here but bound
+ * per draw, by {@link Binding}.
+ *
+ * <p>Matrices are column vectors' matrices as in GLSL and JOML: {@code M * v}.
+ */
+public final class ShaderProgram extends Resource {
     private final int name;
     private final GlUniforms uniforms;
     private final GlSamplers samplers;
     private final float[] matrix = new float[16];
 
-    private GlProgram(GlDevice device, String label, int name, String sources) {
+    private ShaderProgram(GlDevice device, String label, int name, String sources) {
         super(device, label);
         this.name = name;
         GL3 gl = device.gl();
@@ -30,9 +39,9 @@ final class GlProgram extends GlResource implements ShaderProgram {
         }
     }
 
-    static GlProgram create(GlDevice device, ShaderSource vertex, ShaderSource fragment) {
+    static ShaderProgram create(GlDevice device, ShaderSource vertex, ShaderSource fragment) {
         int name = new GlCompiler(device).build(vertex, fragment);
-        return new GlProgram(device, vertex.name() + " + " + fragment.name(), name, vertex.text() + fragment.text());
+        return new ShaderProgram(device, vertex.name() + " + " + fragment.name(), name, vertex.text() + fragment.text());
     }
 
     /** Makes this the program of the next draws. */
@@ -58,22 +67,22 @@ final class GlProgram extends GlResource implements ShaderProgram {
         void set(GL3 gl, GlUniform uniform);
     }
 
-    @Override
+    /** Sets a {@code float}. */
     public void set(String uniform, float value) {
         set(uniform, "float", (gl, found) -> gl.glUniform1f(found.location(), value), GL3.GL_FLOAT);
     }
 
-    @Override
+    /** Sets an {@code int}. */
     public void set(String uniform, int value) {
         set(uniform, "int", (gl, found) -> gl.glUniform1i(found.location(), value), GL3.GL_INT);
     }
 
-    @Override
+    /** Sets a {@code vec2}. */
     public void set(String uniform, Vector2fc value) {
         set(uniform, "vec2", (gl, found) -> gl.glUniform2f(found.location(), value.x(), value.y()), GL3.GL_FLOAT_VEC2);
     }
 
-    @Override
+    /** Sets a {@code vec3}. */
     public void set(String uniform, Vector3fc value) {
         set(
                 uniform,
@@ -82,7 +91,7 @@ final class GlProgram extends GlResource implements ShaderProgram {
                 GL3.GL_FLOAT_VEC3);
     }
 
-    @Override
+    /** Sets a {@code mat3}. */
     public void set(String uniform, Matrix3fc value) {
         set(
                 uniform,
@@ -91,7 +100,7 @@ final class GlProgram extends GlResource implements ShaderProgram {
                 GL3.GL_FLOAT_MAT3);
     }
 
-    @Override
+    /** Sets a {@code mat4}. */
     public void set(String uniform, Matrix4fc value) {
         set(
                 uniform,
@@ -100,7 +109,12 @@ final class GlProgram extends GlResource implements ShaderProgram {
                 GL3.GL_FLOAT_MAT4);
     }
 
-    @Override
+    /**
+     * Sets the first elements of a {@code float[]}, {@code vec2[]}, {@code vec3[]} or {@code vec4[]}, or one vector.
+     *
+     * @param values components one after the other; elements past the array's end are ignored
+     * @throws IllegalArgumentException if empty or not a multiple of the type's components
+     */
     public void set(String uniform, float[] values) {
         Setter setter = (gl, found) -> {
             int count = elements(found, values.length);
@@ -114,7 +128,12 @@ final class GlProgram extends GlResource implements ShaderProgram {
         set(uniform, "float[]", setter, GL3.GL_FLOAT, GL3.GL_FLOAT_VEC2, GL3.GL_FLOAT_VEC3, GL3.GL_FLOAT_VEC4);
     }
 
-    @Override
+    /**
+     * Sets the first elements of an {@code int[]}, {@code ivec2[]}, {@code ivec3[]} or {@code ivec4[]}, or one vector.
+     *
+     * @param values components one after the other; elements past the array's end are ignored
+     * @throws IllegalArgumentException if empty or not a multiple of the type's components
+     */
     public void set(String uniform, int[] values) {
         Setter setter = (gl, found) -> {
             int count = elements(found, values.length);
@@ -137,7 +156,7 @@ final class GlProgram extends GlResource implements ShaderProgram {
         return values / components;
     }
 
-    @Override
+    /** Whether the linked program uses this uniform or sampler. */
     public boolean isActive(String uniform) {
         return uniforms.active().containsKey(uniform);
     }

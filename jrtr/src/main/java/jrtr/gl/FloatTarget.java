@@ -8,40 +8,36 @@ import java.nio.IntBuffer;
 import java.util.ArrayList;
 import java.util.List;
 import jrtr.ContextLimits;
-import jrtr.FloatTarget;
 import jrtr.FloatTargetSpec;
 import jrtr.GraphicsException;
-import jrtr.Texture;
 import jrtr.Tile;
 import jrtr.Wrap;
 
-/** A framebuffer object with textures and, if asked for, a depth renderbuffer. */
-final class GlFloatTarget extends GlResource implements FloatTarget {
+/**
+ * Images that draws write to: RGBA32F, unclamped, no blending, no sRGB; or, where screens show them, RGBA8. Contents are undefined until cleared or drawn.
+ *
+ * <p>What is read back has row 0 at the TOP; {@code gl_FragCoord} counts rows from the bottom, so the fragment at {@code
+ * gl_FragCoord.xy = (x + 0.5, y + 0.5)} is read back in row {@code height - 1 - y}.
+ */
+public final class FloatTarget extends Resource {
     private static final int CHANNELS = 4;
     // 0xAARRGGBB.
     private static final int SCREEN_COLORS = GL3.GL_UNSIGNED_INT_8_8_8_8_REV;
 
     private final FloatTargetSpec spec;
-    private final List<GlAttachment> colors = new ArrayList<>();
+    private final List<Image> colors = new ArrayList<>();
     private final int[] framebuffer = new int[1];
     private final int[] depthBuffer = new int[1];
 
-    private GlFloatTarget(GlDevice device, String label, FloatTargetSpec spec) {
+    private FloatTarget(GlDevice device, String label, FloatTargetSpec spec) {
         super(device, label);
         this.spec = spec;
     }
 
-    static GlFloatTarget create(GlDevice device, String label, FloatTargetSpec spec) {
+    static FloatTarget create(GlDevice device, String label, FloatTargetSpec spec) {
         requireAllowed(device, label, spec);
         GL3 gl = device.gl();
-        GlFloatTarget target = new GlFloatTarget(device, label, spec);
-        try {
-            target.allocate(gl);
-            return target;
-        } catch (RuntimeException failure) {
-            target.close();
-            throw failure;
-        }
+        return opened(new FloatTarget(device, label, spec), target -> target.allocate(gl));
     }
 
     private static void requireAllowed(GlDevice device, String label, FloatTargetSpec spec) {
@@ -63,13 +59,13 @@ final class GlFloatTarget extends GlResource implements FloatTarget {
         gl.glGenFramebuffers(1, framebuffer, 0);
         int[] drawBuffers = new int[spec.colors()];
         for (int color = 0; color < spec.colors(); color++) {
-            colors.add(new GlAttachment(this, color, createImage(gl)));
+            colors.add(createImage(gl, color));
             drawBuffers[color] = GL3.GL_COLOR_ATTACHMENT0 + color;
         }
         gl.glBindFramebuffer(GL3.GL_FRAMEBUFFER, framebuffer[0]);
-        for (GlAttachment color : colors) {
-            int point = GL3.GL_COLOR_ATTACHMENT0 + color.index();
-            gl.glFramebufferTexture2D(GL3.GL_FRAMEBUFFER, point, GL3.GL_TEXTURE_2D, color.glName(), 0);
+        for (int color = 0; color < spec.colors(); color++) {
+            int name = colors.get(color).glName();
+            gl.glFramebufferTexture2D(GL3.GL_FRAMEBUFFER, drawBuffers[color], GL3.GL_TEXTURE_2D, name, 0);
         }
         if (spec.depth()) {
             attachDepth(gl);
@@ -83,19 +79,14 @@ final class GlFloatTarget extends GlResource implements FloatTarget {
         device().check(gl, "taking memory for '" + label() + "'");
     }
 
-    private int createImage(GL3 gl) {
-        TextureMemory memory = new TextureMemory(device(), label());
-        int name = memory.create(gl, GL3.GL_TEXTURE_2D, Wrap.CLAMP);
-        try {
-            gl.glTexParameteri(GL3.GL_TEXTURE_2D, GL3.GL_TEXTURE_MIN_FILTER, GL3.GL_NEAREST);
-            gl.glTexParameteri(GL3.GL_TEXTURE_2D, GL3.GL_TEXTURE_MAG_FILTER, GL3.GL_NEAREST);
-            gl.glTexParameteri(GL3.GL_TEXTURE_2D, GL3.GL_TEXTURE_MAX_LEVEL, 0);
+    private Image createImage(GL3 gl, int color) {
+        return opened(new Image(device(), label() + "[" + color + "]"), image -> {
+            image.begin(gl, Wrap.CLAMP, GL3.GL_NEAREST, GL3.GL_NEAREST);
             long pixels = (long) spec.width() * spec.height();
             // In the order in which colors are read back: a copy then, without a look at each.
             boolean screen = spec.format() == FloatTargetSpec.Format.RGBA8;
-            memory.allocate(
+            image.allocate(
                     gl,
-                    GL3.GL_TEXTURE_2D,
                     screen ? GL3.GL_RGBA8 : GL3.GL_RGBA32F,
                     spec.width(),
                     spec.height(),
@@ -103,10 +94,17 @@ final class GlFloatTarget extends GlResource implements FloatTarget {
                     screen ? GL3.GL_BGRA : GL3.GL_RGBA,
                     screen ? SCREEN_COLORS : GL3.GL_FLOAT,
                     (screen ? Integer.BYTES : CHANNELS * Float.BYTES) * pixels);
-            return name;
-        } catch (RuntimeException failure) {
-            gl.glDeleteTextures(1, new int[] {name}, 0);
-            throw failure;
+        });
+    }
+
+    private static final class Image extends Texture {
+        Image(GlDevice device, String label) {
+            super(device, label, GL3.GL_TEXTURE_2D);
+        }
+
+        @Override
+        void requireUploaded() {
+            // Drawn, not uploaded.
         }
     }
 
@@ -125,8 +123,8 @@ final class GlFloatTarget extends GlResource implements FloatTarget {
         gl.glScissor(tile.x(), bottomOf(tile), tile.width(), tile.height());
     }
 
-    boolean owns(GlTexture texture) {
-        return texture instanceof GlAttachment attachment && attachment.owner() == this;
+    boolean owns(Texture texture) {
+        return colors.contains(texture);
     }
 
     void requireInside(Tile tile) {
@@ -140,7 +138,11 @@ final class GlFloatTarget extends GlResource implements FloatTarget {
         return spec.height() - tile.y() - tile.height();
     }
 
-    @Override
+    /**
+     * Sets the tile's pixels of every image, and their depth, where there is one, to 1 (the far plane).
+     *
+     * @throws IllegalArgumentException if the tile is not inside
+     */
     public void clear(Tile tile, float red, float green, float blue, float alpha) {
         requireInside(tile);
         GL3 gl = gl();
@@ -157,12 +159,21 @@ final class GlFloatTarget extends GlResource implements FloatTarget {
         device().check(gl, "clearing '" + label() + "'");
     }
 
-    @Override
+    /**
+     * Reads a whole image: {@code 4 * width * height} floats, RGBA interleaved, row 0 on top.
+     *
+     * @param color which image, from 0
+     * @throws GraphicsException if the image has more floats than a Java array; read it tile by tile then
+     */
     public float[] read(int color) {
         return read(color, Tile.whole(spec.width(), spec.height()));
     }
 
-    @Override
+    /**
+     * Reads part of an image: {@code 4 * tile.width * tile.height} floats, RGBA interleaved, the tile's top row first.
+     *
+     * @throws IllegalArgumentException if the tile is not inside
+     */
     public float[] read(int color, Tile tile) {
         requireColor(color);
         requireInside(tile);
@@ -172,7 +183,12 @@ final class GlFloatTarget extends GlResource implements FloatTarget {
         return pixels;
     }
 
-    @Override
+    /**
+     * Reads part of an image as screens show it: 0xAARRGGBB a pixel, each value clamped to [0, 1] and rounded to 8 bits, the
+     * tile's top row first.
+     *
+     * @throws IllegalArgumentException if the tile is not inside
+     */
     public int[] readColors(int color, Tile tile) {
         requireColor(color);
         requireInside(tile);
@@ -219,14 +235,19 @@ final class GlFloatTarget extends GlResource implements FloatTarget {
         }
     }
 
-    @Override
+    /**
+     * An image as a texture (nearest, clamped) for a later draw into another target. Here {@code gl_FragCoord}'s row
+     * order holds: texel row 0 is the bottom.
+     *
+     * @param color which image, from 0
+     */
     public Texture texture(int color) {
         requireColor(color);
         gl();
         return colors.get(color);
     }
 
-    @Override
+    /** The shape asked for. */
     public FloatTargetSpec spec() {
         return spec;
     }
@@ -235,8 +256,6 @@ final class GlFloatTarget extends GlResource implements FloatTarget {
     void delete(GL3 gl) {
         gl.glDeleteFramebuffers(1, framebuffer, 0);
         gl.glDeleteRenderbuffers(1, depthBuffer, 0);
-        for (GlAttachment color : colors) {
-            gl.glDeleteTextures(1, new int[] {color.glName()}, 0);
-        }
+        colors.forEach(Resource::close);
     }
 }

@@ -5,32 +5,24 @@ import java.nio.FloatBuffer;
 import java.nio.IntBuffer;
 import jrtr.BoundingSphere;
 import jrtr.GraphicsException;
-import jrtr.VertexBuffer;
 import jrtr.VertexData;
 
-/** A vertex array over one buffer per attribute and one of indices. */
-final class GlVertexBuffer extends GlResource implements VertexBuffer {
+/** Triangles in graphics memory, uploaded once; made by {@link RenderContext#createVertexBuffer}. */
+public final class VertexBuffer extends Resource {
     private final int triangles;
     private final BoundingSphere bounds;
     private final int[] vertexArray = new int[1];
     private final int[] buffers = new int[5];
 
-    private GlVertexBuffer(GlDevice device, String label, VertexData data) {
+    private VertexBuffer(GlDevice device, String label, VertexData data) {
         super(device, label);
         this.triangles = data.triangles();
         this.bounds = data.bounds();
     }
 
-    static GlVertexBuffer create(GlDevice device, String label, VertexData data) {
+    static VertexBuffer create(GlDevice device, String label, VertexData data) {
         GL3 gl = device.gl();
-        GlVertexBuffer buffer = new GlVertexBuffer(device, label, data);
-        try {
-            buffer.upload(gl, data);
-            return buffer;
-        } catch (RuntimeException failure) {
-            buffer.close();
-            throw failure;
-        }
+        return opened(new VertexBuffer(device, label, data), buffer -> buffer.upload(gl, data));
     }
 
     private void upload(GL3 gl, VertexData data) {
@@ -81,7 +73,7 @@ final class GlVertexBuffer extends GlResource implements VertexBuffer {
         gl.glDeleteBuffers(buffers.length, buffers, 0);
     }
 
-    @Override
+    /** A sphere that holds all vertices, for culling. */
     public BoundingSphere bounds() {
         return bounds;
     }

@@ -6,54 +6,60 @@ import java.nio.FloatBuffer;
 import java.nio.ShortBuffer;
 import java.util.BitSet;
 import jrtr.Filter;
-import jrtr.FloatTexture;
 import jrtr.FloatTextureSpec;
 import jrtr.Wrap;
 
-/** A float texture, 2-D or 2-D array. */
-final class GlFloatTexture extends GlResource implements FloatTexture, GlTexture {
+/**
+ * A table of floats for shaders. Values are row-major, channels interleaved: texel (x, y) of a layer starts at {@code (y
+ * * width + x) * channels} and is {@code texelFetch(s, ivec2(x, y), 0)}, so row 0 of the array is texel row 0. NaN,
+ * infinities and signed zeros arrive unchanged, denormals as far as the driver keeps them.
+ *
+ * <p>Every layer must be uploaded once before the texture is drawn with.
+ */
+public final class FloatTexture extends Texture {
     private final FloatTextureSpec spec;
-    private final int target;
-    private final int name;
     private final BitSet missingLayers = new BitSet();
 
-    private GlFloatTexture(GlDevice device, String label, FloatTextureSpec spec, int target, int name) {
-        super(device, label);
+    private FloatTexture(GlDevice device, String label, FloatTextureSpec spec) {
+        super(device, label, spec.array() ? GL3.GL_TEXTURE_2D_ARRAY : GL3.GL_TEXTURE_2D);
         this.spec = spec;
-        this.target = target;
-        this.name = name;
         missingLayers.set(0, spec.layers());
     }
 
-    static GlFloatTexture create(GlDevice device, String label, FloatTextureSpec spec) {
+    static FloatTexture create(GlDevice device, String label, FloatTextureSpec spec) {
         GL3 gl = device.gl();
-        TextureMemory memory = new TextureMemory(device, label);
-        memory.requireSides(spec.width(), spec.height(), spec.layers());
-        int target = spec.array() ? GL3.GL_TEXTURE_2D_ARRAY : GL3.GL_TEXTURE_2D;
-        int name = memory.create(gl, target, Wrap.CLAMP);
-        GlFloatTexture texture = new GlFloatTexture(device, label, spec, target, name);
-        try {
-            texture.allocate(gl, memory);
-            return texture;
-        } catch (RuntimeException failure) {
-            texture.close();
-            throw failure;
-        }
+        requireSides(device, label, spec.width(), spec.height(), spec.layers());
+        return opened(new FloatTexture(device, label, spec), texture -> texture.allocate(gl));
     }
 
-    private void allocate(GL3 gl, TextureMemory memory) {
+    private void allocate(GL3 gl) {
         int filter = spec.filter() == Filter.NEAREST ? GL3.GL_NEAREST : GL3.GL_LINEAR;
-        gl.glTexParameteri(target, GL3.GL_TEXTURE_MIN_FILTER, filter);
-        gl.glTexParameteri(target, GL3.GL_TEXTURE_MAG_FILTER, filter);
-        gl.glTexParameteri(target, GL3.GL_TEXTURE_MAX_LEVEL, 0);
-        int internalFormat = TextureMemory.internalFormat(spec.format());
-        int format = TextureMemory.pixelFormat(spec.format());
+        begin(gl, Wrap.CLAMP, filter, filter);
+        int internalFormat =
+                switch (spec.format()) {
+                    case R32F -> GL3.GL_R32F;
+                    case RG32F -> GL3.GL_RG32F;
+                    case RGBA32F -> GL3.GL_RGBA32F;
+                    case RGBA16F -> GL3.GL_RGBA16F;
+                };
         long bytes = spec.format().bytesPerChannel() * spec.floats();
-        memory.allocate(
-                gl, target, internalFormat, spec.width(), spec.height(), spec.layers(), format, GL3.GL_FLOAT, bytes);
+        allocate(gl, internalFormat, spec.width(), spec.height(), spec.layers(), pixelFormat(), GL3.GL_FLOAT, bytes);
     }
 
-    @Override
+    private int pixelFormat() {
+        return switch (spec.format()) {
+            case R32F -> GL3.GL_RED;
+            case RG32F -> GL3.GL_RG;
+            case RGBA32F, RGBA16F -> GL3.GL_RGBA;
+        };
+    }
+
+    /**
+     * Uploads all layers, one after the other.
+     *
+     * @param texels width x height x layers x channels floats
+     * @throws IllegalArgumentException if there are more or fewer
+     */
     public void upload(float[] texels) {
         requireLength(texels.length, spec.floats());
         int length = Math.toIntExact(spec.floatsPerLayer());
@@ -63,14 +69,26 @@ final class GlFloatTexture extends GlResource implements FloatTexture, GlTexture
         device().check(gl(), "uploading '" + label() + "'");
     }
 
-    @Override
+    /**
+     * Uploads one layer.
+     *
+     * @param layer from 0
+     * @param texels width x height x channels floats, from the position to the limit; the position stays. Memory that is not
+     *     Java's own is read as it is.
+     * @throws IllegalArgumentException if there are more or fewer, or no such layer
+     */
     public void uploadLayer(int layer, FloatBuffer texels) {
         requireLayer(layer, texels.remaining());
         put(layer, texels.slice(), GL3.GL_FLOAT);
         device().check(gl(), "uploading layer " + layer + " of '" + label() + "'");
     }
 
-    @Override
+    /**
+     * As {@link #uploadLayer(int, FloatBuffer)}, of a texture whose floats have 16 bits.
+     *
+     * @param texels bits of floats (IEEE 754's binary16)
+     * @throws IllegalArgumentException if there are more or fewer, no such layer, or floats of 32 bits
+     */
     public void uploadLayer(int layer, ShortBuffer texels) {
         if (spec.format().bytesPerChannel() != Short.BYTES) {
             throw new IllegalArgumentException("texture '" + label() + "' has floats of 32 bits, not of 16");
@@ -98,49 +116,26 @@ final class GlFloatTexture extends GlResource implements FloatTexture, GlTexture
 
     private void put(int layer, Buffer texels, int type) {
         GL3 gl = gl();
-        int format = TextureMemory.pixelFormat(spec.format());
-        gl.glActiveTexture(GL3.GL_TEXTURE0);
-        gl.glBindTexture(target, name);
-        gl.glPixelStorei(GL3.GL_UNPACK_ALIGNMENT, 4);
+        bind(gl);
+        int format = pixelFormat();
         if (spec.array()) {
-            gl.glTexSubImage3D(target, 0, 0, 0, layer, spec.width(), spec.height(), 1, format, type, texels);
+            gl.glTexSubImage3D(glTarget, 0, 0, 0, layer, spec.width(), spec.height(), 1, format, type, texels);
         } else {
-            gl.glTexSubImage2D(target, 0, 0, 0, spec.width(), spec.height(), format, type, texels);
+            gl.glTexSubImage2D(glTarget, 0, 0, 0, spec.width(), spec.height(), format, type, texels);
         }
         missingLayers.clear(layer);
     }
 
     @Override
-    public void requireReadyFor(GlDevice user) {
-        requireUsableBy(user);
+    void requireUploaded() {
         if (!missingLayers.isEmpty()) {
             throw new IllegalStateException("texture '" + label() + "' is drawn with before its layer "
                     + missingLayers.nextSetBit(0) + " was uploaded");
         }
     }
 
-    @Override
-    void delete(GL3 gl) {
-        gl.glDeleteTextures(1, new int[] {name}, 0);
-    }
-
-    @Override
+    /** The shape asked for. */
     public FloatTextureSpec spec() {
         return spec;
-    }
-
-    @Override
-    public boolean isArray() {
-        return spec.array();
-    }
-
-    @Override
-    public int glTarget() {
-        return target;
-    }
-
-    @Override
-    public int glName() {
-        return name;
     }
 }

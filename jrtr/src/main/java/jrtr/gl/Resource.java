@@ -1,19 +1,33 @@
 package jrtr.gl;
 
 import com.jogamp.opengl.GL3;
-import jrtr.Resource;
+import java.util.function.Consumer;
 
-/** What all resources share: a device, a label, and an end. */
-abstract class GlResource implements Resource {
+/**
+ * Something that lives in the graphics memory of one {@link RenderContext}. Closing it twice, or after its context, does
+ * nothing.
+ */
+public abstract class Resource implements AutoCloseable {
     private final GlDevice device;
     private final String label;
     private boolean closed;
 
     /** Registers with the device, which frees it at the latest when it is closed itself. */
-    GlResource(GlDevice device, String label) {
+    Resource(GlDevice device, String label) {
         this.device = device;
         this.label = label;
         device.register(this);
+    }
+
+    /** Does what makes a resource usable; closes it where that fails. */
+    static <R extends Resource> R opened(R resource, Consumer<R> opening) {
+        try {
+            opening.accept(resource);
+            return resource;
+        } catch (RuntimeException failure) {
+            resource.close();
+            throw failure;
+        }
     }
 
     /** Deletes the OpenGL objects. Called once, with the context current. */
@@ -42,16 +56,21 @@ abstract class GlResource implements Resource {
         }
     }
 
-    @Override
+    /** The name given at creation, for messages. */
     public final String label() {
         return label;
     }
 
-    @Override
+    /** Whether this or its context has been closed; every other use is then an {@link IllegalStateException}. */
     public final boolean isClosed() {
         return closed;
     }
 
+    /**
+     * Frees the memory.
+     *
+     * @throws IllegalStateException on any thread but the context's
+     */
     @Override
     public final void close() {
         device.requireOwner();

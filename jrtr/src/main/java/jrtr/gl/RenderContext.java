@@ -1,6 +1,19 @@
-package jrtr;
+package jrtr.gl;
 
+import com.jogamp.opengl.GL3;
 import java.util.List;
+import jrtr.ContextInfo;
+import jrtr.Faces;
+import jrtr.GraphicsException;
+import jrtr.ShaderException;
+import jrtr.FloatTargetSpec;
+import jrtr.FloatTextureSpec;
+import jrtr.ImageTextureSpec;
+import jrtr.ShaderSource;
+import jrtr.Tile;
+import jrtr.VertexData;
+import jrtr.glsl.EngineShaders;
+import jrtr.glsl.FlatUniforms;
 
 /**
  * A device to render with, and the maker and owner of what lives on it. All methods of a context and of its resources
@@ -10,10 +23,37 @@ import java.util.List;
  *
  * <p>Any method may throw a {@link GraphicsException} when the driver reports an error.
  */
-public interface RenderContext extends AutoCloseable {
+public final class RenderContext implements AutoCloseable {
+    private final GlDevice device;
+    private final GlDraw draw;
+    private final ShaderSource fullScreenVertices = EngineShaders.library().load("jrtr/fullscreen.vert.glsl");
+
+    private RenderContext(GlDevice device) {
+        this.device = device;
+        this.draw = new GlDraw(device);
+    }
+
+    /**
+     * A context without a window, for this thread. On Linux an X display is needed all the same (Xvfb will do).
+     *
+     * @throws GraphicsException if there is no display to connect to, or no OpenGL 3.3 core on it
+     */
+    public static RenderContext offscreen() {
+        PrivateLibraries.prepare();
+        DisplayWatch.start();
+        OffscreenSurface surface = OffscreenSurface.create();
+        try {
+            return new RenderContext(new GlDevice(surface));
+        } catch (RuntimeException failure) {
+            surface.destroy();
+            throw failure;
+        }
+    }
 
     /** Who renders, and what it allows. */
-    ContextInfo info();
+    public ContextInfo info() {
+        return device.info();
+    }
 
     /**
      * Compiles a fragment shader for {@link #drawFullScreen}; the vertex shader comes with the engine and has no
@@ -21,7 +61,13 @@ public interface RenderContext extends AutoCloseable {
      *
      * @throws ShaderException if that fails, with file and line
      */
-    ShaderProgram createFullScreenProgram(ShaderSource fragment);
+    public ShaderProgram createFullScreenProgram(ShaderSource fragment) {
+        if (!info().software()) {
+            return ShaderProgram.create(device, fullScreenVertices, fragment);
+        }
+        FlatUniforms flat = FlatUniforms.of(fullScreenVertices, fragment);
+        return ShaderProgram.create(device, flat.vertex(), flat.fragment());
+    }
 
     /**
      * Compiles a fragment shader for {@link #draw}; the vertex shader comes with the engine (jrtr/mesh.vert.glsl says
@@ -29,7 +75,9 @@ public interface RenderContext extends AutoCloseable {
      *
      * @throws ShaderException if that fails, with file and line
      */
-    ShaderProgram createMeshProgram(ShaderSource fragment);
+    public ShaderProgram createMeshProgram(ShaderSource fragment) {
+        return ShaderProgram.create(device, EngineShaders.library().load("jrtr/mesh.vert.glsl"), fragment);
+    }
 
     /**
      * Uploads triangles.
@@ -37,7 +85,9 @@ public interface RenderContext extends AutoCloseable {
      * @param label its name in messages
      * @throws GraphicsException if the driver has no memory for them
      */
-    VertexBuffer createVertexBuffer(String label, VertexData data);
+    public VertexBuffer createVertexBuffer(String label, VertexData data) {
+        return VertexBuffer.create(device, label, data);
+    }
 
     /**
      * Takes memory for a float texture.
@@ -46,7 +96,9 @@ public interface RenderContext extends AutoCloseable {
      * @throws GraphicsException if the driver does not allow that size; the message has what is needed and what is
      *     allowed
      */
-    FloatTexture createFloatTexture(String label, FloatTextureSpec spec);
+    public FloatTexture createFloatTexture(String label, FloatTextureSpec spec) {
+        return FloatTexture.create(device, label, spec);
+    }
 
     /**
      * Takes memory for a picture and its mipmaps.
@@ -54,7 +106,9 @@ public interface RenderContext extends AutoCloseable {
      * @param label its name in messages
      * @throws GraphicsException if the driver does not allow that size
      */
-    ImageTexture createImageTexture(String label, ImageTextureSpec spec);
+    public ImageTexture createImageTexture(String label, ImageTextureSpec spec) {
+        return ImageTexture.create(device, label, spec);
+    }
 
     /**
      * Takes memory for images to draw to.
@@ -62,7 +116,9 @@ public interface RenderContext extends AutoCloseable {
      * @param label its name in messages
      * @throws GraphicsException if the driver does not allow that size
      */
-    FloatTarget createFloatTarget(String label, FloatTargetSpec spec);
+    public FloatTarget createFloatTarget(String label, FloatTargetSpec spec) {
+        return FloatTarget.create(device, label, spec);
+    }
 
     /**
      * Runs the fragment shader once for each pixel of the tile and for no other, without depth test and blending.
@@ -73,7 +129,9 @@ public interface RenderContext extends AutoCloseable {
      * @param target where to
      * @param tile must lie inside the target
      */
-    void drawFullScreen(ShaderProgram program, List<Binding> bindings, FloatTarget target, Tile tile);
+    public void drawFullScreen(ShaderProgram program, List<Binding> bindings, FloatTarget target, Tile tile) {
+        draw.fullScreen(program, bindings, target, tile);
+    }
 
     /**
      * Draws triangles to the tile and to no pixel else, without blending, where they are nearer than what
@@ -86,21 +144,31 @@ public interface RenderContext extends AutoCloseable {
      * @param target where to; must have depth
      * @param tile must lie inside the target
      */
-    void draw(
+    public void draw(
             ShaderProgram program,
             List<Binding> bindings,
             VertexBuffer mesh,
             Faces faces,
             FloatTarget target,
-            Tile tile);
+            Tile tile) {
+        draw.mesh(program, bindings, mesh, faces, target, tile);
+    }
 
     /** Waits until the device has done all that was asked. */
-    void finish();
+    public void finish() {
+        GL3 gl = device.gl();
+        gl.glFinish();
+        device.check(gl, "finishing");
+    }
 
     /** Whether this context has been closed. */
-    boolean isClosed();
+    public boolean isClosed() {
+        return device.isClosed();
+    }
 
     /** Frees all resources and the context; harmless when repeated. */
     @Override
-    void close();
+    public void close() {
+        device.close();
+    }
 }

@@ -1,4 +1,4 @@
-package jrtr;
+package jrtr.gl;
 
 import java.util.Objects;
 

@@ -1,0 +1,68 @@
+package jrtr.gl;
+
+import com.jogamp.opengl.GL3;
+import java.nio.ByteBuffer;
+import jrtr.ColorEncoding;
+import jrtr.ImageTextureSpec;
+
+/**
+ * A picture for shaders: 8-bit RGBA, {@code sampler2D}, trilinear between mipmaps that are averaged in linear light. The
+ * picture's bottom left corner is at texture coordinate (0, 0), its top right at (1, 1), as mesh files have it.
+ */
+public final class ImageTexture extends Texture {
+    private final ImageTextureSpec spec;
+    private boolean uploaded;
+
+    private ImageTexture(GlDevice device, String label, ImageTextureSpec spec) {
+        super(device, label, GL3.GL_TEXTURE_2D);
+        this.spec = spec;
+    }
+
+    static ImageTexture create(GlDevice device, String label, ImageTextureSpec spec) {
+        GL3 gl = device.gl();
+        requireSides(device, label, spec.width(), spec.height(), 1);
+        return opened(new ImageTexture(device, label, spec), texture -> texture.allocate(gl));
+    }
+
+    private void allocate(GL3 gl) {
+        begin(gl, spec.wrap(), GL3.GL_LINEAR_MIPMAP_LINEAR, GL3.GL_LINEAR);
+        int format = spec.encoding() == ColorEncoding.SRGB ? GL3.GL_SRGB8_ALPHA8 : GL3.GL_RGBA8;
+        allocate(gl, format, spec.width(), spec.height(), 1, GL3.GL_RGBA, GL3.GL_UNSIGNED_BYTE, spec.bytes());
+    }
+
+    /**
+     * Uploads the picture and makes its mipmaps.
+     *
+     * @param rgba 4 x width x height bytes, red first, row 0 the picture's top
+     * @throws IllegalArgumentException if there are more or fewer
+     */
+    public void upload(byte[] rgba) {
+        if (rgba.length != spec.bytes()) {
+            throw new IllegalArgumentException("image '" + label() + "' of " + spec.width() + " x " + spec.height()
+                    + " texels needs " + spec.bytes() + " bytes, not " + rgba.length);
+        }
+        GL3 gl = gl();
+        bind(gl);
+        ByteBuffer texels = ByteBuffer.wrap(bottomRowFirst(rgba));
+        gl.glTexSubImage2D(glTarget, 0, 0, 0, spec.width(), spec.height(), GL3.GL_RGBA, GL3.GL_UNSIGNED_BYTE, texels);
+        gl.glGenerateMipmap(glTarget);
+        device().check(gl, "uploading '" + label() + "'");
+        uploaded = true;
+    }
+
+    private byte[] bottomRowFirst(byte[] rgba) {
+        byte[] flipped = new byte[rgba.length];
+        int rowBytes = 4 * spec.width();
+        for (int row = 0; row < spec.height(); row++) {
+            System.arraycopy(rgba, row * rowBytes, flipped, (spec.height() - 1 - row) * rowBytes, rowBytes);
+        }
+        return flipped;
+    }
+
+    @Override
+    void requireUploaded() {
+        if (!uploaded) {
+            throw new IllegalStateException("image '" + label() + "' is drawn with before it was uploaded");
+        }
+    }
+}
