@@ -14,12 +14,9 @@ import org.junit.jupiter.api.Test;
 class VocabularyTest {
 
     @Test
-    void onlyGlNamesJogl()
-            throws IOException, URISyntaxException {
-        Path classes = Path.of(Tile.class
-                        .getResource("/jrtr/Tile.class")
-                        .toURI())
-                .getParent();
+    void onlyGlNamesJogl() throws IOException, URISyntaxException {
+        Path classes =
+                Path.of(Tile.class.getResource("/jrtr/Tile.class").toURI()).getParent();
         try (Stream<Path> files = Files.walk(classes)) {
             List<Path> outside = files.filter(file -> file.toString().endsWith(".class"))
                     .filter(file -> !file.startsWith(classes.resolve("gl")))

@@ -35,13 +35,12 @@ public final class FloatTexture extends Texture {
     private void allocate(GL3 gl) {
         int filter = spec.filter() == Filter.NEAREST ? GL3.GL_NEAREST : GL3.GL_LINEAR;
         begin(gl, Wrap.CLAMP, filter, filter);
-        int internalFormat =
-                switch (spec.format()) {
-                    case R32F -> GL3.GL_R32F;
-                    case RG32F -> GL3.GL_RG32F;
-                    case RGBA32F -> GL3.GL_RGBA32F;
-                    case RGBA16F -> GL3.GL_RGBA16F;
-                };
+        int internalFormat = switch (spec.format()) {
+            case R32F -> GL3.GL_R32F;
+            case RG32F -> GL3.GL_RG32F;
+            case RGBA32F -> GL3.GL_RGBA32F;
+            case RGBA16F -> GL3.GL_RGBA16F;
+        };
         long bytes = spec.format().bytesPerChannel() * spec.floats();
         allocate(gl, internalFormat, spec.width(), spec.height(), spec.layers(), pixelFormat(), GL3.GL_FLOAT, bytes);
     }

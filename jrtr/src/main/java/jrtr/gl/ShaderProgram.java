@@ -41,7 +41,8 @@ public final class ShaderProgram extends Resource {
 
     static ShaderProgram create(GlDevice device, ShaderSource vertex, ShaderSource fragment) {
         int name = new GlCompiler(device).build(vertex, fragment);
-        return new ShaderProgram(device, vertex.name() + " + " + fragment.name(), name, vertex.text() + fragment.text());
+        return new ShaderProgram(
+                device, vertex.name() + " + " + fragment.name(), name, vertex.text() + fragment.text());
     }
 
     /** Makes this the program of the next draws. */

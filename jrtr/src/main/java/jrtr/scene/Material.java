@@ -3,8 +3,8 @@ package jrtr.scene;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
-import jrtr.gl.Binding;
 import jrtr.Faces;
+import jrtr.gl.Binding;
 import jrtr.gl.ShaderProgram;
 
 /**

@@ -41,7 +41,8 @@ class GraphTest {
     void open() {
         context = RenderContext.offscreen();
         String text = "#version 330 core\nout vec4 color;\nvoid main() { color = vec4(1); }\n";
-        program = context.createMeshProgram(ShaderTexts.of(Map.of("test.frag", text)).load("test.frag"));
+        program = context.createMeshProgram(
+                ShaderTexts.of(Map.of("test.frag", text)).load("test.frag"));
     }
 
     @AfterAll

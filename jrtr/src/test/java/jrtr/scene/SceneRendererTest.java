@@ -6,13 +6,13 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
 import java.util.Map;
-import jrtr.gl.FloatTarget;
 import jrtr.FloatTargetSpec;
-import jrtr.gl.RenderContext;
-import jrtr.gl.ShaderProgram;
 import jrtr.Tile;
 import jrtr.VertexData;
+import jrtr.gl.FloatTarget;
 import jrtr.gl.NeedsDisplay;
+import jrtr.gl.RenderContext;
+import jrtr.gl.ShaderProgram;
 import jrtr.glsl.EngineShaders;
 import jrtr.glsl.ShaderTexts;
 import org.joml.Matrix4f;

@@ -4,12 +4,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
 import java.util.Map;
-import jrtr.gl.FloatTarget;
 import jrtr.FloatTargetSpec;
-import jrtr.gl.RenderContext;
 import jrtr.Tile;
 import jrtr.VertexData;
+import jrtr.gl.FloatTarget;
 import jrtr.gl.NeedsDisplay;
+import jrtr.gl.RenderContext;
 import jrtr.glsl.EngineShaders;
 import jrtr.glsl.ShaderTexts;
 import org.joml.Matrix4f;

@@ -1,7 +1,7 @@
 package sunbeam.app.gpu;
 
-import jrtr.gl.FloatTarget;
 import jrtr.FloatTargetSpec;
+import jrtr.gl.FloatTarget;
 import jrtr.gl.RenderContext;
 
 /** A target of one image that is kept for as long as the same size is asked for. */

@@ -1,10 +1,10 @@
 package sunbeam.app.scene;
 
-import jrtr.gl.FloatTarget;
 import jrtr.FloatTargetSpec;
+import jrtr.Tile;
+import jrtr.gl.FloatTarget;
 import jrtr.gl.RenderContext;
 import jrtr.gl.ShaderProgram;
-import jrtr.Tile;
 import jrtr.scene.SceneRenderer;
 import sunbeam.app.gpu.KeptTarget;
 import sunbeam.app.gpu.Shaders;

@@ -2,11 +2,11 @@ package sunbeam.app.scene;
 
 import java.util.List;
 import java.util.stream.IntStream;
+import jrtr.FloatTargetSpec;
+import jrtr.Tile;
 import jrtr.gl.Binding;
 import jrtr.gl.FloatTarget;
-import jrtr.FloatTargetSpec;
 import jrtr.gl.RenderContext;
-import jrtr.Tile;
 
 /**
  * What a block of a picture shows.

@@ -2,12 +2,12 @@ package sunbeam.app.scene;
 
 import java.util.Arrays;
 import jrtr.FloatFormat;
-import jrtr.gl.FloatTarget;
 import jrtr.FloatTargetSpec;
-import jrtr.gl.FloatTexture;
 import jrtr.FloatTextureSpec;
-import jrtr.gl.RenderContext;
 import jrtr.Tile;
+import jrtr.gl.FloatTarget;
+import jrtr.gl.FloatTexture;
+import jrtr.gl.RenderContext;
 import sunbeam.app.gpu.CutLoops;
 
 /** Runs the costly shader for the pixels that show skin and for no other, packed (see {@link Packing}). */

@@ -2,11 +2,11 @@ package sunbeam.app.scene;
 
 import java.util.List;
 import java.util.Optional;
-import jrtr.gl.FloatTarget;
 import jrtr.FloatTargetSpec;
+import jrtr.Tile;
+import jrtr.gl.FloatTarget;
 import jrtr.gl.RenderContext;
 import jrtr.gl.ShaderProgram;
-import jrtr.Tile;
 import jrtr.gl.VertexBuffer;
 import jrtr.scene.Material;
 import jrtr.scene.PictureArea;

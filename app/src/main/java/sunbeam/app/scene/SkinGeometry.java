@@ -1,11 +1,11 @@
 package sunbeam.app.scene;
 
 import java.util.List;
-import jrtr.gl.Binding;
 import jrtr.Faces;
+import jrtr.Tile;
+import jrtr.gl.Binding;
 import jrtr.gl.ImageTexture;
 import jrtr.gl.ShaderProgram;
-import jrtr.Tile;
 import jrtr.gl.VertexBuffer;
 import jrtr.scene.Material;
 import jrtr.scene.PictureArea;

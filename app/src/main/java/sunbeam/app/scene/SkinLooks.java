@@ -2,13 +2,13 @@ package sunbeam.app.scene;
 
 import java.util.ArrayList;
 import java.util.List;
+import jrtr.FloatTargetSpec;
+import jrtr.Tile;
 import jrtr.gl.Binding;
 import jrtr.gl.FloatTarget;
-import jrtr.FloatTargetSpec;
 import jrtr.gl.FloatTexture;
 import jrtr.gl.RenderContext;
 import jrtr.gl.ShaderProgram;
-import jrtr.Tile;
 import jrtr.scene.LightUniforms;
 import sunbeam.app.gpu.Shaders;
 import sunbeam.app.gpu.colors.LevelPages;

@@ -1,11 +1,11 @@
 package sunbeam.app.scene;
 
 import jrtr.ColorEncoding;
-import jrtr.gl.ImageTexture;
 import jrtr.ImageTextureSpec;
+import jrtr.Wrap;
+import jrtr.gl.ImageTexture;
 import jrtr.gl.RenderContext;
 import jrtr.gl.VertexBuffer;
-import jrtr.Wrap;
 import sunbeam.app.scene.texture.BodyTexture;
 
 /** What of a scene lies in graphics memory: mesh, texture, and the method with its tables. */

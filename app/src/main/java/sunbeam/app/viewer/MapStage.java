@@ -2,8 +2,8 @@ package sunbeam.app.viewer;
 
 import java.awt.image.BufferedImage;
 import java.util.function.BooleanSupplier;
-import jrtr.gl.RenderContext;
 import jrtr.Tile;
+import jrtr.gl.RenderContext;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.gpu.map.BrdfMapRenderer;
 import sunbeam.app.gpu.picture.AutoExposure;

@@ -5,11 +5,11 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
 import java.util.Optional;
-import jrtr.gl.FloatTarget;
 import jrtr.FloatTargetSpec;
+import jrtr.Tile;
+import jrtr.gl.FloatTarget;
 import jrtr.gl.RenderContext;
 import jrtr.gl.ShaderProgram;
-import jrtr.Tile;
 import jrtr.glsl.ShaderLibrary;
 import org.joml.Vector3f;
 import org.junit.jupiter.api.AfterEach;
