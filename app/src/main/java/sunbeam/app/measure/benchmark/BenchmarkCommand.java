@@ -27,6 +27,7 @@ import sunbeam.app.terminal.options.PatchOptions;
 import sunbeam.app.terminal.progress.Progress;
 import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.patch.Patch;
+import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.SettingException;
 
@@ -37,8 +38,9 @@ import sunbeam.precompute.setting.SettingException;
         description =
                 "Measure each method's error of X, Y, Z against the exact reference and its time per pixel of a BRDF map, beside the"
                         + " thesis's shader (full --preset thesis) in the same run, since an absolute time on a shared machine means"
-                        + " nothing; and what its tables take to make and hold. With --method, or an option that belongs to one, that"
-                        + " method alone. Prints tables (Markdown); with --output writes them as a page, with plots and all numbers"
+                        + " nothing; what its tables take to make and hold; and how the cost of full and table grows with pixels,"
+                        + " samples, relief and window. With --method, or an option that belongs to one, that method alone, and"
+                        + " no growth. Prints tables (Markdown); with --output writes them as a page, with plots and all numbers"
                         + " beside it.")
 public final class BenchmarkCommand implements Callable<Integer> {
     private static final List<String> PATCHES = List.of("blaze", "elaphe-like");
@@ -50,7 +52,7 @@ public final class BenchmarkCommand implements Callable<Integer> {
             names = "--patch",
             paramLabel = "PATCH",
             description = "A built-in patch, a descriptor (.json) or a scan; may be repeated. Default: blaze and"
-                    + " elaphe-like.")
+                    + " elaphe-like. Growth is measured on the last.")
     private List<String> names = new ArrayList<>();
 
     @Mixin
@@ -152,12 +154,29 @@ public final class BenchmarkCommand implements Callable<Integer> {
             print(page.add(rows, remarks));
             all.addAll(rows);
         }
+        List<Growth.Point> growth = List.of();
+        if (Contender.open(asked)) {
+            Growth measured = new Growth(meter, environment, patches.get(patches.size() - 1), GaussianArea.of(asked));
+            measured.measure();
+            print(page.add(measured));
+            growth = measured.points();
+        }
         if (json.isAsked()) {
             Map<String, Object> report = new LinkedHashMap<>();
             report.put("renderer", context.info().renderer());
             report.put("size", size);
             report.put("seed", seed);
             report.put("measured", all.stream().map(Measured::fields).toList());
+            report.put(
+                    "growth",
+                    growth.stream()
+                            .map(point -> {
+                                Map<String, Object> fields = new LinkedHashMap<>(point.measured().fields());
+                                fields.put("varied", point.axis());
+                                fields.put("factor", point.factor());
+                                return fields;
+                            })
+                            .toList());
             JsonOption.print(out(), report);
         }
         if (output != null) {

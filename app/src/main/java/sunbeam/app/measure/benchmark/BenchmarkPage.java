@@ -28,6 +28,8 @@ final class BenchmarkPage {
     private final StringBuilder introduction = new StringBuilder();
     private final Map<String, List<Measured>> patches = new LinkedHashMap<>();
     private final Map<String, String> sections = new LinkedHashMap<>();
+    private final StringBuilder growth = new StringBuilder();
+    private final List<Growth.Point> grown = new ArrayList<>();
 
     /**
      * Tells early what could not be written.
@@ -102,21 +104,67 @@ final class BenchmarkPage {
         return text.toString();
     }
 
+    /** How cost grows. */
+    String add(Growth measured) {
+        growth.append(String.format(
+                Locale.ROOT,
+                "%n## How cost grows%n%n`full` and `table` at tolerance 1e-2 on %s, pixels along a side of the map, samples along a side of"
+                        + " the patch, relief or coherence length times a factor.%n%n",
+                measured.patch()));
+        growth.append(table(measured.points().stream()
+                .map(BenchmarkPage::growthCells)
+                .toList()));
+        measured.remarks().forEach(remark -> growth.append("\nNot measured: " + remark + ".\n"));
+        grown.addAll(measured.points());
+        return growth.toString();
+    }
+
+    private static Map<String, String> growthCells(Growth.Point point) {
+        Map<String, String> cells = new LinkedHashMap<>();
+        cells.put("varied", point.axis());
+        cells.put("factor", figures(point.factor()));
+        cells.put("method", point.measured().method());
+        cells.put("making / s", figures(point.measured().makingSeconds()));
+        cells.put("frame / s", figures(point.measured().frameSeconds()));
+        cells.put("per pixel", perPixel(point.measured().microsecondsPerPixel()));
+        cells.put("MB", figures(point.measured().bytes() * 1e-6));
+        return cells;
+    }
+
+    private static String perPixel(double microseconds) {
+        return microseconds < 1 ? Math.round(1e3 * microseconds) + " ns" : figures(microseconds) + " us";
+    }
+
+    private static Plot growthPlot(String method, List<Growth.Point> points) {
+        Axis factor = Axis.logarithmic("factor");
+        Axis time = Axis.logarithmic("making and a frame / s");
+        Plot plot = new Plot(new Plot.Frame("How the cost of " + method + " grows", factor, time, 900, 480));
+        Map<String, List<Growth.Point>> series = new LinkedHashMap<>();
+        points.forEach(point -> series.computeIfAbsent(point.axis(), name -> new ArrayList<>())
+                .add(point));
+        series.forEach((name, some) -> plot.lineWithPoints(
+                name,
+                some.stream().mapToDouble(Growth.Point::factor).toArray(),
+                some.stream()
+                        .mapToDouble(point ->
+                                point.measured().makingSeconds() + point.measured().frameSeconds())
+                        .toArray()));
+        return plot;
+    }
+
     /** By column. */
     private static Map<String, String> cells(Measured row, Measured thesis) {
         ErrorStatistics errors = row.errors().map(Measured.Errors::relative).orElse(ErrorStatistics.of());
         double difference = row.errors()
                 .map(measured -> measured.colorDifference().median())
                 .orElse(Double.NaN);
-        double microseconds = row.microsecondsPerPixel();
         Map<String, String> cells = new LinkedHashMap<>();
         cells.put("method", row.method());
         cells.put("median", error(errors.median()));
         cells.put("95 %", error(errors.percentile95()));
         cells.put("CIEDE2000", figures(difference));
         cells.put("views", row.errors().isPresent() ? Integer.toString(errors.count()) : "");
-        cells.put(
-                "per pixel", microseconds < 1 ? Math.round(1e3 * microseconds) + " ns" : figures(microseconds) + " us");
+        cells.put("per pixel", perPixel(row.microsecondsPerPixel()));
         cells.put("times faster", figures(row.timesFaster(thesis)));
         cells.put("making / s", figures(row.makingSeconds()));
         cells.put("first picture", figures(row.timesFasterToFirstPicture(thesis)));
@@ -175,15 +223,35 @@ final class BenchmarkPage {
             if (numbers.isEmpty()) {
                 numbers.append(String.join(",", rows.get(0).fields().keySet())).append('\n');
             }
-            rows.forEach(row -> numbers.append(row.fields().values().stream()
-                            .map(field -> quoted(field.toString()))
-                            .collect(Collectors.joining(",")))
-                    .append('\n'));
+            rows.forEach(row -> numbers.append(line(row)));
         });
+        if (!grown.isEmpty()) {
+            text.append(growth);
+            Map<String, List<Growth.Point>> methods = new LinkedHashMap<>();
+            grown.forEach(
+                    point -> methods.computeIfAbsent(point.measured().method(), name -> new ArrayList<>())
+                            .add(point));
+            methods.forEach((method, points) -> {
+                String name = "growth-" + method + ".png";
+                growthPlot(method, points).write(folder.resolve(name), overwrite, Map.of("Title", "growth"));
+                text.append(String.format(Locale.ROOT, "%n![how cost grows](%s/%s)%n", folder.getFileName(), name));
+            });
+            StringBuilder grownNumbers = new StringBuilder("varied,factor,");
+            grownNumbers.append(String.join(",", grown.get(0).measured().fields().keySet())).append('\n');
+            grown.forEach(point -> grownNumbers
+                    .append(point.axis() + "," + point.factor() + ",")
+                    .append(line(point.measured())));
+            write(folder.resolve("growth.csv"), overwrite, grownNumbers);
+        }
         write(folder.resolve(NUMBERS), overwrite, numbers);
         text.append(
                 String.format(Locale.ROOT, "%nAll numbers: [%s](%s/%s).%n", NUMBERS, folder.getFileName(), NUMBERS));
         write(page, overwrite, text);
+    }
+
+    private static String line(Measured row) {
+        return row.fields().values().stream().map(field -> quoted(field.toString())).collect(Collectors.joining(","))
+                + "\n";
     }
 
     private static boolean isDrawn(Measured row) {

@@ -36,6 +36,11 @@ record Meter(RenderContext context, int size, int frames, Direction light) {
     static final double MOST_SECONDS = 5;
     private static final int MOST_FRAMES = 1000;
 
+    /** The same with maps of another size. */
+    Meter withSize(int pixels) {
+        return new Meter(context, pixels, frames, light);
+    }
+
     /**
      * What a map takes.
      *

@@ -1,0 +1,131 @@
+package sunbeam.app.measure.benchmark;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import jrtr.GraphicsException;
+import sunbeam.app.files.cache.DiffractionSetup;
+import sunbeam.app.terminal.Environment;
+import sunbeam.app.terminal.progress.Progress;
+import sunbeam.precompute.method.FullMethod;
+import sunbeam.precompute.method.Method;
+import sunbeam.precompute.method.TableMethod;
+import sunbeam.precompute.optics.CoherenceWindow;
+import sunbeam.precompute.optics.HeightMap;
+import sunbeam.precompute.patch.Patch;
+import sunbeam.precompute.plan.GaussianArea;
+import sunbeam.precompute.setting.SettingException;
+
+/** How the cost of {@code full} and {@code table} grows with pixels, samples, relief and window, one of them varied at a time. */
+final class Growth {
+    /** Of both methods: cost over an axis has the same shape at any tolerance. */
+    private static final double TOLERANCE = 1e-2;
+
+    // Each times the surface's own, or what is asked for.
+    private static final double[] FACTORS = {0.5, 1, 2};
+    private static final int LEAST_PIXELS = 16;
+
+    private final Meter meter;
+    private final Environment environment;
+    private final Patch patch;
+    private final GaussianArea area;
+    private final List<Point> points = new ArrayList<>();
+    private final List<String> remarks = new ArrayList<>();
+
+    /**
+     * What was measured.
+     *
+     * @param axis what was varied
+     * @param factor times what it is otherwise
+     */
+    record Point(String axis, double factor, Measured measured) {}
+
+    /**
+     * Nothing is measured yet.
+     *
+     * @param patch that is drawn, resampled and stretched
+     * @param area window and average
+     */
+    Growth(Meter meter, Environment environment, Patch patch, GaussianArea area) {
+        this.meter = meter;
+        this.environment = environment;
+        this.patch = patch;
+        this.area = area;
+    }
+
+    /** Measures along all axes; what cannot be measured becomes a remark. */
+    void measure() {
+        HeightMap heights = patch.heights();
+        int size = meter.size();
+        double length = area.window().coherenceLength();
+        try (Progress progress = Progress.start("Growth on " + patch.name(), 4L * FACTORS.length)) {
+            for (double factor : FACTORS) {
+                int pixels = Math.max(LEAST_PIXELS, (int) Math.round(factor * size));
+                add("pixels", factor, meter.withSize(pixels), heights, area);
+                progress.step(1);
+                add("samples", factor, meter, resampled(heights, factor), area);
+                progress.step(1);
+                add("relief", factor, meter, heights.map(height -> factor * height), area);
+                progress.step(1);
+                GaussianArea other = area.with(CoherenceWindow.ofCoherenceLength(factor * length));
+                add("window", factor, meter, heights, other);
+                progress.step(1);
+            }
+        }
+    }
+
+    private void add(String axis, double factor, Meter sized, HeightMap heights, GaussianArea lit) {
+        DiffractionSetup setup = new DiffractionSetup(
+                new Patch(patch.name(), heights, patch.source(), List.of()), environment, warning -> {});
+        for (Method method : List.of(FullMethod.within(TOLERANCE).with(lit), new TableMethod(TOLERANCE, lit))) {
+            String name = method.type().label();
+            try {
+                points.add(new Point(axis, factor, sized.measure(setup, name, method, Optional.empty())));
+            } catch (GraphicsException | SettingException unmeasured) {
+                remarks.add(String.format(
+                        Locale.ROOT, "%s at %.4g times the %s: %s", name, factor, axis, unmeasured.getMessage()));
+            }
+        }
+    }
+
+    /** The surface whose cost is measured. */
+    String patch() {
+        return patch.name();
+    }
+
+    /** By what is varied, then by method. */
+    List<Point> points() {
+        return points.stream()
+                .sorted(Comparator.comparing(Point::axis)
+                        .thenComparing(point -> point.measured().method()))
+                .toList();
+    }
+
+    /** What is not measured, and why. */
+    List<String> remarks() {
+        return remarks;
+    }
+
+    /** The same period with so many times the samples a side, linear between those that there are. */
+    private static HeightMap resampled(HeightMap map, double factor) {
+        int columns = (int) Math.round(factor * map.columns());
+        int rows = (int) Math.round(factor * map.rows());
+        double[] heights = new double[columns * rows];
+        for (int row = 0; row < rows; row++) {
+            for (int column = 0; column < columns; column++) {
+                double x = (double) column * map.columns() / columns;
+                double y = (double) row * map.rows() / rows;
+                int left = (int) x;
+                int above = (int) y;
+                int right = (left + 1) % map.columns();
+                int below = (above + 1) % map.rows();
+                double top = map.at(left, above) + (x - left) * (map.at(right, above) - map.at(left, above));
+                double bottom = map.at(left, below) + (x - left) * (map.at(right, below) - map.at(left, below));
+                heights[row * columns + column] = top + (y - above) * (bottom - top);
+            }
+        }
+        return new HeightMap(columns, rows, map.width() / columns, map.height() / rows, heights);
+    }
+}
