@@ -18,12 +18,18 @@ uniform int gridFewestNodes;
 uniform float gridLongestStep;
 
 // Each average has tables of its own: a grid for any place (Point), and one for columns, whose layers for columns along x
-// are followed by as many for rows along y (Rays). Colors have those of their average alone, wavelengths have none of these.
+// are followed by as many for rows along y (Rays), or which are two where drivers have no texture so large (Columns and Rows;
+// RAYS_APART). Colors have those of their average alone, wavelengths have none of these.
 
 #if COHERENT_TEXELS > 0
 // Two complex terms a texel.
 uniform sampler2DArray coherentPoint;
+#if RAYS_APART
+uniform sampler2DArray coherentColumns;
+uniform sampler2DArray coherentRows;
+#else
 uniform sampler2DArray coherentRays;
+#endif
 uniform sampler2D coherentCoefficients;
 uniform vec2 coherentPhaseMap;
 // Samples per cycle per metre, and index of the first sample along x and y.
@@ -42,7 +48,12 @@ float coherentPower(vec3 uvw, float wavelength) {
 #if ENSEMBLE_TEXELS > 0
 // Four real terms a texel.
 uniform sampler2DArray ensemblePoint;
+#if RAYS_APART
+uniform sampler2DArray ensembleColumns;
+uniform sampler2DArray ensembleRows;
+#else
 uniform sampler2DArray ensembleRays;
+#endif
 uniform sampler2D ensembleCoefficients;
 uniform vec2 ensemblePhaseMap;
 uniform float ensembleScale;
@@ -59,6 +70,8 @@ float ensemblePower(vec3 uvw, float wavelength) {
 #ifndef SPECTRAL
 
 #if COHERENT_TEXELS > 0
+#define COLUMNS coherentColumns
+#define ROWS coherentRows
 #define RAYS coherentRays
 #define RAYS_LAYERS COHERENT_RAYS_LAYERS
 
@@ -67,6 +80,8 @@ float powerIn(sampler2DArray grid, int firstLayer, Place place, float zeta) {
     return squaredMagnitude(amplitudeAt(grid, terms, place, coherentCoefficients, coherentPhaseMap, zeta));
 }
 #else
+#define COLUMNS ensembleColumns
+#define ROWS ensembleRows
 #define RAYS ensembleRays
 #define RAYS_LAYERS ENSEMBLE_RAYS_LAYERS
 
@@ -78,7 +93,11 @@ float powerIn(sampler2DArray grid, int firstLayer, Place place, float zeta) {
 
 // Power where the ray crosses a column along x, or a row along y.
 float columnPower(bool alongX, Place place, float zeta) {
+#if RAYS_APART
+    return alongX ? powerIn(COLUMNS, 0, place, zeta) : powerIn(ROWS, 0, place, zeta);
+#else
     return powerIn(RAYS, alongX ? 0 : RAYS_LAYERS, place, zeta);
+#endif
 }
 
 struct Ray {

@@ -100,7 +100,7 @@ class BadOutputTest {
         "color --patch none.gwy --output taken.png, taken.png",
         "color --patch none.gwy --output only-the-table.png, only-the-table.csv",
         "evaluate --patch none.gwy --output taken, taken.png",
-        "evaluate --patch none.gwy --output taken.npy, taken.png",
+        "evaluate --patch none.gwy --output taken.csv, taken.png",
         "precompute --patch none.gwy --output taken.h5, taken.h5",
         "benchmark --patch none.gwy --output taken.md, taken.md"
     })

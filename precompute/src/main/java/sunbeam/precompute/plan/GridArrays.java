@@ -66,7 +66,7 @@ final class GridArrays {
         List<ArrayLayout> layouts =
                 new ArrayList<>(List.of(coefficients, pointLayout(texels, use).array()));
         if (use == MethodUse.COLOR) {
-            layouts.add(raysLayout(texels).array());
+            raysLayouts(texels).forEach(rays -> layouts.add(rays.array()));
         }
         return layouts;
     }
@@ -81,14 +81,20 @@ final class GridArrays {
                 1);
     }
 
-    /** Columns along x followed by rows along y. */
-    private TermsLayout raysLayout(int texels) {
+    /** Columns along x followed by rows along y, in one texture or in one each. */
+    private List<TermsLayout> raysLayouts(int texels) {
+        return sampling.apart()
+                ? List.of(raysLayout("Columns", texels, 1), raysLayout("Rows", texels, 1))
+                : List.of(raysLayout("Rays", texels, 2));
+    }
+
+    private TermsLayout raysLayout(String suffix, int texels, int grids) {
         return TermsLayout.of(
-                name + "Rays",
+                name + suffix,
                 Math.max(samplesX().count(), samplesY().count()),
                 Math.max(nodesX().count(), nodesY().count()),
                 texels,
-                2);
+                grids);
     }
 
     /** Where both axes are interpolated: everywhere for single wavelengths, near the specular direction for colors. */
@@ -130,9 +136,10 @@ final class GridArrays {
                 .reals(name + "Scale", 1 / step);
         addPoint(tables, table, fields, point, use);
         if (use == MethodUse.COLOR) {
-            TermsLayout rays = raysLayout(texels);
-            tables.define(prefix + "_RAYS_TOGETHER", rays.together())
-                    .define(prefix + "_RAYS_LAYERS", rays.layersPerGrid());
+            List<TermsLayout> rays = raysLayouts(texels);
+            tables.define(prefix + "_RAYS_TOGETHER", rays.get(0).together())
+                    .define(prefix + "_RAYS_LAYERS", rays.get(0).layersPerGrid())
+                    .define("RAYS_APART", rays.size() - 1);
             addRays(tables, table, fields, rays);
         }
     }
@@ -155,7 +162,8 @@ final class GridArrays {
      * The grids whose columns (along x) and rows (along y) the rays cross. Each of these lies in one piece, whose samples
      * neighboring pixels share, as a row of the texture.
      */
-    private void addRays(ShaderTables.Builder tables, FourierTable table, Fields fields, TermsLayout layout) {
+    private void addRays(ShaderTables.Builder tables, FourierTable table, Fields fields, List<TermsLayout> layouts) {
+        TermsLayout layout = layouts.get(0);
         double patchWidth = table.patch().width();
         double patchHeight = table.patch().height();
         GridResampler columns = new GridResampler(
@@ -167,12 +175,19 @@ final class GridArrays {
                         samplesX().extended(layout.samples()), table.bandX(), patchWidth, sampling.interpolation()),
                 AxisResampler.exact(nodesY().extended(layout.array().height()), table.bandY(), patchHeight, sigma));
         int layers = layout.layersPerGrid();
-        tables.array(TableArray.computed(
-                        layout.array(),
-                        layer -> layer < layers
-                                ? layer(fields, layer, layout, columns, Order.COLUMNS)
-                                : layer(fields, layer - layers, layout, rows, Order.ROWS)))
-                .reals("gridRayScale", 1 / step)
+        if (layouts.size() == 1) {
+            tables.array(TableArray.computed(
+                    layout.array(),
+                    layer -> layer < layers
+                            ? layer(fields, layer, layout, columns, Order.COLUMNS)
+                            : layer(fields, layer - layers, layout, rows, Order.ROWS)));
+        } else {
+            tables.array(TableArray.computed(
+                            layout.array(), layer -> layer(fields, layer, layout, columns, Order.COLUMNS)))
+                    .array(TableArray.computed(
+                            layouts.get(1).array(), layer -> layer(fields, layer, layout, rows, Order.ROWS)));
+        }
+        tables.reals("gridRayScale", 1 / step)
                 .reals(
                         "gridRaysFirst",
                         nodesX().first(),

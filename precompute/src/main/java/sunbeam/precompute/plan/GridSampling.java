@@ -30,6 +30,7 @@ import sunbeam.precompute.table.FourierTable;
  *     one, take this many wavelengths or more and interpolate both axes
  * @param band the wavelengths of these directions
  * @param single what serves single wavelengths; empty where that is a grid, fine enough for both averages
+ * @param apart whether columns and rows lie in a texture of their own each, for drivers that have none so large for both
  * @param budget what each source may err
  */
 public record GridSampling(
@@ -39,12 +40,18 @@ public record GridSampling(
         int fewestNodes,
         BandRule band,
         Optional<OrderSampling> single,
+        boolean apart,
         ErrorBudget budget)
         implements Sampling {
 
     /** The same with columns that lie so many times closer. */
     GridSampling withColumnsCloser(int times) {
-        return new GridSampling(interpolation, nodeStep / times, longestStep, fewestNodes, band, single, budget);
+        return new GridSampling(interpolation, nodeStep / times, longestStep, fewestNodes, band, single, apart, budget);
+    }
+
+    /** The same with columns and rows apart. */
+    GridSampling intoTwo() {
+        return new GridSampling(interpolation, nodeStep, longestStep, fewestNodes, band, single, true, budget);
     }
 
     /**
@@ -124,6 +131,7 @@ public record GridSampling(
                         fewestNodes,
                         band,
                         single,
+                        apart,
                         budget));
     }
 

@@ -63,7 +63,9 @@ final class SamplingPlanner {
         GridSampling compact = grid(budget.compactInterpolation(average));
         Sampling bins = OrderSampling.overlapping(bins(), band(fewestNodes()));
         // Where orders are resolved along an axis, a grid fine enough for them is larger than the bins.
-        return interpolates(map, window) ? List.of(fast, compact, bins) : List.of(bins, fast, compact);
+        return interpolates(map, window)
+                ? List.of(fast, compact, compact.intoTwo(), bins)
+                : List.of(bins, fast, compact, compact.intoTwo());
     }
 
     /** All that count; half way between two orders both count alike. */
@@ -111,7 +113,7 @@ final class SamplingPlanner {
         double step = rough ? uncut : Math.min(uncut, budget.cutSpacing() * deviation / Math.sqrt(2));
         BandRule band = rough ? band(fewestNodes()).evenlyTo(uncut) : band(fewestNodes());
         double longest = Math.sqrt(2) * step;
-        GridSampling coarse = new GridSampling(design, step, longest, fewestNodes(), band, single(band), budget);
+        GridSampling coarse = new GridSampling(design, step, longest, fewestNodes(), band, single(band), false, budget);
         return coarse.withColumnsCloser((int) Math.ceil(coarse.centreReach() / LARGEST_CENTRE));
     }
 
