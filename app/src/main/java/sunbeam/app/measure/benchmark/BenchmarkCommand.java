@@ -171,7 +171,8 @@ public final class BenchmarkCommand implements Callable<Integer> {
                     "growth",
                     growth.stream()
                             .map(point -> {
-                                Map<String, Object> fields = new LinkedHashMap<>(point.measured().fields());
+                                Map<String, Object> fields =
+                                        new LinkedHashMap<>(point.measured().fields());
                                 fields.put("varied", point.axis());
                                 fields.put("factor", point.factor());
                                 return fields;

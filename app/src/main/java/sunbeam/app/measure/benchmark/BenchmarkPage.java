@@ -111,9 +111,8 @@ final class BenchmarkPage {
                 "%n## How cost grows%n%n`full` and `table` at tolerance 1e-2 on %s, pixels along a side of the map, samples along a side of"
                         + " the patch, relief or coherence length times a factor.%n%n",
                 measured.patch()));
-        growth.append(table(measured.points().stream()
-                .map(BenchmarkPage::growthCells)
-                .toList()));
+        growth.append(
+                table(measured.points().stream().map(BenchmarkPage::growthCells).toList()));
         measured.remarks().forEach(remark -> growth.append("\nNot measured: " + remark + ".\n"));
         grown.addAll(measured.points());
         return growth.toString();
@@ -140,14 +139,14 @@ final class BenchmarkPage {
         Axis time = Axis.logarithmic("making and a frame / s");
         Plot plot = new Plot(new Plot.Frame("How the cost of " + method + " grows", factor, time, 900, 480));
         Map<String, List<Growth.Point>> series = new LinkedHashMap<>();
-        points.forEach(point -> series.computeIfAbsent(point.axis(), name -> new ArrayList<>())
-                .add(point));
+        points.forEach(point ->
+                series.computeIfAbsent(point.axis(), name -> new ArrayList<>()).add(point));
         series.forEach((name, some) -> plot.lineWithPoints(
                 name,
                 some.stream().mapToDouble(Growth.Point::factor).toArray(),
                 some.stream()
-                        .mapToDouble(point ->
-                                point.measured().makingSeconds() + point.measured().frameSeconds())
+                        .mapToDouble(point -> point.measured().makingSeconds()
+                                + point.measured().frameSeconds())
                         .toArray()));
         return plot;
     }
@@ -228,16 +227,17 @@ final class BenchmarkPage {
         if (!grown.isEmpty()) {
             text.append(growth);
             Map<String, List<Growth.Point>> methods = new LinkedHashMap<>();
-            grown.forEach(
-                    point -> methods.computeIfAbsent(point.measured().method(), name -> new ArrayList<>())
-                            .add(point));
+            grown.forEach(point -> methods.computeIfAbsent(point.measured().method(), name -> new ArrayList<>())
+                    .add(point));
             methods.forEach((method, points) -> {
                 String name = "growth-" + method + ".png";
                 growthPlot(method, points).write(folder.resolve(name), overwrite, Map.of("Title", "growth"));
                 text.append(String.format(Locale.ROOT, "%n![how cost grows](%s/%s)%n", folder.getFileName(), name));
             });
             StringBuilder grownNumbers = new StringBuilder("varied,factor,");
-            grownNumbers.append(String.join(",", grown.get(0).measured().fields().keySet())).append('\n');
+            grownNumbers
+                    .append(String.join(",", grown.get(0).measured().fields().keySet()))
+                    .append('\n');
             grown.forEach(point -> grownNumbers
                     .append(point.axis() + "," + point.factor() + ",")
                     .append(line(point.measured())));
@@ -250,8 +250,9 @@ final class BenchmarkPage {
     }
 
     private static String line(Measured row) {
-        return row.fields().values().stream().map(field -> quoted(field.toString())).collect(Collectors.joining(","))
-                + "\n";
+        return row.fields().values().stream()
+                        .map(field -> quoted(field.toString()))
+                        .collect(Collectors.joining(",")) + "\n";
     }
 
     private static boolean isDrawn(Measured row) {
