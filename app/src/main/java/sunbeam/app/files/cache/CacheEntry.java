@@ -17,8 +17,6 @@ import sunbeam.precompute.table.TableLabel;
 public record CacheEntry(Path file, long bytes, Instant lastUsed) {
     static final String FOURIER = "h5";
     static final String SHADER = "tables";
-    /** Of a table of colors that is being made, or was when its process was stopped. */
-    static final String COLORS = "colors";
     /** Of colors that are made as pictures look at them. */
     static final String PAGES = "pages";
 
@@ -35,7 +33,6 @@ public record CacheEntry(Path file, long bytes, Instant lastUsed) {
         String name = file.getFileName().toString();
         return name.endsWith("." + FOURIER)
                 || name.endsWith("." + SHADER)
-                || name.endsWith("." + COLORS)
                 || name.endsWith("." + PAGES);
     }
 
@@ -46,8 +43,8 @@ public record CacheEntry(Path file, long bytes, Instant lastUsed) {
      */
     public TableLabel label() {
         String name = file.getFileName().toString();
-        if (name.endsWith("." + COLORS) || name.endsWith("." + PAGES)) {
-            return RecordFile.labelOf(file);
+        if (name.endsWith("." + PAGES)) {
+            return PageFile.labelOf(file);
         }
         return name.endsWith("." + FOURIER) ? TableFile.label(file) : ShaderTablesFile.label(file);
     }

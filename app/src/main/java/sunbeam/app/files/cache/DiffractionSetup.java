@@ -1,10 +1,19 @@
 package sunbeam.app.files.cache;
 
 import java.io.PrintWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.DoubleConsumer;
+import java.util.function.Function;
+import java.util.function.LongConsumer;
+import java.util.function.Supplier;
+import sunbeam.app.files.output.AtomicFile;
+import sunbeam.app.files.output.OutputException;
+import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.OptionOrigin;
@@ -12,14 +21,19 @@ import sunbeam.app.terminal.ScanWarnings;
 import sunbeam.app.terminal.options.PatchOptions;
 import sunbeam.app.terminal.progress.Progress;
 import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.colortable.ColorSource;
 import sunbeam.precompute.colortable.ColorSources;
 import sunbeam.precompute.colortable.KeptPages;
+import sunbeam.precompute.colortable.TriedTable;
+import sunbeam.precompute.expansion.Expansion;
+import sunbeam.precompute.files.Sha256;
 import sunbeam.precompute.method.LevelledPlan;
 import sunbeam.precompute.method.Method;
 import sunbeam.precompute.method.MethodPlan;
 import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.method.ScanLimit;
 import sunbeam.precompute.method.Surface;
+import sunbeam.precompute.method.TableSources;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.plan.Plan;
 import sunbeam.precompute.reference.ExactLight;
@@ -27,13 +41,23 @@ import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.shader.MethodUse;
 import sunbeam.precompute.shader.ShaderTables;
+import sunbeam.precompute.shader.ShaderTablesFile;
 import sunbeam.precompute.table.FourierTable;
+import sunbeam.precompute.table.TableBuilder;
+import sunbeam.precompute.table.TableException;
+import sunbeam.precompute.table.TableFile;
+import sunbeam.precompute.table.TableLabel;
 
-/** A loaded patch, and its tables from the cache or anew. */
+/**
+ * A loaded patch, and its tables in the cache folder, each under a hash of all that determines it; made where they are
+ * missing. A file that is damaged or of something else is made again, with a word about it.
+ */
 public final class DiffractionSetup {
     private final Patch patch;
     private final Surface surface;
-    private final TableStore store;
+    private final CacheFolder folder;
+    private final Consumer<String> note;
+    private final Consumer<String> warning;
 
     /**
      * Loads the patch and says what the user should know of it.
@@ -56,16 +80,15 @@ public final class DiffractionSetup {
     public DiffractionSetup(Patch patch, Environment environment, PrintWriter err) {
         this(
                 patch,
+                Surface.of(patch),
                 environment,
-                note -> {
-                    err.println(Messages.note(note));
-                    err.flush();
-                },
-                warning -> {
-                    err.println(Messages.warning(warning));
-                    err.flush();
-                });
-        patch.notes().forEach(note -> err.println(Messages.note(patch.name() + ": " + note)));
+                note -> say(Messages.note(note), err),
+                warning -> say(Messages.warning(warning), err));
+        patch.notes().forEach(note -> say(Messages.note(patch.name() + ": " + note), err));
+    }
+
+    private static void say(String line, PrintWriter err) {
+        err.println(line);
         err.flush();
     }
 
@@ -75,13 +98,16 @@ public final class DiffractionSetup {
      * @param warning told in one line each what goes wrong with the cache, or falls short
      */
     public DiffractionSetup(Patch patch, Environment environment, Consumer<String> warning) {
-        this(patch, environment, note -> {}, warning);
+        this(patch, Surface.of(patch), environment, note -> {}, warning);
     }
 
-    private DiffractionSetup(Patch patch, Environment environment, Consumer<String> note, Consumer<String> warning) {
+    DiffractionSetup(
+            Patch patch, Surface surface, Environment environment, Consumer<String> note, Consumer<String> warning) {
         this.patch = patch;
-        this.surface = Surface.of(patch);
-        this.store = new TableStore(surface, environment, note, warning);
+        this.surface = surface;
+        this.folder = CacheFolder.of(environment);
+        this.note = note;
+        this.warning = warning;
     }
 
     /**
@@ -116,16 +142,6 @@ public final class DiffractionSetup {
         return method.exact(patch.heights()).area().over(patch.heights(), cie());
     }
 
-    /** The Fourier table that a plan needs, from the cache where it is there. */
-    public FourierTable table(Plan plan) {
-        return store.table(plan);
-    }
-
-    /** As {@link #table(Plan)}; {@code saving} takes what keeps one for later runs that was made now. */
-    public FourierTable table(Plan plan, Consumer<Runnable> saving) {
-        return store.table(plan, saving);
-    }
-
     /**
      * What a method's shader reads, made now, layer by layer as it is asked for.
      *
@@ -134,37 +150,217 @@ public final class DiffractionSetup {
      */
     public ShaderTables freshTables(MethodPlan plan, MethodUse use, ColorSources colors) {
         requireAnswer(plan, use);
-        return store.freshTables(plan, use, colors);
+        return made(plan, use, colors, this::freshTable);
     }
 
-    /**
-     * What a method's shader reads, from the cache where it is there.
-     *
-     * @param colors who evaluates shaders, for tables that are made of colors
-     * @throws SettingException when the method has no answer for the use
-     */
+    /** As {@link #tables(MethodPlan, MethodUse, ColorSources, DoubleConsumer)}, without progress. */
     public ShaderTables tables(MethodPlan plan, MethodUse use, ColorSources colors) {
         return tables(plan, use, colors, share -> {});
     }
 
     /**
-     * As {@link #tables(MethodPlan, MethodUse, ColorSources)}.
+     * What a method's shader reads, as it lies in the cache. Nothing is computed where it is there, and layer by layer, on
+     * the way to the file, where it is not. Without a cache folder, layers are computed when they are asked for.
      *
+     * @param colors who evaluates shaders, for tables that are made of colors
      * @param progress told before each layer that is made the share that is done; goes on when it returns
+     * @throws SettingException when the method has no answer for the use
      */
     public ShaderTables tables(MethodPlan plan, MethodUse use, ColorSources colors, DoubleConsumer progress) {
         requireAnswer(plan, use);
-        return store.tables(plan, use, colors, progress);
+        String key = "shader tables " + ShaderTablesFile.VERSION + "|" + plan.key(use);
+        Optional<Path> file = file(key, CacheEntry.SHADER);
+        if (file.isEmpty()) {
+            return freshTables(plan, use, colors).preceded(progress);
+        }
+        if (plan.memory().textureBytes() > folder.largest(warning)) {
+            // Larger than what is kept: what it is made of is not, and takes most of the time.
+            return made(plan, use, colors, this::table).preceded(progress);
+        }
+        Function<Path, ShaderTables> reader = path -> ShaderTablesFile.read(path, key);
+        return keptOr(file.get(), reader, () -> {
+            TableLabel label = label(plan);
+            ShaderTables made = freshTables(plan, use, colors).preceded(progress);
+            TableLabel tried = made.trial().isEmpty()
+                    ? label
+                    : new TableLabel(label.patch(), "table in " + made.trial() + "; planned as " + label.what());
+            save(file.get(), path -> ShaderTablesFile.write(path, key, tried, made));
+            // Again from the file, so that no more than one layer at a time need be in memory.
+            return read(file.get(), reader).orElse(made);
+        });
     }
 
-    /** Whether there may be such pages. */
+    private TableLabel label(MethodPlan plan) {
+        return TableLabel.of(surface.identity().name(), surface.identity().digest(), plan.summary());
+    }
+
+    private static String pagesKey(LevelledPlan plan) {
+        return String.join(
+                "|",
+                "pages " + ShaderTablesFile.VERSION,
+                plan.key(MethodUse.COLOR),
+                String.valueOf(plan.tolerance()),
+                plan.spectrum().map(Plan::key).orElse(""));
+    }
+
+    /** Whether there is a file of such pages; it may be damaged. */
     public boolean hasPages(LevelledPlan plan) {
-        return store.hasPages(plan);
+        return file(pagesKey(plan), CacheEntry.PAGES).filter(Files::exists).isPresent();
     }
 
-    /** Pages of a plan's levels of colors that are kept for later runs; to be closed by the caller. */
+    /** Pages of a plan's levels of colors that are kept for later runs; to be closed by the caller. None without a cache folder. */
     public KeptPages pages(LevelledPlan plan) {
-        return store.pages(plan);
+        String key = pagesKey(plan);
+        TableLabel label = label(plan);
+        Optional<Path> file = file(key, CacheEntry.PAGES);
+        if (file.isEmpty()) {
+            return KeptPages.NONE;
+        }
+        Path path = file.get();
+        long most = folder.limit(warning);
+        KeptPages pages = PageFile.of(
+                path,
+                key,
+                plan.levels().numbers(),
+                label,
+                folder.largest(warning),
+                warning,
+                () -> folder.shrink(most, Optional.of(path)));
+        folder.used(path);
+        folder.shrink(most, file);
+        return pages;
+    }
+
+    /** What is in the file, else what is made, by one process at a time. */
+    private <T> T keptOr(Path file, Function<Path, T> reader, Supplier<T> made) {
+        Optional<T> kept = read(file, reader);
+        if (kept.isPresent()) {
+            return kept.get();
+        }
+        try (CacheLock lock = CacheLock.of(file, warning)) {
+            Optional<T> ofAnother = lock.waited() ? read(file, reader) : Optional.empty();
+            return ofAnother.orElseGet(made);
+        }
+    }
+
+    private ShaderTables made(
+            MethodPlan plan, MethodUse use, ColorSources colors, Function<Plan, FourierTable> fourier) {
+        return plan.tables(use, new TableSources() {
+            @Override
+            public FourierTable fourier(Plan needed) {
+                return fourier.apply(needed);
+            }
+
+            @Override
+            public ColorSource colors(ShaderTables tables, long places) {
+                return colors.of(tables, places);
+            }
+
+            @Override
+            public ColorSource shown(Function<LongConsumer, ColorSource> source, long places) {
+                return ProgressColors.of(source, places);
+            }
+
+            @Override
+            public TriedTable.Told told() {
+                return new TriedTable.Told() {
+                    @Override
+                    public void delay(String line) {
+                        note.accept(line);
+                    }
+
+                    @Override
+                    public void shortfall(String line) {
+                        warning.accept(line);
+                    }
+                };
+            }
+        });
+    }
+
+    /** The Fourier table that a plan needs, from the cache where it is there. */
+    public FourierTable table(Plan plan) {
+        return table(plan, Runnable::run);
+    }
+
+    /**
+     * The Fourier table that a plan needs, from the cache where it is there.
+     *
+     * @param saving takes what keeps the table for later runs, if it was made now: whoever is in haste does so afterwards
+     */
+    public FourierTable table(Plan plan, Consumer<Runnable> saving) {
+        Optional<Path> file =
+                file("table 1|" + surface.identity().digest() + "|" + plan.tableKey(), CacheEntry.FOURIER);
+        if (file.isEmpty()) {
+            return freshTable(plan);
+        }
+        return keptOr(file.get(), present -> checked(TableFile.read(present), plan), () -> {
+            FourierTable table = freshTable(plan);
+            saving.accept(() -> save(file.get(), target -> TableFile.write(target, table)));
+            return table;
+        });
+    }
+
+    /** A table that was read, under the name that the surface has now. */
+    private FourierTable checked(FourierTable table, Plan plan) {
+        Expansion expansion = plan.expansion();
+        boolean same = table.patch().digest().equals(surface.identity().digest())
+                && table.kind() == expansion.kind()
+                && table.terms() == expansion.terms()
+                && table.scale().equals(expansion.scale())
+                && table.bandX().equals(plan.bandX())
+                && table.bandY().equals(plan.bandY());
+        if (!same) {
+            throw new TableException("it is of another surface or plan");
+        }
+        return table.of(surface.identity());
+    }
+
+    private FourierTable freshTable(Plan plan) {
+        Expansion expansion = plan.expansion();
+        try (Progress progress =
+                Progress.start("Fourier tables of " + surface.identity().name(), expansion.terms())) {
+            int[] done = {0};
+            TableBuilder builder = new TableBuilder(surface.identity(), surface.levels(), terms -> {
+                progress.step(terms - done[0]);
+                done[0] = terms;
+            });
+            return builder.build(expansion, plan.bandX(), plan.bandY());
+        }
+    }
+
+    private Optional<Path> file(String key, String ending) {
+        String name = CacheEntry.name(surface.identity().digest(), Sha256.of(key), ending);
+        return folder.open(warning).map(path -> path.resolve(name));
+    }
+
+    private <T> Optional<T> read(Path file, Function<Path, T> reader) {
+        if (!Files.exists(file)) {
+            return Optional.empty();
+        }
+        try {
+            T kept = reader.apply(file);
+            folder.used(file);
+            return Optional.of(kept);
+        } catch (TableException failure) {
+            // Cleared by another process a moment ago: as if it had never been there.
+            if (Files.exists(file)) {
+                warning.accept("cached table is made again: " + failure.problem());
+            }
+            return Optional.empty();
+        }
+    }
+
+    private void save(Path file, Consumer<Path> writer) {
+        try {
+            AtomicFile.writeFile(file, Overwrite.REPLACE, path -> {
+                CacheFolder.makeOwnersOnly(path);
+                writer.accept(path);
+            });
+            folder.shrink(folder.limit(warning), Optional.of(file));
+        } catch (OutputException failure) {
+            warning.accept("the table is not kept: " + failure.getMessage());
+        }
     }
 
     private static void requireAnswer(MethodPlan plan, MethodUse use) {

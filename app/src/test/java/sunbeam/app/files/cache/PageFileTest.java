@@ -81,7 +81,7 @@ final class PageFileTest {
     void aLaterRunFindsThem() {
         keepAll();
         assertThat(found(KEY)).isEqualTo(PAGES);
-        assertThat(RecordFile.labelOf(file())).isEqualTo(LABEL);
+        assertThat(PageFile.labelOf(file())).isEqualTo(LABEL);
         assertThat(warnings).isEmpty();
     }
 

@@ -1,7 +1,6 @@
 package sunbeam.app.files.cache;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.nio.FloatBuffer;
 import java.nio.file.Files;
@@ -17,7 +16,6 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import sunbeam.app.terminal.Environment;
 import sunbeam.precompute.color.CieTable;
-import sunbeam.precompute.colortable.ColorSource;
 import sunbeam.precompute.colortable.ColorSources;
 import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.method.MethodPlan;
@@ -39,7 +37,7 @@ import sunbeam.precompute.table.PatchIdentity;
 import sunbeam.precompute.table.TableLabel;
 
 /** Tables are made once, and come back as they were made. */
-class TableStoreTest {
+class DiffractionSetupTest {
     @TempDir
     private Path home;
 
@@ -102,8 +100,8 @@ class TableStoreTest {
         return new Surface(map, HeightLevels.of(map), identity, CieTable.load());
     }
 
-    private TableStore store(String name) {
-        return new TableStore(surface(name), new Environment(Map.of(), home), note -> {}, warnings::add);
+    private DiffractionSetup setup(String name) {
+        return new DiffractionSetup(null, surface(name), new Environment(Map.of(), home), note -> {}, warnings::add);
     }
 
     private List<Path> kept() throws Exception {
@@ -126,23 +124,23 @@ class TableStoreTest {
     void whatIsThereIsNotMadeAgain() {
         Counted plan = new Counted("plan");
 
-        ShaderTables first = store("a").tables(plan, MethodUse.COLOR, NO_COLORS);
-        ShaderTables second = store("a").tables(plan, MethodUse.COLOR, NO_COLORS);
+        ShaderTables first = setup("a").tables(plan, MethodUse.COLOR, NO_COLORS);
+        ShaderTables second = setup("a").tables(plan, MethodUse.COLOR, NO_COLORS);
 
         assertThat(plan.made).isOne();
         assertThat(numbers(first)).containsExactly(1, 2, 3);
         assertThat(numbers(second)).containsExactly(1, 2, 3);
-        store("a").tables(plan, MethodUse.SPECTRAL, NO_COLORS);
+        setup("a").tables(plan, MethodUse.SPECTRAL, NO_COLORS);
         assertThat(plan.made).as("another use").isEqualTo(2);
         assertThat(warnings).isEmpty();
     }
 
     @Test
     void whatIsReadCountsAsUsedAndSaysWhatItIs() throws Exception {
-        store("a").tables(new Counted("plan"), MethodUse.COLOR, NO_COLORS);
+        setup("a").tables(new Counted("plan"), MethodUse.COLOR, NO_COLORS);
         Path file = kept().get(0);
         Files.setLastModifiedTime(file, FileTime.fromMillis(0));
-        store("a").tables(new Counted("plan"), MethodUse.COLOR, NO_COLORS);
+        setup("a").tables(new Counted("plan"), MethodUse.COLOR, NO_COLORS);
         CacheFolder folder = CacheFolder.of(new Environment(Map.of(), home));
         assertThat(folder.entries()).hasSize(1);
         assertThat(Files.getPosixFilePermissions(file))
@@ -159,8 +157,8 @@ class TableStoreTest {
         Files.createFile(home.resolve(".cache"));
         Counted plan = new Counted("plan");
 
-        assertThat(numbers(store("a").tables(plan, MethodUse.COLOR, NO_COLORS))).containsExactly(1, 2, 3);
-        assertThat(numbers(store("a").tables(plan, MethodUse.COLOR, NO_COLORS))).containsExactly(1, 2, 3);
+        assertThat(numbers(setup("a").tables(plan, MethodUse.COLOR, NO_COLORS))).containsExactly(1, 2, 3);
+        assertThat(numbers(setup("a").tables(plan, MethodUse.COLOR, NO_COLORS))).containsExactly(1, 2, 3);
 
         assertThat(plan.made).isEqualTo(2);
         assertThat(warnings).hasSize(2).allMatch(line -> line.startsWith("no cache"));
@@ -170,59 +168,13 @@ class TableStoreTest {
     void aFourierTableComesBackUnderTheNameThatTheSurfaceHasNow() {
         Surface surface = surface("old name");
         Plan plan = FullMethod.thesis().tablePlan(surface, VisibleRange.of(new Direction(0, 0, 1)));
-        FourierTable made = store("old name").table(plan);
+        FourierTable made = setup("old name").table(plan);
 
-        FourierTable read = store("new name").table(plan);
+        FourierTable read = setup("new name").table(plan);
 
         assertThat(read.patch().name()).isEqualTo("new name");
         assertThat(read.real()).isDeepEqualTo(made.real());
         assertThat(read.imaginary()).isDeepEqualTo(made.imaginary());
-        assertThat(warnings).isEmpty();
-    }
-
-    /** Asks for colors twice, as a table does that its trial makes finer; the first ones are 1, the others 2. */
-    private static final class MadeTwice extends SmallPlan {
-        MadeTwice() {
-            super("twice");
-        }
-
-        @Override
-        public ShaderTables tables(MethodUse use, TableSources sources) {
-            ShaderTables none = new ShaderTables.Builder("counted").build(1, 1);
-            float[] numbers = new float[3];
-            for (int time = 0; time < 2; time++) {
-                try (ColorSource source = sources.colors(none, 1)) {
-                    numbers[time] = source.xyz(new float[] {0.1f, 0.2f, -time})[0];
-                }
-            }
-            return new ShaderTables.Builder("counted")
-                    .array(TableArray.of(ArrayLayout.flat("numbers", 3, 1, 1), numbers))
-                    .build(1, 1);
-        }
-    }
-
-    @Test
-    void whoIsStoppedWhileATableIsMadeAgainGoesOnThere() throws Exception {
-        List<Float> evaluated = new ArrayList<>();
-        ColorSources stopping = (tables, places) -> uvw -> {
-            if (uvw[2] < 0) {
-                throw new IllegalStateException("stopped");
-            }
-            evaluated.add(uvw[2]);
-            return new float[] {1, 1, 1};
-        };
-        ColorSources going = (tables, places) -> uvw -> {
-            evaluated.add(uvw[2]);
-            return new float[] {2, 2, 2};
-        };
-
-        assertThatThrownBy(() -> store("a").tables(new MadeTwice(), MethodUse.COLOR, stopping))
-                .hasMessage("stopped");
-        ShaderTables made = store("a").tables(new MadeTwice(), MethodUse.COLOR, going);
-
-        assertThat(numbers(made)).containsExactly(1, 2, 0);
-        assertThat(evaluated).as("each once").containsExactly(0f, -1f);
-        assertThat(kept()).as("nothing half made is left").hasSize(1);
         assertThat(warnings).isEmpty();
     }
 }
