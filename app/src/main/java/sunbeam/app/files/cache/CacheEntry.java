@@ -31,9 +31,7 @@ public record CacheEntry(Path file, long bytes, Instant lastUsed) {
     /** Whether a file's name is one of a table. */
     static boolean isOne(Path file) {
         String name = file.getFileName().toString();
-        return name.endsWith("." + FOURIER)
-                || name.endsWith("." + SHADER)
-                || name.endsWith("." + PAGES);
+        return name.endsWith("." + FOURIER) || name.endsWith("." + SHADER) || name.endsWith("." + PAGES);
     }
 
     /**

@@ -115,7 +115,8 @@ public final class PageFile implements KeptPages {
                 channel.truncate(0);
                 write(channel, ByteBuffer.wrap(head), 0);
             }
-            PageFile records = new PageFile(channel, all, contentBytes, head.length, mostBytes, warning, closed, locked);
+            PageFile records =
+                    new PageFile(channel, all, contentBytes, head.length, mostBytes, warning, closed, locked);
             records.list();
             // Whoever writes at the moment may be in the middle of a record.
             if (isDamaged || (locked && (channel.size() - head.length) % records.recordBytes() != 0)) {
@@ -204,9 +205,7 @@ public final class PageFile implements KeptPages {
     @Override
     public BitSet kept(int level, BitSet pages) {
         BitSet kept = new BitSet();
-        pages.stream()
-                .filter(page -> records.containsKey(number(level, page)))
-                .forEach(kept::set);
+        pages.stream().filter(page -> records.containsKey(number(level, page))).forEach(kept::set);
         return kept;
     }
 
