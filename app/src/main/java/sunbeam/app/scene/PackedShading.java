@@ -98,13 +98,6 @@ final class PackedShading implements AutoCloseable {
         }
     }
 
-    /** Has the driver make ready what {@link #shade} draws with, which some do at a first draw and take half a second for. */
-    void prepare(SkinSurface skin, Scene scene, GeometryBuffer buffer) {
-        Arrays.fill(slots, -1);
-        sources.upload(slots);
-        skin.shade(context, scene, buffer, sources, target, used(new Packing(1)));
-    }
-
     /** The part of the target that is drawn to. */
     private static Tile used(Packing packing) {
         return new Tile(0, Packing.ROWS - packing.rows(), packing.columns(), packing.rows());

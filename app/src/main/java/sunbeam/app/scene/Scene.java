@@ -132,6 +132,15 @@ public record Scene(
         return changed(draft -> draft.index = value);
     }
 
+    /** Whether another scene differs only in light, camera, weights and the like, which need no loading. */
+    public boolean sharesParts(Scene other) {
+        return mesh.equals(other.mesh)
+                && patch.equals(other.patch)
+                && texture.equals(other.texture)
+                && method.method().equals(other.method.method())
+                && index.sharesSpectrum(other.index);
+    }
+
     /** How a screen shows the picture: the thesis's preset clips highlights unless the scene says otherwise. */
     public DisplayTransform display(double factor) {
         return new DisplayTransform(factor, tone.orElse(method.isThesis() ? Tone.CLIP : Tone.COMPRESS));

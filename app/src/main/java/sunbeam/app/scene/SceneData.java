@@ -45,11 +45,7 @@ public record SceneData(
 
     /** Whether another scene can be drawn with these parts: only light, camera, weights and the like differ. */
     public boolean suits(Scene other) {
-        return scene.mesh().equals(other.mesh())
-                && scene.patch().equals(other.patch())
-                && scene.texture().equals(other.texture())
-                && scene.method().method().equals(other.method().method())
-                && scene.index().sharesSpectrum(other.index());
+        return scene.sharesParts(other);
     }
 
     /**

@@ -1,6 +1,5 @@
 package sunbeam.app.scene;
 
-import java.util.Arrays;
 import jrtr.Tile;
 import sunbeam.app.gpu.picture.LinearPicture;
 
@@ -66,33 +65,6 @@ public record ScenePicture(int width, int height, float[] rgba) {
             }
         }
         return small;
-    }
-
-    /**
-     * The mesh's light between pixels' middles, which have whole numbers: the mean of the four around that show the mesh,
-     * weighted bilinearly; zeros where none does.
-     *
-     * @param column from -0.5 to width - 0.5
-     * @param row from -0.5 to height - 0.5
-     * @param result XYZ and 1, or zeros
-     */
-    void sample(double column, double row, float[] result) {
-        int left = (int) Math.floor(column);
-        int top = (int) Math.floor(row);
-        Arrays.fill(result, 0);
-        for (int corner = 0; corner < 4; corner++) {
-            int x = left + corner % 2;
-            int y = top + corner / 2;
-            double weight = (1 - Math.abs(column - x)) * (1 - Math.abs(row - y));
-            int from = CHANNELS * (Math.max(0, Math.min(height - 1, y)) * width + Math.max(0, Math.min(width - 1, x)));
-            for (int c = 0; c < CHANNELS; c++) {
-                result[c] += (float) weight * rgba[from + c];
-            }
-        }
-        float coverage = result[3];
-        for (int c = 0; c < CHANNELS; c++) {
-            result[c] = coverage > 0 ? result[c] / coverage : 0;
-        }
     }
 
     /** Linear XYZ of the mesh alone: the mean over what it covers of a pixel, NaN where that is nothing. */

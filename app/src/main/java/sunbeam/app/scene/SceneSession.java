@@ -4,7 +4,6 @@ import java.awt.image.BufferedImage;
 import java.awt.image.DataBufferInt;
 import java.util.List;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import java.util.function.BooleanSupplier;
 import jrtr.Tile;
 import jrtr.gl.RenderContext;
@@ -25,9 +24,6 @@ public final class SceneSession implements AutoCloseable {
     /** Side of the tiles that {@link #tiles} gives; llvmpipe shares out blocks of 64 x 64 pixels among processors. */
     public static final int TILE_SIDE = 128;
 
-    // Of the body in previews whose diffraction is coarser.
-    private static final int BODY_DIVISOR = 5;
-
     private final RenderContext context;
     private final SceneRenderer renderer;
     private final GeometryBuffers buffers;
@@ -35,10 +31,8 @@ public final class SceneSession implements AutoCloseable {
     private final Picking picking;
     private final UploadedScene uploaded;
     private GeometryBuffers movingBuffers;
-    private BodyShading bodyShading;
     private int samplesAcross = 1;
     private long meshNanoseconds;
-    private long pixelNanoseconds;
 
     /**
      * Uploads a scene.
@@ -121,15 +115,6 @@ public final class SceneSession implements AutoCloseable {
      * @throws IllegalArgumentException if the tile is not inside
      */
     public ScenePicture draw(int width, int height, Tile tile) {
-        return draw(scene(), width, height, tile);
-    }
-
-    /** So many samples along a side will be one pixel in the end; holds for all that is drawn from now on. */
-    void drawSamples(int samples) {
-        samplesAcross = samples;
-    }
-
-    private ScenePicture draw(Scene lit, int width, int height, Tile tile) {
         if (!tile.fitsIn(width, height)) {
             throw new IllegalArgumentException(tile + " is not inside a picture of " + width + " x " + height);
         }
@@ -138,12 +123,15 @@ public final class SceneSession implements AutoCloseable {
         for (SceneBlocks.Piece piece : SceneBlocks.split(width, height, tile)) {
             Tile inBlock = piece.inBlock();
             GeometryBuffer buffer = drawn(geometry, piece);
-            long start = System.nanoTime();
-            float[] pixels = shading.shade(uploaded.skin(), lit, buffer, inBlock, samplesAcross);
-            pixelNanoseconds += System.nanoTime() - start;
+            float[] pixels = shading.shade(uploaded.skin(), scene(), buffer, inBlock, samplesAcross);
             part.put(new ScenePicture(inBlock.width(), inBlock.height(), pixels), piece.x(), piece.y());
         }
         return part;
+    }
+
+    /** So many samples along a side will be one pixel in the end; holds for all that is drawn from now on. */
+    void drawSamples(int samples) {
+        samplesAcross = samples;
     }
 
     private GeometryBuffer drawn(SkinGeometry geometry, SceneBlocks.Piece piece) {
@@ -177,7 +165,7 @@ public final class SceneSession implements AutoCloseable {
         SkinGeometry geometry = uploaded.geometry(width, height);
         for (Tile part : parts) {
             if (interrupted.getAsBoolean()) {
-                uploaded.skin().looks().ifPresent(looks -> looks.pages().forget());
+                pages().ifPresent(LevelPages::forget);
                 return false;
             }
             for (SceneBlocks.Piece piece : SceneBlocks.split(width, height, part)) {
@@ -193,24 +181,9 @@ public final class SceneSession implements AutoCloseable {
         return true;
     }
 
-    /**
-     * From now on makes colors in the background, where the method's are made as they are looked at.
-     *
-     * @param forAnyLight whether what {@link #canMove} asks for is begun at once, and not after what is requested
-     * @param arrived told, by another thread, that there are more; {@link #takeBaked} takes them
-     */
-    public void bakeInBackground(boolean forAnyLight, Runnable arrived) {
-        uploaded.skin().looks().ifPresent(looks -> looks.pages().bakeInBackground(forAnyLight, arrived));
-    }
-
-    /** Takes over what has been made in the background; whether there was anything. */
-    public boolean takeBaked() {
-        return uploaded.skin().looks().map(looks -> looks.pages().takeBaked()).orElse(false);
-    }
-
-    /** Leaves the processors to what is being drawn for a while. */
-    public void holdBaking() {
-        uploaded.skin().looks().ifPresent(looks -> looks.pages().holdBaking());
+    /** The tiles of its color tables, where it has any. */
+    public Optional<LevelPages> pages() {
+        return uploaded.skin().looks().map(SkinLooks::pages);
     }
 
     /**
@@ -221,104 +194,31 @@ public final class SceneSession implements AutoCloseable {
      * @param height rows
      * @param samples along a pixel's side; holds for all that is drawn from now on
      * @param interrupted asked now and then
-     * @return the share of the picture's that is there, 1 where nothing is missing; nothing when it was interrupted
+     * @return whether it was not interrupted
      */
-    public OptionalDouble request(int width, int height, int samples, BooleanSupplier interrupted) {
+    public boolean request(int width, int height, int samples, BooleanSupplier interrupted) {
         samplesAcross = samples;
-        if (uploaded.skin().looks().isEmpty()) {
-            return OptionalDouble.of(1);
-        }
-        // Colors for what moves are begun while it is found where the picture's pixels look; nearly all of them are
-        // the picture's, too.
-        if (!requestMoving(width, height, interrupted)) {
-            return OptionalDouble.empty();
-        }
-        List<Tile> fine = tiles(samples * width, samples * height, 1);
-        if (!note(samples * width, samples * height, fine, samples, SkinLooks.MOST_PLACES, interrupted)) {
-            return OptionalDouble.empty();
-        }
-        LevelPages pages = uploaded.skin().looks().get().pages();
-        double share = pages.share();
-        pages.requestToo();
-        return OptionalDouble.of(share);
-    }
-
-    /** Has the driver make ready what the picture that was requested will be drawn with, while its colors are being made. */
-    public void prepareDrawing(int width, int height) {
-        int columns = samplesAcross * width;
-        int rows = samplesAcross * height;
-        SkinGeometry geometry = uploaded.geometry(columns, rows);
-        SceneBlocks.Piece piece =
-                SceneBlocks.split(columns, rows, new Tile(0, 0, 1, 1)).get(0);
-        shading.prepare(uploaded.skin(), scene(), drawn(geometry, piece));
-    }
-
-    /** Share of what the background was asked for last that is there, 1 where nothing is missing. */
-    public double requestedShare() {
-        return uploaded.skin()
-                .looks()
-                .map(looks -> looks.pages().requestedShare())
-                .orElse(1.0);
-    }
-
-    /** Asks the background for all that {@link #moving} looks into; whether it could to the end. */
-    public boolean requestMoving(int width, int height, BooleanSupplier interrupted) {
-        if (uploaded.skin().looks().isEmpty()) {
+        if (pages().isEmpty()) {
             return true;
         }
-        if (!note(width, height, tiles(width, height, 1), 1, MovingSkin.mostPlaces(context.info()), interrupted)) {
+        // Tiles for what moves are begun while it is found where the picture's pixels look; nearly all of them are
+        // the picture's, too.
+        int mostPlaces = MovingSkin.mostPlaces(context.info());
+        if (!note(width, height, tiles(width, height, 1), 1, mostPlaces, interrupted)) {
             return false;
         }
-        uploaded.skin().looks().get().pages().request();
+        pages().get().request();
+        List<Tile> fine = tiles(samples * width, samples * height, 1);
+        if (!note(samples * width, samples * height, fine, samples, SkinLooks.MOST_PLACES, interrupted)) {
+            return false;
+        }
+        pages().get().requestToo();
         return true;
     }
 
     /** Time that has gone to the mesh so far; the rest goes to pixels. */
     public long meshNanoseconds() {
         return meshNanoseconds;
-    }
-
-    /**
-     * Draws a picture with fewer pixels. Those of the diffracted light, which are costly, are as few as asked for; the
-     * body, which is cheap, has a fifth of the columns and rows at least.
-     *
-     * @param width pixels per row of the whole picture
-     * @param height rows of the whole picture
-     * @param divisor a {@code divisor}-th of columns and rows
-     */
-    public ScenePreview preview(int width, int height, int divisor) {
-        long meshBefore = meshNanoseconds;
-        long pixelsBefore = pixelNanoseconds;
-        boolean split = divisor > BODY_DIVISOR;
-        Scene lit = split ? scene().withBlend(scene().blend().withoutBody()) : scene();
-        Tile few = reduced(width, height, divisor);
-        ScenePicture picture = draw(lit, few.width(), few.height(), few);
-        if (split) {
-            Tile more = reduced(width, height, BODY_DIVISOR);
-            ScenePicture finer = bodyShading().draw(scene(), uploaded.geometry(more.width(), more.height()));
-            double intensity = scene().light().intensity();
-            double white = Math.max(intensity, 1 / scene().exposure().orElse(1));
-            picture = ScenePreview.composed(finer, picture, intensity, white);
-        }
-        return new ScenePreview(picture, split, meshNanoseconds - meshBefore, pixelNanoseconds - pixelsBefore);
-    }
-
-    /** Whether {@link #moving} can draw: where the method's colors are made as they are looked at, and coarse ones are there. */
-    public boolean canMove() {
-        return uploaded.skin().looks().map(looks -> looks.pages().hasResident()).orElse(false);
-    }
-
-    /** As {@link #canMove()}, if only by the coarsest colors. */
-    public boolean canMoveCoarsely() {
-        return uploaded.skin().looks().map(looks -> looks.pages().hasCoarsest()).orElse(false);
-    }
-
-    /** Whether what {@link #canMoveCoarsely()} asks for was kept by an earlier run, and will soon be read in the background. */
-    public boolean hasKeptCoarse() {
-        return uploaded.skin()
-                .looks()
-                .map(looks -> looks.pages().hasKeptCoarsest())
-                .orElse(false);
     }
 
     /**
@@ -331,9 +231,8 @@ public final class SceneSession implements AutoCloseable {
      * @return as a screen shows it
      */
     public BufferedImage moving(int fullWidth, int fullHeight, int divisor, double exposure) {
-        Tile few = reduced(fullWidth, fullHeight, divisor);
-        int width = few.width();
-        int height = few.height();
+        int width = (fullWidth + divisor - 1) / divisor;
+        int height = (fullHeight + divisor - 1) / divisor;
         SkinGeometry geometry = uploaded.geometry(width, height);
         BufferedImage image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
         // Directly: an image that Swing paints once gains nothing from being kept on the graphics card.
@@ -352,24 +251,12 @@ public final class SceneSession implements AutoCloseable {
         return image;
     }
 
-    private static Tile reduced(int width, int height, int divisor) {
-        return Tile.whole((width + divisor - 1) / divisor, (height + divisor - 1) / divisor);
-    }
-
     /** Only pictures that move need them. */
     private GeometryBuffers movingBuffers() {
         if (movingBuffers == null) {
             movingBuffers = new GeometryBuffers(context, renderer, GeometryLayout.MOVING);
         }
         return movingBuffers;
-    }
-
-    /** Only previews need it. */
-    private BodyShading bodyShading() {
-        if (bodyShading == null) {
-            bodyShading = new BodyShading(context, renderer);
-        }
-        return bodyShading;
     }
 
     /** Draws a whole picture, tile by tile, so that no single draw keeps a slow driver for long. */
@@ -401,9 +288,6 @@ public final class SceneSession implements AutoCloseable {
             uploaded.close();
         }
         picking.close();
-        if (bodyShading != null) {
-            bodyShading.close();
-        }
         if (movingBuffers != null) {
             movingBuffers.close();
         }

@@ -3,7 +3,7 @@ package sunbeam.app.viewer;
 import java.awt.image.BufferedImage;
 import jrtr.ContextInfo;
 
-/** Told by the render thread what it has done, on the render thread. The images are not touched again. */
+/** Hears from the render thread what it has done. The images are not touched again. */
 interface RenderListener {
 
     /** OpenGL works. */
@@ -19,12 +19,13 @@ interface RenderListener {
      * A whole picture, which may have fewer pixels than the window.
      *
      * @param state what it shows
-     * @param divisor its diffracted light has a divisor-th of the columns and rows
-     * @param tables whether it is by tables of colors, so that pixels have the mean of what they see
+     * @param divisor it has a divisor-th of the columns and rows
+     * @param hasColors whether it shows diffracted light, not the body alone
      * @param exposure factor that was applied
      * @param nanoseconds that it took
      */
-    void preview(ViewState state, BufferedImage image, int divisor, boolean tables, double exposure, long nanoseconds);
+    void preview(
+            ViewState state, BufferedImage image, int divisor, boolean hasColors, double exposure, long nanoseconds);
 
     /**
      * The whole picture as {@code render} writes it.
@@ -35,7 +36,7 @@ interface RenderListener {
      */
     void complete(ViewState state, BufferedImage image, double exposure, long nanoseconds);
 
-    /** The final picture waits for colors that are being made, of which so large a share is there. */
+    /** The final picture waits for tiles that are being baked, of which so large a share is there. */
     void waiting(double share);
 
     /** A part of the final picture. */

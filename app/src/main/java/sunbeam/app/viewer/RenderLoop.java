@@ -3,14 +3,14 @@ package sunbeam.app.viewer;
 import java.awt.image.BufferedImage;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import jrtr.ContextInfo;
 import jrtr.Tile;
 import sunbeam.app.commands.failure.Failure;
-import sunbeam.app.scene.ScenePreview;
-import sunbeam.precompute.method.MethodPlan;
+import sunbeam.app.gpu.picture.AutoExposure;
+import sunbeam.app.scene.SceneData;
+import sunbeam.app.scene.ScenePicture;
 
 /**
  * The render thread: shows the newest state at once in a preview that keeps to its time, and once nothing moves, refines
@@ -19,24 +19,21 @@ import sunbeam.precompute.method.MethodPlan;
 final class RenderLoop implements AutoCloseable {
     // Pauses between two events of one drag are shorter.
     private static final long STILL_MILLISECONDS = 150;
-    // Of some hundred pages.
-    private static final long KEPT_MILLISECONDS = 300;
-    private static final long LOOK_MILLISECONDS = 10;
+    // Of the first frame by a method of which nothing is known yet.
+    private static final int FIRST_DIVISOR = 16;
 
     private final Inbox<ViewState, Consumer<GraphicsStage>> inbox = new Inbox<>();
     private final Supplier<GraphicsStage> opening;
-    private final RenderListener listener;
-    private final Executor listening;
+    private final Consumer<Consumer<RenderListener>> news;
     private final Thread thread;
-    private PreviewScale scale = PreviewScale.first();
-    private final MovingScale movingScale = new MovingScale();
+    private FrameScale scale = new FrameScale(FIRST_DIVISOR);
+    private SceneData scaled;
     private TileSide tileSide = TileSide.first();
-    private MethodPlan measured;
-    private final KeptExposure exposures = new KeptExposure();
+    private final CachedExposure exposures = new CachedExposure();
     private Optional<Finished> finished = Optional.empty();
-    // Waits for colors that are being made.
+    // Waits for tiles that are being baked.
     private Optional<ViewState> unfinished = Optional.empty();
-    // Whether it is known where its pixels look.
+    // Whether the tiles that it looks into are known.
     private boolean isRequested;
 
     /** A final picture: as long as nothing but the map changes, it stays. */
@@ -44,12 +41,11 @@ final class RenderLoop implements AutoCloseable {
 
     /**
      * @param opening makes the stage, on the render thread
-     * @param listening runs what the listener is told
+     * @param news has the listener hear what it is handed, perhaps on another thread
      */
-    RenderLoop(Supplier<GraphicsStage> opening, RenderListener listener, Executor listening) {
+    RenderLoop(Supplier<GraphicsStage> opening, Consumer<Consumer<RenderListener>> news) {
         this.opening = opening;
-        this.listener = listener;
-        this.listening = listening;
+        this.news = news;
         this.thread = new Thread(this::run, "render");
         thread.setDaemon(true);
     }
@@ -96,25 +92,8 @@ final class RenderLoop implements AutoCloseable {
         }
     }
 
-    /** Colors have come that a picture which stands still may have waited for. */
-    private void goOn(GraphicsStage stage) {
-        if (stage.takeBaked() && unfinished.isPresent() && !inbox.isInterrupted()) {
-            ViewState state = unfinished.get();
-            double share = stage.requestedShare();
-            guarded(() -> {
-                if (share < 1) {
-                    await(stage, state, share);
-                } else if (isRequested) {
-                    refineWhole(stage, state);
-                } else {
-                    finish(stage, state);
-                }
-            });
-        }
-    }
-
-    private void tell(Consumer<RenderListener> news) {
-        listening.execute(() -> news.accept(listener));
+    private void tell(Consumer<RenderListener> what) {
+        news.accept(what);
     }
 
     private void doTasks(GraphicsStage stage) {
@@ -135,79 +114,119 @@ final class RenderLoop implements AutoCloseable {
 
     private void show(GraphicsStage stage, ViewState state) {
         stage.update(state);
-        stage.bakeInBackground(() -> inbox.submit(this::goOn));
-        Optional<Finished> kept = finished.filter(picture -> picture.state().showsThePictureOf(state));
-        if (kept.isPresent()) {
-            Finished picture = kept.get();
+        stage.bakeInBackground(() -> inbox.submit(this::takeBaked));
+        Optional<Finished> same = finished.filter(picture -> picture.state().showsThePictureOf(state));
+        if (same.isPresent()) {
+            Finished picture = same.get();
             tell(to -> to.complete(state, picture.image(), picture.exposure(), picture.nanoseconds()));
             check(map(stage, state, false) && map(stage, state, true));
-            guarded(() -> stage.requestMoving(state.width(), state.height(), inbox::isInterrupted));
             return;
         }
         finished = Optional.empty();
         unfinished = Optional.empty();
-        if (state.isBare() && stage.canMoveSoon()) {
-            awaitKept(stage);
-        }
-        preview(stage, state);
+        move(stage, state);
         if (isStill(stage)) {
             finish(stage, state);
         }
     }
 
-    /** Colors that an earlier run has kept are read sooner than the body alone is drawn. */
-    private void awaitKept(GraphicsStage stage) {
-        long end = System.nanoTime() + KEPT_MILLISECONDS * 1_000_000;
-        try {
-            while (!stage.canMove() && System.nanoTime() < end && !inbox.isInterrupted()) {
-                Thread.sleep(LOOK_MILLISECONDS);
-                stage.takeBaked();
-            }
-        } catch (InterruptedException failure) {
-            Thread.currentThread().interrupt();
+    /** Shows what moves, in as many pixels as there is time for. */
+    private void move(GraphicsStage stage, ViewState state) {
+        followScale(stage, state.fine());
+        if (stage.hasColors()) {
+            // Else baking goes on: whoever keeps moving would never come to see more.
+            stage.holdBaking();
         }
+        long start = System.nanoTime() - stage.meshNanoseconds();
+        preview(stage, state, scale.divisor());
+        scale.frame(System.nanoTime() - stage.meshNanoseconds() - start);
     }
 
-    /** Refines what stands still, as far as its colors have been made; the rest is taken up when they come. */
+    /** Another method or mesh takes another time. */
+    @SuppressWarnings("ReferenceEquality") // the same objects as long as nothing is loaded anew
+    private void followScale(GraphicsStage stage, SceneData data) {
+        if (scaled == null || data.method() != scaled.method() || data.mesh() != scaled.mesh()) {
+            scale = new FrameScale(stage.isByTable() ? 1 : FIRST_DIVISOR);
+        }
+        scaled = data;
+    }
+
+    /** Shows a whole picture by the colors that there are. */
+    private void preview(GraphicsStage stage, ViewState state, int divisor) {
+        long start = System.nanoTime();
+        SceneData data = state.fine();
+        boolean hasColors = stage.hasColors();
+        double exposure;
+        BufferedImage image;
+        if (stage.isByTable()) {
+            exposure = hasColors ? exposures.of(data, stage::exposure) : bodyExposure(data);
+            image = stage.byTable(divisor, exposure);
+        } else {
+            ScenePicture picture = stage.reduced(divisor);
+            exposure = exposures.of(data, () -> AutoExposure.of(picture.linear()));
+            image = stage.image(picture, 1, exposure);
+        }
+        long taken = System.nanoTime() - start;
+        tell(to -> to.preview(state, image, divisor, hasColors, exposure, taken));
+    }
+
+    /** Nothing is metered while diffracted light is missing: until then, a white body that faces the light is white. */
+    private double bodyExposure(SceneData data) {
+        double intensity = data.scene().light().intensity();
+        return exposures.known(data).orElse(intensity > 0 ? 1 / intensity : 1);
+    }
+
+    /** Refines what stands still, as far as its tiles are baked; the rest is taken up when they come. */
     private void finish(GraphicsStage stage, ViewState state) {
-        if (state.isBare()) {
-            // Before it is found where all pixels look, which takes seconds.
-            unfinished = Optional.of(state);
-            isRequested = false;
-            await(stage, state, 0);
-            if (!stage.canMove()) {
-                return;
-            }
-        }
-        OptionalDouble found = stage.request(state.width(), state.height(), inbox::isInterrupted);
-        if (found.isEmpty()) {
+        unfinished = Optional.of(state);
+        isRequested = false;
+        double coarsest = stage.coarsestShare();
+        if (coarsest < 1) {
+            await(stage, state, coarsest);
             return;
         }
-        double share = found.getAsDouble();
-        if (share < 1) {
-            unfinished = Optional.of(state);
-            isRequested = true;
-            await(stage, state, share);
+        if (stage.isByTable()) {
+            // It takes seconds to find which tiles all pixels look into.
+            preview(stage, state, 1);
+        }
+        OptionalDouble share = stage.request(inbox::isInterrupted);
+        isRequested = share.isPresent();
+        if (isRequested && share.getAsDouble() < 1) {
+            await(stage, state, share.getAsDouble());
             map(stage, state, false);
-            stage.prepareDrawing(state.width(), state.height());
-            return;
+        } else if (isRequested) {
+            refineWhole(stage, state);
         }
-        refineWhole(stage, state);
     }
 
-    /** Refines what all colors are there for. */
+    /** Tiles have come that a picture which stands still may wait for. */
+    private void takeBaked(GraphicsStage stage) {
+        if (stage.takeBaked() && unfinished.isPresent() && !inbox.isInterrupted()) {
+            ViewState state = unfinished.get();
+            guarded(() -> {
+                if (!isRequested) {
+                    finish(stage, state);
+                } else if (stage.requestedShare() < 1) {
+                    await(stage, state, stage.requestedShare());
+                } else {
+                    refineWhole(stage, state);
+                }
+            });
+        }
+    }
+
+    /** Shows what there is while tiles are being baked. */
+    private void await(GraphicsStage stage, ViewState state, double share) {
+        if (stage.isByTable() && stage.hasColors()) {
+            preview(stage, state, 1);
+        }
+        tell(to -> to.waiting(share));
+    }
+
+    /** Refines what all tiles are there for. */
     private void refineWhole(GraphicsStage stage, ViewState state) {
         unfinished = Optional.empty();
         check(map(stage, state, false) && refine(stage, state));
-        guarded(() -> stage.requestMoving(state.width(), state.height(), inbox::isInterrupted));
-    }
-
-    /** Shows what there is while colors are being made. */
-    private void await(GraphicsStage stage, ViewState state, double share) {
-        if (stage.canMove()) {
-            moving(stage, state, 1, exposures.of(state.fine(), stage::previewExposure));
-        }
-        tell(to -> to.waiting(share));
     }
 
     private void check(boolean done) {
@@ -232,61 +251,6 @@ final class RenderLoop implements AutoCloseable {
         }
     }
 
-    /** Shows what moves, as large as there is time for: by tables where colors for that are there, else by the preview's plan. */
-    private void preview(GraphicsStage stage, ViewState state) {
-        OptionalDouble known = exposures.known(state.fine());
-        if (known.isPresent() && state.isBare() && !stage.canMove()) {
-            // The body alone, by what will draw its colors.
-            moving(stage, state, 1, known.getAsDouble());
-        } else if (stage.canMove()) {
-            double exposure = exposures.of(state.fine(), stage::previewExposure);
-            stage.holdBaking();
-            long start = System.nanoTime();
-            moving(stage, state, movingScale.divisor(), exposure);
-            movingScale.frame(System.nanoTime() - start);
-        } else {
-            // Baking goes on meanwhile: whoever keeps moving would never come to see more.
-            reduced(stage, state);
-        }
-    }
-
-    private void moving(GraphicsStage stage, ViewState state, int divisor, double exposure) {
-        long start = System.nanoTime();
-        boolean colors = stage.canMove();
-        BufferedImage image = stage.moving(state.width(), state.height(), divisor, exposure);
-        long taken = System.nanoTime() - start;
-        tell(to -> to.preview(state, image, divisor, colors, exposure, taken));
-    }
-
-    private void reduced(GraphicsStage stage, ViewState state) {
-        long start = System.nanoTime();
-        // The body alone takes no time.
-        int divisor = state.isBare() ? 1 : scale.divisor();
-        ScenePreview preview = stage.preview(state.width(), state.height(), divisor);
-        double exposure = state.isBare() ? bodyExposure(state) : exposures.of(state.fine(), stage::previewExposure);
-        BufferedImage image = stage.image(preview.picture(), exposure);
-        long taken = System.nanoTime() - start;
-        followTime(state.coarse().method(), taken, preview.fixed(taken));
-        tell(to -> to.preview(state, image, divisor, false, exposure, taken));
-    }
-
-    /** Nothing is metered while diffracted light is missing: until then, a white body that faces the light is white. */
-    private double bodyExposure(ViewState state) {
-        double intensity = state.fine().scene().light().intensity();
-        return exposures.known(state.fine()).orElse(intensity > 0 ? 1 / intensity : 1);
-    }
-
-    /** A method's first frame is left out: the driver compiles its shaders then. */
-    @SuppressWarnings("ReferenceEquality") // the same object as long as nothing is loaded anew
-    private void followTime(MethodPlan method, long nanoseconds, long fixed) {
-        if (method == measured) {
-            scale = scale.after(nanoseconds, fixed);
-        } else {
-            scale = PreviewScale.first();
-        }
-        measured = method;
-    }
-
     /**
      * Draws the final picture and its map; false if it was interrupted. A newer state that shows the same picture goes on
      * with what is drawn already.
@@ -297,7 +261,7 @@ final class RenderLoop implements AutoCloseable {
         double exposure = exposures.found(state.fine(), stage.exposure());
         BufferedImage whole = new BufferedImage(state.width(), state.height(), BufferedImage.TYPE_INT_RGB);
         long done = 0;
-        for (Tile block : stage.tiles(state.width(), state.height())) {
+        for (Tile block : stage.tiles()) {
             for (Tile tile : block.divided(tileSide.side())) {
                 doTasks(stage);
                 Optional<ViewState> picked = inbox.stateIf(first::showsThePictureOf);
@@ -308,12 +272,12 @@ final class RenderLoop implements AutoCloseable {
                 if (inbox.isInterrupted()) {
                     return false;
                 }
-                if (state.isBare()) {
-                    // All of its colors are there: what the background makes is for other pictures.
+                if (stage.isByTable()) {
+                    // All of its tiles are there: what the background bakes is for other pictures.
                     stage.holdBaking();
                 }
                 long begun = System.nanoTime() - stage.meshNanoseconds();
-                BufferedImage part = stage.part(state.width(), state.height(), tile, exposure);
+                BufferedImage part = stage.part(tile, exposure);
                 long taken = System.nanoTime() - stage.meshNanoseconds() - begun;
                 tileSide = tileSide.after(tile.pixels(), taken);
                 whole.getRaster().setDataElements(tile.x(), tile.y(), part.getRaster());

@@ -17,8 +17,6 @@ final class StartJournal {
         CONTEXT("OpenGL"),
         BODY("body"),
         FIRST("first picture"),
-        COLORS("first anti-aliased picture"),
-        TABLES("tables of colors for what moves"),
         FINAL("final picture");
 
         private final String words;

@@ -66,11 +66,11 @@ final class StatusLine extends JPanel {
     }
 
     void refining(double share) {
-        tell(format("Preview, %.0f %% final · ", 100 * share) + rate());
+        tell(format("Preview, %.0f %% final · ", Math.floor(100 * share)) + rate());
     }
 
     void waiting(double share) {
-        tell(format("Preview, %.0f %% of its colors made · ", 100 * share) + rate());
+        tell(format("Preview, %.0f %% of its colors made · ", Math.floor(100 * share)) + rate());
     }
 
     void complete(long nanoseconds) {

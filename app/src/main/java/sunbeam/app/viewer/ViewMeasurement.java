@@ -8,6 +8,7 @@ import java.util.Deque;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
 import javax.swing.SwingUtilities;
 import javax.swing.Timer;
@@ -16,7 +17,7 @@ import javax.swing.Timer;
  * How fast the viewer follows a hand: drags at 60 events a second go through the window's event queue, and each is timed
  * from there until a picture that has it is painted. Belongs to the event thread.
  */
-final class ViewMeasurement implements FrameObserver {
+final class ViewMeasurement {
     private static final int EVENT_MILLISECONDS = 16;
     // Not measured: the first frames are as coarse as any method may need. As long as what is measured, but at most
     // this.
@@ -77,7 +78,7 @@ final class ViewMeasurement implements FrameObserver {
     }
 
     private void begin() {
-        viewer.observe(this);
+        viewer.observe(Optional.of(this));
         start = System.nanoTime() + Math.min(nanoseconds, LONGEST_WARM_UP_NANOSECONDS);
         send(MouseEvent.MOUSE_PRESSED, 0);
         hand.start();
@@ -88,7 +89,7 @@ final class ViewMeasurement implements FrameObserver {
         if (System.nanoTime() - start > nanoseconds) {
             hand.stop();
             send(MouseEvent.MOUSE_RELEASED, 0);
-            viewer.observe(FrameObserver.NONE);
+            viewer.observe(Optional.empty());
             done.countDown();
             return;
         }
@@ -111,14 +112,18 @@ final class ViewMeasurement implements FrameObserver {
         Toolkit.getDefaultToolkit().getSystemEventQueue().postEvent(event);
     }
 
-    @Override
-    public void asked(ViewState state) {
+    /** A state is wanted on screen. */
+    void asked(ViewState state) {
         events++;
         included.put(state, events);
     }
 
-    @Override
-    public void shown(ViewState state, int divisor) {
+    /**
+     * A state has been painted as a preview.
+     *
+     * @param divisor the preview has a divisor-th of the columns and rows
+     */
+    void shown(ViewState state, int divisor) {
         Toolkit.getDefaultToolkit().sync();
         Long upTo = included.remove(state);
         if (upTo == null) {

@@ -43,9 +43,6 @@ final class ViewerModel {
     private Listener listener;
     private Scene wanted;
     private LoadedScene loaded;
-    // What was loaded while a newer load was already wanted; stays if that one fails.
-    private LoadedScene overtaken;
-    private long overtakenLoad;
     private boolean loadsRest;
     private final AtomicLong newestLoad = new AtomicLong();
     // Scenes that are being opened, the first one first.
@@ -89,7 +86,7 @@ final class ViewerModel {
     /** Goes over to another scene. */
     void change(UnaryOperator<Scene> change) {
         Scene next = change.apply(wanted);
-        boolean loads = loaded == null || !sameParts(next, wanted);
+        boolean loads = loaded == null || !next.sharesParts(wanted);
         wanted = next;
         if (loaded != null) {
             loaded = loaded.with(withPartsOf(next, loaded.fine().scene()));
@@ -132,23 +129,22 @@ final class ViewerModel {
                 message -> refuse(number, message));
     }
 
+    /** What a newer load overtakes is shown until that one is there. */
     private void accept(long number, LoadedScene result) {
         if (result == null) {
             return;
         }
-        if (number != newestLoad.get()) {
-            overtaken = result;
-            overtakenLoad = number;
-            return;
+        if (number == newestLoad.get()) {
+            loadsRest = false;
         }
-        overtaken = null;
-        loadsRest = false;
         loaded = result.with(withPartsOf(wanted, result.fine().scene()));
-        endOpenings(number);
-        listener.changed();
-        if (!loaded.isWhole() && !loaded.waitsForColors()) {
-            load();
+        List<Opening> done =
+                openings.stream().filter(opening -> opening.load <= number).toList();
+        openings.removeAll(done);
+        if (!done.isEmpty()) {
+            done.get(done.size() - 1).opened.run();
         }
+        listener.changed();
     }
 
     /** Loads what pictures can do without, where that was left for later. */
@@ -164,42 +160,15 @@ final class ViewerModel {
         if (number != newestLoad.get()) {
             return;
         }
-        long kept = overtaken == null ? 0 : overtakenLoad;
-        // What was changed since a scene was opened that did not load goes with it.
-        Scene base = openings.stream()
-                .filter(opening -> opening.load > kept)
-                .findFirst()
-                .map(Opening::before)
-                .orElse(wanted);
-        if (overtaken != null) {
-            loaded = overtaken;
-            overtaken = null;
-        }
         if (loaded != null) {
+            // What was changed since a scene was opened that did not load goes with it.
+            Scene base = openings.isEmpty() ? wanted : openings.get(0).before();
             wanted = withPartsOf(base, loaded.fine().scene());
             loaded = loaded.with(wanted);
         }
-        endOpenings(kept);
+        openings.clear();
         listener.changed();
         listener.problem(message);
-    }
-
-    /** Tells the last scene that was opened by a load. */
-    private void endOpenings(long load) {
-        List<Opening> all = List.copyOf(openings);
-        openings.clear();
-        all.stream()
-                .filter(opening -> opening.load <= load)
-                .reduce((earlier, later) -> later)
-                .ifPresent(opening -> opening.opened.run());
-    }
-
-    private static boolean sameParts(Scene one, Scene other) {
-        return one.mesh().equals(other.mesh())
-                && one.patch().equals(other.patch())
-                && one.texture().equals(other.texture())
-                && one.method().method().equals(other.method().method())
-                && one.index().sharesSpectrum(other.index());
     }
 
     /** The one scene's light, camera and weights with the other's mesh, patch, texture, method and index by wavelength. */

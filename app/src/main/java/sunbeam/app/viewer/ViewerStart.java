@@ -20,7 +20,7 @@ final class ViewerStart {
     // The tile at hand when the window closes takes no longer, nor does a file; the process ends without it otherwise.
     private static final long PATIENCE_MILLISECONDS = 5000;
 
-    // Until tables for what moves have been made; what is measured without them says so by its scale.
+    // For the final picture; what is measured before it says so by its scale.
     private static final long LONGEST_WAIT_MILLISECONDS = 180_000;
 
     private ViewerStart() {}
@@ -49,9 +49,6 @@ final class ViewerStart {
         Viewer viewer = open(scene, environment, warning);
         try {
             viewer.awaitPicture();
-            if (viewer.awaitTables(LONGEST_WAIT_MILLISECONDS)) {
-                viewer.journal().reached(StartJournal.Stage.TABLES);
-            }
             viewer.awaitFinalByTable(LONGEST_WAIT_MILLISECONDS);
             return viewer.journal().report() + System.lineSeparator() + ViewMeasurement.of(viewer, seconds);
         } finally {
@@ -76,9 +73,8 @@ final class ViewerStart {
             // What is said before there is a window stands in the terminal.
             Optional.ofNullable(viewer.get()).ifPresent(shown -> shown.message(line));
         });
-        Sparing sparing = new Sparing();
         // While Swing starts, which is one processor's work.
-        Meanwhile<LoadedScene> first = Meanwhile.start(() -> LoadedScene.load(loader, scene, null));
+        Meanwhile<LoadedScene> first = Meanwhile.start(() -> LoadedScene.load(loader, scene, null, share -> {}));
         try {
             SwingUtilities.invokeAndWait(() -> {
                 FlatDarkLaf.setup();
@@ -86,8 +82,7 @@ final class ViewerStart {
                         scene,
                         (next, previous, progress) -> previous == null && next.equals(scene)
                                 ? first.get()
-                                : LoadedScene.load(loader, next, previous, sparing, progress),
-                        sparing,
+                                : LoadedScene.load(loader, next, previous, progress),
                         GraphicsStage::new,
                         journal));
                 viewer.get().start();

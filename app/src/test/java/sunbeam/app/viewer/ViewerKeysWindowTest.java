@@ -45,7 +45,7 @@ final class ViewerKeysWindowTest extends ViewerInAWindow {
     }
 
     private Vector3f seenLight() throws Exception {
-        return onEvents(() -> MapLight.seen(viewer.model().scene()));
+        return onEvents(() -> ScenePresenter.seenLight(viewer.model().scene()));
     }
 
     private void awaitLightOther(Vector3f light) throws Exception {

@@ -22,7 +22,6 @@ final class ViewerLifeWindowTest extends ViewerInAWindow {
             Viewer made = new Viewer(
                     scene(),
                     (next, previous, progress) -> null,
-                    new Sparing(),
                     () -> {
                         throw new GraphicsException("no OpenGL 3.3 here");
                     },

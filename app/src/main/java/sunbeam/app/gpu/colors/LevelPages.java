@@ -39,8 +39,7 @@ public final class LevelPages implements AutoCloseable {
     private final PageCells cells;
     // Coarse levels as a whole, so that whatever comes into view has colors at once.
     private final List<BitSet> resident = new ArrayList<>();
-    private boolean residentThere;
-    private boolean coarsestKept;
+    private boolean hasCoarsest;
     // What was asked of the background last.
     private List<BitSet> requested = List.of();
     private Optional<PageBaker> baker = Optional.empty();
@@ -68,25 +67,6 @@ public final class LevelPages implements AutoCloseable {
             }
             resident.set(level, all);
         }
-    }
-
-    /** Whether every look-up finds a page of a coarse level. */
-    public boolean hasResident() {
-        // Pages never go again, and this is asked for each frame.
-        residentThere = residentThere || isResidentThere();
-        return residentThere;
-    }
-
-    private boolean isResidentThere() {
-        if (resident.get(resident.size() - 1).isEmpty()) {
-            return false;
-        }
-        for (int level = 0; level < resident.size(); level++) {
-            if (!isThere(level)) {
-                return false;
-            }
-        }
-        return true;
     }
 
     /** The levels. */
@@ -177,22 +157,20 @@ public final class LevelPages implements AutoCloseable {
     /**
      * From now on {@link #request} has pages made in the background; the coarsest level is begun at once.
      *
-     * @param forAnyLight whether other coarse levels are begun at once, too, and not after what is requested
      * @param arrived told, by another thread, that {@link #takeBaked} has something to take
      */
-    public void bakeInBackground(boolean forAnyLight, Runnable arrived) {
+    public void bakeInBackground(Runnable arrived) {
         if (baker.isEmpty()) {
             int last = grids.size() - 1;
-            coarsestKept = !sources.kept(last, resident.get(last)).isEmpty();
             baker = Optional.of(new PageBaker(sources, arrived));
-            List<BitSet> first = copyOf(forAnyLight ? resident : none());
+            List<BitSet> first = none();
             first.get(last).or(resident.get(last));
             baker.get().want(first, none());
         }
     }
 
     private List<BitSet> none() {
-        return grids.stream().map(grid -> new BitSet()).toList();
+        return new ArrayList<>(grids.stream().map(grid -> new BitSet()).toList());
     }
 
     private static List<BitSet> copyOf(List<BitSet> pages) {
@@ -226,24 +204,16 @@ public final class LevelPages implements AutoCloseable {
 
     /** Whether every look-up finds a page, if only of the coarsest level. */
     public boolean hasCoarsest() {
-        int last = grids.size() - 1;
-        return !resident.get(last).isEmpty() && isThere(last);
+        // Pages never go again, and this is asked for each frame.
+        hasCoarsest = hasCoarsest || (!resident.get(grids.size() - 1).isEmpty() && coarsestShare() == 1);
+        return hasCoarsest;
     }
 
-    /** Whether an earlier run has kept some of the coarsest level, so that the background has it soon. */
-    public boolean hasKeptCoarsest() {
-        return coarsestKept;
-    }
-
-    private boolean isThere(int level) {
-        BitSet missing = (BitSet) resident.get(level).clone();
-        missing.andNot(made.get(level));
-        return missing.isEmpty();
-    }
-
-    /** Share of what was noted that is there already, 1 for all. */
-    public double share() {
-        return share(wanted);
+    /** Share of the coarsest level that is there; 1 where it is too large to be made as a whole. */
+    public double coarsestShare() {
+        List<BitSet> coarsest = none();
+        coarsest.set(grids.size() - 1, resident.get(grids.size() - 1));
+        return share(coarsest);
     }
 
     /** Share of what was requested last that is there already, 1 for all. */

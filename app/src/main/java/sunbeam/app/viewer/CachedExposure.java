@@ -8,7 +8,7 @@ import sunbeam.app.scene.SceneData;
  * The automatic exposure of the last picture. While only light, camera and model move, it stays: a picture that is being turned does not
  * flicker.
  */
-final class KeptExposure {
+final class CachedExposure {
     private SceneData last;
     private double exposure;
 
@@ -26,7 +26,7 @@ final class KeptExposure {
         return known.isPresent() ? known.getAsDouble() : found(data, found.getAsDouble());
     }
 
-    /** Keeps what was found for a scene that leaves it open; returns it. */
+    /** Caches what was found for a scene that leaves it open; returns it. */
     double found(SceneData data, double value) {
         if (data.scene().exposure().isEmpty()) {
             last = data;

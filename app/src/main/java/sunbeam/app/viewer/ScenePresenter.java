@@ -1,0 +1,293 @@
+package sunbeam.app.viewer;
+
+import java.awt.image.BufferedImage;
+import java.io.File;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import javax.swing.SwingUtilities;
+import jrtr.ContextInfo;
+import jrtr.GraphicsException;
+import org.joml.Vector3f;
+import sunbeam.app.scene.Scene;
+import sunbeam.precompute.optics.Direction;
+
+/**
+ * Brings the model's scene on screen: asks the render thread for it, and shows what comes of that. Belongs to the event thread.
+ */
+final class ScenePresenter implements ViewerModel.Listener, RenderListener {
+    // Light at the horizon leaves no radiance to divide by.
+    private static final double LOWEST_MAP_LIGHT = 0.01;
+
+    private final ViewerModel model;
+    private final ViewerWindow window;
+    private final RenderLoop loop;
+    private final FileActions files;
+    private final PointInspector inspector;
+    private final StartJournal journal;
+    private final CompletableFuture<Void> firstPicture = new CompletableFuture<>();
+    private Optional<ViewMeasurement> measurement = Optional.empty();
+    private boolean coneShown = true;
+    private boolean mapShown = true;
+    private volatile boolean failed;
+    private ViewState asked;
+    private ViewState shown;
+    private ViewState completed;
+    // Of what is being loaded.
+    private double loadedShare;
+
+    ScenePresenter(
+            ViewerModel model,
+            ViewerWindow window,
+            RenderLoop loop,
+            FileActions files,
+            PointInspector inspector,
+            StartJournal journal) {
+        this.model = model;
+        this.window = window;
+        this.loop = loop;
+        this.files = files;
+        this.inspector = inspector;
+        this.journal = journal;
+    }
+
+    /** Completed once something is to be seen; exceptionally, with the reason, if it cannot be. */
+    CompletableFuture<Void> firstPicture() {
+        return firstPicture;
+    }
+
+    /** Without effect once there has been a picture. */
+    void noPicture(String why) {
+        firstPicture.completeExceptionally(new GraphicsException(why));
+    }
+
+    /** Has what comes on screen measured. */
+    void observe(Optional<ViewMeasurement> value) {
+        measurement = value;
+    }
+
+    /** Whether the newest state that was asked for is on screen in its final form. */
+    @SuppressWarnings("ReferenceEquality") // the same request, not an equal one
+    boolean isSettled() {
+        return asked == completed;
+    }
+
+    /** Whether nothing more will be drawn. On any thread. */
+    boolean hasFailed() {
+        return failed;
+    }
+
+    void toggleCone() {
+        coneShown = !coneShown;
+        followLight();
+    }
+
+    void toggleMap() {
+        mapShown = !mapShown;
+        window.showMap(mapShown);
+        show();
+    }
+
+    void pick(int x, int y) {
+        model.loaded()
+                .ifPresent(loaded -> inspector.pick(loop, loaded.fine(), x, y, () -> {
+                    show();
+                    measure();
+                }));
+    }
+
+    private void measure() {
+        model.loaded().ifPresent(loaded -> inspector.measure(loaded.fine()));
+    }
+
+    /** Has the newest scene drawn in the picture's size. */
+    void show() {
+        inspector.follow(model.scene());
+        followLight();
+        int width = window.picture().pictureWidth();
+        int height = window.picture().pictureHeight();
+        if (failed || width < 1 || height < 1 || model.loaded().isEmpty()) {
+            return;
+        }
+        LoadedScene loaded = model.loaded().get();
+        asked = new ViewState(loaded, width, height, mapLight().filter(light -> loaded.isWhole()));
+        window.status().outdated();
+        measurement.ifPresent(measured -> measured.asked(asked));
+        loop.show(asked);
+    }
+
+    /** Dims what is not of the newest scene, and says what is being loaded, until that is on screen. */
+    private void followLoad() {
+        boolean old = isOld();
+        window.picture().dim(old);
+        if (old) {
+            window.status().loading(wantedPart(), loadedShare);
+        } else {
+            window.status().loaded();
+        }
+    }
+
+    private boolean isOld() {
+        return shown == null || !shown.fine().suits(model.scene());
+    }
+
+    /** In a word, what the newest scene has that the picture on screen has not. */
+    private String wantedPart() {
+        Scene wanted = model.scene();
+        Scene old = shown == null ? wanted : shown.fine().scene();
+        if (!old.mesh().equals(wanted.mesh())) {
+            return new File(wanted.mesh()).getName();
+        }
+        return shown == null || !old.patch().equals(wanted.patch())
+                ? new File(wanted.patch().patch()).getName()
+                : "method " + wanted.method().type().label();
+    }
+
+    /** Towards the light of the BRDF map, at the picked point or on a skin that faces the viewer; empty where there is none. */
+    private Optional<Direction> mapLight() {
+        if (!mapShown) {
+            return Optional.empty();
+        }
+        Optional<PickedPoint> picked = inspector.point();
+        Vector3f seen = seenLight(model.scene());
+        Direction light = picked.map(
+                        point -> point.light(model.scene().light().towards()))
+                .orElseGet(() -> new Direction(seen.x, seen.y, seen.z));
+        if (light.z() < LOWEST_MAP_LIGHT) {
+            window.map().clear("the light is behind the skin here");
+            return Optional.empty();
+        }
+        window.map().computed(0);
+        window.map()
+                .mark(
+                        picked.map(point -> point.pick().wr()),
+                        picked.isPresent() ? "BRDF at the picked point" : "BRDF of a skin that faces you");
+        return Optional.of(light);
+    }
+
+    /** Towards the light in the camera's space: +x right, +y up, +z to the viewer. */
+    static Vector3f seenLight(Scene scene) {
+        return scene.view()
+                .camera()
+                .worldToCamera()
+                .transformDirection(scene.light().towards(), new Vector3f());
+    }
+
+    private void followLight() {
+        window.picture().showCone(coneShown ? Optional.of(new LightCone(seenLight(model.scene()))) : Optional.empty());
+        inspector.showAngles(model.scene().light().towards());
+    }
+
+    @Override
+    public void changed() {
+        window.controls().follow();
+        model.loaded().ifPresent(loaded -> {
+            journal.reached(StartJournal.Stage.LOADED);
+            window.status().plan(loaded.fine().method().summary());
+        });
+        show();
+        followLoad();
+    }
+
+    @Override
+    public void loading(double share) {
+        if (!isOld()) {
+            window.map().computed(share);
+            return;
+        }
+        loadedShare = share;
+        if (share == 0) {
+            window.status().message(" "); // what was said of the last load
+        }
+        followLoad();
+    }
+
+    @Override
+    public void problem(String message) {
+        window.status().message(message);
+        if (model.loaded().isEmpty()) {
+            noPicture(message);
+            window.picture().showMessage(message);
+        }
+    }
+    @Override
+    public void opened(ContextInfo info) {
+        journal.reached(StartJournal.Stage.CONTEXT);
+        files.drawnBy(info.renderer());
+        window.status().renderer(info.renderer());
+    }
+
+    @Override
+    public void failed(String message) {
+        failed = true;
+        noPicture(message);
+        window.picture().showMessage("No picture: " + message);
+        window.status().message(message);
+    }
+
+    @Override
+    public void refused(String message) {
+        window.status().message(message);
+        window.status().refused();
+        noPicture(message);
+        model.loadRest();
+        if (window.picture().picture().isEmpty()) {
+            window.picture().showMessage(message);
+        }
+    }
+
+    @Override
+    public void preview(
+            ViewState state, BufferedImage image, int divisor, boolean hasColors, double exposure, long nanoseconds) {
+        show(state, image, false, hasColors, exposure);
+        journal.reached(hasColors ? StartJournal.Stage.FIRST : StartJournal.Stage.BODY);
+        window.status().preview(divisor, nanoseconds);
+        // Swing paints before whatever is queued now.
+        SwingUtilities.invokeLater(() -> measurement.ifPresent(measured -> measured.shown(state, divisor)));
+    }
+
+    @Override
+    public void waiting(double share) {
+        window.status().waiting(share);
+    }
+
+    @Override
+    @SuppressWarnings("ReferenceEquality") // the same request, not an equal one
+    public void complete(ViewState state, BufferedImage image, double exposure, long nanoseconds) {
+        show(state, image, true, true, exposure);
+        journal.reached(StartJournal.Stage.FINAL);
+        completed = state;
+        // Only now: it would take the processors from the picture.
+        model.loadRest();
+        if (state == asked) {
+            window.status().complete(nanoseconds);
+        }
+        files.pictureIsFinal(state.fine(), exposure);
+        measure();
+    }
+
+    private void show(
+            ViewState state, BufferedImage image, boolean isFinal, boolean hasColors, double exposure) {
+        firstPicture.complete(null);
+        shown = state;
+        followLoad();
+        window.picture().showPicture(image, state.width(), state.height(), isFinal);
+        if (hasColors) {
+            window.controls().exposureInUse(exposure);
+        }
+    }
+
+    @Override
+    public void tile(ViewState state, BufferedImage image, int x, int y, double shareDone) {
+        window.picture().showTile(image, x, y);
+        window.status().refining(shareDone);
+    }
+
+    @Override
+    @SuppressWarnings("ReferenceEquality") // the same request, not an equal one
+    public void map(ViewState state, BufferedImage image, boolean isFinal) {
+        window.map().show(image);
+        if (isFinal && state == asked) {
+            window.map().computed(1);
+        }
+    }
+}
