@@ -149,8 +149,7 @@ final class ScenePresenter implements ViewerModel.Listener, RenderListener {
         }
         Optional<PickedPoint> picked = inspector.point();
         Vector3f seen = seenLight(model.scene());
-        Direction light = picked.map(
-                        point -> point.light(model.scene().light().towards()))
+        Direction light = picked.map(point -> point.light(model.scene().light().towards()))
                 .orElseGet(() -> new Direction(seen.x, seen.y, seen.z));
         if (light.z() < LOWEST_MAP_LIGHT) {
             window.map().clear("the light is behind the skin here");
@@ -209,6 +208,7 @@ final class ScenePresenter implements ViewerModel.Listener, RenderListener {
             window.picture().showMessage(message);
         }
     }
+
     @Override
     public void opened(ContextInfo info) {
         journal.reached(StartJournal.Stage.CONTEXT);
@@ -265,8 +265,7 @@ final class ScenePresenter implements ViewerModel.Listener, RenderListener {
         measure();
     }
 
-    private void show(
-            ViewState state, BufferedImage image, boolean isFinal, boolean hasColors, double exposure) {
+    private void show(ViewState state, BufferedImage image, boolean isFinal, boolean hasColors, double exposure) {
         firstPicture.complete(null);
         shown = state;
         followLoad();

@@ -37,11 +37,7 @@ final class Viewer {
      * @param opening opens OpenGL, on the render thread
      * @param journal of what is reached
      */
-    Viewer(
-            Scene scene,
-            ViewerModel.Loading loader,
-            Supplier<GraphicsStage> opening,
-            StartJournal journal) {
+    Viewer(Scene scene, ViewerModel.Loading loader, Supplier<GraphicsStage> opening, StartJournal journal) {
         this.journal = journal;
         asLoaded = scene;
         model = new ViewerModel(scene, loader, loading);
@@ -163,7 +159,10 @@ final class Viewer {
     void awaitFinalByTable(long patience) throws InterruptedException {
         long end = System.nanoTime() + patience * 1_000_000;
         boolean isByTable = model.loaded().map(LoadedScene::isByTable).orElse(false);
-        while (isByTable && !presenter.hasFailed() && !journal.has(StartJournal.Stage.FINAL) && System.nanoTime() < end) {
+        while (isByTable
+                && !presenter.hasFailed()
+                && !journal.has(StartJournal.Stage.FINAL)
+                && System.nanoTime() < end) {
             Thread.sleep(LOOK_MILLISECONDS);
         }
     }
