@@ -5,9 +5,9 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.Predicate;
+import sunbeam.precompute.fault.ScanFault;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.Patch;
-import sunbeam.precompute.patch.PatchFault;
 import sunbeam.precompute.units.Decimals;
 
 /**
@@ -82,10 +82,10 @@ public record GratingPeriod(
     }
 
     /** The largest part of a scan without the rows that hold no measurement: what repeats in them is not the surface. */
-    static HeightMap measured(HeightMap scan, List<PatchFault> faults) {
+    static HeightMap measured(HeightMap scan, List<ScanFault> faults) {
         return faults.stream()
                 .filter(fault -> fault.unmeasured() > FEW_UNMEASURED)
-                .flatMap(fault -> fault.measured().stream())
+                .flatMap(fault -> fault.part().stream())
                 .findFirst()
                 .map(part -> part.apply(scan))
                 .orElse(scan);

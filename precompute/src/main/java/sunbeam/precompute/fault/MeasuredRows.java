@@ -130,7 +130,7 @@ final class MeasuredRows {
                 numbers(place.firstRow() + 1),
                 whole.rows());
         double share = (double) unmeasured.cardinality() / scan.rows();
-        return Optional.of(new ScanFault(words, part, Optional.empty(), share));
+        return Optional.of(new ScanFault(words, part, Optional.empty(), share, ""));
     }
 
     /** "3, 7 to 9 and 3 more". */

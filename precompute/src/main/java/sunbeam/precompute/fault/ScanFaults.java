@@ -143,7 +143,7 @@ public final class ScanFaults {
     }
 
     private static ScanFault levelled(String words) {
-        return new ScanFault(words, Optional.empty(), Optional.of(Levelling.MEDIAN_ROWS), 0);
+        return new ScanFault(words, Optional.empty(), Optional.of(Levelling.MEDIAN_ROWS), 0, "");
     }
 
     /** A few that the surface does not make: none where it goes up and down again by as much, as a ridge along the rows does. */

@@ -6,16 +6,18 @@ import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.units.Decimals;
 
 /**
- * Whether a surface is flat enough for scalar theory, which takes every point for a mirror that shifts the phase and knows
+ * The slopes of a surface: whether it is flat enough for scalar theory, which takes every point for a mirror that shifts the phase and knows
  * neither shadows nor second reflections; and how much of the reflected light it sends elsewhere than Maxwell's equations
  * do, by a rule: a power of the mean slope, fitted to 1500 gratings by rigorous coupled-wave analysis (docs/theory.md,
  * docs/examples/coupled_waves.py). The sum over all directions of what is drawn too bright or too dark, over all that is
  * reflected.
  *
  * @param meanSlope mean of |grad h| over the patch, without unit; for a grating twice its depth over its period
+ * @param rmsSlope root mean square of |grad h| (Sdq of ISO 25178)
+ * @param largestSlope tangent of the steepest angle
  * @param steepShare share of the surface, 0..1, that is steeper than {@link #STEEPEST}
  */
-public record ModelError(double meanSlope, double steepShare) {
+public record ModelError(double meanSlope, double rmsSlope, double largestSlope, double steepShare) {
     /** Steeper surfaces have no rule: as much light goes elsewhere as where it is drawn. */
     public static final double LARGEST_SLOPE = 1.2;
 
@@ -49,8 +51,11 @@ public record ModelError(double meanSlope, double steepShare) {
 
     /** Of a surface without missing samples; the seam between repetitions is no measured slope. */
     public static ModelError of(HeightMap map) {
-        double limit = Math.tan(Math.toRadians(STEEPEST));
+        // 1e-9: a slope of exactly so many degrees is not steeper for its rounding.
+        double limit = Math.tan(Math.toRadians(STEEPEST)) * (1 + 1e-9);
         double sum = 0;
+        double squares = 0;
+        double largest = 0;
         double steep = 0;
         int columns = Math.max(1, map.columns() - 1);
         int rows = Math.max(1, map.rows() - 1);
@@ -58,11 +63,13 @@ public record ModelError(double meanSlope, double steepShare) {
             for (int column = 0; column < columns; column++) {
                 double slope = slope(map, column, row);
                 sum += slope;
+                squares += slope * slope;
+                largest = Math.max(largest, slope);
                 steep += slope > limit ? 1 : 0;
             }
         }
         double count = (double) columns * rows;
-        return new ModelError(sum / count, steep / count);
+        return new ModelError(sum / count, Math.sqrt(squares / count), largest, steep / count);
     }
 
     /** The slope between a sample and its right and lower neighbors. */

@@ -3,6 +3,7 @@ package sunbeam.precompute.patch;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import sunbeam.precompute.fault.ScanFault;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.prepare.Crop;
 
@@ -28,7 +29,7 @@ public record Patch(
         List<String> channels,
         List<String> notes,
         List<String> warnings,
-        List<PatchFault> faults,
+        List<ScanFault> faults,
         Optional<Crop> crop,
         Repetition repetition) {
 

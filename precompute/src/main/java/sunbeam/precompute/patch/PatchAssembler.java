@@ -66,7 +66,7 @@ record PatchAssembler(String name, String file, Choices choices, Kind kind) {
                 choices.get(EDGES, piece ? Edges.BLEND : Edges.REPEAT));
         Optional<Crop> crop = crop(measured);
         Preparation.Prepared prepared = prepared(preparation, measured);
-        List<PatchFault> faults =
+        List<ScanFault> faults =
                 repetition == Patch.Repetition.PERIODIC ? List.of() : faults(measured, preparation.levelling());
         List<String> warnings = new ArrayList<>();
         if (kind != Kind.BUILT_IN) {
@@ -123,18 +123,19 @@ record PatchAssembler(String name, String file, Choices choices, Kind kind) {
     }
 
     /** Those that stay, with what leaves them out or takes them away. */
-    private List<PatchFault> faults(HeightMap measured, Levelling levelling) {
+    private List<ScanFault> faults(HeightMap measured, Levelling levelling) {
         boolean levelled = levelling == Levelling.ROWS || levelling == Levelling.MEDIAN_ROWS;
         Crop.Samples scan =
                 choices.find(CROP).map(crop -> crop.samples(measured)).orElseGet(() -> Crop.Samples.allOf(measured));
         Crop area = scan.area(measured);
         return ScanFaults.in(measured, choices.find(CROP)).stream()
                 .filter(fault -> !levelled || fault.levelling().isEmpty())
-                .map(fault -> new PatchFault(
+                .map(fault -> new ScanFault(
                         fault.words(),
-                        remedy(fault, measured),
+                        fault.part().map(part -> part.from(area.left(), area.bottom())),
+                        fault.levelling(),
                         fault.unmeasured(),
-                        fault.part().map(part -> part.from(area.left(), area.bottom()))))
+                        remedy(fault, measured)))
                 .toList();
     }
 

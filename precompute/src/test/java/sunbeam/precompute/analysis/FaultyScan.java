@@ -9,7 +9,6 @@ import java.util.Set;
 import java.util.SplittableRandom;
 import sunbeam.precompute.fault.ScanFaults;
 import sunbeam.precompute.optics.HeightMap;
-import sunbeam.precompute.patch.PatchFault;
 import sunbeam.precompute.prepare.Levelling;
 
 /**
@@ -61,10 +60,8 @@ record FaultyScan(HeightMap map, double[] truths, boolean anyBetween, String wor
 
     /** What the program answers, where it does not refuse: of the part of the scan that was measured. */
     Optional<GratingPeriod> estimate() {
-        List<PatchFault> faults = ScanFaults.in(map, Optional.empty()).stream()
-                .map(fault -> new PatchFault(fault.words(), "", fault.unmeasured(), fault.part()))
-                .toList();
-        return PeriodModel.of(GratingPeriod.measured(map, faults), wave -> true).filter(GratingPeriod::isTold);
+        HeightMap measured = GratingPeriod.measured(map, ScanFaults.in(map, Optional.empty()));
+        return PeriodModel.of(measured, wave -> true).filter(GratingPeriod::isTold);
     }
 
     boolean holdsTruth(GratingPeriod estimate) {

@@ -3,14 +3,11 @@ package sunbeam.precompute.analysis;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import java.util.OptionalDouble;
-import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.precompute.Surfaces;
 import sunbeam.precompute.optics.HeightMap;
-import sunbeam.precompute.prepare.Levelling;
 
 class PrincipalDirectionTest {
     @ParameterizedTest
@@ -30,33 +27,6 @@ class PrincipalDirectionTest {
         // The same axis modulo half a turn; what leaks from the wave through the taper turns it a little.
         assertThat(Math.abs(Math.sin(Math.toRadians(found - azimuth))))
                 .isCloseTo(0, within(Math.sin(Math.toRadians(2))));
-    }
-
-    @Test
-    void whatIsToldOfAScanHoldsTheGratingsDirection() {
-        for (long seed = 1; seed <= 6; seed++) {
-            SimulatedGrating grating = SimulatedGrating.draw(SimulatedGrating.Kind.NOISY, seed);
-            PrincipalDirection found = PrincipalDirection.of(Levelling.PLANE.apply(grating.map()));
-            double error = Math.IEEEremainder(found.azimuthDegrees() - Math.toDegrees(grating.azimuth()), 180);
-            found.halfWidthDegrees()
-                    .ifPresent(half ->
-                            assertThat(Math.abs(error)).as(grating.words()).isLessThanOrEqualTo(half));
-        }
-    }
-
-    @Test
-    void aSurfaceWithoutDirectionsSaysSo() {
-        SplittableRandom random = new SplittableRandom(1);
-        HeightMap noise = Surfaces.of(128, 128, 100e-9, (x, y) -> 1e-8 * random.nextGaussian());
-        // Half a turn holds any.
-        assertThat(PrincipalDirection.of(noise).halfWidthDegrees().orElseThrow())
-                .isGreaterThan(20);
-        assertThat(new PrincipalDirection(11.3, OptionalDouble.of(2), 1).describe())
-                .isEqualTo("11 +- 2 degrees (95 %)");
-        assertThat(new PrincipalDirection(11.3, OptionalDouble.of(2.3), 1).describe())
-                .isEqualTo("11 +- 3 degrees (95 %)");
-        assertThat(new PrincipalDirection(11.3, OptionalDouble.of(0), 1).describe())
-                .isEqualTo("11.3 degrees");
     }
 
     @Test

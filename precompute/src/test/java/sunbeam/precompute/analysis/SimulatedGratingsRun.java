@@ -5,7 +5,6 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
-import sunbeam.precompute.prepare.Levelling;
 
 /**
  * Makes the table of docs/evaluation.md. Not among the tests: {@code ./sunbeam test -Dtest=SimulatedGratingsRun}, with
@@ -21,23 +20,6 @@ class SimulatedGratingsRun {
                 + "   median half width, error, degrees");
         for (SimulatedGrating.Kind kind : SimulatedGrating.Kind.values()) {
             print(kind);
-        }
-    }
-
-    /** Of docs/color.md. */
-    @Test
-    void printDirectionsOfMostColor() {
-        for (SimulatedGrating.Kind kind : SimulatedGrating.Kind.values()) {
-            int held = 0;
-            int told = 0;
-            for (long seed = FIRST_SEED; seed < FIRST_SEED + DRAWS; seed++) {
-                SimulatedGrating grating = SimulatedGrating.draw(kind, seed);
-                PrincipalDirection found = PrincipalDirection.of(Levelling.PLANE.apply(grating.map()));
-                double error = Math.IEEEremainder(found.azimuthDegrees() - Math.toDegrees(grating.azimuth()), 180);
-                told += found.halfWidthDegrees().isPresent() ? 1 : 0;
-                held += Math.abs(error) <= found.halfWidthDegrees().orElse(-1) ? 1 : 0;
-            }
-            System.out.printf(Locale.ROOT, "%-9s direction of most color: %d of %d%n", kind, held, told);
         }
     }
 

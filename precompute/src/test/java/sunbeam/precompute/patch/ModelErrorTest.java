@@ -11,6 +11,10 @@ import sunbeam.precompute.patch.ModelError.Incidence;
 class ModelErrorTest {
     private static final double PITCH = 10e-9;
 
+    private static ModelError rule(double meanSlope) {
+        return new ModelError(meanSlope, 0, 0, 0);
+    }
+
     @Test
     void theMeanSlopeOfAGratingIsTwiceItsDepthOverItsPeriod() {
         double period = 100 * PITCH;
@@ -25,9 +29,9 @@ class ModelErrorTest {
         ModelError flat = ModelError.of(Surfaces.of(8, 8, PITCH, (x, y) -> 0));
         assertThat(flat.expected(Incidence.NEAR_NORMAL)).isZero();
         for (Incidence incidence : Incidence.values()) {
-            assertThat(new ModelError(0.3, 0).expected(incidence))
-                    .isGreaterThan(new ModelError(0.2, 0).expected(incidence));
-            assertThat(new ModelError(0.3, 0).low(incidence)).isLessThan(new ModelError(0.3, 0).expected(incidence));
+            assertThat(rule(0.3).expected(incidence))
+                    .isGreaterThan(rule(0.2).expected(incidence));
+            assertThat(rule(0.3).low(incidence)).isLessThan(rule(0.3).expected(incidence));
         }
     }
 
@@ -45,14 +49,31 @@ class ModelErrorTest {
     }
 
     private static boolean between(double meanSlope, Incidence incidence, double error) {
-        ModelError rule = new ModelError(meanSlope, 0);
-        return rule.low(incidence) <= error && error <= rule.high(incidence);
+        return rule(meanSlope).low(incidence) <= error
+                && error <= rule(meanSlope).high(incidence);
     }
 
     @Test
     void beyondTheRuleItSaysSo() {
-        assertThat(new ModelError(1.3, 0).describe()).contains("beyond the rule");
-        assertThat(new ModelError(0.2, 0).describe()).contains("9.6 %").contains("mean slope 0.20;");
+        assertThat(rule(1.3).describe()).contains("beyond the rule");
+        assertThat(rule(0.2).describe()).contains("9.6 %").contains("mean slope 0.20;");
+    }
+
+    @Test
+    void aSineHasTheSlopesOfItsFormula() {
+        double steepest = 2 * Math.PI * 100e-9 / 2e-6;
+        ModelError slopes = ModelError.of(
+                Surfaces.of(800, 10, PITCH, (x, y) -> 5e-3 + 100e-9 * Math.sin(2 * Math.PI * x / 2e-6)));
+        assertThat(slopes.largestSlope()).isCloseTo(steepest, within(7e-4 * steepest));
+        assertThat(slopes.rmsSlope()).isCloseTo(steepest / Math.sqrt(2), within(3e-3 * steepest));
+    }
+
+    @Test
+    void aSlopeOfExactly30DegreesIsNotSteeper() {
+        assertThat(ModelError.of(Surfaces.of(50, 1, PITCH, (x, y) -> x / Math.sqrt(3)))
+                        .steepShare())
+                .isZero();
+        assertThat(ModelError.of(Surfaces.of(1, 1, PITCH, (x, y) -> 3e-9))).isEqualTo(rule(0));
     }
 
     @Test

@@ -11,6 +11,7 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import sunbeam.precompute.fault.ScanFault;
 import sunbeam.precompute.patch.builtin.BuiltInPatches;
 import sunbeam.precompute.setting.Setting;
 
@@ -81,7 +82,7 @@ class PatchAssemblerTest {
     void eachFaultNamesWhatHelpsUntilItIsMended() throws IOException {
         DoubleBinaryOperator stopped = (x, y) -> y < 72 ? lines(x, y) + (y < 24 ? 200 : 0) : 0;
         assertThat(scan(stopped).faults())
-                .extracting(PatchFault::line)
+                .extracting(ScanFault::line)
                 .satisfiesExactly(
                         rows -> assertThat(rows)
                                 .startsWith("rows 73 to 96 of 96")

@@ -48,6 +48,7 @@ import sunbeam.precompute.method.PqMethod;
 import sunbeam.precompute.method.ReferenceMethod;
 import sunbeam.precompute.method.ScanLimit;
 import sunbeam.precompute.patch.Patch;
+import sunbeam.precompute.patch.PatchException;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.VisibleRange;
@@ -237,7 +238,7 @@ public final class EvaluateCommand implements Callable<Integer> {
     private FirstOrder order(Patch patch, GratingPeriod heights) {
         if (!heights.isTold() && given().isEmpty()) {
             boolean lost = grating.azimuth().isEmpty() && !heights.hasWave();
-            throw new NoPeriodException(patch.name() + ": no period is told; to look for a ridge all the same give "
+            throw new PatchException(patch.name() + ": no period is told; to look for a ridge all the same give "
                     + (lost ? "--azimuth and --period" : "--period"));
         }
         return given().orElseGet(() -> FirstOrder.around(heights.period(), heights.isExact() ? EXACT : GROWN));

@@ -5,7 +5,6 @@ import java.util.concurrent.CompletionException;
 import java.util.concurrent.ExecutionException;
 import jrtr.GraphicsException;
 import picocli.CommandLine.ParameterException;
-import sunbeam.app.commands.evaluate.NoPeriodException;
 import sunbeam.app.files.input.InputException;
 import sunbeam.app.files.output.OutputException;
 import sunbeam.app.files.output.OutputExistsException;
@@ -39,7 +38,6 @@ public record Failure(ExitCode code, String message, Throwable cause) {
             Map.entry(TableException.class, ExitCode.UNUSABLE_INPUT),
             Map.entry(InputException.class, ExitCode.UNUSABLE_INPUT),
             Map.entry(MeshException.class, ExitCode.UNUSABLE_INPUT),
-            Map.entry(NoPeriodException.class, ExitCode.UNUSABLE_INPUT),
             Map.entry(GraphicsException.class, ExitCode.NO_GRAPHICS),
             Map.entry(OutputException.class, ExitCode.CANNOT_WRITE),
             Map.entry(OutputExistsException.class, ExitCode.OUTPUT_EXISTS),

@@ -98,7 +98,7 @@ public final class InspectCommand implements Callable<Integer> {
         text.put("Title", "Inspection of " + loaded.name());
         text.put("Patch", loaded.source());
         text.put("Verdict", inspection.verdict());
-        inspection.drawing().ifPresent(plan -> text.put("Plan", plan.summary()));
+        inspection.plan().ifPresent(summary -> text.put("Plan", summary));
         Path place =
                 PngWriter.write(picture, force.overwrite(output), new InspectionSheet(inspection, lines).draw(), text);
         if (json.isAsked()) {

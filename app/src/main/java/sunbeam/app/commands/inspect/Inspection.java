@@ -9,51 +9,74 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import org.apache.commons.math3.stat.StatUtils;
 import sunbeam.app.terminal.OptionOrigin;
 import sunbeam.precompute.analysis.GratingPeriod;
 import sunbeam.precompute.analysis.HeightSpectrum;
-import sunbeam.precompute.analysis.HeightStatistics;
 import sunbeam.precompute.analysis.Verdict;
+import sunbeam.precompute.fault.ScanFault;
+import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.method.ScanLimit;
+import sunbeam.precompute.method.Surface;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.ModelError;
 import sunbeam.precompute.patch.Patch;
-import sunbeam.precompute.patch.PatchFault;
 import sunbeam.precompute.patch.SamplingCheck;
 import sunbeam.precompute.plan.PlanReport;
+import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.units.Lengths;
 
 /**
  * All that is found out about a patch, as lines for people and as fields for programs.
  *
  * @param patch the surface
- * @param statistics of its heights and slopes
+ * @param slopes of it
  * @param period what it tells of its period
  * @param spectrum of its heights, as that period sees them
  * @param limit what becomes of the coherence length
- * @param drawing what a command that draws would do with it; empty where nobody asks
+ * @param drawing what a command that draws would do with it, for any pair of directions; empty where nobody asks, or none can
+ * @param refusal why no such command can; empty where it can
  */
 record Inspection(
         Patch patch,
-        HeightStatistics statistics,
+        ModelError slopes,
         GratingPeriod period,
         HeightSpectrum spectrum,
         ScanLimit limit,
-        Optional<DrawingPlan> drawing) {
+        Optional<PlanReport> drawing,
+        String refusal) {
 
     /** @param planned whether a drawing is planned, too, which takes long */
     static Inspection of(Patch patch, boolean planned) {
         ScanLimit limit = ScanLimit.of(Choices.none(), patch);
         GratingPeriod period = GratingPeriod.of(patch);
         HeightSpectrum.Edges edges = period.isExact() ? HeightSpectrum.Edges.PERIODIC : HeightSpectrum.Edges.TAPERED;
+        Optional<PlanReport> drawing = Optional.empty();
+        String refusal = "";
+        if (planned) {
+            FullMethod standard = FullMethod.of(limit.choices());
+            try {
+                drawing = Optional.of(plan(patch, standard));
+            } catch (SettingException tooMuch) {
+                refusal = tooMuch.getMessage();
+            }
+        }
         return new Inspection(
                 patch,
-                HeightStatistics.of(patch.scan()),
+                ModelError.of(patch.scan()),
                 period,
                 HeightSpectrum.of(patch.scan(), edges),
                 limit,
-                planned ? Optional.of(DrawingPlan.of(patch, limit.choices())) : Optional.empty());
+                drawing,
+                refusal);
+    }
+
+    /** In the words of the options of the commands that draw. */
+    private static PlanReport plan(Patch patch, FullMethod method) {
+        return Choices.at(OptionOrigin.INSTANCE)
+                .located(() -> new PlanReport(method.tablePlan(Surface.withoutIdentity(patch), VisibleRange.all())));
     }
 
     String verdict() {
@@ -75,21 +98,28 @@ record Inspection(
         lines.add(String.format(
                 Locale.ROOT,
                 "heights   relief %s, roughness %s rms",
-                rounded(statistics.relief()),
-                rounded(statistics.rms())));
+                rounded(map.relief()),
+                rounded(roughness())));
         lines.add(String.format(
                 Locale.ROOT,
                 "slopes    %.1f degrees rms, steepest %.1f; %.1f %% of the surface steeper than %.0f degrees, where scalar theory"
                         + " fails",
-                Math.toDegrees(Math.atan(statistics.rmsSlope())),
-                Math.toDegrees(Math.atan(statistics.largestSlope())),
-                100 * statistics.steepShare(),
-                HeightStatistics.STEEP_DEGREES));
+                Math.toDegrees(Math.atan(slopes.rmsSlope())),
+                Math.toDegrees(Math.atan(slopes.largestSlope())),
+                100 * slopes.steepShare(),
+                ModelError.STEEPEST));
         if (period.isTold()) {
             lines.add("period    " + period.describe());
         }
         SamplingCheck.pitch(map).ifPresent(coarse -> lines.add("pitch     " + coarse));
         return lines;
+    }
+
+    /** What is planned, or why nothing is; empty where nobody asks. */
+    Optional<String> plan() {
+        return refusal.isEmpty()
+                ? drawing.map(PlanReport::summary)
+                : Optional.of("none; a command that draws would refuse it: " + refusal);
     }
 
     /** What stands below them for those who ask. */
@@ -107,11 +137,16 @@ record Inspection(
                 SamplingCheck.pitch(map)
                         .orElse("fine enough for light of " + Lengths.format(SamplingCheck.SHORTEST_WAVELENGTH)
                                 + ", which needs " + Lengths.format(SamplingCheck.COARSEST_PITCH))));
-        lines.add("model     " + ModelError.of(map).describe());
+        lines.add("model     " + slopes.describe());
         limit.line().ifPresent(said -> lines.add("light     " + said.in(OptionOrigin.INSTANCE)));
-        drawing.ifPresent(plan -> lines.add("plan      " + plan.summary()));
-        drawing.flatMap(DrawingPlan::plan).ifPresent(plan -> lines.add("cost      " + plan.cost(map.rows())));
+        plan().ifPresent(summary -> lines.add("plan      " + summary));
+        drawing.ifPresent(plan -> lines.add("cost      " + plan.cost(map.rows())));
         return lines;
+    }
+
+    /** Root mean square of the heights about their mean (Sq of ISO 25178), metres. */
+    private double roughness() {
+        return Math.sqrt(StatUtils.populationVariance(patch.scan().heights()));
     }
 
     /** Four digits: more would be noise. */
@@ -135,21 +170,20 @@ record Inspection(
         fields.put("widthMetres", map.width());
         fields.put("heightMetres", map.height());
         fields.put("samplingIsFineEnough", SamplingCheck.pitch(map).isEmpty());
-        fields.put("reliefMetres", statistics.relief());
-        fields.put("roughnessMetres", statistics.rms());
-        fields.put("rmsSlope", statistics.rmsSlope());
-        fields.put("largestSlope", statistics.largestSlope());
+        fields.put("reliefMetres", map.relief());
+        fields.put("roughnessMetres", roughness());
+        fields.put("rmsSlope", slopes.rmsSlope());
+        fields.put("largestSlope", slopes.largestSlope());
         fields.put(
-                "shareSteeperThan" + Math.round(HeightStatistics.STEEP_DEGREES) + "Degrees", statistics.steepShare());
-        fields.put("model", ModelError.of(map).describe());
+                "shareSteeperThan" + Math.round(ModelError.STEEPEST) + "Degrees", slopes.steepShare());
+        fields.put("model", slopes.describe());
         fields.put("verdict", verdict());
         fields.put("periods", period.isTold() ? List.of(fields(period)) : List.of());
         fields.put("periodNotTold", period.refusal().orElse(null));
-        Optional<PlanReport> plan = drawing.flatMap(DrawingPlan::plan);
-        fields.put("plan", plan.map(PlanReport::summary).orElse(null));
-        fields.put("cost", plan.map(made -> made.cost(map.rows())).orElse(null));
-        fields.put("planRefused", drawing.map(DrawingPlan::refusal).orElse(""));
-        fields.put("faults", patch.faults().stream().map(PatchFault::line).toList());
+        fields.put("plan", drawing.map(PlanReport::summary).orElse(null));
+        fields.put("cost", drawing.map(made -> made.cost(map.rows())).orElse(null));
+        fields.put("planRefused", refusal);
+        fields.put("faults", patch.faults().stream().map(ScanFault::line).toList());
         fields.put("notes", patch.notes());
         fields.put("warnings", patch.warnings());
         fields.put("picture", picture.toString());

@@ -9,13 +9,13 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
+import java.util.stream.IntStream;
 import sunbeam.app.files.plot.ColorMap;
 import sunbeam.app.files.plot.FittedNames;
 import sunbeam.app.files.plot.HeatMap;
 import sunbeam.app.files.plot.Plot;
 import sunbeam.precompute.analysis.GratingPeriod;
 import sunbeam.precompute.analysis.HeightSpectrum;
-import sunbeam.precompute.analysis.Histogram;
 import sunbeam.precompute.numerics.Quantiles;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.units.Lengths;
@@ -177,12 +177,19 @@ final class InspectionSheet {
     }
 
     private BufferedImage histogram() {
-        Histogram histogram = Histogram.of(map, HISTOGRAM_BINS);
-        double[] centers = Arrays.stream(histogram.centers())
-                .map(metres -> metres * NANOMETRES)
+        double low = map.minimum();
+        double step = Math.max(map.relief() / (HISTOGRAM_BINS - 1), Double.MIN_NORMAL);
+        double[] shares = new double[HISTOGRAM_BINS];
+        // Each height is shared out between the bins beside it: few levels, as 8-bit scans have, draw no comb.
+        for (double height : map.toArray()) {
+            double place = (height - low) / step;
+            int bin = Math.min(HISTOGRAM_BINS - 2, (int) place);
+            shares[bin] += 100 * (1 - (place - bin)) / (map.columns() * map.rows());
+            shares[bin + 1] += 100 * (place - bin) / (map.columns() * map.rows());
+        }
+        double[] centers = IntStream.range(0, HISTOGRAM_BINS)
+                .mapToDouble(bin -> (low + bin * step) * NANOMETRES)
                 .toArray();
-        double[] shares =
-                Arrays.stream(histogram.shares()).map(share -> 100 * share).toArray();
         return panel("Histogram", "height / nm", "share of the surface / %")
                 .line("share", centers, shares)
                 .draw();

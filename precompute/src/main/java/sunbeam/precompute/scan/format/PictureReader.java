@@ -1,18 +1,27 @@
 package sunbeam.precompute.scan.format;
 
+import java.awt.color.ColorSpace;
 import java.awt.image.BufferedImage;
+import java.awt.image.ColorModel;
 import java.awt.image.DataBuffer;
+import java.awt.image.IndexColorModel;
+import java.awt.image.Raster;
 import java.awt.image.SampleModel;
 import java.io.IOException;
+import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Iterator;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.IntStream;
 import javax.imageio.ImageIO;
 import javax.imageio.ImageReader;
 import javax.imageio.ImageTypeSpecifier;
 import javax.imageio.stream.FileImageInputStream;
+import sunbeam.precompute.scan.Extent;
+import sunbeam.precompute.scan.Samples;
 import sunbeam.precompute.scan.ScanBytes;
 import sunbeam.precompute.scan.ScanChannel;
 import sunbeam.precompute.scan.ScanException;
@@ -24,6 +33,7 @@ import sunbeam.precompute.scan.ScanLimits;
  * JDK's ImageIO, after sizes and tags are checked: it takes some TIFFs for others without a word.
  */
 final class PictureReader {
+    private static final List<String> COLORS = List.of("red", "green", "blue");
     private static final int MOST_BANDS = 4;
     private static final int BMP_COMPRESSION = 30;
     private static final int EMBEDDED_JPEG = 4;
@@ -57,7 +67,7 @@ final class PictureReader {
 
     static List<ScanChannel> channels(ScanBytes file) throws IOException {
         try {
-            return new ImageBands(decoded(file, kind(file).orElseThrow())).channels();
+            return channels(decoded(file, kind(file).orElseThrow()));
         } catch (ScanException told) {
             throw told;
         } catch (IOException | RuntimeException broken) {
@@ -136,5 +146,78 @@ final class PictureReader {
             throw new ScanException(
                     String.format(Locale.ROOT, "is a TIFF with tiles of %.0f samples; save it in strips", tile));
         }
+    }
+
+    /** Grey of an image whose colors are equal, too; of any other none is known to hold heights. */
+    private static List<ScanChannel> channels(BufferedImage image) {
+        if (image.getColorModel() instanceof IndexColorModel palette) {
+            return channels(palette.convertToIntDiscrete(image.getRaster(), false));
+        }
+        ColorModel model = image.getColorModel();
+        int space = model.getColorSpace().getType();
+        int colors = model.getNumColorComponents();
+        if (!(space == ColorSpace.TYPE_GRAY && colors == 1) && !(space == ColorSpace.TYPE_RGB && colors == 3)) {
+            throw new ScanException("has channels that are neither grey nor RGB; save it as grey or RGB");
+        }
+        if (model.hasAlpha() && model.isAlphaPremultiplied()) {
+            throw new ScanException("stores colors multiplied by alpha; save it without transparency");
+        }
+        double fullScale = fullScale(image.getSampleModel());
+        List<ScanChannel> channels = new ArrayList<>();
+        if (colors == 1 || colorsAreEqual(image.getRaster())) {
+            channels.add(channel("grey", 0, image, fullScale));
+        }
+        for (int band = 0; colors == 3 && band < 3; band++) {
+            channels.add(channel(COLORS.get(band), band, image, fullScale));
+        }
+        if (model.hasAlpha()) {
+            channels.add(channel("alpha", colors, image, fullScale));
+        }
+        return channels;
+    }
+
+    /** The sample that stands for full scale; 1 of floats. */
+    private static double fullScale(SampleModel model) {
+        int type = model.getDataType();
+        if (type == DataBuffer.TYPE_FLOAT || type == DataBuffer.TYPE_DOUBLE) {
+            return 1;
+        }
+        int[] bits = Arrays.stream(model.getSampleSize()).distinct().toArray();
+        if (bits.length > 1 || (bits[0] != 8 && bits[0] != 16)) {
+            throw new ScanException("has " + (bits.length > 1 ? "different numbers of" : bits[0])
+                    + " bits per sample; save it with 8 or 16 bits or as 32-bit float TIFF");
+        }
+        return Math.pow(2, bits[0]) - 1;
+    }
+
+    private static double[] row(Raster raster, int band, int row) {
+        return raster.getSamples(0, row, raster.getWidth(), 1, band, (double[]) null);
+    }
+
+    private static boolean colorsAreEqual(Raster raster) {
+        return IntStream.range(0, raster.getHeight())
+                .allMatch(row -> Arrays.equals(row(raster, 0, row), row(raster, 1, row))
+                        && Arrays.equals(row(raster, 0, row), row(raster, 2, row)));
+    }
+
+    /** Samples over full scale, NaN where they are transparent. */
+    private static ScanChannel channel(String name, int band, BufferedImage image, double fullScale) {
+        Raster raster = image.getRaster();
+        int columns = raster.getWidth();
+        int alpha = image.getColorModel().getNumColorComponents();
+        boolean masked = image.getColorModel().hasAlpha() && band != alpha;
+        Samples samples = new Samples(columns, raster.getHeight(), () -> {
+            double[] read = new double[columns * raster.getHeight()];
+            for (int row = 0; row < raster.getHeight(); row++) {
+                double[] values = row(raster, band, row);
+                double[] opaque = masked ? row(raster, alpha, row) : values;
+                for (int column = 0; column < columns; column++) {
+                    boolean missing = masked && opaque[column] == 0;
+                    read[row * columns + column] = missing ? Double.NaN : values[column] / fullScale;
+                }
+            }
+            return read;
+        });
+        return new ScanChannel(name, samples, Extent.UNKNOWN, fullScale == 1 ? "" : ScanChannel.FULL_SCALE);
     }
 }
