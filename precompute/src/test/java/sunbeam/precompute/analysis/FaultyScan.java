@@ -2,7 +2,6 @@ package sunbeam.precompute.analysis;
 
 import java.util.Arrays;
 import java.util.EnumSet;
-import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;

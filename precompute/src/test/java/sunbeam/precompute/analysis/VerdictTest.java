@@ -9,8 +9,8 @@ import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import sunbeam.precompute.fault.ScanFault;
 import sunbeam.precompute.Surfaces;
+import sunbeam.precompute.fault.ScanFault;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.patch.builtin.BuiltInPatches;
@@ -64,7 +64,8 @@ class VerdictTest {
         HeightMap stopped = Surfaces.of(
                 150, 150, 100e-9, (x, y) -> y < -10e-6 ? 0 : 50e-9 * Math.sin(2 * Math.PI * (x + 0.2 * y) / 1.2e-6));
         Crop above = new Crop(0, 15e-6, 5e-6, 15e-6);
-        ScanFault fault = new ScanFault("rows 101 to 150 hold no measurement", Optional.of(above), Optional.empty(), 0.33, "");
+        ScanFault fault =
+                new ScanFault("rows 101 to 150 hold no measurement", Optional.of(above), Optional.empty(), 0.33, "");
         GratingPeriod period = GratingPeriod.of(piece(stopped, List.of(fault)));
         assertThat(period.isTold()).isTrue();
         assertThat(1.2e-6 / Math.hypot(1, 0.2)).isBetween(period.low(), period.high());

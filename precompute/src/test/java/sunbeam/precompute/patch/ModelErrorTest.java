@@ -29,8 +29,7 @@ class ModelErrorTest {
         ModelError flat = ModelError.of(Surfaces.of(8, 8, PITCH, (x, y) -> 0));
         assertThat(flat.expected(Incidence.NEAR_NORMAL)).isZero();
         for (Incidence incidence : Incidence.values()) {
-            assertThat(rule(0.3).expected(incidence))
-                    .isGreaterThan(rule(0.2).expected(incidence));
+            assertThat(rule(0.3).expected(incidence)).isGreaterThan(rule(0.2).expected(incidence));
             assertThat(rule(0.3).low(incidence)).isLessThan(rule(0.3).expected(incidence));
         }
     }
@@ -62,8 +61,8 @@ class ModelErrorTest {
     @Test
     void aSineHasTheSlopesOfItsFormula() {
         double steepest = 2 * Math.PI * 100e-9 / 2e-6;
-        ModelError slopes = ModelError.of(
-                Surfaces.of(800, 10, PITCH, (x, y) -> 5e-3 + 100e-9 * Math.sin(2 * Math.PI * x / 2e-6)));
+        ModelError slopes =
+                ModelError.of(Surfaces.of(800, 10, PITCH, (x, y) -> 5e-3 + 100e-9 * Math.sin(2 * Math.PI * x / 2e-6)));
         assertThat(slopes.largestSlope()).isCloseTo(steepest, within(7e-4 * steepest));
         assertThat(slopes.rmsSlope()).isCloseTo(steepest / Math.sqrt(2), within(3e-3 * steepest));
     }

@@ -96,10 +96,7 @@ record Inspection(
                 map.columns(),
                 map.rows()));
         lines.add(String.format(
-                Locale.ROOT,
-                "heights   relief %s, roughness %s rms",
-                rounded(map.relief()),
-                rounded(roughness())));
+                Locale.ROOT, "heights   relief %s, roughness %s rms", rounded(map.relief()), rounded(roughness())));
         lines.add(String.format(
                 Locale.ROOT,
                 "slopes    %.1f degrees rms, steepest %.1f; %.1f %% of the surface steeper than %.0f degrees, where scalar theory"
@@ -174,8 +171,7 @@ record Inspection(
         fields.put("roughnessMetres", roughness());
         fields.put("rmsSlope", slopes.rmsSlope());
         fields.put("largestSlope", slopes.largestSlope());
-        fields.put(
-                "shareSteeperThan" + Math.round(ModelError.STEEPEST) + "Degrees", slopes.steepShare());
+        fields.put("shareSteeperThan" + Math.round(ModelError.STEEPEST) + "Degrees", slopes.steepShare());
         fields.put("model", slopes.describe());
         fields.put("verdict", verdict());
         fields.put("periods", period.isTold() ? List.of(fields(period)) : List.of());
