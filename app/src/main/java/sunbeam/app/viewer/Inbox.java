@@ -68,20 +68,10 @@ final class Inbox<S, T> {
         }
     }
 
-    /**
-     * Waits for a newer state.
-     *
-     * @return whether none came and nothing was closed: all is still
-     */
-    synchronized boolean staysStill(long milliseconds) throws InterruptedException {
-        long end = System.nanoTime() + milliseconds * 1_000_000;
-        while (!closed && newest == null && tasks.isEmpty()) {
-            long left = (end - System.nanoTime()) / 1_000_000;
-            if (left <= 0) {
-                return true;
-            }
-            wait(left);
+    /** As {@link #await()}, but for so many milliseconds at most. */
+    synchronized void await(long milliseconds) throws InterruptedException {
+        if (!closed && newest == null && tasks.isEmpty() && milliseconds > 0) {
+            wait(milliseconds);
         }
-        return !closed && newest == null;
     }
 }

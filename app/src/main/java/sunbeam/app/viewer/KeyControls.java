@@ -1,14 +1,17 @@
 package sunbeam.app.viewer;
 
+import java.awt.Font;
 import java.awt.event.ActionEvent;
 import java.awt.event.KeyEvent;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import javax.swing.AbstractAction;
 import javax.swing.JComponent;
+import javax.swing.JLabel;
 import javax.swing.JMenu;
 import javax.swing.JMenuBar;
 import javax.swing.JMenuItem;
+import javax.swing.JOptionPane;
 import javax.swing.KeyStroke;
 import javax.swing.text.JTextComponent;
 import sunbeam.app.scene.SceneLight;
@@ -17,6 +20,24 @@ import sunbeam.app.scene.SceneLight;
 final class KeyControls {
     private static final double STEP = Math.toRadians(2);
     private static final double ZOOM = 1.1;
+
+    private static final String[][] HELP = {
+        {"Left drag", "turn the model"},
+        {"Right drag, Shift + left drag", "move the light"},
+        {"Middle drag", "pan"},
+        {"Wheel, + and -", "zoom"},
+        {"Double click", "pick a point of the skin"},
+        {"Arrow keys", "move the light by 2 degrees"},
+        {"L", "show or hide the light's cone"},
+        {"M", "show or hide the BRDF map"},
+        {"Home", "back to the scene as it was loaded"},
+        {"Ctrl+O", "load a scene"},
+        {"Ctrl+S", "save the scene"},
+        {"Ctrl+L", "load a patch (or drop its file on the window)"},
+        {"Ctrl+P", "save the final picture"},
+        {"Ctrl+Q", "quit"},
+        {"F1", "this list"},
+    };
 
     private final Viewer viewer;
     private final ViewerModel model;
@@ -32,8 +53,22 @@ final class KeyControls {
         JMenuBar bar = new Menus();
         bar.add(menu("File", fileItems()));
         bar.add(menu("View", viewItems()));
-        bar.add(menu("Help", Map.of("Mouse and keys\tF1", viewer::showKeys)));
+        bar.add(menu("Help", Map.of("Mouse and keys\tF1", this::showHelp)));
         return bar;
+    }
+
+    private void showHelp() {
+        StringBuilder text = new StringBuilder("<html><table cellpadding='2'>");
+        for (String[] line : HELP) {
+            text.append("<tr><td><b>")
+                    .append(line[0])
+                    .append("</b>&nbsp;&nbsp;</td><td>")
+                    .append(line[1])
+                    .append("</td></tr>");
+        }
+        JLabel label = new JLabel(text.append("</table></html>").toString());
+        label.setFont(label.getFont().deriveFont(Font.PLAIN));
+        JOptionPane.showMessageDialog(viewer.window(), label, "Mouse and keys", JOptionPane.PLAIN_MESSAGE);
     }
 
     private Map<String, Runnable> fileItems() {
@@ -48,8 +83,8 @@ final class KeyControls {
 
     private Map<String, Runnable> viewItems() {
         Map<String, Runnable> items = new LinkedHashMap<>();
-        items.put("Light's cone\tL", viewer::toggleCone);
-        items.put("BRDF map\tM", viewer::toggleMap);
+        items.put("Light's cone\tL", viewer.presenter()::toggleCone);
+        items.put("BRDF map\tM", viewer.presenter()::toggleMap);
         items.put("As loaded\tHOME", viewer::reset);
         return items;
     }
@@ -81,12 +116,12 @@ final class KeyControls {
 
     private void light(double right, double up) {
         model.change(scene -> scene.withLight(new SceneLight(
-                LightDrag.moved(scene.view().camera(), scene.light().towards(), right, up),
+                Drags.light(scene.view().camera(), scene.light().towards(), right, up),
                 scene.light().intensity())));
     }
 
     private void zoom(double factor) {
-        model.change(scene -> scene.withView(CameraMoves.zoomed(scene.view(), factor)));
+        model.change(scene -> scene.withView(Drags.zoomed(scene.view(), factor)));
     }
 
     private static void bind(JComponent component, String key, Runnable action) {

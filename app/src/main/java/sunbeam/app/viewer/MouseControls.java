@@ -69,25 +69,25 @@ final class MouseControls extends MouseAdapter {
             int height = view.getHeight();
             double right = (double) (to.x - from.x) / height;
             double up = (double) (from.y - to.y) / height;
-            model.change(scene -> scene.withView(CameraMoves.panned(scene.view(), right, up, width, height)));
+            model.change(scene -> scene.withView(Drags.panned(scene.view(), right, up, width, height)));
         }
     }
 
     @Override
     public void mouseWheelMoved(MouseWheelEvent event) {
         double factor = Math.pow(ZOOM_STEP, event.getPreciseWheelRotation());
-        model.change(scene -> scene.withView(CameraMoves.zoomed(scene.view(), factor)));
+        model.change(scene -> scene.withView(Drags.zoomed(scene.view(), factor)));
     }
 
     private Scene turn(Scene scene, Point from, Point to) {
         Camera camera = scene.view().camera();
-        var turn = Arcball.turn(camera, ballX(from), ballY(from), ballX(to), ballY(to));
-        return scene.withOrientation(Arcball.turned(scene.orientation(), turn));
+        var turn = Drags.turn(camera, ballX(from), ballY(from), ballX(to), ballY(to));
+        return scene.withOrientation(Drags.turned(scene.orientation(), turn));
     }
 
     private Scene moveLight(Scene scene, Point from, Point to) {
         double perPixel = Math.PI / Math.min(view.getWidth(), view.getHeight());
-        var towards = LightDrag.moved(
+        var towards = Drags.light(
                 scene.view().camera(), scene.light().towards(), (to.x - from.x) * perPixel, (from.y - to.y) * perPixel);
         return scene.withLight(new SceneLight(towards, scene.light().intensity()));
     }

@@ -79,20 +79,20 @@ final class RenderLoop implements AutoCloseable {
     private void run() {
         try (GraphicsStage stage = opening.get()) {
             ContextInfo info = stage.info();
-            tell(to -> to.opened(info));
+            report(to -> to.opened(info));
             while (!inbox.isClosed()) {
                 inbox.await();
                 doTasks(stage);
                 inbox.state().ifPresent(state -> guarded(() -> show(stage, state)));
             }
         } catch (RuntimeException | LinkageError | OutOfMemoryError failure) {
-            tell(to -> to.failed(Failure.of(failure).message()));
+            report(to -> to.failed(Failure.of(failure).message()));
         } catch (InterruptedException failure) {
-            tell(to -> to.failed("the render thread was interrupted"));
+            report(to -> to.failed("the render thread was interrupted"));
         }
     }
 
-    private void tell(Consumer<RenderListener> what) {
+    private void report(Consumer<RenderListener> what) {
         news.accept(what);
     }
 
@@ -108,7 +108,7 @@ final class RenderLoop implements AutoCloseable {
         try {
             work.run();
         } catch (RuntimeException | OutOfMemoryError failure) {
-            tell(to -> to.refused(Failure.of(failure).message()));
+            report(to -> to.refused(Failure.of(failure).message()));
         }
     }
 
@@ -118,7 +118,7 @@ final class RenderLoop implements AutoCloseable {
         Optional<Finished> same = finished.filter(picture -> picture.state().showsThePictureOf(state));
         if (same.isPresent()) {
             Finished picture = same.get();
-            tell(to -> to.complete(state, picture.image(), picture.exposure(), picture.nanoseconds()));
+            report(to -> to.complete(state, picture.image(), picture.exposure(), picture.nanoseconds()));
             check(map(stage, state, false) && map(stage, state, true));
             return;
         }
@@ -167,7 +167,7 @@ final class RenderLoop implements AutoCloseable {
             image = stage.image(picture, 1, exposure);
         }
         long taken = System.nanoTime() - start;
-        tell(to -> to.preview(state, image, divisor, hasColors, exposure, taken));
+        report(to -> to.preview(state, image, divisor, hasColors, exposure, taken));
     }
 
     /** Nothing is metered while diffracted light is missing: until then, a white body that faces the light is white. */
@@ -220,7 +220,7 @@ final class RenderLoop implements AutoCloseable {
         if (stage.isByTable() && stage.hasColors()) {
             preview(stage, state, 1);
         }
-        tell(to -> to.waiting(share));
+        report(to -> to.waiting(share));
     }
 
     /** Refines what all tiles are there for. */
@@ -235,20 +235,20 @@ final class RenderLoop implements AutoCloseable {
         }
     }
 
+    /** Waits a while for a newer state; whether none has come. */
     private boolean isStill(GraphicsStage stage) {
+        long end = System.nanoTime() + STILL_MILLISECONDS * 1_000_000;
         try {
-            long end = System.nanoTime() + STILL_MILLISECONDS * 1_000_000;
-            while (inbox.staysStill(Math.max(0, (end - System.nanoTime()) / 1_000_000))) {
+            for (long left = STILL_MILLISECONDS; left > 0 && !inbox.isInterrupted(); ) {
+                inbox.await(left);
                 doTasks(stage);
-                if (System.nanoTime() >= end) {
-                    return true;
-                }
+                left = (end - System.nanoTime()) / 1_000_000;
             }
-            return false;
         } catch (InterruptedException failure) {
             Thread.currentThread().interrupt();
             return false;
         }
+        return !inbox.isInterrupted();
     }
 
     /**
@@ -284,13 +284,13 @@ final class RenderLoop implements AutoCloseable {
                 done += tile.pixels();
                 double share = (double) done / ((double) state.width() * state.height());
                 ViewState shown = state;
-                tell(to -> to.tile(shown, part, tile.x(), tile.y(), share));
+                report(to -> to.tile(shown, part, tile.x(), tile.y(), share));
             }
         }
         long taken = System.nanoTime() - start;
         finished = Optional.of(new Finished(state, whole, exposure, taken));
         ViewState shown = state;
-        tell(to -> to.complete(shown, whole, exposure, taken));
+        report(to -> to.complete(shown, whole, exposure, taken));
         return map(stage, state, true);
     }
 
@@ -301,7 +301,7 @@ final class RenderLoop implements AutoCloseable {
                     int size = isFinal ? MapStage.SIZE : MapStage.PREVIEW_SIZE;
                     BufferedImage image = stage.map(light, size, inbox::isInterrupted);
                     if (image != null) {
-                        tell(to -> to.map(state, image, isFinal));
+                        report(to -> to.map(state, image, isFinal));
                     }
                 }));
         return !inbox.isInterrupted();

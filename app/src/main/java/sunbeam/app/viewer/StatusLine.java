@@ -1,8 +1,6 @@
 package sunbeam.app.viewer;
 
 import java.awt.BorderLayout;
-import java.util.ArrayDeque;
-import java.util.Deque;
 import java.util.Locale;
 import javax.swing.BorderFactory;
 import javax.swing.JLabel;
@@ -13,20 +11,18 @@ import javax.swing.SwingConstants;
 
 /** What is on screen, how fast it came and who drew it; below, the last message. */
 final class StatusLine extends JPanel {
-    private static final long SECOND = 1_000_000_000;
-    // A second, of frames.
-    private static final int MOST_TEXTS = 5;
+    // Nobody reads faster, and each text has the line laid out and painted anew.
+    private static final long BETWEEN_TEXTS = 200_000_000;
     // Always, lest the picture change its size with each message; longer ones are scrolled.
     private static final int MESSAGE_ROWS = 2;
 
     private final JLabel picture = new JLabel("Loading");
     private final JLabel renderer = new JLabel(" ", SwingConstants.TRAILING);
     private final JTextArea message = new JTextArea(" ", MESSAGE_ROWS, 0);
-    private final transient Deque<Long> frames = new ArrayDeque<>();
     private long lastNanoseconds;
-    // When a frame was last told of; 0 where something else has been since.
-    private long told;
-    // Stands in place of what is told of an old picture; empty while there is none.
+    // When a frame was last reported; 0 where something else has been since.
+    private long reported;
+    // Stands in place of what is reported of an old picture; empty while there is none.
     private String loading = "";
 
     StatusLine() {
@@ -51,41 +47,36 @@ final class StatusLine extends JPanel {
 
     void preview(int divisor, long nanoseconds) {
         long now = System.nanoTime();
-        frames.add(now);
-        while (now - frames.peekFirst() > SECOND) {
-            frames.removeFirst();
-        }
         lastNanoseconds = nanoseconds;
-        // Nobody reads faster, and each text has the line laid out and painted anew.
-        if (told != 0 && now - told < SECOND / MOST_TEXTS) {
+        if (reported != 0 && now - reported < BETWEEN_TEXTS) {
             return;
         }
         String scale = divisor > 1 ? " 1:" + divisor : "";
-        tell("Preview" + scale + " · " + rate());
-        told = now;
+        report("Preview" + scale + " · " + rate());
+        reported = now;
     }
 
     void refining(double share) {
-        tell(format("Preview, %.0f %% final · ", Math.floor(100 * share)) + rate());
+        report(format("Preview, %.0f %% final · ", Math.floor(100 * share)) + rate());
     }
 
     void waiting(double share) {
-        tell(format("Preview, %.0f %% of its colors made · ", Math.floor(100 * share)) + rate());
+        report(format("Preview, %.0f %% of its colors made · ", Math.floor(100 * share)) + rate());
     }
 
     void complete(long nanoseconds) {
-        tell(format("Final · %.2f s · ", nanoseconds * 1e-9) + rate());
+        report(format("Final · %.2f s · ", nanoseconds * 1e-9) + rate());
     }
 
     /** The picture is not of what is asked for now; a newer one follows. */
     void outdated() {
-        tell("Preview · " + rate());
+        report("Preview · " + rate());
     }
 
     /** Nothing newer can be drawn. */
     void refused() {
         loading = "";
-        tell("No picture of this scene");
+        report("No picture of this scene");
     }
 
     /** The picture will be of something that is being loaded. */
@@ -99,24 +90,20 @@ final class StatusLine extends JPanel {
         loading = "";
     }
 
-    private void tell(String text) {
-        told = 0;
+    private void report(String text) {
+        reported = 0;
         if (loading.isEmpty()) {
             picture.setText(text);
         }
     }
 
-    /** Frames per second as the last second had them, or as the last frame's time would allow. */
     private String rate() {
-        double perSecond = frames.size() > 1
-                ? (frames.size() - 1) * (double) SECOND / Math.max(1, frames.peekLast() - frames.peekFirst())
-                : (double) SECOND / Math.max(1, lastNanoseconds);
-        return format("%.0f frames/s · %.0f ms per frame", perSecond, lastNanoseconds * 1e-6);
+        return format("%.0f ms per frame", lastNanoseconds * 1e-6);
     }
 
     /** How the final picture is computed. */
     void plan(String summary) {
-        picture.setToolTipText("Preview or final; frames per second; milliseconds per frame. Plan: " + summary);
+        picture.setToolTipText("Preview or final; milliseconds per frame. Plan: " + summary);
     }
 
     void renderer(String name) {

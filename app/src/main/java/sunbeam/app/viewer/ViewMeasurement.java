@@ -78,7 +78,7 @@ final class ViewMeasurement {
     }
 
     private void begin() {
-        viewer.observe(Optional.of(this));
+        viewer.presenter().observe(Optional.of(this));
         start = System.nanoTime() + Math.min(nanoseconds, LONGEST_WARM_UP_NANOSECONDS);
         send(MouseEvent.MOUSE_PRESSED, 0);
         hand.start();
@@ -89,7 +89,7 @@ final class ViewMeasurement {
         if (System.nanoTime() - start > nanoseconds) {
             hand.stop();
             send(MouseEvent.MOUSE_RELEASED, 0);
-            viewer.observe(Optional.empty());
+            viewer.presenter().observe(Optional.empty());
             done.countDown();
             return;
         }
@@ -148,35 +148,18 @@ final class ViewMeasurement {
         }
         List<Long> sorted = latencies.stream().sorted().toList();
         PictureView view = viewer.window().picture();
+        List<Integer> coarse = divisors.stream().sorted().toList();
         return String.format(
                 Locale.ROOT,
-                "%d x %d pixels, %s, %.1f frames per second, from input to screen"
+                "%d x %d pixels, 1:%d of columns and rows (median), %.1f frames per second, from input to screen"
                         + " %.0f ms (median), %.0f ms (95 %%), %.0f ms (longest)",
                 view.pictureWidth(),
                 view.pictureHeight(),
-                resolution(),
+                coarse.get(coarse.size() / 2),
                 divisors.size() / (nanoseconds * 1e-9),
                 milliseconds(sorted, 0.5),
                 milliseconds(sorted, 0.95),
                 milliseconds(sorted, 1));
-    }
-
-    /** In words: how many frames were no coarser than the window, and how coarse the others. */
-    private String resolution() {
-        List<Integer> coarser =
-                divisors.stream().filter(divisor -> divisor > 1).sorted().toList();
-        if (coarser.isEmpty()) {
-            return "all in full resolution";
-        }
-        int whole = divisors.size() - coarser.size();
-        String others = "1:" + coarser.get(coarser.size() / 2) + " (median)";
-        return whole == 0
-                ? "previews " + others
-                : String.format(
-                        Locale.ROOT,
-                        "%.0f %% of frames in full resolution and the others %s",
-                        100.0 * whole / divisors.size(),
-                        others);
     }
 
     private static double milliseconds(List<Long> sorted, double share) {

@@ -97,6 +97,10 @@ final class Viewer {
         return model;
     }
 
+    ScenePresenter presenter() {
+        return presenter;
+    }
+
     FileActions files() {
         return files;
     }
@@ -123,11 +127,6 @@ final class Viewer {
         return journal;
     }
 
-    /** Has what comes on screen measured. */
-    void observe(Optional<ViewMeasurement> value) {
-        presenter.observe(value);
-    }
-
     /**
      * Waits until the window is closed, what is being saved is saved, and the graphics card given back; a picture that was
      * to be saved once it is final is not. Not on the event thread.
@@ -143,11 +142,6 @@ final class Viewer {
     /** Whether nothing is left on the graphics card. */
     boolean hasEnded() throws InterruptedException {
         return loop.awaitEnd(1);
-    }
-
-    /** As {@link ScenePresenter#isSettled()}. */
-    boolean isSettled() {
-        return presenter.isSettled();
     }
 
     /**
@@ -178,18 +172,6 @@ final class Viewer {
         inspector.close();
         presenter.noPicture("the window was closed");
         closed.countDown();
-    }
-
-    void showKeys() {
-        KeyList.show(window);
-    }
-
-    void toggleCone() {
-        presenter.toggleCone();
-    }
-
-    void toggleMap() {
-        presenter.toggleMap();
     }
 
     void reset() {

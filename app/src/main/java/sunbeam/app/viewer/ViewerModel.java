@@ -1,7 +1,5 @@
 package sunbeam.app.viewer;
 
-import java.util.ArrayList;
-import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.DoubleConsumer;
@@ -45,8 +43,7 @@ final class ViewerModel {
     private LoadedScene loaded;
     private boolean loadsRest;
     private final AtomicLong newestLoad = new AtomicLong();
-    // Scenes that are being opened, the first one first.
-    private final List<Opening> openings = new ArrayList<>();
+    private Optional<Opening> opening = Optional.empty();
 
     /**
      * A scene that is being opened.
@@ -103,7 +100,8 @@ final class ViewerModel {
      * @param opened told once it is loaded
      */
     void open(Scene scene, Runnable opened) {
-        openings.add(new Opening(newestLoad.get() + 1, wanted, opened));
+        Scene before = opening.map(Opening::before).orElse(wanted);
+        opening = Optional.of(new Opening(newestLoad.get() + 1, before, opened));
         wanted = scene;
         if (loaded != null) {
             loaded = loaded.with(withPartsOf(scene, loaded.fine().scene()));
@@ -138,12 +136,10 @@ final class ViewerModel {
             loadsRest = false;
         }
         loaded = result.with(withPartsOf(wanted, result.fine().scene()));
-        List<Opening> done =
-                openings.stream().filter(opening -> opening.load <= number).toList();
-        openings.removeAll(done);
-        if (!done.isEmpty()) {
-            done.get(done.size() - 1).opened.run();
-        }
+        opening.filter(done -> done.load() <= number).ifPresent(done -> {
+            opening = Optional.empty();
+            done.opened().run();
+        });
         listener.changed();
     }
 
@@ -162,11 +158,11 @@ final class ViewerModel {
         }
         if (loaded != null) {
             // What was changed since a scene was opened that did not load goes with it.
-            Scene base = openings.isEmpty() ? wanted : openings.get(0).before();
+            Scene base = opening.map(Opening::before).orElse(wanted);
             wanted = withPartsOf(base, loaded.fine().scene());
             loaded = loaded.with(wanted);
         }
-        openings.clear();
+        opening = Optional.empty();
         listener.changed();
         listener.problem(message);
     }

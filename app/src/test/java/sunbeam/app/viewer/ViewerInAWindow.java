@@ -81,7 +81,7 @@ abstract class ViewerInAWindow {
         viewer = ViewerStart.open(scene(), environment(), line -> {});
         onEvents(() -> {
             viewer.window().setBounds(0, 0, 620, 420);
-            viewer.toggleMap();
+            viewer.presenter().toggleMap();
             return null;
         });
         awaitFinal();
@@ -250,7 +250,7 @@ abstract class ViewerInAWindow {
         await(() -> onEvents(() -> {
             PictureView view = viewer.window().picture();
             return view.isFinal()
-                    && viewer.isSettled()
+                    && viewer.presenter().isSettled()
                     && view.picture().orElseThrow().getWidth() == view.pictureWidth();
         }));
     }

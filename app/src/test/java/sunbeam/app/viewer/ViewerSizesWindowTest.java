@@ -41,7 +41,7 @@ final class ViewerSizesWindowTest extends ViewerInAWindow {
         onEvents(() -> {
             viewer.window().setExtendedState(Frame.NORMAL);
             viewer.window().setVisible(true);
-            viewer.toggleCone();
+            viewer.presenter().toggleCone();
             return null;
         });
         awaitFinal();
