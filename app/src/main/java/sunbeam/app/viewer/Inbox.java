@@ -68,10 +68,15 @@ final class Inbox<S, T> {
         }
     }
 
-    /** As {@link #await()}, but for so many milliseconds at most. */
-    synchronized void await(long milliseconds) throws InterruptedException {
-        if (!closed && newest == null && tasks.isEmpty() && milliseconds > 0) {
-            wait(milliseconds);
+    /** As {@link #await()}, but no longer than until {@link System#nanoTime()} is {@code end}. */
+    synchronized void awaitUntil(long end) throws InterruptedException {
+        for (long left = milliseconds(end); !closed && newest == null && tasks.isEmpty() && left > 0; ) {
+            wait(left);
+            left = milliseconds(end);
         }
+    }
+
+    private static long milliseconds(long end) {
+        return (end - System.nanoTime()) / 1_000_000;
     }
 }

@@ -18,7 +18,7 @@ import sunbeam.app.scene.ScenePicture;
  */
 final class RenderLoop implements AutoCloseable {
     // Pauses between two events of one drag are shorter.
-    private static final long STILL_MILLISECONDS = 150;
+    private static final long STILL_NANOSECONDS = 150_000_000;
     // Of the first frame by a method of which nothing is known yet.
     private static final int FIRST_DIVISOR = 16;
 
@@ -237,12 +237,11 @@ final class RenderLoop implements AutoCloseable {
 
     /** Waits a while for a newer state; whether none has come. */
     private boolean isStill(GraphicsStage stage) {
-        long end = System.nanoTime() + STILL_MILLISECONDS * 1_000_000;
+        long end = System.nanoTime() + STILL_NANOSECONDS;
         try {
-            for (long left = STILL_MILLISECONDS; left > 0 && !inbox.isInterrupted(); ) {
-                inbox.await(left);
+            while (System.nanoTime() < end - 1_000_000 && !inbox.isInterrupted()) {
+                inbox.awaitUntil(end);
                 doTasks(stage);
-                left = (end - System.nanoTime()) / 1_000_000;
             }
         } catch (InterruptedException failure) {
             Thread.currentThread().interrupt();
