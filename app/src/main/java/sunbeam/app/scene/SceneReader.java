@@ -17,6 +17,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.function.ToDoubleFunction;
 import jrtr.scene.Camera;
 import org.joml.Quaternionf;
 import org.joml.Quaternionfc;
@@ -33,9 +34,13 @@ import sunbeam.precompute.patch.PatchRequest;
 import sunbeam.precompute.patch.PatchSettings;
 import sunbeam.precompute.patch.builtin.BuiltInPatches;
 import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.text.Quoted;
+import sunbeam.precompute.units.Lengths;
 
 /** Reads scene files (docs/scenes.md): strict, with messages that name file, line and key. */
 public final class SceneReader {
+    private static final double FARTHEST = 1e6;
+
     private final JsonObject root;
     private final SceneFolder folder;
 
@@ -132,23 +137,31 @@ public final class SceneReader {
         return new Viewpoint(placed, angle);
     }
 
+    /** Three lengths with their units, metres. */
     private static Vector3f place(JsonObject object, String key) {
         List<JsonValue> values = object.sequence(key, object.required(key, "[\"10 cm\", \"-20 cm\", \"15 cm\"]"), 3);
-        float[] metres = new float[3];
-        for (int i = 0; i < 3; i++) {
-            double coordinate = object.quantity(key, values.get(i), SceneUnits::coordinate);
-            metres[i] = (float) coordinate;
+        return new Vector3f(floats(values, value -> object.quantity(key, value, SceneReader::coordinate)));
+    }
+
+    private static double coordinate(String text) {
+        double metres = Lengths.parse(text);
+        if (!(Math.abs(metres) <= FARTHEST)) {
+            throw new IllegalArgumentException(Quoted.of(text) + " is out of range; give at most 1000 km");
         }
-        return new Vector3f(metres);
+        return metres;
     }
 
     private static Vector3f numbers(JsonObject object, String key) {
         List<JsonValue> values = object.sequence(key, object.required(key, "[0, 0, 1]"), 3);
-        float[] numbers = new float[3];
-        for (int i = 0; i < 3; i++) {
-            numbers[i] = (float) object.number(key, values.get(i), -1e6, 1e6);
+        return new Vector3f(floats(values, value -> object.number(key, value, -FARTHEST, FARTHEST)));
+    }
+
+    private static float[] floats(List<JsonValue> values, ToDoubleFunction<JsonValue> number) {
+        float[] floats = new float[values.size()];
+        for (int i = 0; i < floats.length; i++) {
+            floats[i] = (float) number.applyAsDouble(values.get(i));
         }
-        return new Vector3f(numbers);
+        return floats;
     }
 
     private static SceneLight light(JsonObject light) {
@@ -165,10 +178,7 @@ public final class SceneReader {
         }
         JsonValue value = root.required("orientation", "[0, 0, 0, 1]");
         List<JsonValue> values = root.sequence("orientation", value, 4);
-        float[] q = new float[4];
-        for (int i = 0; i < 4; i++) {
-            q[i] = (float) root.number("orientation", values.get(i), -1, 1);
-        }
+        float[] q = floats(values, number -> root.number("orientation", number, -1, 1));
         Quaternionf rotation = new Quaternionf(q[0], q[1], q[2], q[3]);
         if (Math.abs(rotation.lengthSquared() - 1) > 1e-3f) {
             throw root.complaint("orientation", value, "must be a unit quaternion x, y, z, w, such as [0, 0, 0, 1]");

@@ -19,7 +19,9 @@ import java.io.StringWriter;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.util.function.UnaryOperator;
 import org.joml.Quaternionf;
+import org.joml.Quaternionfc;
 import org.joml.Vector3fc;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.OutputException;
@@ -32,9 +34,10 @@ import sunbeam.precompute.setting.Choices;
 /** Writes scene files that {@link SceneReader} reads. */
 public final class SceneWriter {
     private final JsonGenerator json;
-    private final SceneNames names;
+    private final UnaryOperator<String> names;
 
-    private SceneWriter(JsonGenerator json, SceneNames names) {
+    /** @param names how built-in names and absolute files are written down */
+    private SceneWriter(JsonGenerator json, UnaryOperator<String> names) {
         this.json = json;
         this.names = names;
     }
@@ -46,21 +49,35 @@ public final class SceneWriter {
      * @throws OutputException when the file cannot be written, or a file lies elsewhere
      */
     public static void write(Path target, Overwrite overwrite, Scene scene) {
-        String text = text(scene, SceneNames.relativeTo(target)) + "\n";
+        Path folder = target.toAbsolutePath().normalize().getParent();
+        String text = text(scene, name -> relative(folder, name)) + "\n";
         AtomicFile.write(target, overwrite, stream -> stream.write(text.getBytes(StandardCharsets.UTF_8)));
     }
 
     /** The scene as JSON with absolute file names: equal texts for equal scenes. */
     public static String describe(Scene scene) {
-        return text(scene, SceneNames.absolute());
+        return text(scene, name -> name);
     }
 
     /** The scene as JSON for whoever has a picture of it: without the folders of this machine. */
     public static String caption(Scene scene) {
-        return text(scene, SceneNames.withoutFolders());
+        return text(scene, name -> String.valueOf(Path.of(name).getFileName()));
     }
 
-    private static String text(Scene scene, SceneNames names) {
+    /** Built-in names stay as they are; they are no absolute paths. */
+    private static String relative(Path folder, String name) {
+        Path path = Path.of(name);
+        if (!path.isAbsolute()) {
+            return name;
+        }
+        if (!path.normalize().startsWith(folder)) {
+            throw new OutputException("the scene uses " + path + ", which is not in the scene's folder " + folder
+                    + "; copy it there and load it from there first");
+        }
+        return folder.relativize(path.normalize()).toString();
+    }
+
+    private static String text(Scene scene, UnaryOperator<String> names) {
         StringWriter text = new StringWriter();
         try (JsonGenerator json = new JsonFactory().createGenerator(text)) {
             json.setPrettyPrinter(new DefaultPrettyPrinter());
@@ -75,26 +92,19 @@ public final class SceneWriter {
         json.writeStartObject();
         Choices title =
                 scene.title().isEmpty() ? Choices.none() : Choices.none().with(TITLE, scene.title());
-        JsonChoices.write(json, title.with(MESH, names.of(scene.mesh())));
+        JsonChoices.write(json, title.with(MESH, names.apply(scene.mesh())));
         patch(scene.patch());
         camera(scene.view());
         if (!scene.orientation().equals(new Quaternionf())) {
+            Quaternionfc turn = scene.orientation();
             json.writeFieldName("orientation");
-            json.writeArray(
-                    new double[] {
-                        scene.orientation().x(),
-                        scene.orientation().y(),
-                        scene.orientation().z(),
-                        scene.orientation().w()
-                    },
-                    0,
-                    4);
+            json.writeArray(new double[] {turn.x(), turn.y(), turn.z(), turn.w()}, 0, 4);
         }
         json.writeObjectFieldStart("light");
         direction("direction", scene.light().towards());
         JsonChoices.write(json, Choices.none().with(INTENSITY, scene.light().intensity()));
         json.writeEndObject();
-        JsonChoices.write(json, Choices.none().with(TEXTURE, names.of(scene.texture())));
+        JsonChoices.write(json, Choices.none().with(TEXTURE, names.apply(scene.texture())));
         object("plan", scene.method().choices());
         JsonChoices.write(
                 json, Choices.none().with(ROTATE_PATCH, scene.rotatePatch()).with(EXPOSURE, scene.exposure()));
@@ -106,7 +116,7 @@ public final class SceneWriter {
         if (!index.equals(SkinIndex.KERATIN)) {
             JsonChoices.write(
                     json,
-                    Choices.none().with(INDEX, index.isByWavelength() ? SkinIndex.of(names.of(index.file())) : index));
+                    Choices.none().with(INDEX, index.isByWavelength() ? SkinIndex.of(names.apply(index.file())) : index));
         }
         JsonChoices.write(json, Choices.none().with(BACKGROUND, scene.background()));
         json.writeEndObject();
@@ -119,7 +129,7 @@ public final class SceneWriter {
     }
 
     private void patch(PatchRequest patch) throws IOException {
-        String file = names.of(patch.patch());
+        String file = names.apply(patch.patch());
         if (patch.isNameOnly()) {
             json.writeStringField("patch", file);
         } else {
@@ -137,21 +147,24 @@ public final class SceneWriter {
     }
 
     private void place(String key, Vector3fc value) throws IOException {
-        json.writeFieldName(key);
-        String[] coordinates = {
-            SceneUnits.coordinateText(value.x()),
-            SceneUnits.coordinateText(value.y()),
-            SceneUnits.coordinateText(value.z())
-        };
-        json.writeArray(coordinates, 0, 3);
+        json.writeArrayFieldStart(key);
+        for (int axis = 0; axis < 3; axis++) {
+            json.writeString(metres(value.get(axis)));
+        }
+        json.writeEndArray();
+    }
+
+    /** Exactly, without a superfluous ".0". */
+    private static String metres(float value) {
+        return Float.toString(value).replaceFirst("\\.0$", "") + " m";
     }
 
     /** Floats with their own digits. */
     private void direction(String key, Vector3fc value) throws IOException {
         json.writeArrayFieldStart(key);
-        json.writeNumber(value.x());
-        json.writeNumber(value.y());
-        json.writeNumber(value.z());
+        for (int axis = 0; axis < 3; axis++) {
+            json.writeNumber(value.get(axis));
+        }
         json.writeEndArray();
     }
 }

@@ -10,6 +10,7 @@ import jrtr.gl.FloatTexture;
 import jrtr.gl.RenderContext;
 import jrtr.gl.ShaderProgram;
 import jrtr.scene.ViewRays;
+import jrtr.scene.LightUniforms;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.ReflectionPart;
@@ -91,8 +92,14 @@ final class SkinSurface implements AutoCloseable {
         return moving.draw(scene, buffer, rays, method.bindings(), exposure);
     }
 
+    /** What jrtr/lights.glsl and include/blend.glsl ask for. */
     private void setLight(ShaderProgram program, Scene scene) {
-        SceneUniforms.set(program, scene);
+        LightUniforms.of(List.of(SceneGraphs.light(scene))).applyTo(program);
+        Blend blend = scene.blend();
+        program.set("diffractionWeight", (float) blend.diffraction());
+        program.set("textureWeight", (float) blend.texture());
+        program.set("diffuseWeight", (float) blend.diffuse());
+        program.set("ambientWeight", (float) blend.ambient());
         setReflection(program, scene);
     }
 
