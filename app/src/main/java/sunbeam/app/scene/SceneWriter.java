@@ -116,7 +116,8 @@ public final class SceneWriter {
         if (!index.equals(SkinIndex.KERATIN)) {
             JsonChoices.write(
                     json,
-                    Choices.none().with(INDEX, index.isByWavelength() ? SkinIndex.of(names.apply(index.file())) : index));
+                    Choices.none()
+                            .with(INDEX, index.isByWavelength() ? SkinIndex.of(names.apply(index.file())) : index));
         }
         JsonChoices.write(json, Choices.none().with(BACKGROUND, scene.background()));
         json.writeEndObject();
