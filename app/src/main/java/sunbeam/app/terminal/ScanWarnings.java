@@ -1,8 +1,10 @@
 package sunbeam.app.terminal;
 
+import java.io.PrintWriter;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Collectors;
+import sunbeam.precompute.patch.Patch;
 
 /** What is wrong with a scan in one line; each warning by itself is longer than most people read. */
 public final class ScanWarnings {
@@ -10,6 +12,21 @@ public final class ScanWarnings {
     private static final int LONGEST = 200;
 
     private ScanWarnings() {}
+
+    /**
+     * Prints a patch's notes, then all warnings in full for those who ask, else in one line.
+     *
+     * @param warnings the patch's and whatever else is said of it
+     */
+    public static void print(Patch patch, List<String> warnings, boolean explained, PrintWriter err) {
+        patch.notes().forEach(note -> err.println(Messages.note(patch.name() + ": " + note)));
+        if (explained) {
+            warnings.forEach(warning -> err.println(Messages.warning(patch.name() + ": " + warning)));
+        } else {
+            line(patch.name(), warnings, "--explain").ifPresent(err::println);
+        }
+        err.flush();
+    }
 
     /**
      * The whole of a short one; of others their beginnings, up to the first colon.

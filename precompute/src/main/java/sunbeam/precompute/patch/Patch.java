@@ -5,7 +5,6 @@ import java.util.List;
 import java.util.Optional;
 import sunbeam.precompute.fault.ScanFault;
 import sunbeam.precompute.optics.HeightMap;
-import sunbeam.precompute.prepare.Crop;
 
 /**
  * A surface, ready for everything that follows.
@@ -18,7 +17,6 @@ import sunbeam.precompute.prepare.Crop;
  * @param notes what was chosen for the user, one line each
  * @param warnings what the user should know, one line each, the gravest first; empty when all is well
  * @param faults what is wrong with the scan as it was measured; the warnings have it, too
- * @param crop the part of the file that the scan is, on its samples' borders; empty for all of it
  * @param repetition whether the surface goes on beyond the heights as they do
  */
 public record Patch(
@@ -30,7 +28,6 @@ public record Patch(
         List<String> notes,
         List<String> warnings,
         List<ScanFault> faults,
-        Optional<Crop> crop,
         Repetition repetition) {
 
     private static final double SAME = 1e-4;
@@ -63,7 +60,6 @@ public record Patch(
                 List.of(),
                 warnings,
                 List.of(),
-                Optional.empty(),
                 Repetition.PERIODIC);
     }
 
@@ -81,26 +77,7 @@ public record Patch(
     public Patch named(String other, String why) {
         List<String> told = new ArrayList<>(notes);
         told.add(why);
-        return new Patch(other, heights, scan, source, channels, told, warnings, faults, crop, repetition);
-    }
-
-    /**
-     * A part of the scan, as cropping leaves it: a piece, its edges as they are.
-     *
-     * @throws IllegalArgumentException when that leaves the scan or holds fewer than two samples
-     */
-    public Patch part(Crop area) {
-        HeightMap part = area.apply(scan);
-        return new Patch(
-                name, part, part, source, channels, notes, warnings, faults, Optional.empty(), Repetition.NONE);
-    }
-
-    /** A part of the scan as an option's value has it, which counts from the corner of the whole file. */
-    public String inFile(Crop part) {
-        double x = crop.map(Crop::left).orElse(0.0);
-        double y = crop.map(Crop::bottom).orElse(0.0);
-        return new Crop(x + part.left(), x + part.right(), y + part.bottom(), y + part.top())
-                .written(scan.pitchX(), scan.pitchY());
+        return new Patch(other, heights, scan, source, channels, told, warnings, faults, repetition);
     }
 
     /** The shorter side of what was measured, of axes along which it changes at all; metres, infinite where it is flat. */

@@ -19,7 +19,6 @@ import sunbeam.precompute.prepare.OnePeriod;
 import sunbeam.precompute.prepare.Preparation;
 import sunbeam.precompute.prepare.Seam;
 import sunbeam.precompute.prepare.Spikes;
-import sunbeam.precompute.prepare.Tilt;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.setting.SettingException;
@@ -34,8 +33,6 @@ import sunbeam.precompute.units.Lengths;
  * @param kind where the heights come from
  */
 record PatchAssembler(String name, String file, Choices choices, Kind kind) {
-    // Of the heights' variance, in their plane: less is no tilt that anybody sees.
-    private static final double TILTED = 0.1;
     // How many times larger the step at the border is than between neighbors, before its streaks are seen.
     private static final double TORN = 4;
 
@@ -64,10 +61,10 @@ record PatchAssembler(String name, String file, Choices choices, Kind kind) {
                 choices.get(LEVEL, piece ? Levelling.PLANE : Levelling.MEAN),
                 choices.get(DESPIKE, false),
                 choices.get(EDGES, piece ? Edges.BLEND : Edges.REPEAT));
-        Optional<Crop> crop = crop(measured);
+        Crop.Samples samples = samples(measured);
         Preparation.Prepared prepared = prepared(preparation, measured);
         List<ScanFault> faults =
-                repetition == Patch.Repetition.PERIODIC ? List.of() : faults(measured, preparation.levelling());
+                repetition == Patch.Repetition.PERIODIC ? List.of() : faults(measured, preparation.levelling(), samples.area(measured));
         List<String> warnings = new ArrayList<>();
         if (kind != Kind.BUILT_IN) {
             warnings.addAll(Plausibility.oddities(measured));
@@ -88,7 +85,6 @@ record PatchAssembler(String name, String file, Choices choices, Kind kind) {
                 read.notes(),
                 warnings,
                 faults,
-                crop,
                 repetition);
     }
 
@@ -103,10 +99,10 @@ record PatchAssembler(String name, String file, Choices choices, Kind kind) {
         return period ? Patch.Repetition.PERIODIC : Patch.Repetition.ASSUMED;
     }
 
-    /** The part of the file on its samples' borders. */
-    private Optional<Crop> crop(HeightMap measured) {
+    /** The part of the file that counts. */
+    private Crop.Samples samples(HeightMap measured) {
         try {
-            return choices.find(CROP).map(crop -> crop.samples(measured).area(measured));
+            return choices.find(CROP).map(crop -> crop.samples(measured)).orElseGet(() -> Crop.Samples.allOf(measured));
         } catch (IllegalArgumentException wrong) {
             throw new SettingException(CROP, wrong.getMessage());
         }
@@ -123,11 +119,8 @@ record PatchAssembler(String name, String file, Choices choices, Kind kind) {
     }
 
     /** Those that stay, with what leaves them out or takes them away. */
-    private List<ScanFault> faults(HeightMap measured, Levelling levelling) {
+    private List<ScanFault> faults(HeightMap measured, Levelling levelling, Crop area) {
         boolean levelled = levelling == Levelling.ROWS || levelling == Levelling.MEDIAN_ROWS;
-        Crop.Samples scan =
-                choices.find(CROP).map(crop -> crop.samples(measured)).orElseGet(() -> Crop.Samples.allOf(measured));
-        Crop area = scan.area(measured);
         return ScanFaults.in(measured, choices.find(CROP)).stream()
                 .filter(fault -> !levelled || fault.levelling().isEmpty())
                 .map(fault -> new ScanFault(
@@ -177,18 +170,14 @@ record PatchAssembler(String name, String file, Choices choices, Kind kind) {
             return Optional.empty();
         }
         String step = "the scan's repetition has a step that draws a cross: ";
-        Tilt tilt = takesTilt || said ? Tilt.NONE : Tilt.of(scan);
-        if (tilt.share() > TILTED) {
-            return Optional.of(step + "it is tilted by " + Lengths.rounded(tilt.rise(), 3)
-                    + " from corner to corner; level it (" + named(LEVEL, Levelling.PLANE.label()) + ")");
-        }
         Seam seam = Seam.of(scan);
         if (seam.ratio() <= TORN || (said && seam.fits())) {
             return Optional.empty();
         }
         String remedy = said
                 ? "crop it to a period (" + named(CROP) + ")"
-                : "blend them (" + named(EDGES, Edges.BLEND.label()) + ")";
+                : (takesTilt ? "" : "level it (" + named(LEVEL, Levelling.PLANE.label()) + ") or ") + "blend them ("
+                        + named(EDGES, Edges.BLEND.label()) + ")";
         return Optional.of(step + "opposite borders differ by " + Lengths.rounded(seam.jump(), 2)
                 + " rms (neighbors by " + Lengths.rounded(seam.inside(), 2) + "); " + remedy);
     }

@@ -83,15 +83,6 @@ final class Polynomial {
         return count == 1 ? 0 : 2.0 * index / (count - 1) - 1;
     }
 
-    /** Mean square of the heights less the polynomial; 0 where none is there. */
-    double variance() {
-        return Arrays.stream(subtracted().heights())
-                .filter(Double::isFinite)
-                .map(rest -> rest * rest)
-                .average()
-                .orElse(0);
-    }
-
     /** The heights less the polynomial. */
     HeightMap subtracted() {
         double[] heights = map.toArray();
@@ -106,10 +97,5 @@ final class Polynomial {
             }
         });
         return map.with(heights);
-    }
-
-    /** Of a plane: how much it rises from its lowest corner to its highest, metres. */
-    double rise() {
-        return 2 * Math.abs(coefficients.getEntry(1)) + 2 * Math.abs(coefficients.getEntry(2));
     }
 }

@@ -15,9 +15,6 @@ import sunbeam.precompute.units.Lengths;
  * @param edges what becomes of the border
  */
 public record Preparation(Optional<Crop> crop, Levelling levelling, boolean despike, Edges edges) {
-    // Of the heights' variance, in their plane: a hundredth of their roughness. A smaller tilt is chance or rounding.
-    private static final double WORTH_SAYING = 1e-4;
-
     /**
      * A prepared scan.
      *
@@ -43,12 +40,8 @@ public record Preparation(Optional<Crop> crop, Levelling levelling, boolean desp
         if (crop.isPresent()) {
             steps.add("cropped from " + rounded(measured.width()) + " x " + rounded(measured.height()));
         }
-        Tilt tilt = Tilt.of(field);
         field = levelling.apply(field);
-        steps.add("levelling " + levelling.label()
-                + (levelling.takesTilt() && tilt.share() > WORTH_SAYING
-                        ? " (tilt of " + rounded(tilt.rise()) + " across the scan removed)"
-                        : ""));
+        steps.add("levelling " + levelling.label());
         if (despike) {
             Spikes spikes = Spikes.removed(field);
             field = spikes.field();

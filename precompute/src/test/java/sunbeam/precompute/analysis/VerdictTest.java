@@ -27,7 +27,6 @@ class VerdictTest {
                 List.of(),
                 List.of(),
                 faults,
-                Optional.empty(),
                 Patch.Repetition.NONE);
     }
 

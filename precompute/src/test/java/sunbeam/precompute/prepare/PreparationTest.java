@@ -135,7 +135,7 @@ class PreparationTest {
                 .apply(measured);
         assertThat(prepared.steps()).hasSize(5);
         assertThat(prepared.steps().get(0)).isEqualTo("cropped from 4 um x 3 um");
-        assertThat(prepared.steps().get(1)).startsWith("levelling plane (tilt of 1");
+        assertThat(prepared.steps().get(1)).isEqualTo("levelling plane");
         assertThat(prepared.steps().get(2)).startsWith("1 spike samples removed");
         assertThat(prepared.steps().get(3)).isEqualTo("1 missing samples filled");
         assertThat(prepared.steps().get(4)).startsWith("edges blended over 300 nm x 300 nm");

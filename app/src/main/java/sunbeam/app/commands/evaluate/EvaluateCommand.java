@@ -73,19 +73,17 @@ public final class EvaluateCommand implements Callable<Integer> {
     private static final double GIVEN = 1.2;
 
     /** Who evaluates; gem and table have colors, but no power at a wavelength. */
+    @SuppressWarnings("ImmutableEnumChecker") // a MethodType does not change
     private enum Evaluator {
-        FULL,
-        NMM,
-        PQ,
-        REFERENCE;
+        FULL(FullMethod.TYPE),
+        NMM(NmmMethod.TYPE),
+        PQ(PqMethod.TYPE),
+        REFERENCE(ReferenceMethod.TYPE);
 
-        MethodType type() {
-            return switch (this) {
-                case FULL -> FullMethod.TYPE;
-                case NMM -> NmmMethod.TYPE;
-                case PQ -> PqMethod.TYPE;
-                case REFERENCE -> ReferenceMethod.TYPE;
-            };
+        private final MethodType type;
+
+        Evaluator(MethodType type) {
+            this.type = type;
         }
     }
 
@@ -141,7 +139,7 @@ public final class EvaluateCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
-        Choices choices = methodOptions.choices().with(Methods.METHOD, method.type());
+        Choices choices = methodOptions.choices().with(Methods.METHOD, method.type);
         return choices.located(() -> evaluate(choices)).code();
     }
 
@@ -155,7 +153,9 @@ public final class EvaluateCommand implements Callable<Integer> {
         PrintWriter err = specification.commandLine().getErr();
         Patch patch = patchOptions.load(asked);
         ScanLimit limit = ScanLimit.of(asked, patch);
-        warn(patch, limit, err);
+        List<String> warnings = new ArrayList<>(patch.warnings());
+        limit.line().ifPresent(line -> warnings.add(line.in(OptionOrigin.INSTANCE)));
+        ScanWarnings.print(patch, warnings, methodOptions.explains(), err);
         FileGroup files = files(output != null ? stem(output) : Path.of(patch.name() + "-evaluate"));
         files.checkWritable();
         Choices choices = limit.choices();
@@ -196,19 +196,6 @@ public final class EvaluateCommand implements Callable<Integer> {
                 .findFirst()
                 .map(ending -> named.resolveSibling(name.substring(0, name.length() - ending.length())))
                 .orElse(named);
-    }
-
-    /** Notes, and all warnings in one line. */
-    private void warn(Patch patch, ScanLimit limit, PrintWriter err) {
-        patch.notes().forEach(note -> err.println(Messages.note(patch.name() + ": " + note)));
-        List<String> warnings = new ArrayList<>(patch.warnings());
-        limit.line().ifPresent(line -> warnings.add(line.in(OptionOrigin.INSTANCE)));
-        if (methodOptions.explains()) {
-            warnings.forEach(warning -> err.println(Messages.warning(patch.name() + ": " + warning)));
-        } else {
-            ScanWarnings.line(patch.name(), warnings, "--explain").ifPresent(err::println);
-        }
-        err.flush();
     }
 
     private static void say(String line, PrintWriter err) {
@@ -270,7 +257,7 @@ public final class EvaluateCommand implements Callable<Integer> {
         tree.put("program", "Sunbeam " + Version.number());
         tree.put("patch", evaluation.patch().name());
         tree.put("source", evaluation.patch().source());
-        tree.put("method", method.type().label());
+        tree.put("method", method.type.label());
         tree.put("quantity", quantity.name().toLowerCase(Locale.ROOT));
         tree.put("options", Methods.describe(choices));
         plan.ifPresent(made -> tree.put("plan", made.summary()));
@@ -281,7 +268,7 @@ public final class EvaluateCommand implements Callable<Integer> {
         Map<String, String> text = new LinkedHashMap<>();
         text.put("Title", evaluation.title(evaluation.patch().name()));
         text.put("Patch", evaluation.patch().source());
-        text.put("Method", method.type().label());
+        text.put("Method", method.type.label());
         text.put("Options", Methods.describe(choices));
         plan.ifPresent(made -> text.put("Plan", made.summary()));
         String label = quantity == Quantity.RHO ? "relative radiance rho" : "power";

@@ -20,7 +20,6 @@ import sunbeam.app.files.output.PngWriter;
 import sunbeam.app.files.output.StandardOutput;
 import sunbeam.app.gpu.picture.DoubtfulPicture;
 import sunbeam.app.terminal.JsonOption;
-import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.ScanWarnings;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.app.terminal.options.PatchOptions;
@@ -76,13 +75,7 @@ public final class InspectCommand implements Callable<Integer> {
         PrintWriter out = StandardOutput.reports(specification.commandLine().getOut(), err, output);
         AtomicFile.checkNamed(output, force.overwrite());
         Patch loaded = load();
-        loaded.notes().forEach(note -> err.println(Messages.note(loaded.name() + ": " + note)));
-        if (explain) {
-            loaded.warnings().forEach(warning -> err.println(Messages.warning(loaded.name() + ": " + warning)));
-        } else {
-            ScanWarnings.line(loaded.name(), loaded.warnings(), "--explain").ifPresent(err::println);
-        }
-        err.flush();
+        ScanWarnings.print(loaded, loaded.warnings(), explain, err);
         Path picture = output != null ? output : Path.of("inspect-" + loaded.name() + ".png");
         AtomicFile.checkWritable(picture, force.overwrite(output));
         Inspection inspection = Inspection.of(loaded, explain || json.isAsked());

@@ -29,7 +29,7 @@ class MapCaptionTest {
         }
         HeightMap map = new HeightMap(32, 16, 20e-6 / 32, 10e-6 / 16, heights);
         return new Patch(
-                "scan", map, map, "made up", List.of(), List.of(), List.of(), List.of(), Optional.empty(), repetition);
+                "scan", map, map, "made up", List.of(), List.of(), List.of(), List.of(), repetition);
     }
 
     @Test

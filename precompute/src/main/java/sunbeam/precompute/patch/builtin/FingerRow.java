@@ -1,21 +1,10 @@
 package sunbeam.precompute.patch.builtin;
 
-import java.util.List;
-
 /**
  * One row of a {@link FingerSkin}, tabulated along x over one period of the patch. A place is an index into the
  * tables; between two places is interpolated linearly.
  */
 final class FingerRow {
-    /**
-     * One finger.
-     *
-     * @param centre the ridge's x in metres, within [0, side)
-     * @param tip how far the tip stands below the row's line, metres
-     * @param lift by how much the finger is higher than it should be, metres
-     */
-    record Finger(double centre, double tip, double lift) {}
-
     private final double[] line;
     private final double[] phi;
     private final double[] lift;
@@ -25,12 +14,14 @@ final class FingerRow {
     /**
      * Tabulates the row.
      *
-     * @param fingers in the order of their centres, at least two
+     * @param centres each ridge's x in metres, ascending within [0, side), at least two
+     * @param tips how far each tip stands below the row's line, metres
+     * @param lifts by how much each finger is higher than it should be, metres
      * @param line distance in metres from the patch's top to the row's line, one entry per table place
      * @param side the period in metres
      * @param shape of the fingers
      */
-    FingerRow(List<Finger> fingers, double[] line, double side, FingerShape shape) {
+    FingerRow(double[] centres, double[] tips, double[] lifts, double[] line, double side, FingerShape shape) {
         int size = line.length;
         this.line = new double[size];
         phi = new double[size];
@@ -39,14 +30,14 @@ final class FingerRow {
         int next = 0;
         for (int i = 0; i < size; i++) {
             double x = i * side / size;
-            while (next < fingers.size() && fingers.get(next).centre() <= x) {
+            while (next < centres.length && centres[next] <= x) {
                 next++;
             }
-            Finger left = fingers.get(Math.floorMod(next - 1, fingers.size()));
-            Finger right = fingers.get(next % fingers.size());
-            double part = distance(left.centre(), x, side) / distance(left.centre(), right.centre(), side);
-            this.line[i] = line[i] + (1 - part) * left.tip() + part * right.tip();
-            lift[i] = (1 - part) * left.lift() + part * right.lift();
+            int left = Math.floorMod(next - 1, centres.length);
+            int right = next % centres.length;
+            double part = distance(centres[left], x, side) / distance(centres[left], centres[right], side);
+            this.line[i] = line[i] + (1 - part) * tips[left] + part * tips[right];
+            lift[i] = (1 - part) * lifts[left] + part * lifts[right];
             phi[i] = part < 0.5 ? 2 * part : 2 - 2 * part;
             edge[i] = shape.edge(phi[i]);
         }

@@ -104,7 +104,7 @@ record FingerSkin(RowLayout layout, FingerShape shape, double wavinessExponent, 
     /** The patch, heights in metres about 0; the same for the same parameters. */
     public HeightMap generate() {
         SeededNoise noise = new SeededNoise(seed);
-        FingerRow[] rows = new RowPlacer(layout, shape, SIDE, OVERSAMPLING * SAMPLES, noise).place();
+        FingerRow[] rows = layout.place(shape, SIDE, OVERSAMPLING * SAMPLES, noise);
         double[] heights = PeriodicField.powerLaw(
                 SAMPLES, SAMPLES, WAVINESS, wavinessExponent, WAVINESS_MODES, WAVINESS_MODES, noise);
         double[] grains = PeriodicField.grain(SAMPLES, GRAIN_LENGTH * SAMPLES / SIDE, noise);

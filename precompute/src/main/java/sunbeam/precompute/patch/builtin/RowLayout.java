@@ -1,5 +1,7 @@
 package sunbeam.precompute.patch.builtin;
 
+import java.util.Arrays;
+
 /**
  * Where the fingers of a {@link FingerSkin} stand and how far they stray from a lattice. Fingers point up (+y); rows
  * are counted downwards.
@@ -31,4 +33,124 @@ record RowLayout(
         int wanderModesY,
         double tipSpread,
         double heightSpread,
-        double lean) {}
+        double lean) {
+    /** The density of the meander falls with the square of the frequency: slopes are alike on all scales. */
+    private static final double WANDER_EXPONENT = 2;
+
+    /**
+     * Draws the rows, periodic in both directions.
+     *
+     * @param side the period, metres
+     * @param places in a row's tables
+     */
+    FingerRow[] place(FingerShape shape, double side, int places, SeededNoise noise) {
+        double[] starts = places(normals(rows, rowSpread, noise), side);
+        int modesDown = Math.min(wanderModesY, (rows - 1) / 2);
+        double[] meander = PeriodicField.powerLaw(
+                places, rows, wander, WANDER_EXPONENT, wanderModesX, modesDown, noise);
+        double[][] centres = coherenceRows > 0 ? coherentCentres(side, noise) : independentCentres(side, noise);
+        FingerRow[] placed = new FingerRow[rows];
+        for (int row = 0; row < rows; row++) {
+            double[] line = Arrays.copyOfRange(meander, row * places, (row + 1) * places);
+            for (int i = 0; i < places; i++) {
+                line[i] += starts[row];
+            }
+            placed[row] = new FingerRow(
+                    centres[row],
+                    normals(centres[row].length, tipSpread, noise),
+                    normals(centres[row].length, heightSpread, noise),
+                    line,
+                    side,
+                    shape);
+        }
+        return placed;
+    }
+
+    private double[][] independentCentres(double side, SeededNoise noise) {
+        double[][] centres = new double[rows][];
+        for (int row = 0; row < centres.length; row++) {
+            int count = (int) Math.max(3, Math.round(fingers + countSpread * noise.normal()));
+            double offset = noise.uniform() * side;
+            centres[row] = sortedWithin(places(normals(count, fingerSpread, noise), side), offset, side);
+        }
+        return centres;
+    }
+
+    private double[][] coherentCentres(double side, SeededNoise noise) {
+        double[][] deviations = new double[rows][];
+        for (int row = 0; row < deviations.length; row++) {
+            deviations[row] = normals(fingers, fingerSpread, noise);
+        }
+        double[][] smooth = smoothedOverRows(deviations, coherenceRows);
+        double[][] centres = new double[rows][];
+        for (int row = 0; row < centres.length; row++) {
+            double[] regular = places(smooth[row], side);
+            centres[row] = sortedWithin(regular, -meanDeviation(regular, side), side);
+        }
+        return centres;
+    }
+
+    /** From a regular lattice; without it the first column would run dead straight through all rows. */
+    private static double meanDeviation(double[] places, double side) {
+        double sum = 0;
+        for (int i = 0; i < places.length; i++) {
+            sum += places[i] - i * side / places.length;
+        }
+        return sum / places.length;
+    }
+
+    /** Starts of intervals whose lengths deviate from their mean by the given fractions and together fill the side. */
+    private static double[] places(double[] deviations, double side) {
+        int count = deviations.length;
+        double[] lengths = new double[count];
+        double sum = 0;
+        for (int i = 0; i < count; i++) {
+            // A length below 40 % would turn two neighbors into one.
+            lengths[i] = Math.max(0.4, 1 + deviations[i]);
+            sum += lengths[i];
+        }
+        double[] starts = new double[count];
+        double start = 0;
+        for (int i = 0; i < count; i++) {
+            starts[i] = start * side / sum;
+            start += lengths[i];
+        }
+        return starts;
+    }
+
+    private static double[] sortedWithin(double[] centres, double offset, double side) {
+        return Arrays.stream(centres)
+                .map(centre -> (centre + offset + side) % side)
+                .sorted()
+                .toArray();
+    }
+
+    private static double[] normals(int count, double deviation, SeededNoise noise) {
+        double[] values = new double[count];
+        Arrays.setAll(values, i -> deviation * noise.normal());
+        return values;
+    }
+
+    /** Gaussian mean over neighboring rows, round the period, with the standard deviation restored. */
+    private static double[][] smoothedOverRows(double[][] values, double sigma) {
+        int rows = values.length;
+        double[][] smooth = new double[rows][values[0].length];
+        double[] weights = new double[rows];
+        double squares = 0;
+        for (int lag = 0; lag < rows; lag++) {
+            double distance = Math.min(lag, rows - lag) / sigma;
+            weights[lag] = StrictMath.exp(-distance * distance / 2);
+            squares += weights[lag] * weights[lag];
+        }
+        double scale = 1 / StrictMath.sqrt(squares);
+        for (int row = 0; row < rows; row++) {
+            for (int lag = 0; lag < rows; lag++) {
+                double[] other = values[(row + lag) % rows];
+                for (int i = 0; i < other.length; i++) {
+                    smooth[row][i] += scale * weights[lag] * other[i];
+                }
+            }
+        }
+        return smooth;
+    }
+}
