@@ -1,6 +1,7 @@
 package sunbeam.precompute.fault;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.BitSet;
 import java.util.Comparator;
 import java.util.List;
@@ -59,12 +60,11 @@ final class MeasuredRows {
     }
 
     private double largest() {
-        double largest = 0;
-        for (double height : scan.heights()) {
-            double size = Math.abs(height);
-            largest = size > largest && size < Double.POSITIVE_INFINITY ? size : largest;
-        }
-        return largest;
+        return Arrays.stream(scan.heights())
+                .map(Math::abs)
+                .filter(Double::isFinite)
+                .max()
+                .orElse(0);
     }
 
     private boolean isMissing(int row) {

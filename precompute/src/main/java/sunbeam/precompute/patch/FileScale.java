@@ -86,19 +86,19 @@ record FileScale(double metresPerUnit, double pitchX, double pitchY, Optional<Se
 
     private static SettingException missing(Path file, boolean width, boolean unit, boolean whole) {
         Setting<?> ofHeights = whole ? MAX_HEIGHT : HEIGHT_UNIT;
-        String ofWidth = whole ? " 65um" : " 20um";
-        String heights = whole ? " 375nm" : " nm";
-        String size = "how large the scan is";
-        String scale = "in which unit its heights are";
-        String lacks =
-                width && unit ? " says neither " + size + " nor " + scale : " does not say " + (width ? size : scale);
-        String what = "is missing: " + file + (whole ? " is an image without scale" : lacks) + "; add for example ";
-        String end = whole ? ", or name a descriptor (.json)" : "";
-        if (width && unit) {
-            return new SettingException(WIDTH, what, WIDTH, ofWidth + " and ", ofHeights, heights + end);
+        String lacks = whole
+                ? " is an image without scale"
+                : " does not say "
+                        + (width ? "how large the scan is" + (unit ? " nor " : "") : "")
+                        + (unit ? "in which unit its heights are" : "");
+        String what = "is missing: " + file + lacks + "; add for example ";
+        String heights = (whole ? " 375nm" : " nm") + (whole ? ", or name a descriptor (.json)" : "");
+        String sides = whole ? " 65um" : " 20um";
+        if (!width) {
+            return new SettingException(ofHeights, what, ofHeights, heights);
         }
-        return width
-                ? new SettingException(WIDTH, what, WIDTH, ofWidth + end)
-                : new SettingException(ofHeights, what, ofHeights, heights + end);
+        return unit
+                ? new SettingException(WIDTH, what, WIDTH, sides + " and ", ofHeights, heights)
+                : new SettingException(WIDTH, what, WIDTH, sides);
     }
 }

@@ -2,6 +2,7 @@ package sunbeam.precompute.prepare;
 
 import java.util.Arrays;
 import java.util.Locale;
+import org.apache.commons.math3.stat.StatUtils;
 import sunbeam.precompute.optics.HeightMap;
 
 /**
@@ -69,26 +70,15 @@ public enum Levelling {
 
     /** Of the samples that are there; 0 where none is. */
     private static double mean(double[] heights, int from, int to) {
-        double sum = 0;
-        long count = 0;
-        for (int i = from; i < to; i++) {
-            if (Double.isFinite(heights[i])) {
-                sum += heights[i];
-                count++;
-            }
-        }
-        return count == 0 ? 0 : sum / count;
+        return Arrays.stream(heights, from, to)
+                .filter(Double::isFinite)
+                .average()
+                .orElse(0);
     }
 
     private static double median(double[] heights, int from, int to) {
-        double[] there = Arrays.stream(heights, from, to)
-                .filter(Double::isFinite)
-                .sorted()
-                .toArray();
-        int middle = there.length / 2;
-        if (there.length == 0) {
-            return 0;
-        }
-        return there.length % 2 == 1 ? there[middle] : 0.5 * (there[middle - 1] + there[middle]);
+        double[] there =
+                Arrays.stream(heights, from, to).filter(Double::isFinite).toArray();
+        return there.length == 0 ? 0 : StatUtils.percentile(there, 50);
     }
 }

@@ -20,16 +20,12 @@ public final class OnePeriod {
     /** Whether all heights are those of the first row (factors 1, 0) or column (0, 1), and not all one. */
     private static boolean isSame(HeightMap field, int columnFactor, int rowFactor) {
         double largest = 0;
-        double least = Double.POSITIVE_INFINITY;
-        double highest = Double.NEGATIVE_INFINITY;
         for (int row = 0; row < field.rows(); row++) {
             for (int column = 0; column < field.columns(); column++) {
-                double here = field.at(column, row);
-                largest = Math.max(largest, Math.abs(here - field.at(columnFactor * column, rowFactor * row)));
-                least = Math.min(least, here);
-                highest = Math.max(highest, here);
+                double step = field.at(column, row) - field.at(columnFactor * column, rowFactor * row);
+                largest = Math.max(largest, Math.abs(step));
             }
         }
-        return highest > least && largest <= SAME * (highest - least);
+        return field.relief() > 0 && largest <= SAME * field.relief();
     }
 }

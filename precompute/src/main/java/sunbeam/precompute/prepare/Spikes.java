@@ -31,25 +31,12 @@ public record Spikes(HeightMap field, int count, double largest) {
      * @param field levelled
      */
     public static Optional<Spikes> conspicuous(HeightMap field) {
-        double relief = relief(field.heights());
+        double relief = field.relief();
         if (!(relief > CONSPICUOUS * usualRange(field.heights()))) {
             return Optional.empty();
         }
         return Optional.of(removed(field))
-                .filter(spikes -> spikes.count() > 0 && relief > CONSPICUOUS * relief(spikes.field.heights()));
-    }
-
-    /** Highest less lowest of those that are there. */
-    private static double relief(double[] heights) {
-        double lowest = Double.POSITIVE_INFINITY;
-        double highest = Double.NEGATIVE_INFINITY;
-        for (double height : heights) {
-            if (Double.isFinite(height)) {
-                lowest = Math.min(lowest, height);
-                highest = Math.max(highest, height);
-            }
-        }
-        return highest - lowest;
+                .filter(spikes -> spikes.count() > 0 && relief > CONSPICUOUS * spikes.field.relief());
     }
 
     /** Of nearly all of a sample of the heights. */

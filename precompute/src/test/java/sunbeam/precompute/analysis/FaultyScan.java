@@ -2,7 +2,6 @@ package sunbeam.precompute.analysis;
 
 import java.util.Arrays;
 import java.util.EnumSet;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
 import java.util.SplittableRandom;
@@ -171,22 +170,7 @@ record FaultyScan(HeightMap map, double[] truths, boolean anyBetween, String wor
                         : 1e-7 * (height + noise * random.nextGaussian());
             }
         }
-        String words = String.format(
-                Locale.ROOT,
-                "%s seed %d: period %.1f nm, %d x %d, pitch %.1f nm, azimuth %.0f, shape %d, row %d, slip %.2f periods, %d rows, limit %.2f, ratio %.3f",
-                draw.kind(),
-                seed,
-                draw.period() * 1e9,
-                draw.columns(),
-                rows,
-                draw.pitch() * 1e9,
-                Math.toDegrees(draw.angle()),
-                draw.shape(),
-                first,
-                slip * Math.cos(draw.angle()) / draw.period(),
-                length,
-                limit,
-                ratio);
+        String words = draw.kind() + " seed " + seed;
         if (draw.kind() == Kind.DISLOCATED) {
             // There is a line more on one side of its end.
             return new FaultyScan(
@@ -232,19 +216,7 @@ record FaultyScan(HeightMap map, double[] truths, boolean anyBetween, String wor
         for (int k = 0; k < heights.length; k++) {
             heights[k] += 1e-7 * noise * random.nextGaussian();
         }
-        String words = String.format(
-                Locale.ROOT,
-                "%s seed %d: periods %s nm, %d x %d, pitch %.1f nm, from %.0f by %.0f degrees",
-                kind,
-                seed,
-                Arrays.toString(Arrays.stream(truths)
-                        .map(truth -> Math.rint(truth * 1e10) / 10)
-                        .toArray()),
-                draw.columns(),
-                draw.rows(),
-                draw.pitch() * 1e9,
-                Math.toDegrees(start),
-                Math.toDegrees(between));
+        String words = kind + " seed " + seed;
         return scan(draw.columns(), draw.rows(), draw.pitch(), heights, truths, words);
     }
 
@@ -271,17 +243,7 @@ record FaultyScan(HeightMap map, double[] truths, boolean anyBetween, String wor
             }
             heights[k] = 1e-8 * ((up ? step : step % 2) + noise * random.nextGaussian());
         }
-        String words = String.format(
-                Locale.ROOT,
-                "TERRACES seed %d: %d x %d, pitch %.1f nm, %d steps %s, %.0f degrees, mean width %.0f nm",
-                seed,
-                columns,
-                rows,
-                pitch * 1e9,
-                count,
-                up ? "up" : "up and down",
-                Math.toDegrees(angle),
-                diagonal / count * pitch * 1e9);
+        String words = Kind.TERRACES + " seed " + seed;
         // Where something repeats, if only roughly, it is a terrace, or two of which one lies higher.
         double width = diagonal / count * pitch;
         return scan(columns, rows, pitch, heights, new double[] {width, 2 * width}, words);

@@ -105,20 +105,7 @@ record SimulatedGrating(HeightMap map, Kind kind, double[] truths, double azimut
                 heights[row * columns + column] = height + tilt * x + noise * gaussian(random);
             }
         }
-        String words =
-                "%s seed %d: period %.1f nm, %.1f x %.1f um, %.1f periods, azimuth %.0f, disorder %.3f, shape %d, tilt %.3f, ratio %.3f"
-                        .formatted(
-                                kind,
-                                seed,
-                                period * 1e9,
-                                columns * pitch * 1e6,
-                                rows * pitch * 1e6,
-                                width / period,
-                                Math.toDegrees(angle),
-                                disorder,
-                                shape,
-                                tilt,
-                                kind == Kind.CHIRPED ? growth : ratio);
+        String words = kind + " seed " + seed;
         double[] truths = kind == Kind.TWO ? new double[] {period, period * ratio} : new double[] {period};
         return new SimulatedGrating(new HeightMap(columns, rows, pitch, pitch, heights), kind, truths, angle, words);
     }

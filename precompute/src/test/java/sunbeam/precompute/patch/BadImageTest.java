@@ -62,7 +62,7 @@ class BadImageTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"40000, 40000", "16385, 1", "1, 16385", "16384, 16384", "2147483647, 2147483647"})
+    @CsvSource({"16385, 1", "1, 16385", "16384, 16384", "2147483647, 2147483647"})
     void refusesAHugeImageByItsHeader(int columns, int rows) throws IOException {
         Path file = Files.write(folder.resolve("huge.png"), pngHeader(columns, rows));
 
@@ -104,13 +104,6 @@ class BadImageTest {
                 .hasMessageContaining("-Xmx");
     }
 
-    @Test
-    void refusesASingleSample() throws IOException {
-        Path file = TestImages.write(TestImages.grey8(1, 1, (c, r, b) -> 9), folder.resolve("dot.png"));
-
-        assertRefused(file, "1 x 1", "at least 2 x 1");
-    }
-
     @ParameterizedTest
     @CsvSource({
         TinyTiff.ORIENTATION + ", 3, orientation tag 3",
@@ -137,11 +130,6 @@ class BadImageTest {
                 .write(folder.resolve("tiles.tif"));
 
         assertRefused(file, "tiles of 3600000000 samples");
-    }
-
-    @Test
-    void refuses32BitIntegers() throws IOException {
-        assertRefused(new TinyTiff(2, 2, 32, new byte[16]).write(folder.resolve("int.tif")), "32 bits per sample");
     }
 
     private static void assertRefused(Path file, String... complaints) {

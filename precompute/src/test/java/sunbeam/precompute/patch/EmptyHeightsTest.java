@@ -48,11 +48,6 @@ class EmptyHeightsTest {
     }
 
     @Test
-    void aMirrorOfUsualSizeIsNot() throws IOException {
-        assertThat(load(sparse(64, 64)).warnings()).anyMatch(warning -> warning.contains("a flat mirror"));
-    }
-
-    @Test
     void oneSampleThatDiffersIsContent() throws IOException {
         Path file = sparse(SIDE, SIDE);
         try (RandomAccessFile samples = new RandomAccessFile(file.toFile(), "rw")) {

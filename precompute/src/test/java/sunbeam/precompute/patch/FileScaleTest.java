@@ -58,6 +58,13 @@ class FileScaleTest {
                 .hasMessageEndingWith("scan.txt, which has Height");
     }
 
+    private static Setting<?> setting(String key) {
+        return PatchSettings.OF_FILES.stream()
+                .filter(setting -> setting.key().equals(key))
+                .findFirst()
+                .orElseThrow();
+    }
+
     @ParameterizedTest
     @CsvSource({
         "width, 5um, says 4 um",
@@ -67,12 +74,7 @@ class FileScaleTest {
     })
     void whatAFileKnowsIsNotOverruled(String key, String word, String complaint) throws IOException {
         Path file = file(HEADER + NUMBERS);
-        var setting = PatchSettings.OF_FILES.stream()
-                .filter(s -> s.key().equals(key))
-                .findFirst()
-                .orElseThrow();
-
-        assertThatThrownBy(() -> load(file, setting, word))
+        assertThatThrownBy(() -> load(file, setting(key), word))
                 .isInstanceOf(SettingException.class)
                 .hasMessageContaining("contradicts")
                 .hasMessageContaining(complaint);
@@ -82,12 +84,7 @@ class FileScaleTest {
     @CsvSource({"width, 4um", "height, 0.003 mm", "heightUnit, nm"})
     void whatAFileKnowsMayBeSaidAgain(String key, String word) throws IOException {
         Path file = file(HEADER + NUMBERS);
-        var setting = PatchSettings.OF_FILES.stream()
-                .filter(s -> s.key().equals(key))
-                .findFirst()
-                .orElseThrow();
-
-        HeightMap map = load(file, setting, word).heights();
+        HeightMap map = load(file, setting(key), word).heights();
 
         assertThat(map.width()).isEqualTo(load(file).heights().width());
         assertThat(map.at(1, 2)).isEqualTo(load(file).heights().at(1, 2));
@@ -123,15 +120,6 @@ class FileScaleTest {
     }
 
     @Test
-    void whatIsSaidCompletesAFile() throws IOException {
-        HeightMap map = load(file(NUMBERS), PatchSettings.WIDTH, "4um", PatchSettings.HEIGHT_UNIT, "nm")
-                .heights();
-
-        assertThat(map.pitchY()).isCloseTo(1e-6, within(1e-20));
-        assertThat(map.relief()).isCloseTo(110e-9, within(1e-22));
-    }
-
-    @Test
     void numbersInOneRowNeedTheirColumns() throws IOException {
         Path file = file(NUMBERS.replace('\n', ' '));
 
@@ -156,17 +144,6 @@ class FileScaleTest {
         assertThatThrownBy(() -> load(metres, PatchSettings.WIDTH, "4um", PatchSettings.HEIGHT_UNIT, "nm"))
                 .isInstanceOf(SettingException.class)
                 .hasMessageContaining("less than a hundredth of an atom; check both units");
-    }
-
-    @Test
-    void aReliefBelowAPicometreIsRefusedWithItsCause() throws IOException {
-        Path file = file((HEADER + NUMBERS).replace("units: nm", "units: fm").replace("110", "1"));
-
-        assertThatThrownBy(() -> load(file))
-                .isInstanceOf(PatchException.class)
-                .hasMessageContaining(
-                        "relief of 0.1 pm on a patch of 4 um, which is absurd: less than a hundredth of an atom")
-                .hasMessageContaining("its scale is wrong");
     }
 
     @Test

@@ -92,13 +92,4 @@ class PatchAssemblerTest {
                                 .endsWith("; --level median-rows takes that away"));
         assertThat(scan(stopped, PatchSettings.LEVEL, "median-rows").faults()).hasSize(1);
     }
-
-    @Test
-    void aRunIsToldOneLine() throws IOException {
-        Patch patch = scan((x, y) -> y < 72 ? lines(x, y) + (y < 24 ? 200 : 0) : 0);
-        assertThat(patch.warnings()).hasSizeGreaterThan(1);
-        assertThat(patch.warning().orElseThrow())
-                .startsWith(patch.warnings().get(0))
-                .endsWith("(inspect has " + (patch.warnings().size() - 1) + " more)");
-    }
 }

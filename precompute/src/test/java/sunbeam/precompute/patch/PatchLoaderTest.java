@@ -98,19 +98,6 @@ class PatchLoaderTest {
     }
 
     @ParameterizedTest
-    @CsvSource({
-        ", , --width 65um and --max-height 375nm",
-        "65um, , --max-height 375nm",
-        ", 375nm, --width 65um",
-    })
-    void asksForTheScaleOfAnImage(String width, String maxHeight, String remedy) throws IOException {
-        assertRefused(
-                PatchRequests.parse(ramp(), width, null, maxHeight, null, null),
-                "ramp.png is an image without scale",
-                remedy);
-    }
-
-    @ParameterizedTest
     @CsvSource({"65um, , , --width, 65 um", ", 65um, , --height, 65 um", ", , 375nm, --max-height, 375 nm"})
     void refusesAScaleForAPatchThatHasOne(String width, String extent, String maxHeight, String option, String given)
             throws IOException {
@@ -144,13 +131,7 @@ class PatchLoaderTest {
         assertRefused(PatchRequests.of(" "), "--patch", "is empty");
         assertRefused(PatchRequests.of(folder.resolve("x.json").toString()), "no file that is there");
         assertRefused(PatchRequests.of("a\0b"), "no file name");
-    }
-
-    @Test
-    void refusesAFolder() throws IOException {
         assertRefused(PatchRequests.of(folder.toString()), folder.toString(), "is a folder");
-        Path json = Files.createDirectory(folder.resolve("x.json"));
-        assertRefused(PatchRequests.of(json.toString()), "is a folder");
     }
 
     @Test
@@ -178,16 +159,5 @@ class PatchLoaderTest {
         assertThat(patch.heights().relief()).isLessThan(1e-21);
         assertThat(Arrays.stream(patch.heights().toArray()).average().orElseThrow())
                 .isBetween(-1e-21, 1e-21);
-    }
-
-    @Test
-    void warnsOfAFlatPatchAndOfCoarseSampling() throws IOException {
-        Path file = TestImages.write(TestImages.grey8(4, 4, (c, r, b) -> 7), folder.resolve("flat.png"));
-
-        Patch patch = loader.load(PatchRequests.parse(file.toString(), "4um", null, "1nm", null, null));
-
-        assertThat(patch.warnings()).hasSize(2);
-        assertThat(patch.warnings().get(0)).contains("flat mirror");
-        assertThat(patch.warnings().get(1)).contains("sampling too coarse", "1 um");
     }
 }

@@ -132,12 +132,6 @@ final class EvaluateCommandTest {
     }
 
     @Test
-    void powerAloneDrawsThePeaksLessAside() throws IOException {
-        assertThat(run("--patch", "blaze", "--quantity", "power")).isZero();
-        assertThat(report().at("/peaks_interpolated/mean_nm").doubleValue()).isCloseTo(2500, within(0.2));
-    }
-
-    @Test
     void theResponseIsWrittenWithItsAxes() throws IOException {
         assertThat(run("--patch", "sinusoid", "--angles", "-56:-38:0.15"))
                 .as(err.toString())
@@ -272,13 +266,6 @@ final class EvaluateCommandTest {
         assertThat(report().at("/period/high_nm").doubleValue()).isGreaterThan(290.9);
     }
 
-    @Test
-    void filesThatExistStay() {
-        assertThat(run("--patch", "blaze")).isZero();
-        assertThat(run("--patch", "blaze")).isEqualTo(8);
-        assertThat(err.toString()).contains("--force");
-    }
-
     /** The last two fifths are one row: a warning says which, and the period is that of the others. */
     @Test
     void aScanThatWasStoppedTellsThePeriodOfWhatWasMeasured() throws IOException {
@@ -306,22 +293,5 @@ final class EvaluateCommandTest {
                 .isZero();
         assertThat(report().at("/period/low_nm").doubleValue()).isBetween(940.0, 1000.0);
         assertThat(report().at("/period/high_nm").doubleValue()).isBetween(1000.0, 1060.0);
-    }
-
-    /** The light was sent along the strongest wave, and the period was that of another. */
-    @Test
-    void aPeriodThatIsAskedForIsLookedForAlongItsWave() throws IOException {
-        assertThat(runScan(
-                        (column, row) -> 30 * wave(column, row, 12.8, 10) + 15 * wave(column, row, 7.68, 70),
-                        10,
-                        "--azimuth",
-                        "auto",
-                        "--period",
-                        "600nm"))
-                .as(err.toString())
-                .isZero();
-        assertThat(out.toString())
-                .containsPattern("light at 75 degrees, azimuth (70|69\\.9|-110)")
-                .containsPattern("period +(599|600|601)");
     }
 }

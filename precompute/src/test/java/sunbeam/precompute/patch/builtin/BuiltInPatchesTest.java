@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.Arrays;
-import java.util.List;
 import java.util.function.IntToDoubleFunction;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
@@ -24,12 +23,6 @@ class BuiltInPatchesTest {
 
     static Stream<String> names() {
         return BuiltInPatches.names().stream();
-    }
-
-    @Test
-    void offersTheSixPatches() {
-        assertThat(BuiltInPatches.names())
-                .isEqualTo(List.of("blaze", "sinusoid", "lamellar", "disc", "elaphe-like", "xenopeltis-like"));
     }
 
     @Test

@@ -60,31 +60,6 @@ class CompactDiscTest {
         }
     }
 
-    @Test
-    void pitsAre500NanometresWide() {
-        int column = centre(5);
-        int row = 0;
-        while (!isDeepAround(column, row)) {
-            row++;
-        }
-        int width = 0;
-        for (int c = column - 16; c < column + 16; c++) {
-            width += disc.at(c, row) < HALF_DEPTH ? 1 : 0;
-        }
-        // Counted in samples of 50 nm, one more or less.
-        assertThat(width * disc.pitchX()).isCloseTo(500e-9, within(51e-9));
-    }
-
-    /** 400 nm of full depth before and after: away from the round ends. */
-    private static boolean isDeepAround(int column, int row) {
-        for (int r = row - 8; r <= row + 8; r++) {
-            if (disc.at(column, Math.floorMod(r, disc.rows())) > -109e-9) {
-                return false;
-            }
-        }
-        return true;
-    }
-
     private static int centre(int track) {
         return track * (disc.columns() / TRACKS) + disc.columns() / TRACKS / 2;
     }

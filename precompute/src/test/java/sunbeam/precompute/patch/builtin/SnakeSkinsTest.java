@@ -21,32 +21,19 @@ class SnakeSkinsTest {
         xenopeltisSpectrum = new Spectrum(xenopeltis);
     }
 
+    /** Gaps between fingers differ by 15 %, so that orders are some bins wide; rows are known to a bin or two. */
     @Test
-    void elaphesFingersAreAMicrometreApartAlongX() {
-        double period = dominantPeriod(elapheSpectrum.byP((p, q) -> Math.abs(q) < 10), 40, 3);
-        // Gaps differ by 16 %, so the order is 10 bins wide; its peak is known to a few of 63.
-        assertThat(period).isCloseTo(1.03e-6, within(0.06e-6));
-    }
-
-    @Test
-    void elaphesRowsAre3MicrometresApart() {
-        double period = dominantPeriod(elapheSpectrum.byQ((p, q) -> Math.abs(p) > 26), 14, 1);
-        // One bin of 21 is 5 %; rows stray by 9 %.
-        assertThat(period).isCloseTo(3.1e-6, within(0.3e-6));
-    }
-
-    @Test
-    void xenopeltisFingersAreHalfAMicrometreApartAlongX() {
-        double period = dominantPeriod(xenopeltisSpectrum.byP((p, q) -> true), 60, 3);
-        // Gaps differ by 15 %; the peak is known to a few bins of 118.
-        assertThat(period).isCloseTo(0.55e-6, within(0.03e-6));
-    }
-
-    @Test
-    void xenopeltisRowsAreOneAndAHalfMicrometresApart() {
-        double period = dominantPeriod(xenopeltisSpectrum.byQ((p, q) -> Math.abs(p) < 30), 25, 1);
-        // Two bins of 42.
-        assertThat(period).isCloseTo(1.55e-6, within(0.08e-6));
+    void fingersAndRowsAreAsFarApartAsOnTheSnakes() {
+        double[][] elaphePowers = {
+            elapheSpectrum.byP((p, q) -> Math.abs(q) < 10), elapheSpectrum.byQ((p, q) -> Math.abs(p) > 26)
+        };
+        assertThat(dominantPeriod(elaphePowers[0], 40, 3)).isCloseTo(1.03e-6, within(0.06e-6));
+        assertThat(dominantPeriod(elaphePowers[1], 14, 1)).isCloseTo(3.1e-6, within(0.3e-6));
+        double[][] xenopeltisPowers = {
+            xenopeltisSpectrum.byP((p, q) -> true), xenopeltisSpectrum.byQ((p, q) -> Math.abs(p) < 30)
+        };
+        assertThat(dominantPeriod(xenopeltisPowers[0], 60, 3)).isCloseTo(0.55e-6, within(0.03e-6));
+        assertThat(dominantPeriod(xenopeltisPowers[1], 25, 1)).isCloseTo(1.55e-6, within(0.08e-6));
     }
 
     /** The period in metres of the strongest frequency from {@code first} on, seen through a window of bins. */
