@@ -51,16 +51,7 @@ public record Patch(
 
     /** A period of a surface that comes from no scan. */
     public Patch(String name, HeightMap heights, String source, List<String> warnings) {
-        this(
-                name,
-                heights,
-                heights,
-                source,
-                List.of(),
-                List.of(),
-                warnings,
-                List.of(),
-                Repetition.PERIODIC);
+        this(name, heights, heights, source, List.of(), List.of(), warnings, List.of(), Repetition.PERIODIC);
     }
 
     /** The first of the warnings, for whoever tells one line a run; empty when all is well. */

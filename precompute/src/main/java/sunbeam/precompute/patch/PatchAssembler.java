@@ -63,8 +63,9 @@ record PatchAssembler(String name, String file, Choices choices, Kind kind) {
                 choices.get(EDGES, piece ? Edges.BLEND : Edges.REPEAT));
         Crop.Samples samples = samples(measured);
         Preparation.Prepared prepared = prepared(preparation, measured);
-        List<ScanFault> faults =
-                repetition == Patch.Repetition.PERIODIC ? List.of() : faults(measured, preparation.levelling(), samples.area(measured));
+        List<ScanFault> faults = repetition == Patch.Repetition.PERIODIC
+                ? List.of()
+                : faults(measured, preparation.levelling(), samples.area(measured));
         List<String> warnings = new ArrayList<>();
         if (kind != Kind.BUILT_IN) {
             warnings.addAll(Plausibility.oddities(measured));

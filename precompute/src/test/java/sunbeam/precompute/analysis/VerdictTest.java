@@ -18,16 +18,7 @@ import sunbeam.precompute.prepare.Crop;
 
 class VerdictTest {
     private static Patch piece(HeightMap map, List<ScanFault> faults) {
-        return new Patch(
-                "piece",
-                map,
-                map,
-                "a test",
-                List.of(),
-                List.of(),
-                List.of(),
-                faults,
-                Patch.Repetition.NONE);
+        return new Patch("piece", map, map, "a test", List.of(), List.of(), List.of(), faults, Patch.Repetition.NONE);
     }
 
     private static String verdict(Patch patch) {

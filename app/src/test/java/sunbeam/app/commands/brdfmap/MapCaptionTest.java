@@ -28,8 +28,7 @@ class MapCaptionTest {
             heights[i] = 1e-8 * (i * i % 7);
         }
         HeightMap map = new HeightMap(32, 16, 20e-6 / 32, 10e-6 / 16, heights);
-        return new Patch(
-                "scan", map, map, "made up", List.of(), List.of(), List.of(), List.of(), repetition);
+        return new Patch("scan", map, map, "made up", List.of(), List.of(), List.of(), List.of(), repetition);
     }
 
     @Test

@@ -46,8 +46,8 @@ record RowLayout(
     FingerRow[] place(FingerShape shape, double side, int places, SeededNoise noise) {
         double[] starts = places(normals(rows, rowSpread, noise), side);
         int modesDown = Math.min(wanderModesY, (rows - 1) / 2);
-        double[] meander = PeriodicField.powerLaw(
-                places, rows, wander, WANDER_EXPONENT, wanderModesX, modesDown, noise);
+        double[] meander =
+                PeriodicField.powerLaw(places, rows, wander, WANDER_EXPONENT, wanderModesX, modesDown, noise);
         double[][] centres = coherenceRows > 0 ? coherentCentres(side, noise) : independentCentres(side, noise);
         FingerRow[] placed = new FingerRow[rows];
         for (int row = 0; row < rows; row++) {
