@@ -31,18 +31,6 @@ public record SceneData(
         BodyTexture body,
         Optional<SkinPart> part) {
 
-    /** All of the skin's light. */
-    public SceneData(
-            Scene scene,
-            Mesh mesh,
-            Patch patch,
-            MethodPlan method,
-            ShaderTables tables,
-            Optional<LevelSources> levels,
-            BodyTexture body) {
-        this(scene, mesh, patch, method, tables, levels, body, Optional.empty());
-    }
-
     /** Whether another scene can be drawn with these parts: only light, camera, weights and the like differ. */
     public boolean suits(Scene other) {
         return scene.sharesParts(other);

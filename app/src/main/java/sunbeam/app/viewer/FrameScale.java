@@ -5,8 +5,7 @@ import java.util.Arrays;
 /**
  * At what resolution moving pictures are drawn: the finest whose frames keep to {@link #BUDGET_NANOSECONDS}. A scale that takes
  * longer gives way to a coarser one, unless that saves next to nothing, as where a large mesh takes the time. What other scales
- * took is forgotten slowly, so that one is tried again soon if it was a little too slow and late if it was much so. Belongs to
- * the render thread.
+ * took is forgotten slowly, so that they are tried again. Belongs to the render thread.
  */
 final class FrameScale {
     /** Sixteen frames a second: with the window's own time, input to screen stays near 100 ms. */
@@ -17,6 +16,8 @@ final class FrameScale {
     private static final double MARGIN = 0.8;
     // A coarser scale whose frames take more than this share saves next to nothing.
     private static final double NO_GAIN = 0.8;
+    // Budgets.
+    private static final double MOST_REMEMBERED = 1.5;
     // With each frame, of the time of other scales.
     private static final double FORGETTING = 0.99;
 
@@ -25,6 +26,7 @@ final class FrameScale {
     private int index;
     // The finer scale that was given up for this one.
     private int left;
+    private double leftTaken;
     private double previous;
     // At this scale.
     private int frames;
@@ -53,8 +55,8 @@ final class FrameScale {
         for (int i = 0; i < taken.length; i++) {
             taken[i] = i == index ? latest : FORGETTING * taken[i];
         }
-        if (frames == 3 && left < index && latest > NO_GAIN * taken[left]) {
-            Arrays.fill(taken, left + 1, index + 1, 2 * taken[left]);
+        if (frames == 3 && left < index && latest > NO_GAIN * leftTaken) {
+            Arrays.fill(taken, left + 1, index + 1, 2 * leftTaken);
             begin(left);
         } else if (frames == 2 && left < index) {
             return; // one more, before it is judged
@@ -67,13 +69,8 @@ final class FrameScale {
 
     private double ofFiner() {
         double finer = taken[index - 1];
-        return Double.isNaN(finer) ? foreseen(index - 1) : finer;
-    }
-
-    /** If all of the time is the pixels'. */
-    private double foreseen(int other) {
-        double ratio = (double) DIVISORS[index] / DIVISORS[other];
-        return taken[index] * ratio * ratio;
+        // Where it is not known: as if about half of the time were the pixels'.
+        return Double.isNaN(finer) ? taken[index] * DIVISORS[index] / DIVISORS[index - 1] : finer;
     }
 
     private void coarsen() {
@@ -81,10 +78,15 @@ final class FrameScale {
         if (next == DIVISORS.length || taken[next] > NO_GAIN * taken[index]) {
             return;
         }
-        while (next < DIVISORS.length - 1 && foreseen(next) > BUDGET_NANOSECONDS) {
+        // As far as it may take if all of the time is the pixels'.
+        double pixels = taken[index] * DIVISORS[index] * DIVISORS[index];
+        while (next < DIVISORS.length - 1 && pixels > (double) BUDGET_NANOSECONDS * DIVISORS[next] * DIVISORS[next]) {
             next++;
         }
         left = index;
+        leftTaken = taken[index];
+        // Whatever held it up, it is tried again in a second or two.
+        taken[index] = Math.min(leftTaken, MOST_REMEMBERED * BUDGET_NANOSECONDS);
         begin(next);
     }
 

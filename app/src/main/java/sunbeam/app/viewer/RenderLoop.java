@@ -119,7 +119,9 @@ final class RenderLoop implements AutoCloseable {
         if (same.isPresent()) {
             Finished picture = same.get();
             report(to -> to.complete(state, picture.image(), picture.exposure(), picture.nanoseconds()));
-            check(map(stage, state, false) && map(stage, state, true));
+            if (map(stage, state, false)) {
+                map(stage, state, true);
+            }
             return;
         }
         finished = Optional.empty();
@@ -226,12 +228,8 @@ final class RenderLoop implements AutoCloseable {
     /** Refines what all tiles are there for. */
     private void refineWhole(GraphicsStage stage, ViewState state) {
         unfinished = Optional.empty();
-        check(map(stage, state, false) && refine(stage, state));
-    }
-
-    private void check(boolean done) {
-        if (!done && !inbox.isInterrupted()) {
-            throw new IllegalStateException("refinement ended early without a newer state");
+        if (map(stage, state, false)) {
+            refine(stage, state);
         }
     }
 
@@ -251,10 +249,10 @@ final class RenderLoop implements AutoCloseable {
     }
 
     /**
-     * Draws the final picture and its map; false if it was interrupted. A newer state that shows the same picture goes on
-     * with what is drawn already.
+     * Draws the final picture and its map, unless it is interrupted. A newer state that shows the same picture goes on with what is
+     * drawn already.
      */
-    private boolean refine(GraphicsStage stage, ViewState first) {
+    private void refine(GraphicsStage stage, ViewState first) {
         ViewState state = first;
         long start = System.nanoTime();
         double exposure = exposures.found(state.fine(), stage.exposure());
@@ -269,7 +267,7 @@ final class RenderLoop implements AutoCloseable {
                     map(stage, state, false);
                 }
                 if (inbox.isInterrupted()) {
-                    return false;
+                    return;
                 }
                 if (stage.isByTable()) {
                     // All of its tiles are there: what the background bakes is for other pictures.
@@ -290,7 +288,7 @@ final class RenderLoop implements AutoCloseable {
         finished = Optional.of(new Finished(state, whole, exposure, taken));
         ViewState shown = state;
         report(to -> to.complete(shown, whole, exposure, taken));
-        return map(stage, state, true);
+        map(stage, state, true);
     }
 
     /** Draws the BRDF map, if it is shown; false if it was interrupted. The picture does not wait for one that fails. */

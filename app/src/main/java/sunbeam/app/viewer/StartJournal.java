@@ -5,7 +5,6 @@ import java.time.Instant;
 import java.util.LinkedHashMap;
 import java.util.Locale;
 import java.util.Map;
-import java.util.function.Supplier;
 
 /** When the viewer's start reached what, in seconds from the start of the process. Thread-safe. */
 final class StartJournal {
@@ -27,24 +26,13 @@ final class StartJournal {
     }
 
     private final Map<Stage, Double> seconds = new LinkedHashMap<>();
-    private final Instant start;
-    private final Supplier<Instant> clock;
-
-    /** @param clock tells the time */
-    StartJournal(Instant start, Supplier<Instant> clock) {
-        this.start = start;
-        this.clock = clock;
-    }
-
-    /** Of this process. */
-    static StartJournal ofProcess() {
-        return new StartJournal(ProcessHandle.current().info().startInstant().orElseGet(Instant::now), Instant::now);
-    }
+    private final Instant start =
+            ProcessHandle.current().info().startInstant().orElseGet(Instant::now);
 
     /** Notes the first time that a stage is reached. */
     synchronized void reached(Stage stage) {
         seconds.computeIfAbsent(
-                stage, first -> Duration.between(start, clock.get()).toMillis() * 1e-3);
+                stage, first -> Duration.between(start, Instant.now()).toMillis() * 1e-3);
     }
 
     /** Whether a stage was reached. */

@@ -65,7 +65,7 @@ final class ViewerStart {
 
     /** Shows a scene and returns. */
     static Viewer open(Scene scene, Environment environment, Consumer<String> warning) throws InterruptedException {
-        StartJournal journal = StartJournal.ofProcess();
+        StartJournal journal = new StartJournal();
         journal.reached(StartJournal.Stage.COMMAND);
         AtomicReference<Viewer> viewer = new AtomicReference<>();
         SceneLoader loader = new SceneLoader(environment, line -> {

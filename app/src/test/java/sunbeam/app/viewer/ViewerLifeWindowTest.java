@@ -25,7 +25,7 @@ final class ViewerLifeWindowTest extends ViewerInAWindow {
                     () -> {
                         throw new GraphicsException("no OpenGL 3.3 here");
                     },
-                    StartJournal.ofProcess());
+                    new StartJournal());
             made.start();
             return made;
         });

@@ -1,0 +1,42 @@
+package sunbeam.app.viewer;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.stream.IntStream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** Frames that take some time for the mesh and some for the pixels. */
+final class FrameScaleTest {
+    private static final int FRAMES = 300;
+
+    private static long taken(double fixed, double pixels, int divisor) {
+        return (long) (1e6 * (fixed + pixels / divisor / divisor));
+    }
+
+    @ParameterizedTest
+    @CsvSource({"16, 5, 20, 1", "1, 30, 20, 1", "16, 5, 4000, 12", "1, 5, 4000, 12", "1, 300, 20, 1", "16, 5, 1e9, 48"})
+    void mostFramesHaveTheFinestScaleThatKeepsToTheBudget(int first, double fixed, double pixels, int divisor) {
+        FrameScale scale = new FrameScale(first);
+        IntStream drawn = IntStream.range(0, FRAMES).map(frame -> {
+            int now = scale.divisor();
+            scale.frame(taken(fixed, pixels, now));
+            return now;
+        });
+        assertThat(drawn.filter(now -> now == divisor).count()).isGreaterThan(FRAMES * 3 / 4);
+    }
+
+    @Test
+    void framesThatWereHeldUpAreForgottenWithinSeconds() {
+        FrameScale scale = new FrameScale(1);
+        for (int frame = 0; frame < 4; frame++) {
+            scale.frame(200_000_000);
+        }
+        assertThat(scale.divisor()).isGreaterThan(1);
+        for (int frame = 0; frame < 100; frame++) {
+            scale.frame(taken(20, 20, scale.divisor()));
+        }
+        assertThat(scale.divisor()).isEqualTo(1);
+    }
+}
