@@ -26,8 +26,7 @@ final class StartJournal {
     }
 
     private final Map<Stage, Double> seconds = new LinkedHashMap<>();
-    private final Instant start =
-            ProcessHandle.current().info().startInstant().orElseGet(Instant::now);
+    private final Instant start = ProcessHandle.current().info().startInstant().orElseGet(Instant::now);
 
     /** Notes the first time that a stage is reached. */
     synchronized void reached(Stage stage) {
