@@ -20,9 +20,6 @@ final class PictureView extends JComponent {
 
     private final JLabel message = new JLabel("Loading ...", SwingConstants.CENTER);
     private BufferedImage picture;
-    // Of the final picture; a preview is smaller.
-    private int fullWidth;
-    private int fullHeight;
     private boolean isFinal;
     private boolean isOld;
     private transient Optional<LightCone> cone = Optional.empty();
@@ -66,14 +63,22 @@ final class PictureView extends JComponent {
         return text.replace("&", "&amp;").replace("<", "&lt;");
     }
 
-    /** Shows a whole picture; one that is smaller than asked for is enlarged as it is painted, which Swing does fast. */
+    /** Shows a whole picture; one that is smaller than asked for is enlarged. */
     void showPicture(BufferedImage image, int width, int height, boolean complete) {
         message.setVisible(false);
-        picture = image;
-        fullWidth = width;
-        fullHeight = height;
+        picture = image.getWidth() == width && image.getHeight() == height ? image : enlarged(image, width, height);
         isFinal = complete;
         repaint();
+    }
+
+    /** Not as it is painted: some servers of X blend in what lies beside a small picture. */
+    private static BufferedImage enlarged(BufferedImage image, int width, int height) {
+        BufferedImage full = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
+        Graphics2D graphics = full.createGraphics();
+        graphics.setRenderingHint(RenderingHints.KEY_INTERPOLATION, RenderingHints.VALUE_INTERPOLATION_BILINEAR);
+        graphics.drawImage(image, 0, 0, width, height, null);
+        graphics.dispose();
+        return full;
     }
 
     /** Lays a part of the final picture over the preview. */
@@ -81,45 +86,23 @@ final class PictureView extends JComponent {
         if (picture == null || isFinal) {
             return;
         }
-        if (isReduced()) {
-            picture = enlarged();
-        }
         Graphics2D graphics = picture.createGraphics();
         graphics.drawImage(tile, x, y, null);
         graphics.dispose();
         repaint();
     }
 
-    private boolean isReduced() {
-        return picture.getWidth() != fullWidth || picture.getHeight() != fullHeight;
-    }
-
-    private BufferedImage enlarged() {
-        BufferedImage full = new BufferedImage(fullWidth, fullHeight, BufferedImage.TYPE_INT_RGB);
-        Graphics2D graphics = full.createGraphics();
-        smooth(graphics);
-        graphics.drawImage(picture, 0, 0, fullWidth, fullHeight, null);
-        graphics.dispose();
-        return full;
-    }
-
-    private static void smooth(Graphics2D graphics) {
-        graphics.setRenderingHint(RenderingHints.KEY_INTERPOLATION, RenderingHints.VALUE_INTERPOLATION_BILINEAR);
-    }
-
-    /** What is shown, without the light's cone; not to be changed. A preview may be smaller. Empty before the first. */
+    /** What is shown, without the light's cone; not to be changed. Empty before the first. */
     Optional<BufferedImage> picture() {
         return Optional.ofNullable(picture);
     }
 
     /** What is shown at a pixel of the final picture, 0xRRGGBB; empty before the first picture and outside. */
     OptionalInt color(int x, int y) {
-        if (picture == null || x < 0 || y < 0 || x >= fullWidth || y >= fullHeight) {
+        if (picture == null || x < 0 || y < 0 || x >= picture.getWidth() || y >= picture.getHeight()) {
             return OptionalInt.empty();
         }
-        long column = (long) x * picture.getWidth() / fullWidth;
-        long row = (long) y * picture.getHeight() / fullHeight;
-        return OptionalInt.of(0xffffff & picture.getRGB((int) column, (int) row));
+        return OptionalInt.of(0xffffff & picture.getRGB(x, y));
     }
 
     /** Whether the picture is what {@code render} writes. */
@@ -158,9 +141,6 @@ final class PictureView extends JComponent {
             graphics.fillRect(0, 0, getWidth(), getHeight());
         } else {
             Graphics2D scaled = (Graphics2D) graphics.create();
-            if (isReduced()) {
-                smooth(scaled);
-            }
             scaled.drawImage(picture, 0, 0, getWidth(), getHeight(), null);
             if (isOld) {
                 scaled.setColor(VEIL);
