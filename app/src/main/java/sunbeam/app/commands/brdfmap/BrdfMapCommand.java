@@ -10,6 +10,7 @@ import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
@@ -30,7 +31,6 @@ import sunbeam.app.files.output.ForceOption;
 import sunbeam.app.files.output.NpyWriter;
 import sunbeam.app.files.output.PngWriter;
 import sunbeam.app.files.output.StandardOutput;
-import sunbeam.app.files.plot.MapAnnotation;
 import sunbeam.app.gpu.map.DiscDirections;
 import sunbeam.app.gpu.picture.DisplayOptions;
 import sunbeam.app.gpu.picture.DoubtfulPicture;
@@ -217,7 +217,7 @@ public final class BrdfMapCommand implements Callable<Integer> {
             BufferedImage image = annotate
                     ? sheet.annotated(
                             material.isStandard() ? Optional.empty() : Optional.of(index.describe(material)),
-                            MapAnnotation.exposureText(factor) + (exposure.isAutomatic() ? shared : ""),
+                            String.format(Locale.ROOT, "exposure %.4g", factor) + (exposure.isAutomatic() ? shared : ""),
                             asked)
                     : sheet.plain();
             written = write(picture, stream -> PngWriter.write(stream, image, text), first);
