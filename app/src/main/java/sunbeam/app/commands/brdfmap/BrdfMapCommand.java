@@ -200,9 +200,7 @@ public final class BrdfMapCommand implements Callable<Integer> {
             doubt = DoubtfulPicture.judge(
                     sheet.patches(),
                     black.isPresent(),
-                    areSeveral() && black.isPresent()
-                            ? "the map of " + black.get().name()
-                            : "the map",
+                    black.map(patch -> "the map of " + patch.name()).orElse("the map"),
                     exposure.isAutomatic(),
                     err);
             Map<String, String> text = sheet.text();
@@ -223,9 +221,7 @@ public final class BrdfMapCommand implements Callable<Integer> {
             written = write(picture, stream -> PngWriter.write(stream, image, text), first);
         }
         out.println(StandardOutput.name(written));
-        if (linear != null) {
-            out.println(StandardOutput.name(linear));
-        }
+        besides.forEach(file -> out.println(StandardOutput.name(file)));
         if (specification.commandLine().getParseResult().matchedOptions().isEmpty()) {
             err.println("next: ./sunbeam view");
             err.flush();

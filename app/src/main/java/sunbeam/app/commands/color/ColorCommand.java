@@ -10,7 +10,6 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.OptionalDouble;
 import java.util.concurrent.Callable;
 import java.util.stream.Collectors;
 import jrtr.gl.RenderContext;
@@ -235,9 +234,11 @@ public final class ColorCommand implements Callable<Integer> {
             List<String> own = new ArrayList<>(patch.warnings());
             ScanLimit limit = ScanLimit.of(choices, patch);
             limit.line().ifPresent(line -> own.add(line.in(OptionOrigin.INSTANCE)));
-            SurfaceColors surface = surface(patch, limit.choices(), material);
-            progress.step(1);
             PrintWriter err = specification.commandLine().getErr();
+            DiffractionSetup setup = new DiffractionSetup(patch, environment, err);
+            SurfaceColors surface = new SurfaceColors(
+                    setup, Methods.of(limit.choices()), material, light.choices(), thetas(), step);
+            progress.step(1);
             if (methodOptions.explains()) {
                 own.forEach(warning -> err.println(Messages.warning(patch.name() + ": " + warning)));
                 methodOptions.print(patch.name(), surface.plan(), err);
@@ -250,19 +251,6 @@ public final class ColorCommand implements Callable<Integer> {
             err.flush();
             return surface;
         }
-    }
-
-    private SurfaceColors surface(Patch patch, Choices seen, RefractiveIndex material) {
-        PrintWriter err = specification.commandLine().getErr();
-        DiffractionSetup setup = new DiffractionSetup(patch, environment, warning -> {
-            err.println(Messages.warning(warning));
-            err.flush();
-        });
-        Choices chosen = light.choices();
-        OptionalDouble azimuth = chosen.has(LightOptions.PHI_I)
-                ? OptionalDouble.of(Math.toDegrees(chosen.get(LightOptions.PHI_I)))
-                : OptionalDouble.empty();
-        return new SurfaceColors(setup, Methods.of(seen), material, azimuth, thetas(), step);
     }
 
     private List<Double> thetas() {

@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import java.util.stream.IntStream;
 import jrtr.gl.RenderContext;
 import sunbeam.app.files.cache.DiffractionSetup;
@@ -13,6 +12,7 @@ import sunbeam.app.gpu.colors.GpuColors;
 import sunbeam.app.gpu.directions.DirectionsRenderer;
 import sunbeam.app.gpu.directions.DirectionsRenderer.Query;
 import sunbeam.app.gpu.picture.LinearPicture;
+import sunbeam.app.terminal.options.LightOptions;
 import sunbeam.app.terminal.progress.Progress;
 import sunbeam.precompute.analysis.GratingPeriod;
 import sunbeam.precompute.analysis.PrincipalDirection;
@@ -27,6 +27,7 @@ import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.plan.VisibleRange;
+import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.shader.MethodUse;
 import sunbeam.precompute.units.Lengths;
 
@@ -59,7 +60,7 @@ final class SurfaceColors {
     /**
      * Lays out the directions and plans them.
      *
-     * @param lightAzimuth degrees; empty for a light in the plane along
+     * @param light whose azimuth is that of the plane along where none is chosen
      * @param thetas of the light, degrees
      * @param step of the viewing angle, degrees
      */
@@ -67,7 +68,7 @@ final class SurfaceColors {
             DiffractionSetup setup,
             Method method,
             RefractiveIndex index,
-            OptionalDouble lightAzimuth,
+            Choices light,
             List<Double> thetas,
             double step) {
         this.setup = setup;
@@ -79,7 +80,8 @@ final class SurfaceColors {
         azimuthDegrees = period.isTold()
                 ? Math.toDegrees(period.azimuth())
                 : PrincipalDirection.azimuthDegrees(setup.patch().heights());
-        lightAzimuthDegrees = lightAzimuth.orElse(azimuthDegrees);
+        lightAzimuthDegrees =
+                light.has(LightOptions.PHI_I) ? Math.toDegrees(light.get(LightOptions.PHI_I)) : azimuthDegrees;
         long each = Math.round(LARGEST_VIEW_DEGREES / step);
         for (boolean along : new boolean[] {true, false}) {
             for (double theta : thetas) {

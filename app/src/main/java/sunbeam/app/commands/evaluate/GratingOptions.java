@@ -5,8 +5,6 @@ import java.util.List;
 import java.util.Locale;
 import java.util.OptionalDouble;
 import picocli.CommandLine.Option;
-import sunbeam.app.terminal.Range;
-import sunbeam.app.terminal.RangeConverter;
 import sunbeam.app.terminal.SettingOptions;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.app.terminal.options.LightOptions;
@@ -56,7 +54,7 @@ public final class GratingOptions extends SettingOptions {
     @Option(
             names = "--angles",
             paramLabel = "MIN:MAX:STEP",
-            converter = RangeConverter.class,
+            converter = Range.Converter.class,
             description = "Angles theta_r of the viewer in degrees, positive on the light's side, so that the mirror"
                     + " is at -theta_i. Default: 1500 over all that the first order takes.")
     private Range angles;
@@ -64,7 +62,7 @@ public final class GratingOptions extends SettingOptions {
     @Option(
             names = "--wavelengths",
             paramLabel = "MIN:MAX:STEP",
-            converter = RangeConverter.class,
+            converter = Range.Converter.class,
             defaultValue = "380:780:2",
             description = "Wavelengths in nm, within 380..780. Default: ${DEFAULT-VALUE}.")
     private Range wavelengths;

@@ -13,6 +13,9 @@ import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.IntFunction;
 import sunbeam.app.terminal.CancelledException;
 import sunbeam.app.terminal.ShutdownHook;
 
@@ -209,7 +212,8 @@ public final class AtomicFile implements AutoCloseable {
                 return target;
             }
             if (overwrite != Overwrite.REPLACE) {
-                return takeFreeName();
+                return commitAll(List.of(this), number -> List.of(TargetFolder.numbered(target, number)))
+                        .get(0);
             }
             force(written);
             Files.move(written, target, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
@@ -219,15 +223,38 @@ public final class AtomicFile implements AutoCloseable {
         }
     }
 
-    private Path takeFreeName() throws IOException {
-        for (int number = 1; ; number++) {
+    /**
+     * Makes several files appear, or none, where nothing stands: under the first names that are free together.
+     *
+     * @param names of a number, from 1
+     * @return their names
+     */
+    static List<Path> commitAll(List<AtomicFile> files, IntFunction<List<Path>> names) throws IOException {
+        int number = 1;
+        while (!claimAll(files, names.apply(number), number)) {
+            number++;
+        }
+        List<Path> places = new ArrayList<>();
+        for (AtomicFile file : files) {
+            places.add(file.keep());
+        }
+        return places;
+    }
+
+    /** Whether all names were free, and now are these files'; else none is. */
+    private static boolean claimAll(List<AtomicFile> files, List<Path> names, int number) throws IOException {
+        for (int i = 0; i < files.size(); i++) {
             try {
-                claim(TargetFolder.numbered(target, number));
-                return keep();
+                files.get(i).claim(names.get(i));
             } catch (FileAlreadyExistsException taken) {
-                TargetFolder.requireNext(overwrite, target, number, taken);
+                for (AtomicFile each : files) {
+                    each.release();
+                }
+                TargetFolder.requireNext(files.get(i).overwrite, names.get(i), number, taken);
+                return false;
             }
         }
+        return true;
     }
 
     /**
@@ -236,7 +263,7 @@ public final class AtomicFile implements AutoCloseable {
      *
      * @throws FileAlreadyExistsException when it is taken
      */
-    synchronized void claim(Path name) throws IOException {
+    private synchronized void claim(Path name) throws IOException {
         requireOpen();
         force(written);
         try {
@@ -253,7 +280,7 @@ public final class AtomicFile implements AutoCloseable {
     }
 
     /** Makes the claimed name the file's for good. */
-    synchronized Path keep() throws IOException {
+    private synchronized Path keep() throws IOException {
         requireOpen();
         if (!linked) {
             Files.move(written, claimed, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
@@ -287,7 +314,7 @@ public final class AtomicFile implements AutoCloseable {
     }
 
     /** Gives a claimed name back. */
-    synchronized void release() throws IOException {
+    private synchronized void release() throws IOException {
         if (state == State.OPEN && claimed != null) {
             Files.deleteIfExists(claimed);
             claimed = null;

@@ -1,9 +1,7 @@
 package sunbeam.app.files.output;
 
 import java.io.IOException;
-import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -71,35 +69,13 @@ public final class FileGroup {
             if (overwrite == Overwrite.REPLACE) {
                 return files.values().stream().map(AtomicFile::commit).toList();
             }
-            for (int number = 1; !claimAll(files, number); number++) {
-                // The next number, then.
-            }
-            List<Path> places = new ArrayList<>();
-            for (AtomicFile file : files.values()) {
-                places.add(file.keep());
-            }
-            return places;
+            return AtomicFile.commitAll(List.copyOf(files.values()), number -> files.keySet().stream()
+                    .map(ending -> path(number, ending))
+                    .toList());
         } catch (IOException failure) {
             throw OutputException.of(stem, failure);
         } finally {
             files.values().forEach(AtomicFile::close);
         }
-    }
-
-    /** Whether all names of a number were free, and now are these files'; else none is. */
-    private boolean claimAll(Map<String, AtomicFile> files, int number) throws IOException {
-        for (Map.Entry<String, AtomicFile> file : files.entrySet()) {
-            Path name = path(number, file.getKey());
-            try {
-                file.getValue().claim(name);
-            } catch (FileAlreadyExistsException taken) {
-                for (AtomicFile each : files.values()) {
-                    each.release();
-                }
-                TargetFolder.requireNext(overwrite, name, number, taken);
-                return false;
-            }
-        }
-        return true;
     }
 }

@@ -1,5 +1,9 @@
 package sunbeam.app.scene.texture;
 
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+import sunbeam.precompute.color.Srgb;
+
 /** The color of a snake's body, place by place. */
 interface BodyColors {
 
@@ -9,7 +13,12 @@ interface BodyColors {
      * @param along 0 at the snout, 1 at the tip of the tail
      * @param around -1 and 1 in the middle of the belly, 0 on the back
      */
-    LinearRgb at(double along, double around);
+    Vector3dc at(double along, double around);
+
+    /** From 8-bit sRGB, 0xRRGGBB, to linear light, so that mixtures are those of light. */
+    static Vector3dc ofSrgb(int rgb) {
+        return new Vector3d(Srgb.linear(rgb >> 16 & 0xff), Srgb.linear(rgb >> 8 & 0xff), Srgb.linear(rgb & 0xff));
+    }
 
     /** 0 up to {@code from}, 1 beyond {@code to}, smooth between. */
     static double step(double from, double to, double value) {

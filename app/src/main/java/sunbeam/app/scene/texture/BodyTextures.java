@@ -3,6 +3,8 @@ package sunbeam.app.scene.texture;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.IntStream;
+import org.joml.Vector3dc;
+import sunbeam.precompute.color.Srgb;
 
 /** Finds a texture by what a user calls it. */
 public final class BodyTextures {
@@ -46,11 +48,11 @@ public final class BodyTextures {
         IntStream.range(0, GIRTH).parallel().forEach(row -> {
             double around = 1 - 2 * (row + 0.5) / GIRTH;
             for (int column = 0; column < LENGTH; column++) {
-                LinearRgb color = colors.at((column + 0.5) / LENGTH, around);
+                Vector3dc color = colors.at((column + 0.5) / LENGTH, around);
                 int texel = 4 * (row * LENGTH + column);
-                rgba[texel] = LinearRgb.encoded(color.red());
-                rgba[texel + 1] = LinearRgb.encoded(color.green());
-                rgba[texel + 2] = LinearRgb.encoded(color.blue());
+                rgba[texel] = (byte) Srgb.channel(color.x());
+                rgba[texel + 1] = (byte) Srgb.channel(color.y());
+                rgba[texel + 2] = (byte) Srgb.channel(color.z());
                 rgba[texel + 3] = -1;
             }
         });

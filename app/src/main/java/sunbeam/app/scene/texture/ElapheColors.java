@@ -1,15 +1,18 @@
 package sunbeam.app.scene.texture;
 
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+
 /**
  * A corn snake (Pantherophis guttatus, the thesis's Elaphe guttata): orange-brown, with red saddles on the back that are
  * edged in black, smaller blotches on the flanks between them, and a belly chequered in black and cream.
  */
 final class ElapheColors implements BodyColors {
-    private static final LinearRgb GROUND = LinearRgb.ofSrgb(0xc98243);
-    private static final LinearRgb FLANK = LinearRgb.ofSrgb(0xbf9a6c);
-    private static final LinearRgb SADDLE = LinearRgb.ofSrgb(0x9c3216);
-    private static final LinearRgb EDGE = LinearRgb.ofSrgb(0x1d1210);
-    private static final LinearRgb CREAM = LinearRgb.ofSrgb(0xe6d8bd);
+    private static final Vector3dc GROUND = BodyColors.ofSrgb(0xc98243);
+    private static final Vector3dc FLANK = BodyColors.ofSrgb(0xbf9a6c);
+    private static final Vector3dc SADDLE = BodyColors.ofSrgb(0x9c3216);
+    private static final Vector3dc EDGE = BodyColors.ofSrgb(0x1d1210);
+    private static final Vector3dc CREAM = BodyColors.ofSrgb(0xe6d8bd);
 
     // Corn snakes have 27 to 40 saddles on the body and a dozen smaller ones on the tail.
     private static final double SADDLES = 38;
@@ -26,25 +29,25 @@ final class ElapheColors implements BodyColors {
     private final SkinNoise mottle = new SkinNoise(4, 260, 16);
 
     @Override
-    public LinearRgb at(double along, double around) {
+    public Vector3dc at(double along, double around) {
         double side = Math.abs(around);
         double mottled = 0.1 * mottle.at(along, around);
-        LinearRgb ground = GROUND.mix(FLANK, BodyColors.step(0.25, 0.7, side + mottled));
+        Vector3dc ground = GROUND.lerp(FLANK, BodyColors.step(0.25, 0.7, side + mottled), new Vector3d());
         double wobble = 0.11 * outline.at(along, around);
-        LinearRgb marked = mark(ground, saddle(along, side) + wobble);
+        Vector3dc marked = mark(ground, saddle(along, side) + wobble);
         marked = mark(marked, blotch(along, side) + wobble);
-        LinearRgb skin = marked.times(1 + 0.13 * grain.at(along, around) + mottled);
+        Vector3dc skin = marked.mul(1 + 0.13 * grain.at(along, around) + mottled, new Vector3d());
         double share = BodyColors.step(BELLY - 0.02, BELLY + 0.04, side);
-        return share == 0 ? skin : skin.mix(belly(along, around), share);
+        return share == 0 ? skin : skin.lerp(belly(along, around), share, new Vector3d());
     }
 
     /** A marking: red where the depth below its outline is large, black along it. */
-    private static LinearRgb mark(LinearRgb ground, double depth) {
+    private static Vector3dc mark(Vector3dc ground, double depth) {
         if (depth <= OUTSIDE) {
             return ground;
         }
-        LinearRgb edged = ground.mix(EDGE, BodyColors.step(OUTSIDE, 0.06, depth));
-        return edged.mix(SADDLE, BodyColors.step(0.24, 0.36, depth));
+        Vector3dc edged = ground.lerp(EDGE, BodyColors.step(OUTSIDE, 0.06, depth), new Vector3d());
+        return edged.lerp(SADDLE, BodyColors.step(0.24, 0.36, depth), new Vector3d());
     }
 
     /** Of the markings one after the other, 1 in the mean. */
@@ -86,10 +89,10 @@ final class ElapheColors implements BodyColors {
         return Math.pow(Math.pow(Math.abs(x), 2.6) + Math.pow(Math.abs(y), 2.6), 1 / 2.6);
     }
 
-    private LinearRgb belly(double along, double around) {
+    private Vector3dc belly(double along, double around) {
         int shield = (int) Math.floor(along * CHECKS);
         int third = (int) Math.floor((1 - Math.abs(around)) / 0.08) + (around < 0 ? 1 : 0);
         boolean dark = Math.floorMod(shield / 2 + third, 2) == 0;
-        return dark ? EDGE.mix(CREAM, 0.05) : CREAM.times(1 + 0.05 * grain.at(along, around));
+        return dark ? EDGE.lerp(CREAM, 0.05, new Vector3d()) : CREAM.mul(1 + 0.05 * grain.at(along, around), new Vector3d());
     }
 }

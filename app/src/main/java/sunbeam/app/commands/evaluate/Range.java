@@ -1,6 +1,10 @@
-package sunbeam.app.terminal;
+package sunbeam.app.commands.evaluate;
 
+import java.util.OptionalDouble;
 import java.util.stream.IntStream;
+import picocli.CommandLine.ITypeConverter;
+import picocli.CommandLine.TypeConversionException;
+import sunbeam.precompute.units.Decimals;
 
 /**
  * Evenly spaced values {@code minimum, minimum + step, ...} up to {@code maximum}, in the option's unit.
@@ -10,7 +14,7 @@ import java.util.stream.IntStream;
  *     the range, so that 0:1:0.1 ends at 1
  * @param step distance of neighboring values, positive and finite
  */
-public record Range(double minimum, double maximum, double step) {
+record Range(double minimum, double maximum, double step) {
     private static final int MOST_VALUES = 1_000_000;
     /** Rounding of (maximum - minimum) / step, far below any step that is meant. */
     private static final double SLACK = 1e-9;
@@ -34,14 +38,36 @@ public record Range(double minimum, double maximum, double step) {
     }
 
     /** Number of values, at least 1. */
-    public int count() {
+    int count() {
         return 1 + (int) Math.floor((maximum - minimum) / step + SLACK);
     }
 
     /** The values, ascending; none exceeds the maximum. */
-    public double[] values() {
+    double[] values() {
         return IntStream.range(0, count())
                 .mapToDouble(index -> Math.min(maximum, minimum + index * step))
                 .toArray();
+    }
+
+    /** A range on the command line, {@code min:max:step}, each a plain number in the option's unit. */
+    static final class Converter implements ITypeConverter<Range> {
+        @Override
+        public Range convert(String text) {
+            String[] parts = text.split(":", -1);
+            if (parts.length != 3) {
+                throw new TypeConversionException("'" + text + "' is not a range; give min:max:step as in 380:780:5");
+            }
+            try {
+                return new Range(number(text, parts[0]), number(text, parts[1]), number(text, parts[2]));
+            } catch (IllegalArgumentException failure) {
+                throw new TypeConversionException("'" + text + "' is not a range: " + failure.getMessage());
+            }
+        }
+
+        private static double number(String text, String part) {
+            OptionalDouble value = Decimals.parse(part);
+            return value.orElseThrow(() -> new TypeConversionException(
+                    "'" + text + "' is not a range: '" + part + "' is not a number; give min:max:step as in 380:780:5"));
+        }
     }
 }

@@ -1,4 +1,4 @@
-package sunbeam.app.terminal;
+package sunbeam.app.commands.evaluate;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
@@ -9,7 +9,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import picocli.CommandLine.TypeConversionException;
 
 final class RangeTest {
-    private final RangeConverter converter = new RangeConverter();
+    private final Range.Converter converter = new Range.Converter();
 
     @Test
     void holdsBothEnds() {
