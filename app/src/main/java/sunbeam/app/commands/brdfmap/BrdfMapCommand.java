@@ -215,7 +215,8 @@ public final class BrdfMapCommand implements Callable<Integer> {
             BufferedImage image = annotate
                     ? sheet.annotated(
                             material.isStandard() ? Optional.empty() : Optional.of(index.describe(material)),
-                            String.format(Locale.ROOT, "exposure %.4g", factor) + (exposure.isAutomatic() ? shared : ""),
+                            String.format(Locale.ROOT, "exposure %.4g", factor)
+                                    + (exposure.isAutomatic() ? shared : ""),
                             asked)
                     : sheet.plain();
             written = write(picture, stream -> PngWriter.write(stream, image, text), first);

@@ -236,8 +236,8 @@ public final class ColorCommand implements Callable<Integer> {
             limit.line().ifPresent(line -> own.add(line.in(OptionOrigin.INSTANCE)));
             PrintWriter err = specification.commandLine().getErr();
             DiffractionSetup setup = new DiffractionSetup(patch, environment, err);
-            SurfaceColors surface = new SurfaceColors(
-                    setup, Methods.of(limit.choices()), material, light.choices(), thetas(), step);
+            SurfaceColors surface =
+                    new SurfaceColors(setup, Methods.of(limit.choices()), material, light.choices(), thetas(), step);
             progress.step(1);
             if (methodOptions.explains()) {
                 own.forEach(warning -> err.println(Messages.warning(patch.name() + ": " + warning)));

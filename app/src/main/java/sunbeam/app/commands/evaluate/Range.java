@@ -66,8 +66,8 @@ record Range(double minimum, double maximum, double step) {
 
         private static double number(String text, String part) {
             OptionalDouble value = Decimals.parse(part);
-            return value.orElseThrow(() -> new TypeConversionException(
-                    "'" + text + "' is not a range: '" + part + "' is not a number; give min:max:step as in 380:780:5"));
+            return value.orElseThrow(() -> new TypeConversionException("'" + text + "' is not a range: '" + part
+                    + "' is not a number; give min:max:step as in 380:780:5"));
         }
     }
 }

@@ -69,9 +69,11 @@ public final class FileGroup {
             if (overwrite == Overwrite.REPLACE) {
                 return files.values().stream().map(AtomicFile::commit).toList();
             }
-            return AtomicFile.commitAll(List.copyOf(files.values()), number -> files.keySet().stream()
-                    .map(ending -> path(number, ending))
-                    .toList());
+            return AtomicFile.commitAll(
+                    List.copyOf(files.values()),
+                    number -> files.keySet().stream()
+                            .map(ending -> path(number, ending))
+                            .toList());
         } catch (IOException failure) {
             throw OutputException.of(stem, failure);
         } finally {

@@ -119,8 +119,7 @@ public final class MapAnnotation {
         double beyond = 1 + 2.0 * 1.4 * font.getSize() / size;
         for (int degrees = 0; degrees < 360; degrees += 90) {
             double angle = Math.toRadians(degrees);
-            graphics.fill(
-                    centered(graphics, degrees + "\u00b0", beyond * Math.cos(angle), beyond * Math.sin(angle)));
+            graphics.fill(centered(graphics, degrees + "\u00b0", beyond * Math.cos(angle), beyond * Math.sin(angle)));
         }
     }
 
@@ -150,8 +149,7 @@ public final class MapAnnotation {
 
     /** A line of a width, or of none, in a color with a dark rim. */
     private static void rimmed(Graphics2D graphics, Shape shape, float width, Color color) {
-        graphics.setStroke(
-                new BasicStroke(Math.max(3, 2 * width), BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
+        graphics.setStroke(new BasicStroke(Math.max(3, 2 * width), BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
         graphics.setColor(RIM);
         graphics.draw(shape);
         graphics.setColor(color);

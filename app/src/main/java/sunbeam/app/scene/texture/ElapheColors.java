@@ -93,6 +93,8 @@ final class ElapheColors implements BodyColors {
         int shield = (int) Math.floor(along * CHECKS);
         int third = (int) Math.floor((1 - Math.abs(around)) / 0.08) + (around < 0 ? 1 : 0);
         boolean dark = Math.floorMod(shield / 2 + third, 2) == 0;
-        return dark ? EDGE.lerp(CREAM, 0.05, new Vector3d()) : CREAM.mul(1 + 0.05 * grain.at(along, around), new Vector3d());
+        return dark
+                ? EDGE.lerp(CREAM, 0.05, new Vector3d())
+                : CREAM.mul(1 + 0.05 * grain.at(along, around), new Vector3d());
     }
 }
