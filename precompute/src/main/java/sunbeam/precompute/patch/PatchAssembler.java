@@ -129,13 +129,13 @@ record PatchAssembler(String name, String file, Choices choices, Kind kind) {
                         fault.part().map(part -> part.from(area.left(), area.bottom())),
                         fault.levelling(),
                         fault.unmeasured(),
-                        remedy(fault, measured)))
+                        remedy(fault)))
                 .toList();
     }
 
-    private String remedy(ScanFault fault, HeightMap measured) {
+    private String remedy(ScanFault fault) {
         return fault.part()
-                .map(part -> named(CROP, part.written(measured.pitchX(), measured.pitchY())) + " leaves them out")
+                .map(part -> named(CROP, part.written()) + " leaves them out")
                 .or(() -> fault.levelling().map(by -> named(LEVEL, by.label()) + " takes that away"))
                 .orElse("");
     }

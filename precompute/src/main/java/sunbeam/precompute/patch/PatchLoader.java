@@ -10,8 +10,8 @@ import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
-import java.util.function.Function;
 import sunbeam.precompute.optics.HeightMap;
+import sunbeam.precompute.patch.builtin.BuiltInPatches;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.setting.SettingException;
@@ -21,17 +21,7 @@ import sunbeam.precompute.setting.SettingException;
  * then a scan or an image, which needs a scale. A file called like a built-in patch is reached as {@code ./blaze}.
  */
 public final class PatchLoader {
-    private final List<String> builtIn;
-    private final Function<String, HeightMap> generator;
-
-    /**
-     * @param builtIn names of the patches that need no file, in the order in which they are shown to users
-     * @param generator makes the heights of the patch of such a name, metres
-     */
-    public PatchLoader(List<String> builtIn, Function<String, HeightMap> generator) {
-        this.builtIn = List.copyOf(builtIn);
-        this.generator = generator;
-    }
+    private PatchLoader() {}
 
     /**
      * Loads, levels and completes a patch.
@@ -40,7 +30,7 @@ public final class PatchLoader {
      * @throws sunbeam.precompute.json.JsonException when its descriptor is none
      * @throws SettingException when what was chosen contradicts it, or is absurd
      */
-    public Patch load(PatchRequest request) {
+    public static Patch load(PatchRequest request) {
         return request.located(() -> loadHere(request));
     }
 
@@ -49,13 +39,13 @@ public final class PatchLoader {
         return MeasuredHeights.isScan(file);
     }
 
-    private Patch loadHere(PatchRequest request) {
+    private static Patch loadHere(PatchRequest request) {
         String name = request.patch().strip();
         if (name.isEmpty()) {
             throw unusable("is empty; ");
         }
-        if (builtIn.contains(name)) {
-            return fromBuiltIn(name, generator.apply(name), request);
+        if (BuiltInPatches.names().contains(name)) {
+            return fromBuiltIn(name, BuiltInPatches.generate(name), request);
         }
         Path file = existing(name);
         return name.toLowerCase(Locale.ROOT).endsWith(".json")
@@ -67,7 +57,7 @@ public final class PatchLoader {
                         request.raw() ? PatchAssembler.Kind.DESCRIBED : PatchAssembler.Kind.GIVEN_DIRECTLY);
     }
 
-    private Path existing(String name) {
+    private static Path existing(String name) {
         try {
             Path file = Path.of(name);
             if (Files.exists(file)) {
@@ -79,11 +69,10 @@ public final class PatchLoader {
         throw unusable("is no file that is there; ");
     }
 
-    private SettingException unusable(String problem) {
-        String names = builtIn.isEmpty() ? "" : "a built-in patch (" + String.join(", ", builtIn) + "), ";
+    private static SettingException unusable(String problem) {
         return new SettingException(
                 PATCH,
-                problem + "give " + names + "a scan, a descriptor (.json) or an image with ",
+                problem + "give a built-in patch (" + String.join(", ", BuiltInPatches.names()) + "), a scan, a descriptor (.json) or an image with ",
                 WIDTH,
                 " and ",
                 MAX_HEIGHT);

@@ -29,12 +29,8 @@ public record Crop(double left, double right, double bottom, double top) {
 
     private static final Pattern FORM = Pattern.compile("([^:,]+):([^:,]+),([^:,]+):([^:,]+)");
     private static final Pattern HAS_UNIT = Pattern.compile("\\p{L}");
-    // Rounding of lengths that were divided into samples.
-    private static final double SLACK = 1e-6;
-    // Of the distance between samples: as far as an edge between two may move.
-    private static final double UNSEEN = 0.25;
-    private static final int FEWEST_DIGITS = 3;
-    private static final int MOST_DIGITS = 17;
+    // Rounding of lengths that were divided into samples, and written in six digits.
+    private static final double SLACK = 1e-5;
 
     public Crop {
         if (!(left >= 0 && bottom >= 0 && right > left && top > bottom)) {
@@ -92,31 +88,13 @@ public record Crop(double left, double right, double bottom, double top) {
         return new Crop(Math.max(0, left - x), right - x, Math.max(0, bottom - y), top - y);
     }
 
-    /**
-     * As an option's value has it, without blanks, in as few digits as take the same samples where edges lie between samples.
-     *
-     * @param pitchX distance of columns, metres
-     * @param pitchY distance of rows, metres
-     */
-    public String written(double pitchX, double pitchY) {
-        return edge(left, pitchX, false) + ":" + edge(right, pitchX, true) + "," + edge(bottom, pitchY, false) + ":"
-                + edge(top, pitchY, true);
+    /** As an option's value has it, without blanks, in six digits, which take the same samples. */
+    public String written() {
+        return written(left) + ":" + written(right) + "," + written(bottom) + ":" + written(top);
     }
 
-    /** @param isEnd whether a larger place may lie beyond the scan */
-    private static String edge(double metres, double pitch, boolean isEnd) {
-        if (metres == 0) {
-            return "0";
-        }
-        for (int digits = FEWEST_DIGITS; digits < MOST_DIGITS; digits++) {
-            String text = Lengths.rounded(metres, digits).replace(" ", "");
-            double read = Lengths.parse(text);
-            boolean inside = !isEnd || read <= metres * (1 + 0.5 * SLACK);
-            if (inside && Math.abs(read - metres) <= UNSEEN * pitch) {
-                return text;
-            }
-        }
-        return Lengths.exact(metres).replace(" ", "");
+    private static String written(double metres) {
+        return metres == 0 ? "0" : Lengths.format(metres).replace(" ", "");
     }
 
     /**
@@ -128,8 +106,7 @@ public record Crop(double left, double right, double bottom, double top) {
         if (right > field.width() * (1 + SLACK) || top > field.height() * (1 + SLACK)) {
             throw new IllegalArgumentException("leaves the scan, which is " + Lengths.format(field.width()) + " x "
                     + Lengths.format(field.height()) + "; give an area within 0:"
-                    + edge(field.width(), field.pitchX(), true) + ",0:"
-                    + edge(field.height(), field.pitchY(), true));
+                    + written(field.width()) + ",0:" + written(field.height()));
         }
         int firstColumn = first(left, field.pitchX());
         int endColumn = Math.min(field.columns(), first(right, field.pitchX()));

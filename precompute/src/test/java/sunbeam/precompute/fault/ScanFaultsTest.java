@@ -89,9 +89,9 @@ class ScanFaultsTest {
         Crop part = faults.get(0).part().orElseThrow();
         assertThat(part.samples(field(heights))).isEqualTo(new Crop.Samples(0, COLUMNS, 32, ROWS));
         // What a user types takes the same rows.
-        Crop typed = Crop.KIND.parse(part.written(PITCH, PITCH));
+        Crop typed = Crop.KIND.parse(part.written());
         assertThat(typed.samples(field(heights))).isEqualTo(new Crop.Samples(0, COLUMNS, 32, ROWS));
-        assertThat(part.written(PITCH, PITCH)).isEqualTo("0:9.6um,0:5.12um");
+        assertThat(part.written()).isEqualTo("0:9.6um,0:5.12um");
     }
 
     @Test

@@ -7,10 +7,8 @@ import java.io.IOException;
 import java.io.RandomAccessFile;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import sunbeam.precompute.patch.builtin.BuiltInPatches;
 
 /** Sparse files: as large as a scan within the limits, and next to nothing on the disk. */
 class EmptyHeightsTest {
@@ -33,8 +31,7 @@ class EmptyHeightsTest {
     }
 
     private static Patch load(Path file) {
-        return new PatchLoader(List.of(), BuiltInPatches::generate)
-                .load(PatchRequests.parse(file.toString(), "100um", null, "1um", null, "none"));
+        return PatchLoader.load(PatchRequests.parse(file.toString(), "100um", null, "1um", null, "none"));
     }
 
     @Test

@@ -7,13 +7,11 @@ import static org.assertj.core.api.Assertions.within;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import sunbeam.precompute.optics.HeightMap;
-import sunbeam.precompute.patch.builtin.BuiltInPatches;
 import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.setting.SettingException;
 
@@ -35,7 +33,7 @@ class FileScaleTest {
         for (int i = 0; i < choices.length; i += 2) {
             request = PatchRequests.with(request, (Setting<?>) choices[i], (String) choices[i + 1]);
         }
-        return new PatchLoader(List.of(), BuiltInPatches::generate).load(request);
+        return PatchLoader.load(request);
     }
 
     @Test

@@ -5,14 +5,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.List;
 import java.util.function.DoubleBinaryOperator;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import sunbeam.precompute.fault.ScanFault;
-import sunbeam.precompute.patch.builtin.BuiltInPatches;
 import sunbeam.precompute.setting.Setting;
 
 /** What a scan's user is told before anything is drawn. */
@@ -36,7 +34,7 @@ class PatchAssemblerTest {
         for (int i = 0; i < choices.length; i += 2) {
             request = PatchRequests.with(request, (Setting<?>) choices[i], (String) choices[i + 1]);
         }
-        return new PatchLoader(List.of(), BuiltInPatches::generate).load(request);
+        return PatchLoader.load(request);
     }
 
     /** Lines 17.3 samples apart, 80 nm high, on a ground that wanders a little. */

@@ -6,14 +6,12 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.List;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.precompute.json.JsonException;
-import sunbeam.precompute.patch.builtin.BuiltInPatches;
 import sunbeam.precompute.prepare.Levelling;
 import sunbeam.precompute.setting.SettingException;
 
@@ -38,7 +36,7 @@ class PatchDescriptorTest {
     }
 
     private static Patch load(Path file) {
-        return new PatchLoader(List.of(), BuiltInPatches::generate).load(PatchRequests.of(file.toString()));
+        return PatchLoader.load(PatchRequests.of(file.toString()));
     }
 
     private void assertRefused(String json, String... complaints) throws IOException {

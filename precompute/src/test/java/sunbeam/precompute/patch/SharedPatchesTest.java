@@ -5,12 +5,10 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import sunbeam.precompute.optics.HeightMap;
-import sunbeam.precompute.patch.builtin.BuiltInPatches;
 
 /** The measured patches, where they lie beside the project. */
 class SharedPatchesTest {
@@ -20,7 +18,7 @@ class SharedPatchesTest {
     private static Patch load(String name) {
         Path file = PATCHES.resolve(name + ".json");
         assumeTrue(Files.exists(file), () -> "the measured patches are not there: " + file);
-        return new PatchLoader(List.of(), BuiltInPatches::generate).load(PatchRequest.of(file.toString()));
+        return PatchLoader.load(PatchRequest.of(file.toString()));
     }
 
     @ParameterizedTest

@@ -9,7 +9,6 @@ import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.patch.PatchLoader;
 import sunbeam.precompute.patch.PatchRequest;
 import sunbeam.precompute.patch.PatchSettings;
-import sunbeam.precompute.patch.builtin.BuiltInPatches;
 import sunbeam.precompute.plan.Preset;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
@@ -64,6 +63,6 @@ public final class PatchOptions extends SettingOptions {
 
     /** Loads a patch that is asked for elsewhere; built-in names are known. */
     public static Patch load(PatchRequest request) {
-        return new PatchLoader(BuiltInPatches.names(), BuiltInPatches::generate).load(request);
+        return PatchLoader.load(request);
     }
 }

@@ -6,7 +6,6 @@ import java.util.Map;
 import java.util.function.DoubleUnaryOperator;
 import java.util.function.Supplier;
 import sunbeam.precompute.optics.HeightMap;
-import sunbeam.precompute.patch.PatchException;
 
 /**
  * The patches that Sunbeam generates itself, by name. All are periodic, so they tile without a seam, and the same on
@@ -45,13 +44,12 @@ public final class BuiltInPatches {
     /**
      * Generates a patch, heights in metres, not levelled.
      *
-     * @throws PatchException when there is no such patch; its message lists those that there are
+     * @throws IllegalArgumentException when there is no such patch
      */
     public static HeightMap generate(String name) {
         Supplier<HeightMap> generator = GENERATORS.get(name);
         if (generator == null) {
-            throw new PatchException(
-                    "no built-in patch is called '" + name + "'; there are " + String.join(", ", names()));
+            throw new IllegalArgumentException("no built-in patch is called " + name);
         }
         return generator.get();
     }

@@ -3,8 +3,7 @@ package sunbeam.precompute.scan.text;
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.util.Arrays;
-import java.util.Locale;
-import java.util.Set;
+import java.util.regex.Pattern;
 import sunbeam.precompute.scan.ScanException;
 import sunbeam.precompute.scan.ScanLimits;
 import sunbeam.precompute.text.Quoted;
@@ -14,21 +13,10 @@ import sunbeam.precompute.text.Quoted;
  * field between two separators is a missing sample.
  */
 public final class TextNumbers {
-    private static final Set<String> MISSING = Set.of(
-            "nan",
-            "-nan",
-            "nan(ind)",
-            "-nan(ind)",
-            "inf",
-            "-inf",
-            "+inf",
-            "infinity",
-            "-infinity",
-            "bad",
-            "---",
-            "--",
-            "#n/a",
-            "n/a");
+    /** What programs write for a missing sample. */
+    private static final Pattern MISSING =
+            Pattern.compile("(?i)[-+]?(nan|nan\\(ind\\)|inf|infinity)|bad|---?|#?n/a");
+
     private static final int FIRST_CAPACITY = 1 << 12;
     /** Three numbers a point. */
     private static final long MOST = 3 * ScanLimits.MOST_SAMPLES;
@@ -116,7 +104,7 @@ public final class TextNumbers {
                 // Told below.
             }
         }
-        if (MISSING.contains(text.toLowerCase(Locale.ROOT))) {
+        if (MISSING.matcher(text).matches()) {
             return Double.NaN;
         }
         throw new ScanException("has " + Quoted.of(text) + " in line " + line

@@ -1,18 +1,15 @@
 package sunbeam.precompute.patch.builtin;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.Arrays;
 import java.util.function.IntToDoubleFunction;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
-import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.precompute.optics.HeightMap;
-import sunbeam.precompute.patch.PatchException;
 
 class BuiltInPatchesTest {
     /** A quarter of the shortest wavelength: at grazing light and view a phase of pi between two samples. */
@@ -23,14 +20,6 @@ class BuiltInPatchesTest {
 
     static Stream<String> names() {
         return BuiltInPatches.names().stream();
-    }
-
-    @Test
-    void unknownNameIsAnsweredWithTheKnownOnes() {
-        assertThatThrownBy(() -> BuiltInPatches.generate("elaphe"))
-                .isInstanceOf(PatchException.class)
-                .hasMessageContaining("'elaphe'")
-                .hasMessageContainingAll(BuiltInPatches.names().toArray(String[]::new));
     }
 
     @ParameterizedTest
