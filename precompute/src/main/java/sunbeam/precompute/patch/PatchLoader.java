@@ -72,7 +72,8 @@ public final class PatchLoader {
     private static SettingException unusable(String problem) {
         return new SettingException(
                 PATCH,
-                problem + "give a built-in patch (" + String.join(", ", BuiltInPatches.names()) + "), a scan, a descriptor (.json) or an image with ",
+                problem + "give a built-in patch (" + String.join(", ", BuiltInPatches.names())
+                        + "), a scan, a descriptor (.json) or an image with ",
                 WIDTH,
                 " and ",
                 MAX_HEIGHT);

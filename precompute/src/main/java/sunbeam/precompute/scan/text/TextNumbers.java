@@ -14,8 +14,7 @@ import sunbeam.precompute.text.Quoted;
  */
 public final class TextNumbers {
     /** What programs write for a missing sample. */
-    private static final Pattern MISSING =
-            Pattern.compile("(?i)[-+]?(nan|nan\\(ind\\)|inf|infinity)|bad|---?|#?n/a");
+    private static final Pattern MISSING = Pattern.compile("(?i)[-+]?(nan|nan\\(ind\\)|inf|infinity)|bad|---?|#?n/a");
 
     private static final int FIRST_CAPACITY = 1 << 12;
     /** Three numbers a point. */
