@@ -62,6 +62,14 @@ final class WaveSearch {
         }
     }
 
+    /** Over the reach of a line around a frequency: so many of the scan's bins, and at least a part of the frequency. */
+    private double distance(SpatialFrequency frequency, SpatialFrequency center, double bins, double part) {
+        double reach = part * center.length();
+        return Math.hypot(
+                (frequency.x() - center.x()) / Math.max(bins * binX, reach),
+                (frequency.y() - center.y()) / Math.max(bins * binY, reach));
+    }
+
     /** Of the bins around a frequency: so many of the scan's, and at least a part of the frequency. */
     private Moments around(SpatialFrequency center, double bins, double part, Predicate<SpatialFrequency> counted) {
         double reachX = Math.max(bins * binX, part * center.length());
@@ -74,10 +82,8 @@ final class WaveSearch {
         for (int jy = bottom; jy <= top; jy++) {
             for (int jx = left; jx <= right; jx++) {
                 SpatialFrequency frequency = new SpatialFrequency(jx / spectrum.width(), jy / spectrum.height());
-                double distance =
-                        Math.hypot((frequency.x() - center.x()) / reachX, (frequency.y() - center.y()) / reachY);
                 double power = spectrum.at(jx, jy);
-                if (distance <= 1 && power > 0 && counted.test(frequency)) {
+                if (distance(frequency, center, bins, part) <= 1 && power > 0 && counted.test(frequency)) {
                     sum = new Moments(sum.power + power, sum.x + power * frequency.x(), sum.y + power * frequency.y());
                 }
             }
@@ -145,8 +151,13 @@ final class WaveSearch {
     /** The strongest wave across a line, beyond its sector and the next, where it is half as strong or stronger. */
     Optional<SpatialFrequency> crossing(SpatialFrequency wave) {
         double beside = Math.sin(1.5 * Math.PI / SECTORS);
-        return strongest(other -> other.length() > COARSEST * wave.length() && other.sineTo(wave) > beside)
-                .filter(other -> around(other, LINE, BREADTH, which).power()
+        // A line seen few times is wide: what belongs to it, or to its conjugate, is no other.
+        Predicate<SpatialFrequency> apart = other -> which.test(other)
+                && distance(other, wave, LINE, BREADTH) > 1
+                && distance(other, wave.times(-1), LINE, BREADTH) > 1;
+        return strongest(other ->
+                        other.length() > COARSEST * wave.length() && other.sineTo(wave) > beside && apart.test(other))
+                .filter(other -> around(other, LINE, BREADTH, apart).power()
                         >= AS_STRONG * around(wave, LINE, BREADTH, which).power());
     }
 }

@@ -72,6 +72,21 @@ class VerdictTest {
                 .containsPattern("across (0|90) degrees, crossed by lines of about 1.2 um across (90|0) degrees");
     }
 
+    /** A line that is seen few times is wide: its own flanks are no second grating. */
+    @ParameterizedTest
+    @ValueSource(doubles = {4.3, 4.6, 5.2, 5.6, 6.3, 7.7})
+    void aSineSeenFewTimesIsNotCrossed(double periods) {
+        for (double degrees = 0; degrees < 180; degrees += 11.3) {
+            double x = periods / 20e-6 * Math.cos(Math.toRadians(degrees));
+            double y = periods / 20e-6 * Math.sin(Math.toRadians(degrees));
+            HeightMap map = Surfaces.of(
+                    128, 128, 20e-6 / 128, (east, north) -> 75e-9 * Math.sin(2 * Math.PI * (x * east + y * north)));
+            assertThat(verdict(piece(map, List.of())))
+                    .startsWith("A grating of ")
+                    .doesNotContain("crossed");
+        }
+    }
+
     /** Waves of one length in all directions: no direction is told by chance. */
     @ParameterizedTest
     @ValueSource(ints = {1, 2, 3, 4, 5, 6})
