@@ -3,6 +3,7 @@ package sunbeam.acceptance;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.regex.Pattern;
@@ -72,6 +73,33 @@ class LauncherStartTest {
                         .lines())
                 .contains(
                         "-XX:ErrorFile=/dev/null", "-XX:-CreateCoredumpOnCrash", "-XX:-UsePerfData", "Mesa true true");
+    }
+
+    @Test
+    void aFolderThatIsGoneIsALineOfOurs() throws Exception {
+        Path gone = Files.createDirectories(folder.resolve("gone"));
+        ProcessBuilder start = new ProcessBuilder(
+                "bash",
+                "-c",
+                "cd \"$1\" && rmdir \"$1\" && exec \"$2\" inspect",
+                "gone",
+                gone.toString(),
+                sandbox.launcher().toString());
+        Process process = start.redirectErrorStream(true).start();
+
+        assertThat(new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8))
+                .endsWith("sunbeam: the current folder does not exist any more: change to another (cd)\n");
+        assertThat(process.waitFor()).isEqualTo(2);
+    }
+
+    @Test
+    void aPathWithoutBashIsALineOfOurs() throws Exception {
+        SunbeamResult result =
+                sandbox.command("inspect").with("PATH", folder.toString()).run();
+
+        assertThat(result.exitCode()).as("%s", result).isEqualTo(7);
+        assertThat(result.stderr())
+                .isEqualTo("sunbeam: there is no bash on the PATH (" + folder + "); add the folder that has it\n");
     }
 
     @Test

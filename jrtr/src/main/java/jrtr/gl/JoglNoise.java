@@ -13,6 +13,8 @@ import java.nio.charset.StandardCharsets;
 final class JoglNoise implements AutoCloseable {
     private static final System.Logger LOGGER = System.getLogger("jrtr.gl");
 
+    private static boolean ending;
+
     private final PrintStream original = System.err;
     private final Thread caller = Thread.currentThread();
     private final ByteArrayOutputStream caught = new ByteArrayOutputStream();
@@ -30,7 +32,14 @@ final class JoglNoise implements AutoCloseable {
      * left open, and stumbles over native libraries that could not be loaded. To be called once, before JOGL starts.
      */
     static void muteShutdown() {
-        NativeWindowFactory.addCustomShutdownHook(true, JoglNoise::divert);
+        NativeWindowFactory.addCustomShutdownHook(true, JoglNoise::muteForGood);
+    }
+
+    private static void muteForGood() {
+        synchronized (JoglNoise.class) {
+            ending = true;
+            divert();
+        }
     }
 
     /** Forgets what was caught. */
@@ -40,7 +49,12 @@ final class JoglNoise implements AutoCloseable {
 
     @Override
     public void close() {
-        System.setErr(original);
+        synchronized (JoglNoise.class) {
+            // A thread that was just opening a context when the program ended would let JOGL speak.
+            if (!ending) {
+                System.setErr(original);
+            }
+        }
         if (caught.size() > 0) {
             LOGGER.log(Level.DEBUG, () -> caught.toString(StandardCharsets.UTF_8));
         }
