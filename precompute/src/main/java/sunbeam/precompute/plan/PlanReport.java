@@ -85,10 +85,10 @@ public final class PlanReport {
                 "expansion: phases k |w| h of %.2f to %.2f rad take %s; error %.1e",
                 expansion.minimumPhase(), expansion.maximumPhase(), terms(), expansion.error()));
         lines.add(format(
-                "window: coherence length %s, its spectrum has a deviation of %.4g cycles per metre, centred on the %s",
+                "window: coherence length %s, its spectrum has a deviation of %.4g cycles per metre, centered on the %s",
                 Lengths.format(plan.window().coherenceLength()),
                 plan.window().sigmaFrequency(),
-                plan.origin() == WindowOrigin.CORNER ? "corner" : "patch's centre"));
+                plan.origin() == WindowOrigin.CORNER ? "corner" : "patch's center"));
         lines.add("bins: " + bins() + " reach every visible frequency at 380 nm and the window's width beyond");
         return lines;
     }

@@ -63,7 +63,7 @@ import sunbeam.precompute.setting.Choices;
         description = "Draw the BRDF map of a surface: the color that each direction of the hemisphere sees when light"
                 + " comes from one direction. The pixel at (x, y) of the unit disc shows the direction (x, y,"
                 + " sqrt(1 - x^2 - y^2)), +x right, +y up; the specular reflection of light from the normal lies in the"
-                + " centre.")
+                + " center.")
 public final class BrdfMapCommand implements Callable<Integer> {
     private static final int LARGEST = 8192;
 

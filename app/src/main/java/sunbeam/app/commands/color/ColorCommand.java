@@ -57,7 +57,8 @@ import sunbeam.precompute.units.Decimals;
         description =
                 "Tell which color is seen from each viewing angle, -80 to 80 degrees to the normal, in the plane in which"
                         + " the surface spreads color, across the lines of its grating (along), and in the plane at right angles"
-                        + " to it (across). Angles are negative on the side away from the plane's azimuth. Writes a picture and beside it the numbers as CSV and JSON; --explain also prints"
+                        + " to it (across). Angles are positive towards the plane's azimuth, where the light stands unless --phi-i"
+                        + " says otherwise. Writes a picture and beside it the numbers as CSV and JSON; --explain also prints"
                         + " the plan and all warnings. A surface without order has no color of its own: exit code 3. See"
                         + " docs/color.md.")
 public final class ColorCommand implements Callable<Integer> {

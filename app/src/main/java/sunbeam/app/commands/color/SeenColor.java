@@ -38,7 +38,7 @@ record SeenColor(
      *
      * @param along whether in the plane of the direction of most color, or across it
      * @param thetaIDegrees of the light to the normal
-     * @param thetaRDegrees of the viewer to the normal, negative on the other side
+     * @param thetaRDegrees of the viewer to the normal, positive towards the plane's azimuth
      */
     record View(boolean along, double thetaIDegrees, double thetaRDegrees, DirectionPair pair) {
         /** Whether it is of this strip and light. */

@@ -127,7 +127,7 @@ public final class EvaluateCommand implements Callable<Integer> {
             names = "--output",
             paramLabel = "NAME",
             description = "What the files are called; an ending .png, .json or .csv is left out, as each file has its"
-                    + " own. Default: a name made of the patch.")
+                    + " own. Default: PATCH-evaluate.")
     private Path output;
 
     @Spec

@@ -48,7 +48,7 @@ public final class GratingOptions extends SettingOptions {
             paramLabel = "ANGLE",
             defaultValue = AUTO,
             description = "Direction of the grating in the patch (across its ridges), degrees counter-clockwise from"
-                    + " +x; auto (default): that of the strongest peak in the heights' power spectrum, -90 to 90.")
+                    + " +x: waves within 2 degrees of it count; auto (default): that of the strongest wave, -90 to 90.")
     private String azimuth;
 
     @Option(

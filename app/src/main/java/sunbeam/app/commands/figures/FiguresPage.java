@@ -37,7 +37,7 @@ final class FiguresPage {
                 "The figures of M. Single's thesis \"An Interactive Shader for Natural Diffraction Gratings\" (Bern"
                         + " 2014), computed anew by Sunbeam " + Version.number()
                         + ". Light along the normal and one coherence area of"
-                        + " 65 um (sigma_s 16.25 um), centred, unless the caption says otherwise."));
+                        + " 65 um (sigma_s 16.25 um), centered, unless the caption says otherwise."));
         for (Figure figure : figures) {
             html.append("<h2>Figure ").append(escape(figure.number() + ": " + figure.title()));
             html.append("</h2>\n").append(paragraph(figure.text()));
