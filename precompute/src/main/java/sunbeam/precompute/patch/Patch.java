@@ -93,7 +93,7 @@ public record Patch(
 
     /** Whether the relief is so far below a wavelength that the patch looks like a mirror; its warnings say so, too. */
     public boolean isMirror() {
-        return Plausibility.mirror(heights).isPresent();
+        return Plausibility.mirror(scan).isPresent();
     }
 
     /** SHA-256 of the height map, for cache keys; see {@link HeightMap#digest}. */

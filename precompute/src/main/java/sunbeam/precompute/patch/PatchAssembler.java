@@ -73,7 +73,7 @@ record PatchAssembler(String name, String file, Choices choices, Kind kind) {
         faults.forEach(fault -> warnings.add(fault.line()));
         warnings.addAll(warnings(preparation, prepared));
         repetitionWarning(measured, prepared.scan(), preparation, repetition).ifPresent(warnings::add);
-        Plausibility.mirror(prepared.surface()).ifPresent(warnings::add);
+        Plausibility.mirror(prepared.scan()).ifPresent(warnings::add);
         SamplingCheck.pitch(prepared.surface()).ifPresent(warnings::add);
         // Of what was measured, as inspect tells it: blending bends the border.
         ModelError.of(prepared.scan()).warning().ifPresent(warnings::add);

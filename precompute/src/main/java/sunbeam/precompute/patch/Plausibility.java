@@ -138,7 +138,7 @@ final class Plausibility {
                 Locale.ROOT,
                 "the relief is only %s, far below a wavelength: the patch is a mirror, which diffracts less than %.1g %% of the"
                         + " light; is the unit of the heights right?",
-                Lengths.format(relief),
+                Lengths.rounded(relief, 4),
                 100 * phase * phase));
     }
 }

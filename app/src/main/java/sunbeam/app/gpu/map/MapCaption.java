@@ -49,7 +49,7 @@ public final class MapCaption {
                 patch.name(),
                 Lengths.format(rounded(map.width())),
                 Lengths.format(rounded(map.height())),
-                Lengths.format(rounded(map.relief())));
+                Lengths.format(rounded(patch.scan().relief())));
         String lit = String.format(
                 Locale.ROOT,
                 "light %s\u00b0 from the normal, azimuth %s\u00b0; %scoherence length %s%s%s; method %s",
