@@ -84,7 +84,7 @@ final class ColorSheet {
         fitted(graphics, caption(), FONT, plots + PLOT_HEIGHT + 14);
         fitted(
                 graphics,
-                "angles of the view to the normal, negative on the side away from the azimuth",
+                "angles of the view to the normal, positive towards the azimuth",
                 FONT,
                 plots + PLOT_HEIGHT + 34);
         graphics.dispose();
@@ -98,8 +98,10 @@ final class ColorSheet {
 
     /** A line of text, smaller where it is too long. */
     private static void fitted(Graphics2D graphics, String text, Font font, int baseline) {
-        double share = Math.min(1, (WIDTH - LEFT - RIGHT) / FittedNames.width(text, font));
-        graphics.setFont(font.deriveFont((float) share * font.getSize2D()));
+        graphics.setFont(font);
+        while (graphics.getFontMetrics().stringWidth(text) > WIDTH - LEFT - RIGHT) {
+            graphics.setFont(font.deriveFont(graphics.getFont().getSize2D() - 0.5f));
+        }
         graphics.drawString(text, LEFT, baseline);
     }
 

@@ -202,7 +202,9 @@ final class InspectionSheet {
         double longest = period.hasWave() ? PROFILE_PERIODS * period.period() : Double.POSITIVE_INFINITY;
         Profile profile = Profile.through(map, direction, longest);
         String title = String.format(
-                Locale.ROOT, "Profile through the centre, direction %.1f degrees", Math.toDegrees(direction));
+                Locale.ROOT,
+                "Profile through the center, direction %.1f degrees",
+                (Math.toDegrees(direction) + 180) % 180);
         double[] positions = Arrays.stream(profile.positions())
                 .map(metres -> metres * MICROMETRES)
                 .toArray();

@@ -50,7 +50,7 @@ public final class FittedNames {
     }
 
     /** In pixels. */
-    public static double width(String text, Font font) {
+    private static double width(String text, Font font) {
         return font.getStringBounds(text, CONTEXT).getWidth();
     }
 }

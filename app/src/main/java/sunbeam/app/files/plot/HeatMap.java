@@ -164,6 +164,7 @@ public final class HeatMap {
         arrow.setArrowPaint(PlotStyle.MARK);
         arrow.setArrowStroke(new BasicStroke(2));
         arrow.setBaseRadius(32);
+        arrow.setTextAnchor(right ? TextAnchor.CENTER_RIGHT : TextAnchor.CENTER_LEFT);
         annotate(arrow);
         return this;
     }
