@@ -34,9 +34,9 @@ final class FuzzRun {
         for (byte[] seed : reader.seeds()) {
             Files.write(corpus.resolve("seed-" + number++), seed);
         }
-        ProcessBuilder builder = new ProcessBuilder(command(reader, minutes, corpus, findings)).inheritIO();
-        FuzzTarget.hidePrograms(builder);
-        Process process = builder.start();
+        Process process = new ProcessBuilder(command(reader, minutes, corpus, findings))
+                .inheritIO()
+                .start();
         boolean ended;
         try {
             ended = process.waitFor(Math.round(60 * minutes) + PATIENCE_SECONDS, TimeUnit.SECONDS);

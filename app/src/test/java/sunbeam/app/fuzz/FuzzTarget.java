@@ -30,14 +30,6 @@ public final class FuzzTarget {
         this.file = folder.resolve(reader.fileName());
     }
 
-    /**
-     * Sunbeam hands heights in formats that it does not know to Gwyddion, where that is installed: a program of others',
-     * which takes seconds for each. Readers in a process without a search path find none.
-     */
-    static void hidePrograms(ProcessBuilder builder) {
-        builder.environment().put("PATH", "");
-    }
-
     /** What Jazzer calls: the reader is the one of the system property. */
     public static void fuzzerTestOneInput(byte[] input) throws IOException {
         Chosen.TARGET.check(input);
