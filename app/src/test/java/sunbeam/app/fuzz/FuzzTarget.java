@@ -6,6 +6,7 @@ import java.lang.management.ThreadMXBean;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
+import java.util.Locale;
 import sunbeam.app.commands.failure.Failure;
 
 /**
@@ -24,6 +25,8 @@ public final class FuzzTarget {
 
     private final FuzzedReader reader;
     private final Path file;
+    private long tried;
+    private long read;
 
     FuzzTarget(FuzzedReader reader, Path folder) {
         this.reader = reader;
@@ -33,6 +36,11 @@ public final class FuzzTarget {
     /** What Jazzer calls: the reader is the one of the system property. */
     public static void fuzzerTestOneInput(byte[] input) throws IOException {
         Chosen.TARGET.check(input);
+    }
+
+    /** What Jazzer calls at the end. */
+    public static void fuzzerTearDown() {
+        Chosen.TARGET.report();
     }
 
     private static final class Chosen {
@@ -55,9 +63,11 @@ public final class FuzzTarget {
      */
     void check(byte[] input) throws IOException {
         Files.write(file, input);
+        tried++;
         long start = THREADS.getCurrentThreadCpuTime();
         try {
             reader.read(file);
+            read++;
         } catch (RuntimeException | IOException refused) {
             Failure failure = Failure.of(refused);
             if (failure.isBug()) {
@@ -68,5 +78,15 @@ public final class FuzzTarget {
         if (taken.compareTo(MOST_TIME) > 0) {
             throw new AssertionError(reader.label() + " took " + taken + " of a processor");
         }
+    }
+
+    private void report() {
+        System.err.printf(
+                Locale.ROOT,
+                "%s: %d inputs, of which %d (%.0f %%) were read%n",
+                reader.label(),
+                tried,
+                read,
+                100.0 * read / Math.max(1, tried));
     }
 }
