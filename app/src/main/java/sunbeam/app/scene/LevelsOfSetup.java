@@ -16,15 +16,13 @@ import sunbeam.precompute.shader.MethodUse;
 
 /**
  * What levels of colors are made by: ensemble averages all by one spectrum, along rays; others by the shader of their
- * method. What that needs is made, or read from the cache, when the first level is asked for.
+ * method. What that needs is made when the first level is asked for.
  */
 final class LevelsOfSetup implements LevelSources {
     private final DiffractionSetup setup;
     private final LevelledPlan plan;
     private final CieTable cie;
     private RaySpectrum spectrum;
-    // Keeps what the spectrum is made of for later runs.
-    private Runnable unsaved = () -> {};
 
     /** @param cie the light that the plan is for */
     LevelsOfSetup(DiffractionSetup setup, LevelledPlan plan, CieTable cie) {
@@ -62,16 +60,9 @@ final class LevelsOfSetup implements LevelSources {
         }
     }
 
-    @Override
-    public synchronized void settle() {
-        unsaved.run();
-        unsaved = () -> {};
-    }
-
     private synchronized RaySpectrum spectrum(Plan widened) {
         if (spectrum == null) {
-            spectrum =
-                    new RaySpectrum(widened, setup.table(widened, saving -> unsaved = saving), plan.tolerance(), cie);
+            spectrum = new RaySpectrum(widened, setup.fourierTable(widened), plan.tolerance(), cie);
         }
         return spectrum;
     }

@@ -25,7 +25,6 @@ import sunbeam.precompute.patch.PatchRequest;
 import sunbeam.precompute.patch.PatchSettings;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.shader.ShaderTablesFile;
-import sunbeam.precompute.table.TableFile;
 
 /** Everything of Sunbeam's that reads a file which may have come from anywhere. */
 enum FuzzedReader {
@@ -89,12 +88,6 @@ enum FuzzedReader {
         @Override
         void read(Path file) {
             PngText.read(file);
-        }
-    },
-    FOURIER_TABLE("fourier.h5", "fourier-table") {
-        @Override
-        void read(Path file) {
-            TableFile.read(file);
         }
     },
     SHADER_TABLES("shader.tables", "shader-tables") {
@@ -193,7 +186,6 @@ enum FuzzedReader {
                     f 1//1 2//1 \\
                     4//1
                     """));
-            case FOURIER_TABLE -> List.of(Seeds.fourierTable());
             case SHADER_TABLES -> List.of(Seeds.shaderTables());
             case PAGES -> List.of(Seeds.pages());
         };

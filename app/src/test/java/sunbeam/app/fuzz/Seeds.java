@@ -8,7 +8,6 @@ import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Arrays;
 import java.util.Map;
 import javax.imageio.ImageIO;
 import sunbeam.app.files.cache.PageFile;
@@ -16,18 +15,10 @@ import sunbeam.app.files.output.PngWriter;
 import sunbeam.precompute.colortable.KeptPages;
 import sunbeam.precompute.colortable.LevelBaking;
 import sunbeam.precompute.colortable.NumberFormat;
-import sunbeam.precompute.expansion.HeightScale;
-import sunbeam.precompute.expansion.TaylorExpansion;
-import sunbeam.precompute.fourier.Band;
-import sunbeam.precompute.optics.HeightMap;
-import sunbeam.precompute.patch.HeightLevels;
 import sunbeam.precompute.shader.ArrayLayout;
 import sunbeam.precompute.shader.ShaderTables;
 import sunbeam.precompute.shader.ShaderTablesFile;
 import sunbeam.precompute.shader.TableArray;
-import sunbeam.precompute.table.PatchIdentity;
-import sunbeam.precompute.table.TableBuilder;
-import sunbeam.precompute.table.TableFile;
 import sunbeam.precompute.table.TableLabel;
 
 /** Small good files of every kind. */
@@ -83,17 +74,6 @@ final class Seeds {
 
     static byte[] numberText(String header) {
         return (header + "1.0 2.0 3.0\n4.0 5.5 6e-1\n7. 8 nan\n").getBytes(StandardCharsets.UTF_8);
-    }
-
-    static byte[] fourierTable() throws IOException {
-        double[] heights = new double[6 * 5];
-        Arrays.setAll(heights, sample -> 1e-9 * sample * sample);
-        HeightLevels levels = HeightLevels.of(new HeightMap(6, 5, 50e-9, 50e-9, heights));
-        PatchIdentity patch = new PatchIdentity("seed", 6, 5, 50e-9, 50e-9, "digest");
-        return written(file -> TableFile.write(
-                file,
-                new TableBuilder(patch, levels, done -> {})
-                        .build(new TaylorExpansion(HeightScale.mean(levels), 2, 3), Band.of(-1, 1), Band.of(-1, 1))));
     }
 
     static byte[] shaderTables() throws IOException {

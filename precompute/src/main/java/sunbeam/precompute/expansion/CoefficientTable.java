@@ -1,6 +1,5 @@
 package sunbeam.precompute.expansion;
 
-import java.util.Arrays;
 import java.util.function.DoubleFunction;
 import java.util.stream.IntStream;
 
@@ -58,11 +57,6 @@ public record CoefficientTable(double minimumPhase, double maximumPhase, float[]
 
     private static int sampleCount(double low, double high, double step) {
         return (int) Math.min(MOST, Math.max(FEWEST, Math.ceil((high - low) / step)));
-    }
-
-    /** The table with fewer terms. */
-    public CoefficientTable firstTerms(int count) {
-        return new CoefficientTable(minimumPhase, maximumPhase, Arrays.copyOf(values, count));
     }
 
     public int samples() {

@@ -11,7 +11,7 @@ import sunbeam.precompute.table.FourierTable;
 /** Where what tables are made of comes from. */
 public interface TableSources {
 
-    /** The Fourier table of the surface that a plan needs, made now, or kept. */
+    /** The Fourier table of the surface that a plan needs. */
     FourierTable fourier(Plan plan);
 
     /**

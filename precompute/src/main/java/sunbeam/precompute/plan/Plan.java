@@ -36,18 +36,15 @@ public record Plan(
     }
 
     /**
-     * All of it that decides what a Fourier table holds, as text: equal texts of one patch mean equal tables. Numbers are
-     * written so that no two of them are written alike.
+     * All of it that decides what a shader reads, as text: equal texts of one patch mean equal tables. Numbers are written so
+     * that no two of them are written alike.
      */
-    public String tableKey() {
-        return String.join("|", expansion.key(), bandX.toString(), bandY.toString());
-    }
-
-    /** As {@link #tableKey()}, of what a shader reads. */
     public String key() {
         return String.join(
                 "|",
-                tableKey(),
+                expansion.key(),
+                bandX.toString(),
+                bandY.toString(),
                 range.toString(),
                 window.toString(),
                 origin.toString(),

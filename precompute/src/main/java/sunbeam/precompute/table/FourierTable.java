@@ -1,6 +1,5 @@
 package sunbeam.precompute.table;
 
-import java.util.Arrays;
 import java.util.Optional;
 import sunbeam.precompute.expansion.CoefficientTable;
 import sunbeam.precompute.expansion.ExpansionKind;
@@ -44,24 +43,6 @@ public record FourierTable(
 
     public int terms() {
         return real.length;
-    }
-
-    /** The same table under another name of its surface. */
-    public FourierTable of(PatchIdentity identity) {
-        return new FourierTable(identity, kind, scale, bandX, bandY, real, imaginary, coefficients);
-    }
-
-    /** The table of the same expansion with fewer terms, which share this one's arrays. */
-    public FourierTable firstTerms(int count) {
-        return new FourierTable(
-                patch,
-                kind,
-                scale,
-                bandX,
-                bandY,
-                Arrays.copyOf(real, count),
-                Arrays.copyOf(imaginary, count),
-                coefficients.map(table -> table.firstTerms(count)));
     }
 
     /** Bytes that the terms take in memory and, nearly, in a file. */

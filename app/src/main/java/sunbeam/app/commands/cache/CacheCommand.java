@@ -148,7 +148,7 @@ public final class CacheCommand implements Callable<Integer> {
             return entry.label();
         } catch (TableException unusable) {
             // The folder stands above the list.
-            String why = unusable.problem().replace(entry.file() + ": ", "");
+            String why = unusable.getMessage().replace(entry.file() + ": ", "");
             return new TableLabel("?", "not usable, will be made again or removed: " + why);
         }
     }

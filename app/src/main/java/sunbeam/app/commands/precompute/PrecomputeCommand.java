@@ -75,14 +75,14 @@ public final class PrecomputeCommand implements Callable<Integer> {
         Plan plan = method.tablePlan(setup.surface(), VisibleRange.all());
         methodOptions.explain(plan, specification.commandLine().getErr());
         long start = System.nanoTime();
-        FourierTable table = setup.table(plan);
+        FourierTable table = setup.fourierTable(plan);
         double seconds = (System.nanoTime() - start) * 1e-9;
         Path written = AtomicFile.writeFile(file, force.overwrite(output), path -> TableFile.write(path, table));
         CommandLine line = specification.commandLine();
         StandardOutput.reports(line.getOut(), line.getErr(), file)
                 .printf(
                         Locale.ROOT,
-                        "%d %s terms of %d x %d bins, %.1f MB, made or read in %.2f s%n%s%n",
+                        "%d %s terms of %d x %d bins, %.1f MB, made in %.2f s%n%s%n",
                         table.terms(),
                         table.kind().label(),
                         table.bandX().count(),

@@ -4,7 +4,6 @@ import java.nio.file.Path;
 import java.time.Instant;
 import sunbeam.precompute.shader.ShaderTablesFile;
 import sunbeam.precompute.table.TableException;
-import sunbeam.precompute.table.TableFile;
 import sunbeam.precompute.table.TableLabel;
 
 /**
@@ -15,7 +14,6 @@ import sunbeam.precompute.table.TableLabel;
  * @param lastUsed when it was read or, before that, made
  */
 public record CacheEntry(Path file, long bytes, Instant lastUsed) {
-    static final String FOURIER = "h5";
     static final String SHADER = "tables";
     /** Of colors that are made as pictures look at them. */
     static final String PAGES = "pages";
@@ -31,7 +29,7 @@ public record CacheEntry(Path file, long bytes, Instant lastUsed) {
     /** Whether a file's name is one of a table. */
     static boolean isOne(Path file) {
         String name = file.getFileName().toString();
-        return name.endsWith("." + FOURIER) || name.endsWith("." + SHADER) || name.endsWith("." + PAGES);
+        return name.endsWith("." + SHADER) || name.endsWith("." + PAGES);
     }
 
     /**
@@ -40,10 +38,7 @@ public record CacheEntry(Path file, long bytes, Instant lastUsed) {
      * @throws TableException when the file does not say it: damaged, of another version, or gone
      */
     public TableLabel label() {
-        String name = file.getFileName().toString();
-        if (name.endsWith("." + PAGES)) {
-            return PageFile.labelOf(file);
-        }
-        return name.endsWith("." + FOURIER) ? TableFile.label(file) : ShaderTablesFile.label(file);
+        boolean pages = file.getFileName().toString().endsWith("." + PAGES);
+        return pages ? PageFile.labelOf(file) : ShaderTablesFile.label(file);
     }
 }

@@ -45,7 +45,6 @@ import sunbeam.precompute.shader.ShaderTablesFile;
 import sunbeam.precompute.table.FourierTable;
 import sunbeam.precompute.table.TableBuilder;
 import sunbeam.precompute.table.TableException;
-import sunbeam.precompute.table.TableFile;
 import sunbeam.precompute.table.TableLabel;
 
 /**
@@ -150,7 +149,37 @@ public final class DiffractionSetup {
      */
     public ShaderTables freshTables(MethodPlan plan, MethodUse use, ColorSources colors) {
         requireAnswer(plan, use);
-        return made(plan, use, colors, this::freshTable);
+        return plan.tables(use, new TableSources() {
+            @Override
+            public FourierTable fourier(Plan needed) {
+                return fourierTable(needed);
+            }
+
+            @Override
+            public ColorSource colors(ShaderTables tables, long places) {
+                return colors.of(tables, places);
+            }
+
+            @Override
+            public ColorSource shown(Function<LongConsumer, ColorSource> source, long places) {
+                return ProgressColors.of(source, places);
+            }
+
+            @Override
+            public TriedTable.Told told() {
+                return new TriedTable.Told() {
+                    @Override
+                    public void delay(String line) {
+                        note.accept(line);
+                    }
+
+                    @Override
+                    public void shortfall(String line) {
+                        warning.accept(line);
+                    }
+                };
+            }
+        });
     }
 
     /** As {@link #tables(MethodPlan, MethodUse, ColorSources, DoubleConsumer)}, without progress. */
@@ -174,8 +203,7 @@ public final class DiffractionSetup {
             return freshTables(plan, use, colors).preceded(progress);
         }
         if (plan.memory().textureBytes() > folder.largest(warning)) {
-            // Larger than what is kept: what it is made of is not, and takes most of the time.
-            return made(plan, use, colors, this::table).preceded(progress);
+            return freshTables(plan, use, colors).preceded(progress);
         }
         Function<Path, ShaderTables> reader = path -> ShaderTablesFile.read(path, key);
         return keptOr(file.get(), reader, () -> {
@@ -243,80 +271,8 @@ public final class DiffractionSetup {
         }
     }
 
-    private ShaderTables made(
-            MethodPlan plan, MethodUse use, ColorSources colors, Function<Plan, FourierTable> fourier) {
-        return plan.tables(use, new TableSources() {
-            @Override
-            public FourierTable fourier(Plan needed) {
-                return fourier.apply(needed);
-            }
-
-            @Override
-            public ColorSource colors(ShaderTables tables, long places) {
-                return colors.of(tables, places);
-            }
-
-            @Override
-            public ColorSource shown(Function<LongConsumer, ColorSource> source, long places) {
-                return ProgressColors.of(source, places);
-            }
-
-            @Override
-            public TriedTable.Told told() {
-                return new TriedTable.Told() {
-                    @Override
-                    public void delay(String line) {
-                        note.accept(line);
-                    }
-
-                    @Override
-                    public void shortfall(String line) {
-                        warning.accept(line);
-                    }
-                };
-            }
-        });
-    }
-
-    /** The Fourier table that a plan needs, from the cache where it is there. */
-    public FourierTable table(Plan plan) {
-        return table(plan, Runnable::run);
-    }
-
-    /**
-     * The Fourier table that a plan needs, from the cache where it is there.
-     *
-     * @param saving takes what keeps the table for later runs, if it was made now: whoever is in haste does so afterwards
-     */
-    public FourierTable table(Plan plan, Consumer<Runnable> saving) {
-        Optional<Path> file =
-                file("table 1|" + surface.identity().digest() + "|" + plan.tableKey(), CacheEntry.FOURIER);
-        if (file.isEmpty()) {
-            return freshTable(plan);
-        }
-        return keptOr(file.get(), present -> checked(TableFile.read(present), plan), () -> {
-            FourierTable table = freshTable(plan);
-            saving.accept(() -> save(file.get(), target -> TableFile.write(target, table)));
-            return table;
-        });
-    }
-
-    /** A table that was read, under the name that the surface has now. */
-    private FourierTable checked(FourierTable table, Plan plan) {
-        Expansion expansion = plan.expansion();
-        boolean same = table.patch().digest().equals(surface.identity().digest())
-                && table.kind() == expansion.kind()
-                && table.terms() == expansion.terms()
-                && table.scale().equals(expansion.scale())
-                && table.bandX().equals(plan.bandX())
-                && table.bandY().equals(plan.bandY());
-        if (!same) {
-            throw new TableException("it is of another surface or plan");
-        }
-        return table.of(surface.identity());
-    }
-
-    private FourierTable freshTable(Plan plan) {
+    /** The Fourier table that a plan needs. It is made in less time than colors take that need it, and not kept. */
+    public FourierTable fourierTable(Plan plan) {
         Expansion expansion = plan.expansion();
         try (Progress progress =
                 Progress.start("Fourier tables of " + surface.identity().name(), expansion.terms())) {
@@ -345,7 +301,7 @@ public final class DiffractionSetup {
         } catch (TableException failure) {
             // Cleared by another process a moment ago: as if it had never been there.
             if (Files.exists(file)) {
-                warning.accept("cached table is made again: " + failure.problem());
+                warning.accept("cached table is made again: " + failure.getMessage());
             }
             return Optional.empty();
         }

@@ -19,9 +19,6 @@ public interface LevelSources {
     /** Makes what all levels need, if they will need it: without effect on what they give. Any thread may do so. */
     default void prepare() {}
 
-    /** Keeps for later runs what else was made on the way; takes part of a second, for when nobody waits. */
-    default void settle() {}
-
     /**
      * A source of a level's colors, to be closed by the caller.
      *

@@ -149,9 +149,6 @@ final class PageBaker implements AutoCloseable {
     private void run() {
         try {
             for (Due due = next(); due != null; due = next()) {
-                if (!due.isUrgent()) {
-                    sources.settle();
-                }
                 make(due);
                 arrived.run();
             }

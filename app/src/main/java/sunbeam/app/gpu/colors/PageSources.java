@@ -131,14 +131,8 @@ final class PageSources implements AutoCloseable {
         return kept;
     }
 
-    /** Keeps for later runs what else was made on the way. */
-    void settle() {
-        sources.settle();
-    }
-
     @Override
     public synchronized void close() {
-        settle();
         opened.values().forEach(ColorSource::close);
         opened.clear();
         if (kept != null) {

@@ -17,22 +17,17 @@ import org.junit.jupiter.api.io.TempDir;
 import sunbeam.app.terminal.Environment;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.colortable.ColorSources;
-import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.method.MethodPlan;
 import sunbeam.precompute.method.Surface;
 import sunbeam.precompute.method.TableSources;
-import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.HeightLevels;
 import sunbeam.precompute.patch.builtin.BuiltInPatches;
 import sunbeam.precompute.plan.MemoryNeed;
-import sunbeam.precompute.plan.Plan;
-import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.shader.ArrayLayout;
 import sunbeam.precompute.shader.MethodUse;
 import sunbeam.precompute.shader.ShaderTables;
 import sunbeam.precompute.shader.TableArray;
-import sunbeam.precompute.table.FourierTable;
 import sunbeam.precompute.table.PatchIdentity;
 import sunbeam.precompute.table.TableLabel;
 
@@ -162,19 +157,5 @@ class DiffractionSetupTest {
 
         assertThat(plan.made).isEqualTo(2);
         assertThat(warnings).hasSize(2).allMatch(line -> line.startsWith("no cache"));
-    }
-
-    @Test
-    void aFourierTableComesBackUnderTheNameThatTheSurfaceHasNow() {
-        Surface surface = surface("old name");
-        Plan plan = FullMethod.thesis().tablePlan(surface, VisibleRange.of(new Direction(0, 0, 1)));
-        FourierTable made = setup("old name").table(plan);
-
-        FourierTable read = setup("new name").table(plan);
-
-        assertThat(read.patch().name()).isEqualTo("new name");
-        assertThat(read.real()).isDeepEqualTo(made.real());
-        assertThat(read.imaginary()).isDeepEqualTo(made.imaginary());
-        assertThat(warnings).isEmpty();
     }
 }
