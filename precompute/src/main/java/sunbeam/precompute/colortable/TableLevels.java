@@ -29,16 +29,16 @@ public record TableLevels(GaussianArea area, List<Level> levels, NumberFormat nu
     // Beyond, a level is a color for a fifth of the hemisphere. In (u, v).
     private static final double WIDEST = 0.06;
 
-    // From this tolerance on pixels that see more than a point look between texels along straight lines.
+    // From this tolerance on pixels that see more than a point look between texels along straight lines, if the surface is
+    // rough: lines err by a tenth on the flank of a lone order, which another order's light hides on a rough one.
     private static final double LINES_TOLERANCE = 5e-3;
 
     // Their texels' distance, beside that of splines: errors of means just begin to grow (docs/color-tables.md).
     private static final double LINES_STEP = 1.5;
 
-    // And as many slices, beside those that bright directions need: where an order vanishes, what is left is small
-    // beside
-    // what slices lose of it. Cheap where texels are few.
-    private static final double LINES_SLICES = 1.5;
+    // At such tolerances so many times the slices that bright directions need: where an order vanishes, what is left is small
+    // beside what slices lose of it. Cheap where texels are few.
+    private static final double MORE_SLICES = 1.5;
 
     // A color errs by twice as much as its root: by no more than 1e-3, and less, since several coefficients make it.
     private static final double HALF_TOLERANCE = 1e-3;
@@ -63,24 +63,26 @@ public record TableLevels(GaussianArea area, List<Level> levels, NumberFormat nu
      *
      * @param area what is seen at a point; of a coherent average, which is no sum of Gaussians, there is one level
      * @param relief what {@link TableDesign#depth} says, metres
+     * @param rough whether the surface sends light everywhere
      */
-    public static TableLevels within(double tolerance, GaussianArea area, double relief) {
+    public static TableLevels within(double tolerance, GaussianArea area, double relief, boolean rough) {
+        boolean coherent = area.average() == Average.COHERENT;
+        boolean coarse = tolerance >= LINES_TOLERANCE && !coherent;
+        boolean lines = coarse && rough;
         List<Level> levels = new ArrayList<>();
-        Interpolation interpolation = Interpolation.CUBIC;
-        if (tolerance >= LINES_TOLERANCE && area.average() == Average.ENSEMBLE) {
-            interpolation = Interpolation.SHIFTED_LINES;
-            levels.add(new Level(
-                    area, 1, withMoreSlices(TableDesign.within(tolerance, area, relief)), Interpolation.CUBIC));
-        }
         double finest = sigma(area.window());
         for (double widening = 1; widening == 1 || finest * widening <= WIDEST; widening *= RATIO) {
             GaussianArea wider = area.with(new CoherenceWindow(area.window().sigmaMetres() / widening));
-            TableDesign design = TableDesign.within(tolerance, wider, relief);
-            if (interpolation == Interpolation.SHIFTED_LINES) {
-                design = withMoreSlices(new TableDesign(LINES_STEP * design.step(), design.slices()));
+            TableDesign bright = TableDesign.within(tolerance, wider, relief);
+            TableDesign design = coarse ? withMoreSlices(bright) : bright;
+            if (levels.isEmpty() || !lines) {
+                levels.add(new Level(wider, 1 / (widening * widening), design, Interpolation.CUBIC));
             }
-            levels.add(new Level(wider, 1 / (widening * widening), design, interpolation));
-            if (area.average() == Average.COHERENT) {
+            if (lines) {
+                TableDesign wide = new TableDesign(LINES_STEP * design.step(), design.slices());
+                levels.add(new Level(wider, 1 / (widening * widening), wide, Interpolation.SHIFTED_LINES));
+            }
+            if (coherent) {
                 break;
             }
         }
@@ -88,7 +90,7 @@ public record TableLevels(GaussianArea area, List<Level> levels, NumberFormat nu
     }
 
     private static TableDesign withMoreSlices(TableDesign design) {
-        return new TableDesign(design.step(), 1 + (int) Math.ceil(LINES_SLICES * (design.slices() - 1)));
+        return new TableDesign(design.step(), 1 + (int) Math.ceil(MORE_SLICES * (design.slices() - 1)));
     }
 
     /** Standard deviation in (u, v) of what the finest level shows of a sharp order. */

@@ -39,13 +39,14 @@ final class LevelledTable implements LevelledPlan {
      * Plans the finest level.
      *
      * @param tolerance of what is tabulated
+     * @param roughness of the surface
      */
-    LevelledTable(Surface surface, TableLevels levels, double tolerance) {
+    LevelledTable(Surface surface, TableLevels levels, double tolerance, Roughness roughness) {
         this.surface = surface;
         this.levels = levels;
         this.tolerance = tolerance;
         this.table = TableChoices.within(tolerance);
-        this.roughness = surface.planner().roughness(table, levels.area(), VisibleRange.all());
+        this.roughness = roughness;
         this.finest = planned(0);
     }
 
