@@ -29,14 +29,16 @@ public record TableLevels(GaussianArea area, List<Level> levels, NumberFormat nu
     // Beyond, a level is a color for a fifth of the hemisphere. In (u, v).
     private static final double WIDEST = 0.06;
 
-    // From this tolerance on pixels that see more than a point look between texels along straight lines, if the surface is
+    // From this tolerance on pixels that see more than a point look between texels along straight lines, if the surface
+    // is
     // rough: lines err by a tenth on the flank of a lone order, which another order's light hides on a rough one.
     private static final double LINES_TOLERANCE = 5e-3;
 
     // Their texels' distance, beside that of splines: errors of means just begin to grow (docs/color-tables.md).
     private static final double LINES_STEP = 1.5;
 
-    // At such tolerances so many times the slices that bright directions need: where an order vanishes, what is left is small
+    // At such tolerances so many times the slices that bright directions need: where an order vanishes, what is left is
+    // small
     // beside what slices lose of it. Cheap where texels are few.
     private static final double MORE_SLICES = 1.5;
 
