@@ -9,6 +9,8 @@
 
 // Number of the texel of geometry.frag's images that each pixel lights, counted row by row; negative for none.
 uniform sampler2D sources;
+// Pixels along a side of what each stands for.
+uniform float stride;
 
 // (u, v, w) in the middle; w is the level, or -1 where nothing is diffracted.
 layout(location = 0) out vec4 place;
@@ -68,8 +70,8 @@ void main() {
         return;
     }
     vec3 uvw = diffractionVector(wi, wr);
-    vec3 a = change(pixel, ivec2(1, 0), uvw);
-    vec3 b = change(pixel, ivec2(0, 1), uvw);
+    vec3 a = stride * change(pixel, ivec2(1, 0), uvw);
+    vec3 b = stride * change(pixel, ivec2(0, 1), uvw);
     Look look = lookOver(uvw, a, b);
     place = look.place;
     wideLook = look.wide;

@@ -12,9 +12,10 @@ uniform sampler2D sources;
 // Linear XYZ; alpha 1, the skin's coverage, or -1 where a color was missing (sunbeam.app.scene.SkinLooks).
 layout(location = 0) out vec4 radiance;
 
-// Where light or viewer lies in or below the tangent plane, as relief in the normals can have it, nothing is diffracted.
+// Where light or viewer lies in or below the tangent plane, as relief in the normals can have it, nothing is diffracted; nor where the
+// body alone is asked for, which then costs little.
 vec3 diffractedTowards(vec3 wi, vec3 wr) {
-    if (wi.z <= 0.0 || wr.z <= 0.0) {
+    if (diffractionWeight == 0.0 || wi.z <= 0.0 || wr.z <= 0.0) {
         return vec3(0.0);
     }
     return diffractedRadiance(wi, wr);

@@ -39,18 +39,20 @@ final class PackedShading implements AutoCloseable {
      *
      * @param buffer the block, with that part drawn, and its neighbors for what its pixels see of colors
      * @param part counted from the block's corner
+     * @param stride each stride-th pixel of each stride-th row is lit, and stands for those to its right and below
      * @param samplesAcross of the mesh along a side of a pixel
-     * @return linear XYZ and coverage, 4 values a pixel, the part's top row first; zeros where there is no skin
+     * @return linear XYZ and coverage, 4 values a lit pixel, the part's top row first; zeros where there is no skin
      */
-    float[] shade(SkinSurface skin, Scene scene, GeometryBuffer buffer, Tile part, int samplesAcross) {
-        int[] covered = covered(buffer.views(part), part);
-        float[] lit = new float[Math.toIntExact(CHANNELS * part.pixels())];
+    float[] shade(SkinSurface skin, Scene scene, GeometryBuffer buffer, Tile part, int stride, int samplesAcross) {
+        int[] covered = covered(buffer.views(part), part, stride);
+        float[] lit = new float[CHANNELS * SceneSession.few(part.width(), stride) * SceneSession.few(part.height(), stride)];
         for (int first = 0; first < covered.length; first += Packing.MOST) {
             Packing packing = new Packing(Math.min(Packing.MOST, covered.length - first));
-            upload(packing, covered, first, buffer, part);
+            upload(packing, covered, first, buffer, part, stride);
             Tile used = used(packing);
             skin.looks()
-                    .ifPresent(looks -> looks.find(scene, buffer, samplesAcross, SkinLooks.MOST_PLACES, sources, used));
+                    .ifPresent(looks ->
+                            looks.find(scene, buffer, stride, samplesAcross, SkinLooks.MOST_PLACES, sources, used));
             float[] drawn = CutLoops.checked(shade(skin, scene, buffer, packing, used));
             for (int i = 0; i < packing.count(); i++) {
                 System.arraycopy(drawn, CHANNELS * i, lit, CHANNELS * covered[first + i], CHANNELS);
@@ -61,7 +63,7 @@ final class PackedShading implements AutoCloseable {
 
     /** Lights what was uploaded: 4 values for each of the packing's. */
     private float[] shade(SkinSurface skin, Scene scene, GeometryBuffer buffer, Packing packing, Tile used) {
-        if (skin.looks().isEmpty()) {
+        if (skin.looks().isEmpty() || scene.blend().diffraction() == 0) {
             return drawn(skin, scene, buffer, packing, used);
         }
         SkinLooks looks = skin.looks().get();
@@ -88,12 +90,12 @@ final class PackedShading implements AutoCloseable {
 
     /** Notes what a part of a block looks into; as {@link #shade}, which makes it at once, for {@link SkinLooks#MOST_PLACES}. */
     void look(SkinLooks looks, Scene scene, GeometryBuffer buffer, Tile part, int samplesAcross, int mostPlaces) {
-        int[] covered = covered(buffer.views(part), part);
+        int[] covered = covered(buffer.views(part), part, 1);
         for (int first = 0; first < covered.length; first += Packing.MOST) {
             Packing packing = new Packing(Math.min(Packing.MOST, covered.length - first));
-            upload(packing, covered, first, buffer, part);
+            upload(packing, covered, first, buffer, part, 1);
             Tile used = used(packing);
-            looks.find(scene, buffer, samplesAcross, mostPlaces, sources, used);
+            looks.find(scene, buffer, 1, samplesAcross, mostPlaces, sources, used);
             looks.note(packing, used);
         }
     }
@@ -103,16 +105,17 @@ final class PackedShading implements AutoCloseable {
         return new Tile(0, Packing.ROWS - packing.rows(), packing.columns(), packing.rows());
     }
 
-    /** Numbers of the pixels that show skin, counted row by row from the part's top left; neighbors together. */
-    static int[] covered(float[] views, Tile part) {
-        int[] pixels = new int[Math.toIntExact(part.pixels())];
+    /** Numbers of the lit pixels that show skin, counted row by row from the part's top left; neighbors together. */
+    private static int[] covered(float[] views, Tile part, int stride) {
+        int columns = SceneSession.few(part.width(), stride);
+        int rows = SceneSession.few(part.height(), stride);
+        int[] pixels = new int[columns * rows];
         int count = 0;
-        for (Tile square : Tile.cover(part.width(), part.height(), SQUARE)) {
+        for (Tile square : Tile.cover(columns, rows, SQUARE)) {
             for (int y = square.y(); y < square.y() + square.height(); y++) {
                 for (int x = square.x(); x < square.x() + square.width(); x++) {
-                    int pixel = y * part.width() + x;
-                    if (views[CHANNELS * pixel + 3] > 0) {
-                        pixels[count++] = pixel;
+                    if (views[CHANNELS * stride * (y * part.width() + x) + 3] > 0) {
+                        pixels[count++] = y * columns + x;
                     }
                 }
             }
@@ -121,11 +124,12 @@ final class PackedShading implements AutoCloseable {
     }
 
     /** Tells the shader for each slot which texel of the geometry it lights; -1 for none. */
-    private void upload(Packing packing, int[] covered, int first, GeometryBuffer buffer, Tile part) {
+    private void upload(Packing packing, int[] covered, int first, GeometryBuffer buffer, Tile part, int stride) {
+        int columns = SceneSession.few(part.width(), stride);
         Arrays.fill(slots, 0, Packing.COLUMNS * packing.rows(), -1);
         for (int i = 0; i < packing.count(); i++) {
-            int x = part.x() + covered[first + i] % part.width();
-            int y = part.y() + covered[first + i] / part.width();
+            int x = part.x() + stride * (covered[first + i] % columns);
+            int y = part.y() + stride * (covered[first + i] / columns);
             slots[Packing.COLUMNS * packing.row(i) + packing.column(i)] = buffer.texel(x, y);
         }
         sources.upload(slots);

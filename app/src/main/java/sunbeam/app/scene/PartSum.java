@@ -1,6 +1,8 @@
 package sunbeam.app.scene;
 
 import java.util.List;
+import java.util.Optional;
+import java.util.function.BooleanSupplier;
 import jrtr.Tile;
 
 /**
@@ -53,21 +55,56 @@ public final class PartSum {
      */
     ScenePicture draw(Scene scene, int width, int height, Tile tile) {
         if (sessions.size() == 1) {
+            sessions.get(0).update(scene);
             return sessions.get(0).draw(width, height, tile);
         }
-        Scene diffracted = scene.withBlend(scene.blend().withoutBody());
-        ScenePicture light = ScenePicture.empty(tile.width(), tile.height());
-        sessions.forEach(session -> add(drawn(session, diffracted, width, height, tile), light));
-        if (!scene.blend().hasBody()) {
-            return light;
-        }
-        Blend body = scene.blend().withDiffraction(0);
-        ScenePicture bare = drawn(sessions.get(0), scene.withBlend(body), width, height, tile);
-        return over(bare, light, scene.light().intensity());
+        ScenePicture light = light(scene, width, height, tile, 1);
+        return scene.blend().hasBody() ? over(body(scene, width, height, tile), light, scene) : light;
     }
 
-    private static ScenePicture drawn(SceneSession session, Scene scene, int width, int height, Tile tile) {
-        session.update(scene);
+    /**
+     * Draws the scene by few samples of its diffracted light, over its whole body.
+     *
+     * @param stride each stride-th pixel of each stride-th row has a sample; a power of two
+     * @param white luminance above which a sample is dimmed, lest a glint fill all that is between it and its neighbors
+     * @param tiles in which samples are drawn
+     * @param interrupted asked before each tile
+     * @return nothing where it was interrupted
+     */
+    public Optional<ScenePicture> coarse(
+            Scene scene, int width, int height, int stride, double white, TimedTiles tiles, BooleanSupplier interrupted) {
+        sessions.forEach(session -> session.drawSamples(1));
+        int columns = SceneSession.few(width, stride);
+        int rows = SceneSession.few(height, stride);
+        ScenePicture light = ScenePicture.empty(columns, rows);
+        boolean isWhole = tiles.draw(Tile.cover(columns, rows, TimedTiles.LARGEST), interrupted, few -> {
+            int x = stride * few.x();
+            int y = stride * few.y();
+            Tile tile = new Tile(
+                    x, y, Math.min(stride * few.width(), width - x), Math.min(stride * few.height(), height - y));
+            light.put(light(scene, width, height, tile, stride), few.x(), few.y());
+        });
+        if (!isWhole) {
+            return Optional.empty();
+        }
+        ScenePicture body = body(scene, width, height, Tile.whole(width, height));
+        return Optional.of(over(body, light.enlarged(stride, body, white), scene));
+    }
+
+    private ScenePicture light(Scene scene, int width, int height, Tile tile, int stride) {
+        Scene diffracted = scene.withBlend(scene.blend().withoutBody());
+        ScenePicture light =
+                ScenePicture.empty(SceneSession.few(tile.width(), stride), SceneSession.few(tile.height(), stride));
+        for (SceneSession session : sessions) {
+            session.update(diffracted);
+            add(session.draw(width, height, tile, stride), light);
+        }
+        return light;
+    }
+
+    private ScenePicture body(Scene scene, int width, int height, Tile tile) {
+        SceneSession session = sessions.get(0);
+        session.update(scene.withBlend(scene.blend().withDiffraction(0)));
         return session.draw(width, height, tile);
     }
 
@@ -78,7 +115,8 @@ public final class PartSum {
         }
     }
 
-    private static ScenePicture over(ScenePicture body, ScenePicture light, double intensity) {
+    private static ScenePicture over(ScenePicture body, ScenePicture light, Scene scene) {
+        double intensity = scene.light().intensity();
         float[] rgba = light.rgba().clone();
         for (int pixel = 0; pixel < rgba.length; pixel += 4) {
             double alpha = intensity > 0 ? Math.min(1, rgba[pixel + 1] / intensity) : 0;

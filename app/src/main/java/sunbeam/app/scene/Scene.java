@@ -112,16 +112,6 @@ public record Scene(
         return changed(draft -> draft.method = value);
     }
 
-    /** The same with the nanostructure turned differently, radians. */
-    public Scene withRotatePatch(double value) {
-        return changed(draft -> draft.rotatePatch = value);
-    }
-
-    /** The same with another exposure. */
-    public Scene withExposure(OptionalDouble value) {
-        return changed(draft -> draft.exposure = value);
-    }
-
     /** The same with other weights. */
     public Scene withBlend(Blend value) {
         return changed(draft -> draft.blend = value);

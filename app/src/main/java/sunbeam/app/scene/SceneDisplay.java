@@ -2,6 +2,8 @@ package sunbeam.app.scene;
 
 import java.awt.image.BufferedImage;
 import java.awt.image.DataBufferInt;
+import java.util.OptionalDouble;
+import java.util.function.BooleanSupplier;
 import java.util.stream.IntStream;
 import jrtr.Tile;
 import sunbeam.app.gpu.picture.AutoExposure;
@@ -22,19 +24,26 @@ public final class SceneDisplay {
      *
      * @param width pixels per row of the whole picture
      * @param height rows of the whole picture
+     * @param tiles in which the small one is drawn
+     * @param interrupted asked before each tile
+     * @return nothing where it was interrupted
      */
-    public static double exposure(Scene scene, PartSum parts, int width, int height) {
+    public static OptionalDouble exposure(
+            Scene scene, PartSum parts, int width, int height, TimedTiles tiles, BooleanSupplier interrupted) {
         if (scene.exposure().isPresent()) {
-            return scene.exposure().getAsDouble();
+            return scene.exposure();
         }
         double scale = METER_SIDE / (double) Math.max(width, height);
         int columns = (int) Math.max(1, Math.round(scale * width));
         int rows = (int) Math.max(1, Math.round(scale * height));
         int samples = scene.method().type() == TableMethod.TYPE ? 2 : 1;
         parts.prepare(scene, columns, rows, samples);
-        ScenePicture small = parts.samples(scene, columns, rows, Tile.whole(columns, rows), samples)
-                .reduced(samples);
-        return AutoExposure.of(small.linear());
+        ScenePicture small = ScenePicture.empty(columns, rows);
+        boolean isWhole = tiles.draw(Tile.cover(columns, rows, TimedTiles.LARGEST), interrupted, tile -> {
+            ScenePicture part = parts.samples(scene, columns, rows, tile, samples);
+            small.put(part.reduced(samples), tile.x(), tile.y());
+        });
+        return isWhole ? OptionalDouble.of(AutoExposure.of(small.linear())) : OptionalDouble.empty();
     }
 
     /**

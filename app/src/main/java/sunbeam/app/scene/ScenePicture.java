@@ -1,5 +1,6 @@
 package sunbeam.app.scene;
 
+import java.util.stream.IntStream;
 import jrtr.Tile;
 import sunbeam.app.gpu.picture.LinearPicture;
 
@@ -65,6 +66,44 @@ public record ScenePicture(int width, int height, float[] rgba) {
             }
         }
         return small;
+    }
+
+    /**
+     * The pixels between these, each of which is the first of {@code stride x stride}: bilinearly, by those that show the mesh.
+     *
+     * @param shape which pixels of the whole show it
+     * @param white luminance above which light is dimmed, lest a glint fill all that is between it and its neighbors
+     */
+    public ScenePicture enlarged(int stride, ScenePicture shape, double white) {
+        ScenePicture whole = empty(shape.width, shape.height);
+        IntStream.range(0, whole.height).parallel().forEach(y -> {
+            for (int x = 0; x < whole.width; x++) {
+                int to = CHANNELS * (y * whole.width + x);
+                if (shape.rgba[to + 3] > 0) {
+                    interpolate((float) x / stride, (float) y / stride, (float) white, whole.rgba, to);
+                    whole.rgba[to + 3] = shape.rgba[to + 3];
+                }
+            }
+        });
+        return whole;
+    }
+
+    private void interpolate(float column, float row, float white, float[] result, int to) {
+        float sum = 0;
+        for (int corner = 0; corner < 4; corner++) {
+            int x = Math.min(width - 1, (int) column + corner % 2);
+            int y = Math.min(height - 1, (int) row + corner / 2);
+            int from = CHANNELS * (y * width + x);
+            float weight = (1 - Math.min(1, Math.abs(column - x))) * (1 - Math.min(1, Math.abs(row - y))) * rgba[from + 3];
+            float dimmed = weight * Math.min(1, white / rgba[from + 1]);
+            for (int c = 0; c < 3; c++) {
+                result[to + c] += dimmed * rgba[from + c];
+            }
+            sum += weight;
+        }
+        for (int c = 0; c < 3; c++) {
+            result[to + c] = sum > 0 ? result[to + c] / sum : 0;
+        }
     }
 
     /** Linear XYZ of the mesh alone: the mean over what it covers of a pixel, NaN where that is nothing. */

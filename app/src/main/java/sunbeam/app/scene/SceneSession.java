@@ -115,18 +115,36 @@ public final class SceneSession implements AutoCloseable {
      * @throws IllegalArgumentException if the tile is not inside
      */
     public ScenePicture draw(int width, int height, Tile tile) {
+        return draw(width, height, tile, 1);
+    }
+
+    /**
+     * Draws each stride-th pixel of each stride-th row.
+     *
+     * @param tile whose corner is drawn
+     * @param stride a power of two that divides the corner's column and row
+     */
+    ScenePicture draw(int width, int height, Tile tile, int stride) {
         if (!tile.fitsIn(width, height)) {
             throw new IllegalArgumentException(tile + " is not inside a picture of " + width + " x " + height);
         }
         SkinGeometry geometry = uploaded.geometry(width, height);
-        ScenePicture part = ScenePicture.empty(tile.width(), tile.height());
+        ScenePicture part = ScenePicture.empty(few(tile.width(), stride), few(tile.height(), stride));
         for (SceneBlocks.Piece piece : SceneBlocks.split(width, height, tile)) {
             Tile inBlock = piece.inBlock();
             GeometryBuffer buffer = drawn(geometry, piece);
-            float[] pixels = shading.shade(uploaded.skin(), scene(), buffer, inBlock, samplesAcross);
-            part.put(new ScenePicture(inBlock.width(), inBlock.height(), pixels), piece.x(), piece.y());
+            float[] pixels = shading.shade(uploaded.skin(), scene(), buffer, inBlock, stride, samplesAcross);
+            part.put(
+                    new ScenePicture(few(inBlock.width(), stride), few(inBlock.height(), stride), pixels),
+                    piece.x() / stride,
+                    piece.y() / stride);
         }
         return part;
+    }
+
+    /** As many of so many pixels as each stride-th makes. */
+    static int few(int pixels, int stride) {
+        return (pixels + stride - 1) / stride;
     }
 
     /** So many samples along a side will be one pixel in the end; holds for all that is drawn from now on. */
@@ -231,8 +249,8 @@ public final class SceneSession implements AutoCloseable {
      * @return as a screen shows it
      */
     public BufferedImage moving(int fullWidth, int fullHeight, int divisor, double exposure) {
-        int width = (fullWidth + divisor - 1) / divisor;
-        int height = (fullHeight + divisor - 1) / divisor;
+        int width = few(fullWidth, divisor);
+        int height = few(fullHeight, divisor);
         SkinGeometry geometry = uploaded.geometry(width, height);
         BufferedImage image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
         // Directly: an image that Swing paints once gains nothing from being kept on the graphics card.

@@ -54,13 +54,22 @@ final class SkinLooks implements AutoCloseable {
     /**
      * Finds how some texels of a block look.
      *
+     * @param stride pixels along a side of what each texel stands for
      * @param samplesAcross of the mesh along a side of a pixel
      * @param mostPlaces along the wide side of what a pixel sees
      * @param sources which, as {@link SkinSurface#shade} has them
      * @param used part of the target that they take
      */
-    void find(Scene scene, GeometryBuffer buffer, int samplesAcross, int mostPlaces, FloatTexture sources, Tile used) {
+    void find(
+            Scene scene,
+            GeometryBuffer buffer,
+            int stride,
+            int samplesAcross,
+            int mostPlaces,
+            FloatTexture sources,
+            Tile used) {
         LightUniforms.of(List.of(SceneGraphs.light(scene))).applyTo(program);
+        program.set("stride", (float) stride);
         program.set("samplesAcross", (float) samplesAcross);
         program.set("mostPlaces", (float) mostPlaces);
         List<Binding> textures = new ArrayList<>(buffer.bindings());

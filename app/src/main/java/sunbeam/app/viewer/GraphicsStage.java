@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.function.BiConsumer;
 import java.util.function.BooleanSupplier;
 import java.util.function.Function;
 import java.util.stream.Stream;
@@ -21,6 +22,7 @@ import sunbeam.app.scene.SceneData;
 import sunbeam.app.scene.SceneDisplay;
 import sunbeam.app.scene.ScenePicture;
 import sunbeam.app.scene.SceneSession;
+import sunbeam.app.scene.TimedTiles;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.shader.ShaderTables;
 
@@ -28,6 +30,7 @@ import sunbeam.precompute.shader.ShaderTables;
 class GraphicsStage implements AutoCloseable {
     private final RenderContext context;
     private final MapStage map;
+    private final TimedTiles tiles = new TimedTiles(this::pixelClock);
     private List<SceneSession> parts = List.of();
     private ViewState state;
     private Optional<ShaderTables> uploadedOf = Optional.empty();
@@ -143,19 +146,38 @@ class GraphicsStage implements AutoCloseable {
         return parts.get(0).moving(state.width(), state.height(), divisor, exposure);
     }
 
-    /** With a {@code divisor}-th of columns and rows, each pixel as in a picture of that size. */
-    ScenePicture reduced(int divisor) {
-        int width = (state.width() + divisor - 1) / divisor;
-        int height = (state.height() + divisor - 1) / divisor;
-        return new PartSum(parts).samples(scene(), width, height, Tile.whole(width, height), 1);
+    /** The finest stride of {@link #coarse} that draws in that time. */
+    int stride(long nanoseconds) {
+        return tiles.stride(state.width(), state.height(), nanoseconds);
     }
 
-    /** A part of the final picture, as a screen shows it. */
-    BufferedImage part(Tile tile, double exposure) {
-        return image(
-                new PartSum(parts).samples(scene(), state.width(), state.height(), tile, samples()),
-                samples(),
-                exposure);
+    /**
+     * By few samples of diffracted light over the whole body, as {@link PartSum#coarse}.
+     *
+     * @return nothing where it was interrupted
+     */
+    Optional<ScenePicture> coarse(int stride, double white, BooleanSupplier interrupted) {
+        return sum().coarse(scene(), state.width(), state.height(), stride, white, tiles, interrupted);
+    }
+
+    /**
+     * Draws the final picture.
+     *
+     * @param interrupted asked before each tile
+     * @param drawn told of each tile as a screen shows it
+     * @return whether all was drawn
+     */
+    boolean refine(double exposure, BooleanSupplier interrupted, BiConsumer<Tile, BufferedImage> drawn) {
+        int samples = samples();
+        List<Tile> blocks = SceneSession.tiles(state.width(), state.height(), samples);
+        return tiles.draw(blocks, interrupted, tile -> {
+            ScenePicture part = sum().samples(scene(), state.width(), state.height(), tile, samples);
+            drawn.accept(tile, image(part, samples, exposure));
+        });
+    }
+
+    private PartSum sum() {
+        return new PartSum(parts);
     }
 
     /**
@@ -171,24 +193,20 @@ class GraphicsStage implements AutoCloseable {
         return state.fine().scene();
     }
 
-    /** The tiles of the final picture, in the order that is best drawn. */
-    List<Tile> tiles() {
-        return SceneSession.tiles(state.width(), state.height(), samples());
-    }
-
     /** As many as {@code render} takes. */
     private int samples() {
         return PixelSamples.alongSide(scene().method(), state.width(), state.height());
     }
 
-    /** Time that has gone to the mesh so far. */
-    long meshNanoseconds() {
-        return parts.stream().mapToLong(SceneSession::meshNanoseconds).sum();
+    /** Nanoseconds that go by while pixels are drawn, but not while the mesh is. */
+    long pixelClock() {
+        return System.nanoTime()
+                - parts.stream().mapToLong(SceneSession::meshNanoseconds).sum();
     }
 
-    /** The exposure of the final picture, as {@code render} finds it. */
-    double exposure() {
-        return SceneDisplay.exposure(scene(), new PartSum(parts), state.width(), state.height());
+    /** The exposure of the final picture, as {@code render} finds it; nothing where it was interrupted. */
+    OptionalDouble exposure(BooleanSupplier interrupted) {
+        return SceneDisplay.exposure(scene(), sum(), state.width(), state.height(), tiles, interrupted);
     }
 
     Optional<Pick> pick(int x, int y, int width, int height) {

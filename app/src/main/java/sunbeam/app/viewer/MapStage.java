@@ -1,6 +1,7 @@
 package sunbeam.app.viewer;
 
 import java.awt.image.BufferedImage;
+import java.util.List;
 import java.util.function.BooleanSupplier;
 import jrtr.Tile;
 import jrtr.gl.RenderContext;
@@ -8,6 +9,7 @@ import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.gpu.map.BrdfMapRenderer;
 import sunbeam.app.gpu.picture.AutoExposure;
 import sunbeam.app.gpu.picture.LinearPicture;
+import sunbeam.app.scene.TimedTiles;
 import sunbeam.precompute.color.DisplayTransform;
 import sunbeam.precompute.color.Tone;
 import sunbeam.precompute.optics.Direction;
@@ -18,7 +20,7 @@ final class MapStage {
     static final int SIZE = 192;
 
     private final RenderContext context;
-    private TileSide tileSide = TileSide.first();
+    private final TimedTiles tiles = new TimedTiles(System::nanoTime);
 
     MapStage(RenderContext context) {
         this.context = context;
@@ -33,15 +35,9 @@ final class MapStage {
      */
     BufferedImage draw(UploadedTables method, Direction light, int size, BooleanSupplier interrupted) {
         try (BrdfMapRenderer renderer = new BrdfMapRenderer(context, method, size)) {
-            for (Tile block : Tile.cover(size, size, TileSide.LARGEST)) {
-                for (Tile tile : block.divided(tileSide.side())) {
-                    if (interrupted.getAsBoolean()) {
-                        return null;
-                    }
-                    long start = System.nanoTime();
-                    renderer.draw(light, tile);
-                    tileSide = tileSide.after(tile.pixels(), System.nanoTime() - start);
-                }
+            List<Tile> blocks = Tile.cover(size, size, TimedTiles.LARGEST);
+            if (!tiles.draw(blocks, interrupted, tile -> renderer.draw(light, tile))) {
+                return null;
             }
             LinearPicture picture = renderer.picture();
             return picture.shown(new DisplayTransform(AutoExposure.of(picture), Tone.COMPRESS));

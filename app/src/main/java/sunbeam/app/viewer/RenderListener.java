@@ -19,7 +19,7 @@ interface RenderListener {
      * A whole picture, which may have fewer pixels than the window.
      *
      * @param state what it shows
-     * @param divisor it has a divisor-th of the columns and rows
+     * @param divisor it has a divisor-th of the columns and rows, or of the samples of diffracted light along them
      * @param hasColors whether it shows diffracted light, not the body alone
      * @param exposure factor that was applied
      * @param nanoseconds that it took
@@ -40,7 +40,7 @@ interface RenderListener {
     void waiting(double share);
 
     /** A part of the final picture. */
-    void tile(ViewState state, BufferedImage image, int x, int y, double shareDone);
+    void tile(BufferedImage image, int x, int y, double shareDone);
 
     /** A BRDF map. */
     void map(ViewState state, BufferedImage image, boolean isFinal);

@@ -3,10 +3,11 @@ package sunbeam.app.viewer;
 import java.awt.image.BufferedImage;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.concurrent.atomic.AtomicLong;
+import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import jrtr.ContextInfo;
-import jrtr.Tile;
 import sunbeam.app.commands.failure.Failure;
 import sunbeam.app.gpu.picture.AutoExposure;
 import sunbeam.app.scene.SceneData;
@@ -19,22 +20,25 @@ import sunbeam.app.scene.ScenePicture;
 final class RenderLoop implements AutoCloseable {
     // Pauses between two events of one drag are shorter.
     private static final long STILL_NANOSECONDS = 150_000_000;
-    // Of the first frame by a method of which nothing is known yet.
-    private static final int FIRST_DIVISOR = 16;
+    // For the diffracted light of what moves by a method without tables; its body takes as much.
+    private static final long MOVING_NANOSECONDS = 400_000_000;
+    // Of the last picture before the final one.
+    private static final int FINEST_STRIDE = 4;
 
     private final Inbox<ViewState, Consumer<GraphicsStage>> inbox = new Inbox<>();
     private final Supplier<GraphicsStage> opening;
     private final Consumer<Consumer<RenderListener>> news;
     private final Thread thread;
-    private FrameScale scale = new FrameScale(FIRST_DIVISOR);
+    private FrameScale scale = new FrameScale(1);
     private SceneData scaled;
-    private TileSide tileSide = TileSide.first();
     private final CachedExposure exposures = new CachedExposure();
     private Optional<Finished> finished = Optional.empty();
     // Waits for tiles that are being baked.
     private Optional<ViewState> unfinished = Optional.empty();
     // Whether the tiles that it looks into are known.
     private boolean isRequested;
+    // What is on screen, or will be.
+    private ViewState shown;
 
     /** A final picture: as long as nothing but the map changes, it stays. */
     private record Finished(ViewState state, BufferedImage image, double exposure, long nanoseconds) {}
@@ -114,6 +118,7 @@ final class RenderLoop implements AutoCloseable {
 
     private void show(GraphicsStage stage, ViewState state) {
         stage.update(state);
+        shown = state;
         stage.bakeInBackground(() -> inbox.submit(this::takeBaked));
         Optional<Finished> same = finished.filter(picture -> picture.state().showsThePictureOf(state));
         if (same.isPresent()) {
@@ -132,44 +137,56 @@ final class RenderLoop implements AutoCloseable {
         }
     }
 
-    /** Shows what moves, in as many pixels as there is time for. */
+    /** Shows what moves, in as many pixels as there is time for, or by as many samples. */
     private void move(GraphicsStage stage, ViewState state) {
-        followScale(stage, state.fine());
         if (stage.hasColors()) {
             // Else baking goes on: whoever keeps moving would never come to see more.
             stage.holdBaking();
         }
-        long start = System.nanoTime() - stage.meshNanoseconds();
-        preview(stage, state, scale.divisor());
-        scale.frame(System.nanoTime() - stage.meshNanoseconds() - start);
+        if (stage.isByTable()) {
+            followScale(state.fine());
+            long start = stage.pixelClock();
+            byTable(stage, state, scale.divisor());
+            scale.frame(stage.pixelClock() - start);
+        } else {
+            coarse(stage, state, stage.stride(MOVING_NANOSECONDS), inbox::isClosed);
+        }
     }
 
     /** Another method or mesh takes another time. */
     @SuppressWarnings("ReferenceEquality") // the same objects as long as nothing is loaded anew
-    private void followScale(GraphicsStage stage, SceneData data) {
+    private void followScale(SceneData data) {
         if (scaled == null || data.method() != scaled.method() || data.mesh() != scaled.mesh()) {
-            scale = new FrameScale(stage.isByTable() ? 1 : FIRST_DIVISOR);
+            scale = new FrameScale(1);
         }
         scaled = data;
     }
 
-    /** Shows a whole picture by the colors that there are. */
-    private void preview(GraphicsStage stage, ViewState state, int divisor) {
+    /** Shows a whole picture by the tiles of color tables that there are. */
+    private void byTable(GraphicsStage stage, ViewState state, int divisor) {
         long start = System.nanoTime();
         SceneData data = state.fine();
         boolean hasColors = stage.hasColors();
-        double exposure;
-        BufferedImage image;
-        if (stage.isByTable()) {
-            exposure = hasColors ? exposures.of(data, stage::exposure) : bodyExposure(data);
-            image = stage.byTable(divisor, exposure);
-        } else {
-            ScenePicture picture = stage.reduced(divisor);
-            exposure = exposures.of(data, () -> AutoExposure.of(picture.linear()));
-            image = stage.image(picture, 1, exposure);
-        }
+        double exposure = hasColors
+                ? exposures.of(data, () -> stage.exposure(inbox::isClosed).orElse(1))
+                : bodyExposure(data);
+        BufferedImage image = stage.byTable(divisor, exposure);
         long taken = System.nanoTime() - start;
         report(to -> to.preview(state, image, divisor, hasColors, exposure, taken));
+    }
+
+    /** Shows a whole picture by few samples of its diffracted light; whether it was not interrupted. */
+    private boolean coarse(GraphicsStage stage, ViewState state, int stride, BooleanSupplier interrupted) {
+        long start = System.nanoTime();
+        SceneData data = state.fine();
+        Optional<ScenePicture> coarse = stage.coarse(stride, 1 / bodyExposure(data), interrupted);
+        coarse.ifPresent(picture -> {
+            double exposure = exposures.of(data, () -> AutoExposure.of(picture.linear()));
+            BufferedImage image = stage.image(picture, 1, exposure);
+            long taken = System.nanoTime() - start;
+            report(to -> to.preview(state, image, stride, true, exposure, taken));
+        });
+        return coarse.isPresent();
     }
 
     /** Nothing is metered while diffracted light is missing: until then, a white body that faces the light is white. */
@@ -189,7 +206,7 @@ final class RenderLoop implements AutoCloseable {
         }
         if (stage.isByTable()) {
             // It takes seconds to find which tiles all pixels look into.
-            preview(stage, state, 1);
+            byTable(stage, state, 1);
         }
         OptionalDouble share = stage.request(inbox::isInterrupted);
         isRequested = share.isPresent();
@@ -220,7 +237,7 @@ final class RenderLoop implements AutoCloseable {
     /** Shows what there is while tiles are being baked. */
     private void await(GraphicsStage stage, ViewState state, double share) {
         if (stage.isByTable() && stage.hasColors()) {
-            preview(stage, state, 1);
+            byTable(stage, state, 1);
         }
         report(to -> to.waiting(share));
     }
@@ -248,47 +265,49 @@ final class RenderLoop implements AutoCloseable {
         return !inbox.isInterrupted();
     }
 
-    /**
-     * Draws the final picture and its map, unless it is interrupted. A newer state that shows the same picture goes on with what is
-     * drawn already.
-     */
-    private void refine(GraphicsStage stage, ViewState first) {
-        ViewState state = first;
-        long start = System.nanoTime();
-        double exposure = exposures.found(state.fine(), stage.exposure());
-        BufferedImage whole = new BufferedImage(state.width(), state.height(), BufferedImage.TYPE_INT_RGB);
-        long done = 0;
-        for (Tile block : stage.tiles()) {
-            for (Tile tile : block.divided(tileSide.side())) {
-                doTasks(stage);
-                Optional<ViewState> picked = inbox.stateIf(first::showsThePictureOf);
-                if (picked.isPresent()) {
-                    state = picked.get();
-                    map(stage, state, false);
-                }
-                if (inbox.isInterrupted()) {
+    /** Draws finer and finer pictures, the final one and its map, unless it is interrupted. */
+    private void refine(GraphicsStage stage, ViewState state) {
+        BooleanSupplier interrupted = () -> isOvertaken(stage, state);
+        if (!stage.isByTable()) {
+            for (int stride = stage.stride(MOVING_NANOSECONDS) / 2; stride >= FINEST_STRIDE; stride /= 2) {
+                if (!coarse(stage, shown, stride, interrupted)) {
                     return;
                 }
-                if (stage.isByTable()) {
-                    // All of its tiles are there: what the background bakes is for other pictures.
-                    stage.holdBaking();
-                }
-                long begun = System.nanoTime() - stage.meshNanoseconds();
-                BufferedImage part = stage.part(tile, exposure);
-                long taken = System.nanoTime() - stage.meshNanoseconds() - begun;
-                tileSide = tileSide.after(tile.pixels(), taken);
-                whole.getRaster().setDataElements(tile.x(), tile.y(), part.getRaster());
-                done += tile.pixels();
-                double share = (double) done / ((double) state.width() * state.height());
-                ViewState shown = state;
-                report(to -> to.tile(shown, part, tile.x(), tile.y(), share));
             }
         }
-        long taken = System.nanoTime() - start;
-        finished = Optional.of(new Finished(state, whole, exposure, taken));
-        ViewState shown = state;
-        report(to -> to.complete(shown, whole, exposure, taken));
-        map(stage, state, true);
+        long start = System.nanoTime();
+        OptionalDouble metered = stage.exposure(interrupted);
+        if (metered.isEmpty()) {
+            return;
+        }
+        double exposure = exposures.found(state.fine(), metered.getAsDouble());
+        BufferedImage whole = new BufferedImage(state.width(), state.height(), BufferedImage.TYPE_INT_RGB);
+        AtomicLong done = new AtomicLong();
+        boolean isWhole = stage.refine(exposure, interrupted, (tile, part) -> {
+            whole.getRaster().setDataElements(tile.x(), tile.y(), part.getRaster());
+            double share = (double) done.addAndGet(tile.pixels()) / ((double) state.width() * state.height());
+            report(to -> to.tile(part, tile.x(), tile.y(), share));
+        });
+        if (isWhole) {
+            Finished picture = new Finished(shown, whole, exposure, System.nanoTime() - start);
+            finished = Optional.of(picture);
+            report(to -> to.complete(picture.state(), whole, exposure, picture.nanoseconds()));
+            map(stage, picture.state(), true);
+        }
+    }
+
+    /** Whether a picture is out of date. A newer state that shows the same goes on with what is drawn already. */
+    private boolean isOvertaken(GraphicsStage stage, ViewState state) {
+        doTasks(stage);
+        inbox.stateIf(state::showsThePictureOf).ifPresent(same -> {
+            shown = same;
+            map(stage, same, false);
+        });
+        if (stage.isByTable()) {
+            // All of its tiles are there: what the background bakes is for other pictures.
+            stage.holdBaking();
+        }
+        return inbox.isInterrupted();
     }
 
     /** Draws the BRDF map, if it is shown; false if it was interrupted. The picture does not wait for one that fails. */

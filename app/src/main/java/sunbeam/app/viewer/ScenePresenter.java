@@ -276,7 +276,7 @@ final class ScenePresenter implements ViewerModel.Listener, RenderListener {
     }
 
     @Override
-    public void tile(ViewState state, BufferedImage image, int x, int y, double shareDone) {
+    public void tile(BufferedImage image, int x, int y, double shareDone) {
         window.picture().showTile(image, x, y);
         window.status().refining(shareDone);
     }

@@ -21,6 +21,7 @@ import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.Gain;
 import sunbeam.precompute.reference.ReferenceColor;
 import sunbeam.precompute.reference.ReferenceEvaluator;
+import sunbeam.precompute.setting.Choices;
 
 @NeedsDisplay
 class SceneSessionTest {
@@ -130,7 +131,7 @@ class SceneSessionTest {
 
     @Test
     void picksTellPlaceAndFrame() {
-        Scene scene = PlaneScenes.blaze().withRotatePatch(Math.PI / 2);
+        Scene scene = PlaneScenes.blaze().with(Choices.none().with(SceneSettings.ROTATE_PATCH, Math.PI / 2));
         session.update(scene);
         Pick pick = session.pick(WIDTH / 2, HEIGHT / 2, WIDTH, HEIGHT).orElseThrow();
         // Half a pixel of 0.4 m * 2 tan(20 deg) / 56.

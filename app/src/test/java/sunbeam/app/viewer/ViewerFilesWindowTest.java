@@ -11,6 +11,8 @@ import java.nio.file.Path;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import sunbeam.app.scene.Scene;
+import sunbeam.app.scene.SceneSettings;
+import sunbeam.precompute.setting.Choices;
 
 /** Scenes and pictures that are saved and loaded through the window's keys and dialogs. */
 final class ViewerFilesWindowTest extends ViewerInAWindow {
@@ -19,7 +21,7 @@ final class ViewerFilesWindowTest extends ViewerInAWindow {
         Path patch = PatchFiles.descriptor(folder, "waves");
         onEvents(() -> {
             viewer.files().loadPatch(patch);
-            viewer.model().change(scene -> scene.withRotatePatch(0.3).withTexture("elaphe"));
+            viewer.model().change(scene -> scene.with(Choices.none().with(SceneSettings.ROTATE_PATCH, 0.3)).withTexture("elaphe"));
             return null;
         });
         await(() -> onEvents(() -> viewer.model()

@@ -11,6 +11,8 @@ import java.util.function.Predicate;
 import org.joml.Vector3f;
 import org.junit.jupiter.api.Test;
 import sunbeam.app.scene.Scene;
+import sunbeam.app.scene.SceneSettings;
+import sunbeam.precompute.setting.Choices;
 
 /** What the keys do, pressed by a robot in a real window. */
 final class ViewerKeysWindowTest extends ViewerInAWindow {
@@ -69,7 +71,7 @@ final class ViewerKeysWindowTest extends ViewerInAWindow {
         drag(InputEvent.BUTTON3_DOWN_MASK);
         wheel(2);
         onEvents(() -> {
-            viewer.model().change(scene -> scene.withRotatePatch(1));
+            viewer.model().change(scene -> scene.with(Choices.none().with(SceneSettings.ROTATE_PATCH, 1.0)));
             return null;
         });
         awaitFinal();

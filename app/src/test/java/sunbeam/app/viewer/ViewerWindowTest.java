@@ -8,6 +8,7 @@ import static sunbeam.app.viewer.Pictures.spectralPixels;
 import java.awt.event.InputEvent;
 import java.awt.image.BufferedImage;
 import org.junit.jupiter.api.Test;
+import sunbeam.app.scene.TimedTiles;
 
 /** The viewer in a real window, under a robot's hands. */
 final class ViewerWindowTest extends ViewerInAWindow {
@@ -31,7 +32,7 @@ final class ViewerWindowTest extends ViewerInAWindow {
 
     @Test
     void theFinalPictureIsWhatRenderWritesAlsoAfterTheLightHasMoved() throws Exception {
-        assertThat(picture().getWidth()).as("drawn in several tiles").isGreaterThan(2 * TileSide.LARGEST);
+        assertThat(picture().getWidth()).as("drawn in several tiles").isGreaterThan(2 * TimedTiles.LARGEST);
         assertThat(different(picture(), rendered("before"), false)).isZero();
         drag(InputEvent.BUTTON3_DOWN_MASK);
         awaitFinal();

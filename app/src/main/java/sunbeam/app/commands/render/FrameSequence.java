@@ -24,6 +24,7 @@ import sunbeam.app.scene.SceneData;
 import sunbeam.app.scene.SceneDisplay;
 import sunbeam.app.scene.ScenePicture;
 import sunbeam.app.scene.SceneSession;
+import sunbeam.app.scene.TimedTiles;
 import sunbeam.app.terminal.progress.Progress;
 import sunbeam.precompute.color.DisplayTransform;
 import sunbeam.precompute.units.Decimals;
@@ -93,7 +94,7 @@ final class FrameSequence implements AutoCloseable {
         PartSum parts = new PartSum(sessions);
         // Before the rest: the time that its colors take says nothing of how long pixels do.
         exposure = recordedExposure(files.get(0), missing.get(0))
-                .orElseGet(() -> SceneDisplay.exposure(scenes.get(first), parts, size.width(), size.height()));
+                .orElseGet(() -> exposure(scenes.get(first), parts));
         parts.prepare(scenes.get(first), size.width(), size.height(), supersample);
         long frames = Collections.frequency(missing, true);
         try (Progress progress = Progress.start("rendering", frames * size.width() * size.height())) {
@@ -105,6 +106,12 @@ final class FrameSequence implements AutoCloseable {
             }
         }
         return places;
+    }
+
+    private double exposure(Scene scene, PartSum parts) {
+        TimedTiles tiles = new TimedTiles(System::nanoTime);
+        return SceneDisplay.exposure(scene, parts, size.width(), size.height(), tiles, () -> false)
+                .orElseThrow();
     }
 
     private static OptionalDouble recordedExposure(Path frame, boolean missing) {
