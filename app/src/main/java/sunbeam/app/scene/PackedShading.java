@@ -45,7 +45,8 @@ final class PackedShading implements AutoCloseable {
      */
     float[] shade(SkinSurface skin, Scene scene, GeometryBuffer buffer, Tile part, int stride, int samplesAcross) {
         int[] covered = covered(buffer.views(part), part, stride);
-        float[] lit = new float[CHANNELS * SceneSession.few(part.width(), stride) * SceneSession.few(part.height(), stride)];
+        float[] lit =
+                new float[CHANNELS * SceneSession.few(part.width(), stride) * SceneSession.few(part.height(), stride)];
         for (int first = 0; first < covered.length; first += Packing.MOST) {
             Packing packing = new Packing(Math.min(Packing.MOST, covered.length - first));
             upload(packing, covered, first, buffer, part, stride);

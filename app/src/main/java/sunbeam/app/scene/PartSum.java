@@ -72,7 +72,13 @@ public final class PartSum {
      * @return nothing where it was interrupted
      */
     public Optional<ScenePicture> coarse(
-            Scene scene, int width, int height, int stride, double white, TimedTiles tiles, BooleanSupplier interrupted) {
+            Scene scene,
+            int width,
+            int height,
+            int stride,
+            double white,
+            TimedTiles tiles,
+            BooleanSupplier interrupted) {
         sessions.forEach(session -> session.drawSamples(1));
         int columns = SceneSession.few(width, stride);
         int rows = SceneSession.few(height, stride);

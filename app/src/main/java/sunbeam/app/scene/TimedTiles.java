@@ -57,7 +57,8 @@ public final class TimedTiles {
     /** The finest power of two by which a picture's columns and rows can be divided to be drawn in that time; 32 at most. */
     public int stride(int width, int height, long nanoseconds) {
         int stride = 1;
-        while (stride < COARSEST && (double) width * height * nanosecondsPerPixel > (double) nanoseconds * stride * stride) {
+        while (stride < COARSEST
+                && (double) width * height * nanosecondsPerPixel > (double) nanoseconds * stride * stride) {
             stride *= 2;
         }
         return stride;

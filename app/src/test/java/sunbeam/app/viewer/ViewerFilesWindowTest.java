@@ -21,7 +21,9 @@ final class ViewerFilesWindowTest extends ViewerInAWindow {
         Path patch = PatchFiles.descriptor(folder, "waves");
         onEvents(() -> {
             viewer.files().loadPatch(patch);
-            viewer.model().change(scene -> scene.with(Choices.none().with(SceneSettings.ROTATE_PATCH, 0.3)).withTexture("elaphe"));
+            viewer.model()
+                    .change(scene -> scene.with(Choices.none().with(SceneSettings.ROTATE_PATCH, 0.3))
+                            .withTexture("elaphe"));
             return null;
         });
         await(() -> onEvents(() -> viewer.model()

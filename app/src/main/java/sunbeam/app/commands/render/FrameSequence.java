@@ -93,8 +93,7 @@ final class FrameSequence implements AutoCloseable {
         }
         PartSum parts = new PartSum(sessions);
         // Before the rest: the time that its colors take says nothing of how long pixels do.
-        exposure = recordedExposure(files.get(0), missing.get(0))
-                .orElseGet(() -> exposure(scenes.get(first), parts));
+        exposure = recordedExposure(files.get(0), missing.get(0)).orElseGet(() -> exposure(scenes.get(first), parts));
         parts.prepare(scenes.get(first), size.width(), size.height(), supersample);
         long frames = Collections.frequency(missing, true);
         try (Progress progress = Progress.start("rendering", frames * size.width() * size.height())) {

@@ -119,7 +119,8 @@ class SceneTableTest {
     private static Scene grazing(MethodType type) {
         Vector3f eye = new Vector3f(0, -0.394f, 0.0695f);
         Vector3f light = new Vector3f(0, 0.765f, 0.644f);
-        return plane(eye, light, 20, ON_A_BODY, type).with(Choices.none().with(SceneSettings.ROTATE_PATCH, Math.PI / 2));
+        return plane(eye, light, 20, ON_A_BODY, type)
+                .with(Choices.none().with(SceneSettings.ROTATE_PATCH, Math.PI / 2));
     }
 
     /** Pixels are 0.02 wide in (u, v), several times an order's width, as those of a whole snake are. */
