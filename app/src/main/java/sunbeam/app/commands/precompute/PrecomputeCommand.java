@@ -32,8 +32,7 @@ import sunbeam.precompute.table.TableFile;
         description =
                 "Write the Fourier tables of a patch to one HDF5 file: the DFT of every term T_n(h) of the expansion"
                         + " of exp(i k w h), complex float32, cropped to what any pair of directions can see. The file says what"
-                        + " its numbers mean; see docs/conventions.md. Made once, the"
-                        + " table is kept in the cache folder, as are those of the other commands.")
+                        + " its numbers mean; see docs/conventions.md.")
 public final class PrecomputeCommand implements Callable<Integer> {
     private final Environment environment;
 
