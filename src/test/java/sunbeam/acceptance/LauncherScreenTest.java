@@ -92,6 +92,7 @@ class LauncherScreenTest {
                 "-h",
                 "--version",
                 "precompute",
+                "export",
                 "mesh",
                 "inspect",
                 "reflectance --method reference",

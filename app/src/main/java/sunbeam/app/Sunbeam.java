@@ -12,6 +12,7 @@ import sunbeam.app.commands.cache.CacheCommand;
 import sunbeam.app.commands.color.ColorCommand;
 import sunbeam.app.commands.doctor.DoctorCommand;
 import sunbeam.app.commands.evaluate.EvaluateCommand;
+import sunbeam.app.commands.export.ExportCommand;
 import sunbeam.app.commands.figures.FiguresCommand;
 import sunbeam.app.commands.inspect.InspectCommand;
 import sunbeam.app.commands.mesh.MeshCommand;
@@ -103,6 +104,7 @@ public final class Sunbeam {
         root.addSubcommand(new EvaluateCommand(environment));
         root.addSubcommand(new FiguresCommand((stderr, arguments) ->
                 new Sunbeam(environment, new PrintWriter(Writer.nullWriter()), stderr).run(arguments)));
+        root.addSubcommand(new ExportCommand(environment));
         root.addSubcommand(new PrecomputeCommand(environment));
         root.addSubcommand(new BenchmarkCommand(environment));
         root.addSubcommand(new RenderCommand(environment));

@@ -25,6 +25,7 @@ class CommandReferenceTest {
             "evaluate",
             "reflectance",
             "precompute",
+            "export",
             "figures",
             "benchmark",
             "mesh",

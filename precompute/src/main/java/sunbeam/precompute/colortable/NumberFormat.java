@@ -65,7 +65,7 @@ public enum NumberFormat {
     abstract void put(float[] values, ByteBuffer target);
 
     /** Bits of the nearest binary16, the even one of two; what is larger than all becomes the largest. */
-    static short half(float value) {
+    public static short half(float value) {
         int bits = Float.floatToRawIntBits(value);
         int sign = (bits >>> Short.SIZE) & SIGN;
         int magnitude = bits & Integer.MAX_VALUE;

@@ -9,6 +9,7 @@ import sunbeam.app.terminal.UsageException;
 public enum Ending {
     PNG("a PNG picture", "png"),
     NPY("a NumPy array", "npy"),
+    NPZ("an archive of NumPy arrays", "npz"),
     CSV("comma-separated text", "csv", "txt"),
     OBJ("a Wavefront mesh", "obj"),
     HDF5("an HDF5 file", "h5", "hdf5", "he5");

@@ -1,0 +1,131 @@
+package sunbeam.app.commands.export;
+
+import com.fasterxml.jackson.core.JsonProcessingException;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.SerializationFeature;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import sunbeam.app.files.cache.DiffractionSetup;
+import sunbeam.app.measure.errors.ErrorStatistics;
+import sunbeam.app.terminal.Version;
+import sunbeam.precompute.colortable.TableLevels;
+import sunbeam.precompute.units.Lengths;
+
+/**
+ * What every output says of its table.
+ *
+ * @param setup whose surface it is
+ * @param asked coherence length that was asked for, metres
+ * @param grid as it is read
+ * @param errors of it
+ */
+record TableText(DiffractionSetup setup, double asked, ColorGrid grid, GridErrors errors) {
+    private static final double WIDTHS_PER_DEVIATION = 2 * Math.sqrt(2 * Math.log(2));
+
+    /** Full width at half maximum of an order at 550 nm near the normal, degrees. */
+    double resolutionDegrees() {
+        double sigma = GridShape.sigma(grid.level().area().window(), TableLevels.MIDDLE_WAVELENGTH);
+        return Math.toDegrees(WIDTHS_PER_DEVIATION * sigma);
+    }
+
+    double coherenceLength() {
+        return grid.level().area().window().coherenceLength();
+    }
+
+    /** One line. */
+    String summary() {
+        GridShape shape = grid.shape();
+        return String.format(
+                Locale.ROOT,
+                "%s: coherence length %s (asked %s), orders %.2g degrees wide, %d x %d x %d texels of u, v, w, angles to %.4g degrees",
+                setup.patch().name(),
+                Lengths.rounded(coherenceLength(), 3),
+                Lengths.rounded(asked, 3),
+                resolutionDegrees(),
+                shape.u().count(),
+                shape.v().count(),
+                shape.depth().count(),
+                Math.toDegrees(shape.range().largest()));
+    }
+
+    /** One line. */
+    String error() {
+        return "error of X, Y, Z: " + beside("the reference", errors.reference()) + "; "
+                + beside("sums over wavelengths", errors.sums());
+    }
+
+    private static String beside(String what, ErrorStatistics errors) {
+        return "beside " + what + " at " + errors.count() + " pairs of directions"
+                + (errors.count() > 0 ? " " + errors : "");
+    }
+
+    /**
+     * For programs.
+     *
+     * @param quantity what the numbers are
+     * @param interpolation between them
+     */
+    Map<String, Object> fields(String quantity, String interpolation) {
+        Map<String, Object> fields = new LinkedHashMap<>();
+        fields.put("program", "sunbeam " + Version.number());
+        fields.put("patch", setup.patch().name());
+        fields.put("patch_sha256", setup.patch().digest());
+        fields.put("average", "ensemble: mean over all positions of the coherence window");
+        fields.put("window", "Gaussian, standard deviation a quarter of the coherence length");
+        fields.put("coherence_length_metres", coherenceLength());
+        fields.put("coherence_length_asked_metres", asked);
+        fields.put("power_scale", grid.level().scale());
+        fields.put("power_scale_is", "C by power under coherence_length_metres: a mean over wider orders is lower");
+        fields.put("order_width_degrees", resolutionDegrees());
+        fields.put("illuminant", "CIE D65");
+        fields.put("observer", "CIE 1931, 2 degrees");
+        fields.put("quantity", quantity);
+        fields.put(
+                "unit", "1: a flat mirror in specular direction has X, Y, Z of D65 with Y = 1 under the asked window");
+        fields.put("axes", axes());
+        fields.put(
+                "directions",
+                "(u, v, w) = -(wi + wr), unit vectors to light and viewer; x tangent, y bitangent, z normal");
+        fields.put("largest_angle_degrees", Math.toDegrees(grid.shape().range().largest()));
+        fields.put("interpolation", interpolation);
+        fields.put(
+                "radiance",
+                "rho = F(c)/F(1) K^2 / ((cos_i + cos_r)^2 cos_r) G C, c = |wi + wr| / 2, K = 2 c^2, F Schlick of 0.04, G = min(1, 2 (cos_i + cos_r) min(cos_i, cos_r) / K)");
+        fields.put("error", errors.fields());
+        return fields;
+    }
+
+    private List<Map<String, Object>> axes() {
+        GridShape shape = grid.shape();
+        return List.of(
+                axis(
+                        "w",
+                        -shape.depth().first(),
+                        -shape.depth().step(),
+                        shape.depth().count()),
+                axis("v", shape.v().first(), shape.v().step(), shape.v().count()),
+                axis("u", shape.u().first(), shape.u().step(), shape.u().count()));
+    }
+
+    private static Map<String, Object> axis(String name, double first, double step, int count) {
+        Map<String, Object> fields = new LinkedHashMap<>();
+        fields.put("name", name);
+        fields.put("first", first);
+        fields.put("step", step);
+        fields.put("count", count);
+        return fields;
+    }
+
+    /** As JSON, as {@link #fields} has it. */
+    String json(String quantity, String interpolation) {
+        try {
+            return new ObjectMapper()
+                    .enable(SerializationFeature.INDENT_OUTPUT)
+                    .writeValueAsString(fields(quantity, interpolation));
+        } catch (JsonProcessingException impossible) {
+            throw new IllegalStateException(impossible);
+        }
+    }
+}

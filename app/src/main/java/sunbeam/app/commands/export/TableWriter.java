@@ -1,0 +1,39 @@
+package sunbeam.app.commands.export;
+
+import java.nio.file.Path;
+import java.util.List;
+import sunbeam.app.files.output.Overwrite;
+
+/** Writes a table as a format has it. Made for one output. */
+interface TableWriter {
+
+    /** Refuses early a name that does not fit, or a place that takes nothing. */
+    void check(Path output, Overwrite overwrite);
+
+    /** Bytes that tables of a shape take at least. */
+    long leastBytes(GridShape shape);
+
+    /** Bytes that a table takes. */
+    default long bytes(ColorGrid grid) {
+        return leastBytes(grid.shape());
+    }
+
+    /** A shape that the format has, no smaller. */
+    default GridShape fitted(GridShape shape) {
+        return shape;
+    }
+
+    /** What a table is once it has been written and read. */
+    default ColorGrid asRead(ColorGrid grid) {
+        return grid;
+    }
+
+    /**
+     * Writes.
+     *
+     * @param grid that the command has made
+     * @param baker of coarser ones
+     * @return all files
+     */
+    List<Path> write(Path output, Overwrite overwrite, ColorGrid grid, GridBaker baker, TableText text);
+}
