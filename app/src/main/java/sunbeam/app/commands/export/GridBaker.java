@@ -22,7 +22,7 @@ final class GridBaker {
     private final double relief;
 
     /**
-     * Makes, or takes from the cache, what all levels are made of.
+     * Makes what all levels are made of.
      *
      * @param plan of an ensemble's average
      * @param tolerance of the tables
@@ -31,7 +31,7 @@ final class GridBaker {
         Plan bins = plan.spectrum().orElseThrow();
         this.all = plan.levels();
         this.levels = all.levels().subList(all.ofPoints(), all.levels().size());
-        this.spectrum = new RaySpectrum(bins, setup.table(bins), plan.tolerance(), setup.cie());
+        this.spectrum = new RaySpectrum(bins, setup.fourierTable(bins), plan.tolerance(), setup.cie());
         this.tolerance = tolerance;
         this.relief = TableDesign.depth(setup.surface().map());
     }
