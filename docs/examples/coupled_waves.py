@@ -2,7 +2,7 @@
 
     python3 -m venv venv && venv/bin/pip install numpy==2.4.6 matplotlib==3.11.2 pySCATMECH==0.1.10
     venv/bin/python coupled_waves.py compute 1500 gratings.csv    minutes on one core; goes on where it ended
-    venv/bin/python coupled_waves.py rule gratings.csv rule.png   fits the rule of docs/validity.md and draws it
+    venv/bin/python coupled_waves.py rule gratings.csv rule.png   fits the rule of docs/theory.md and draws it
     venv/bin/python coupled_waves.py check                        the coupled waves against pySCATMECH and themselves
     venv/bin/python coupled_waves.py sunbeam PROGRAM              the scalar formula against `PROGRAM reflectance`
 
