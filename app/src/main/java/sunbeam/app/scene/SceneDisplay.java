@@ -16,6 +16,9 @@ public final class SceneDisplay {
     // Longer side of the picture that the exposure is found from.
     private static final int METER_SIDE = 160;
 
+    /** Of the small picture by method table, along a pixel's side. */
+    static final int TABLE_SAMPLES = 2;
+
     private SceneDisplay() {}
 
     /**
@@ -33,10 +36,10 @@ public final class SceneDisplay {
         if (scene.exposure().isPresent()) {
             return scene.exposure();
         }
-        double scale = METER_SIDE / (double) Math.max(width, height);
-        int columns = (int) Math.max(1, Math.round(scale * width));
-        int rows = (int) Math.max(1, Math.round(scale * height));
-        int samples = scene.method().type() == TableMethod.TYPE ? 2 : 1;
+        Tile meter = meter(width, height);
+        int columns = meter.width();
+        int rows = meter.height();
+        int samples = scene.method().type() == TableMethod.TYPE ? TABLE_SAMPLES : 1;
         parts.prepare(scene, columns, rows, samples);
         ScenePicture small = ScenePicture.empty(columns, rows);
         boolean isWhole = tiles.draw(Tile.cover(columns, rows, TimedTiles.LARGEST), interrupted, tile -> {
@@ -44,6 +47,12 @@ public final class SceneDisplay {
             small.put(part.reduced(samples), tile.x(), tile.y());
         });
         return isWhole ? OptionalDouble.of(AutoExposure.of(small.linear())) : OptionalDouble.empty();
+    }
+
+    /** The small picture as a whole. */
+    static Tile meter(int width, int height) {
+        double scale = METER_SIDE / (double) Math.max(width, height);
+        return Tile.whole((int) Math.max(1, Math.round(scale * width)), (int) Math.max(1, Math.round(scale * height)));
     }
 
     /**

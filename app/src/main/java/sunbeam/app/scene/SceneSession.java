@@ -205,8 +205,8 @@ public final class SceneSession implements AutoCloseable {
     }
 
     /**
-     * Asks the background for all that a picture looks into, and what {@link #moving} would, unless that is interrupted; it may
-     * take seconds.
+     * Asks the background for all that a picture and its meter look into, and what {@link #moving} would, unless that is
+     * interrupted; it may take seconds.
      *
      * @param width pixels per row
      * @param height rows
@@ -226,12 +226,18 @@ public final class SceneSession implements AutoCloseable {
             return false;
         }
         pages().get().request();
-        List<Tile> fine = tiles(samples * width, samples * height, 1);
-        if (!note(samples * width, samples * height, fine, samples, SkinLooks.MOST_PLACES, interrupted)) {
+        Tile meter = SceneDisplay.meter(width, height);
+        if (!noteSamples(meter.width(), meter.height(), SceneDisplay.TABLE_SAMPLES, interrupted)
+                || !noteSamples(width, height, samples, interrupted)) {
             return false;
         }
         pages().get().requestToo();
         return true;
+    }
+
+    private boolean noteSamples(int width, int height, int samples, BooleanSupplier interrupted) {
+        List<Tile> fine = tiles(samples * width, samples * height, 1);
+        return note(samples * width, samples * height, fine, samples, SkinLooks.MOST_PLACES, interrupted);
     }
 
     /** Time that has gone to the mesh so far; the rest goes to pixels. */

@@ -22,10 +22,8 @@ interface RenderListener {
      * @param divisor it has a divisor-th of the columns and rows, or of the samples of diffracted light along them
      * @param hasColors whether it shows diffracted light, not the body alone
      * @param exposure factor that was applied
-     * @param nanoseconds that it took
      */
-    void preview(
-            ViewState state, BufferedImage image, int divisor, boolean hasColors, double exposure, long nanoseconds);
+    void preview(ViewState state, BufferedImage image, int divisor, boolean hasColors, double exposure);
 
     /**
      * The whole picture as {@code render} writes it.

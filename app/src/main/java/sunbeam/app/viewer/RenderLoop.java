@@ -29,7 +29,7 @@ final class RenderLoop implements AutoCloseable {
     private final Supplier<GraphicsStage> opening;
     private final Consumer<Consumer<RenderListener>> news;
     private final Thread thread;
-    private FrameScale scale = new FrameScale(1);
+    private FrameScale scale = new FrameScale();
     private SceneData scaled;
     private final CachedExposure exposures = new CachedExposure();
     private Optional<Finished> finished = Optional.empty();
@@ -157,40 +157,34 @@ final class RenderLoop implements AutoCloseable {
     @SuppressWarnings("ReferenceEquality") // the same objects as long as nothing is loaded anew
     private void followScale(SceneData data) {
         if (scaled == null || data.method() != scaled.method() || data.mesh() != scaled.mesh()) {
-            scale = new FrameScale(1);
+            scale = new FrameScale();
         }
         scaled = data;
     }
 
     /** Shows a whole picture by the tiles of color tables that there are. */
     private void byTable(GraphicsStage stage, ViewState state, int divisor) {
-        long start = System.nanoTime();
         SceneData data = state.fine();
         boolean hasColors = stage.hasColors();
-        double exposure = hasColors
-                ? exposures.of(data, () -> stage.exposure(inbox::isClosed).orElse(1))
-                : bodyExposure(data);
+        double exposure = exposureSoFar(data);
         BufferedImage image = stage.byTable(divisor, exposure);
-        long taken = System.nanoTime() - start;
-        report(to -> to.preview(state, image, divisor, hasColors, exposure, taken));
+        report(to -> to.preview(state, image, divisor, hasColors, exposure));
     }
 
     /** Shows a whole picture by few samples of its diffracted light; whether it was not interrupted. */
     private boolean coarse(GraphicsStage stage, ViewState state, int stride, BooleanSupplier interrupted) {
-        long start = System.nanoTime();
         SceneData data = state.fine();
-        Optional<ScenePicture> coarse = stage.coarse(stride, 1 / bodyExposure(data), interrupted);
+        Optional<ScenePicture> coarse = stage.coarse(stride, 1 / exposureSoFar(data), interrupted);
         coarse.ifPresent(picture -> {
             double exposure = exposures.of(data, () -> AutoExposure.of(picture.linear()));
             BufferedImage image = stage.image(picture, 1, exposure);
-            long taken = System.nanoTime() - start;
-            report(to -> to.preview(state, image, stride, true, exposure, taken));
+            report(to -> to.preview(state, image, stride, true, exposure));
         });
         return coarse.isPresent();
     }
 
-    /** Nothing is metered while diffracted light is missing: until then, a white body that faces the light is white. */
-    private double bodyExposure(SceneData data) {
+    /** Tables are metered once all their tiles are there: until then, a white body that faces the light is white. */
+    private double exposureSoFar(SceneData data) {
         double intensity = data.scene().light().intensity();
         return exposures.known(data).orElse(intensity > 0 ? 1 / intensity : 1);
     }

@@ -179,10 +179,7 @@ final class ScenePresenter implements ViewerModel.Listener, RenderListener {
     @Override
     public void changed() {
         window.controls().follow();
-        model.loaded().ifPresent(loaded -> {
-            journal.reached(StartJournal.Stage.LOADED);
-            window.status().plan(loaded.fine().method().summary());
-        });
+        model.loaded().ifPresent(loaded -> journal.reached(StartJournal.Stage.LOADED));
         show();
         followLoad();
     }
@@ -236,11 +233,16 @@ final class ScenePresenter implements ViewerModel.Listener, RenderListener {
     }
 
     @Override
-    public void preview(
-            ViewState state, BufferedImage image, int divisor, boolean hasColors, double exposure, long nanoseconds) {
+    @SuppressWarnings("ReferenceEquality") // the same request, not an equal one
+    public void preview(ViewState state, BufferedImage image, int divisor, boolean hasColors, double exposure) {
+        boolean isNew = state != shown;
         show(state, image, false, hasColors, exposure);
         journal.reached(hasColors ? StartJournal.Stage.FIRST : StartJournal.Stage.BODY);
-        window.status().preview(divisor, nanoseconds);
+        if (isNew) {
+            window.status().moving(divisor);
+        } else {
+            window.status().still(divisor);
+        }
         // Swing paints before whatever is queued now.
         SwingUtilities.invokeLater(() -> measurement.ifPresent(measured -> measured.shown(state, divisor)));
     }

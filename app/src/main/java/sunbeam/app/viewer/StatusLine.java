@@ -19,9 +19,10 @@ final class StatusLine extends JPanel {
     private final JLabel picture = new JLabel("Loading");
     private final JLabel renderer = new JLabel(" ", SwingConstants.TRAILING);
     private final JTextArea message = new JTextArea(" ", MESSAGE_ROWS, 0);
-    private long lastNanoseconds;
-    // When a frame was last reported; 0 where something else has been since.
-    private long reported;
+    // Of what moves: frames since a moment, and what that made in a second; 0 while nothing moves.
+    private int frames;
+    private long since;
+    private String rate = "";
     // Stands in place of what is reported of an old picture; empty while there is none.
     private String loading = "";
 
@@ -29,6 +30,7 @@ final class StatusLine extends JPanel {
         super(new BorderLayout(16, 2));
         setBorder(BorderFactory.createEmptyBorder(4, 12, 5, 12));
         picture.setName("status");
+        picture.setToolTipText("What is on screen; how many pictures a second it has while something moves");
         renderer.setToolTipText("Who draws (GL_RENDERER)");
         message.setName("message");
         message.setEditable(false);
@@ -45,32 +47,44 @@ final class StatusLine extends JPanel {
         add(scroll, BorderLayout.SOUTH);
     }
 
-    void preview(int divisor, long nanoseconds) {
+    /** A frame of what moves is on screen. */
+    void moving(int divisor) {
         long now = System.nanoTime();
-        lastNanoseconds = nanoseconds;
-        if (reported != 0 && now - reported < BETWEEN_TEXTS) {
-            return;
+        frames++;
+        if (since == 0 || now - since > BETWEEN_TEXTS) {
+            rate = since == 0 ? "" : format(" · %.0f frames/s", frames / ((now - since) * 1e-9));
+            show("Preview" + scale(divisor) + rate);
+            frames = 0;
+            since = now;
         }
-        String scale = divisor > 1 ? " 1:" + divisor : "";
-        report("Preview" + scale + " · " + rate());
-        reported = now;
+    }
+
+    /** A finer picture of what stands still is on screen. */
+    void still(int divisor) {
+        report("Preview" + scale(divisor));
+    }
+
+    private static String scale(int divisor) {
+        return divisor > 1 ? " 1:" + divisor : "";
     }
 
     void refining(double share) {
-        report(format("Preview, %.0f %% final · ", Math.floor(100 * share)) + rate());
+        report(format("Preview, %.0f %% final", Math.floor(100 * share)));
     }
 
     void waiting(double share) {
-        report(format("Preview, %.0f %% of its colors made · ", Math.floor(100 * share)) + rate());
+        report(format("Preview, %.0f %% of its colors made", Math.floor(100 * share)));
     }
 
     void complete(long nanoseconds) {
-        report(format("Final · %.2f s · ", nanoseconds * 1e-9) + rate());
+        report(format("Final after %.1f s", nanoseconds * 1e-9) + rate.replace(" · ", " · moved at "));
     }
 
     /** The picture is not of what is asked for now; a newer one follows. */
     void outdated() {
-        report("Preview · " + rate());
+        if (since == 0) {
+            report("Preview");
+        }
     }
 
     /** Nothing newer can be drawn. */
@@ -91,19 +105,14 @@ final class StatusLine extends JPanel {
     }
 
     private void report(String text) {
-        reported = 0;
+        since = 0;
+        show(text);
+    }
+
+    private void show(String text) {
         if (loading.isEmpty()) {
             picture.setText(text);
         }
-    }
-
-    private String rate() {
-        return format("%.0f ms per frame", lastNanoseconds * 1e-6);
-    }
-
-    /** How the final picture is computed. */
-    void plan(String summary) {
-        picture.setToolTipText("Preview or final; milliseconds per frame. Plan: " + summary);
     }
 
     void renderer(String name) {
