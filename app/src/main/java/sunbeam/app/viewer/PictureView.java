@@ -110,6 +110,11 @@ final class PictureView extends JComponent {
         return isFinal && !isOld;
     }
 
+    /** Something newer is asked for: what is shown is not to be saved. */
+    void outdated() {
+        isFinal = false;
+    }
+
     /** Dims a picture of what is no longer asked for. */
     void dim(boolean old) {
         if (old != isOld) {

@@ -110,6 +110,7 @@ final class ScenePresenter implements ViewerModel.Listener, RenderListener {
         }
         LoadedScene loaded = model.loaded().get();
         asked = new ViewState(loaded, width, height, mapLight().filter(light -> loaded.isWhole()));
+        window.picture().outdated();
         window.status().outdated();
         measurement.ifPresent(measured -> measured.asked(asked));
         loop.show(asked);
@@ -255,7 +256,7 @@ final class ScenePresenter implements ViewerModel.Listener, RenderListener {
     @Override
     @SuppressWarnings("ReferenceEquality") // the same request, not an equal one
     public void complete(ViewState state, BufferedImage image, double exposure, long nanoseconds) {
-        show(state, image, true, true, exposure);
+        show(state, image, state == asked, true, exposure);
         journal.reached(StartJournal.Stage.FINAL);
         completed = state;
         // Only now: it would take the processors from the picture.

@@ -14,7 +14,7 @@ import org.junit.jupiter.api.Test;
 /** Patches that are dropped on the window or chosen, good ones and bad ones. */
 final class ViewerPatchWindowTest extends ViewerInAWindow {
     @Test
-    void aPatchIsLoadedAndPictureAndPlanFollow() throws Exception {
+    void aPatchIsLoadedAndThePictureFollows() throws Exception {
         BufferedImage before = picture();
         int panelBefore = onEvents(() -> viewer.window().controls().getWidth());
         Path file = PatchFiles.descriptor(folder, "waves");
@@ -30,9 +30,6 @@ final class ViewerPatchWindowTest extends ViewerInAWindow {
         assertThat(different(picture(), rendered("dropped"), false))
                 .as("render's picture")
                 .isZero();
-        assertThat(onEvents(() -> label("status").getToolTipText()))
-                .contains(onEvents(() ->
-                        viewer.model().loaded().orElseThrow().fine().method().summary()));
         assertThat(onEvents(() -> control("patch", JComboBox.class).getSelectedItem()))
                 .isEqualTo(file.toString());
         assertThat(onEvents(() -> label("status").getText())).startsWith("Final");
