@@ -31,7 +31,7 @@ class BadOptionsTest {
                 "brdf-map --tolerance 0|--tolerance 0 is out of range; give 1e-5 to 1",
                 "brdf-map --tolerance 1e-7|--tolerance 1e-7 is finer than float32 can reach, which is 1e-5",
                 "brdf-map --preset thesis --tolerance 0.1|--tolerance 0.1 contradicts --preset thesis",
-                "brdf-map --anchor floor|anchor floor is the middle of a neighborhood of bins, but no radius is given",
+                "brdf-map --anchor floor|anchor floor is of the thesis's bins",
                 "brdf-map --method gem --terms 5|--terms 5 belongs to --method full, nmm or pq, not gem; leave it out",
                 "brdf-map --preset these|--preset \"these\" is not one of none, thesis",
                 "brdf-map --output map.png --linear map.png|--linear map.png would be a NumPy array, which its name does not say; end it with .npy",

@@ -17,9 +17,7 @@ import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.plan.Accuracy;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.MemoryNeed;
-import sunbeam.precompute.plan.Neighborhood;
 import sunbeam.precompute.plan.Plan;
-import sunbeam.precompute.plan.PlanReport;
 import sunbeam.precompute.plan.TableChoices;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.Choices;
@@ -72,11 +70,6 @@ public record FullMethod(TableChoices table, GaussianArea area) implements Metho
         return new FullMethod(other, area);
     }
 
-    /** The same with a neighborhood of bins. */
-    public FullMethod with(Neighborhood other) {
-        return new FullMethod(table.with(other), area);
-    }
-
     /** The same under another window. */
     public FullMethod with(GaussianArea other) {
         return new FullMethod(table, other);
@@ -112,12 +105,12 @@ public record FullMethod(TableChoices table, GaussianArea area) implements Metho
 
         @Override
         public String summary() {
-            return new PlanReport(plan).summary();
+            return plan.summary();
         }
 
         @Override
         public List<String> reasons() {
-            return new PlanReport(plan).reasons();
+            return plan.reasons();
         }
 
         @Override

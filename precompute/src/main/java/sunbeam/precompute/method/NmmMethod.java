@@ -9,7 +9,6 @@ import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.MemoryNeed;
 import sunbeam.precompute.plan.Plan;
-import sunbeam.precompute.plan.PlanReport;
 import sunbeam.precompute.plan.TableChoices;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.SettingException;
@@ -113,12 +112,12 @@ public record NmmMethod(TableChoices table, GaussianArea area) implements Method
         public String summary() {
             return "thesis's method of single orders (nmm): each order's middle wavelength stands for the whole order"
                     + (weighting == Weighting.STEP ? ", all orders counting alike" : "")
-                    + "; near the mirror direction " + new PlanReport(plan).summary();
+                    + "; near the mirror direction " + plan.summary();
         }
 
         @Override
         public List<String> reasons() {
-            return new PlanReport(plan).reasons();
+            return plan.reasons();
         }
 
         @Override

@@ -25,7 +25,6 @@ import sunbeam.precompute.plan.ErrorBudget;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.MemoryNeed;
 import sunbeam.precompute.plan.Plan;
-import sunbeam.precompute.plan.PlanReport;
 import sunbeam.precompute.plan.Reach;
 import sunbeam.precompute.plan.Roughness;
 import sunbeam.precompute.plan.TableChoices;
@@ -151,7 +150,7 @@ public record TableMethod(double tolerance, GaussianArea area) implements Method
             return String.format(
                     Locale.ROOT,
                     "table to %s %%: %s, step at most %s in (u, v), %.2f million places and %.0f MB or more; made of %s",
-                    PlanReport.percent(method.tolerance),
+                    Plan.percent(method.tolerance),
                     pages.slices() == 1 ? "one light" : pages.slices() + " slices in w",
                     step(),
                     pages.evaluated() * 1e-6,

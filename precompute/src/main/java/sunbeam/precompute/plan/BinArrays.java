@@ -18,8 +18,8 @@ import sunbeam.precompute.table.WindowPhase;
 
 /** DFT bins as shaders/method/neighborhood.glsl reads them. */
 final class BinArrays {
-    // Loops over more bins are not written out.
-    private static final int MOST_WRITTEN_OUT = 81;
+    // With more bins, terms are summed innermost.
+    private static final int FEW_BINS = 81;
     private static final String TERMS = "tableTerms";
     private static final String COEFFICIENTS = "expansionCoefficients";
 
@@ -54,7 +54,7 @@ final class BinArrays {
                 .define(
                         "RADIUS",
                         String.format(Locale.ROOT, "ivec2(%d, %d)", neighborhood.radiusX(), neighborhood.radiusY()))
-                .define("FEW_BINS", neighborhood.bins() <= MOST_WRITTEN_OUT ? 1 : 0)
+                .define("FEW_BINS", areFew(plan, neighborhood) ? 1 : 0)
                 .integers("tableRadius", neighborhood.radiusX(), neighborhood.radiusY());
         double sigma = plan.window().sigmaFrequency();
         double width = table.patch().width();
@@ -62,6 +62,12 @@ final class BinArrays {
         return tables.reals("tablePeriod", width, height)
                 .reals("tablePeriodRest", width - (float) width, height - (float) height)
                 .reals("windowSigmaBins", sigma * width, sigma * height);
+    }
+
+    /** Whether terms may be summed outermost: compilers need not write these loops out. */
+    private static boolean areFew(Plan plan, Neighborhood neighborhood) {
+        long steps = plan.expansion().terms() * plan.sampling().loopSteps(plan);
+        return neighborhood.bins() <= FEW_BINS && steps <= PlanChecks.MOST_LOOP_STEPS;
     }
 
     private static void addTerms(ShaderTables.Builder tables, Plan plan, FourierTable table) {

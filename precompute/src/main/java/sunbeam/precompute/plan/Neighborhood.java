@@ -55,6 +55,7 @@ public record Neighborhood(int radiusX, int radiusY, Anchor anchor) {
 
     /** Steps of loops that one wavelength takes (shaders/method/neighborhood.glsl): those over a bin's terms are written out. */
     long loopSteps() {
-        return bins() + 2L * radiusY + 1;
+        long rows = 2L * radiusY + 1;
+        return 1 + rows + bins();
     }
 }

@@ -1,10 +1,17 @@
 package sunbeam.precompute.plan;
 
+import java.math.BigDecimal;
+import java.math.MathContext;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.OptionalDouble;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.expansion.Expansion;
 import sunbeam.precompute.fourier.Band;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.WindowOrigin;
+import sunbeam.precompute.units.Lengths;
 
 /**
  * Everything that method {@code full} needs to know beside the patch.
@@ -50,5 +57,82 @@ public record Plan(
                 origin.toString(),
                 average.toString(),
                 sampling.toString());
+    }
+
+    /** One line: what is computed, in words that need no knowledge of how. */
+    public String summary() {
+        return String.format(
+                Locale.ROOT,
+                "%s, coherence length %s, %s average, %s",
+                promise(),
+                Lengths.format(window.coherenceLength()),
+                average.name().toLowerCase(Locale.ROOT),
+                sampling.summary(range));
+    }
+
+    private String promise() {
+        OptionalDouble tolerance = accuracy.tolerance();
+        return tolerance.isPresent()
+                ? String.format(
+                        Locale.ROOT,
+                        "colors planned to %s %% (95 %% of directions to %s %%)",
+                        percent(tolerance.getAsDouble()),
+                        percent(3 * tolerance.getAsDouble()))
+                : "as in the thesis";
+    }
+
+    /** A share in words, without its sign. */
+    public static String percent(double share) {
+        return new BigDecimal(100 * share)
+                .round(new MathContext(3))
+                .stripTrailingZeros()
+                .toPlainString();
+    }
+
+    private String terms() {
+        return expansion.terms() + " " + expansion.kind().label() + " terms";
+    }
+
+    /** "699 x 699 DFT bins". */
+    String bins() {
+        return bandX.count() + " x " + bandY.count() + " DFT bins";
+    }
+
+    /**
+     * One line: memory on the graphics card.
+     *
+     * @param patchRows of the height map
+     */
+    public String cost(int patchRows) {
+        return "textures of at most "
+                + MemoryNeed.inWords(MemoryNeed.of(this, patchRows).textureBytes());
+    }
+
+    /** Several lines: each choice and its reason. */
+    public List<String> reasons() {
+        List<String> lines = new ArrayList<>();
+        lines.add("sizes: " + terms() + ", " + sampling.summary(range) + ", " + bins());
+        lines.add(format(
+                "directions: u %.3f..%.3f, v %.3f..%.3f, |w| %.3f..%.3f can occur; nothing else is computed",
+                range.minimumU(),
+                range.maximumU(),
+                range.minimumV(),
+                range.maximumV(),
+                range.minimumW(),
+                range.maximumW()));
+        lines.add(format(
+                "expansion: phases k |w| h of %.2f to %.2f rad take %s; error %.1e",
+                expansion.minimumPhase(), expansion.maximumPhase(), terms(), expansion.error()));
+        lines.add(format(
+                "window: coherence length %s, its spectrum has a deviation of %.4g cycles per metre, centered on the %s",
+                Lengths.format(window.coherenceLength()),
+                window.sigmaFrequency(),
+                origin == WindowOrigin.CORNER ? "corner" : "patch's center"));
+        lines.add("bins: " + bins() + " reach every visible frequency at 380 nm and the window's width beyond");
+        return lines;
+    }
+
+    private static String format(String pattern, Object... values) {
+        return String.format(Locale.ROOT, pattern, values);
     }
 }

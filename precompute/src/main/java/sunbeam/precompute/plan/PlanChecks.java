@@ -3,40 +3,53 @@ package sunbeam.precompute.plan;
 import static sunbeam.precompute.plan.MethodSettings.COHERENCE_LENGTH;
 import static sunbeam.precompute.plan.MethodSettings.EXPANSION;
 import static sunbeam.precompute.plan.MethodSettings.RADIUS;
+import static sunbeam.precompute.plan.MethodSettings.TERMS;
+import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
 import static sunbeam.precompute.plan.MethodSettings.WAVELENGTH_STEP;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
+import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.expansion.Expansion;
 import sunbeam.precompute.expansion.ExpansionKind;
 import sunbeam.precompute.expansion.TaylorExpansion;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.HeightMap;
+import sunbeam.precompute.setting.Sentence;
 import sunbeam.precompute.setting.SettingException;
+import sunbeam.precompute.units.Decimals;
 import sunbeam.precompute.units.Lengths;
 
-/** Refuses what cannot be right, with the numbers that say why. */
+/** What is refused of a plan, and what is said of one that cannot promise its tolerance, with the numbers that say why. */
 final class PlanChecks {
+    // Mesa's software renderer ends all loops of a pixel after 65,535 steps, without a word (shaders/include/loops.glsl
+    // finds out). On graphics cards a pixel that takes more would take milliseconds.
+    static final long MOST_LOOP_STEPS = 60_000;
+
     // A Gaussian of deviation s sampled at a pitch p has replicas of its spectrum one period 1 / p away. The first adds
-    // exp(-2 pi^2 s^2 / p^2), 6e-5 at s = 0.7 p or a coherence length of 2.8 p, where the spectrum itself is 1. What
-    // that
-    // does to a coherent power, PlanWarnings say.
-    private static final double FEWEST_SAMPLES = 2.8;
+    // exp(-2 pi^2 s^2 / p^2), 3e-9 at s = p, to the sum over its samples, by which a coherent power is divided.
+    private static final double FEWEST_SAMPLES = 4;
 
     // Metres: the first order of a period of two samples is then 3 degrees from the mirror direction at 550 nm.
     private static final double COARSEST_PITCH = 5e-6;
 
+    // Units in the last place: a fifth of the bound, as measured for colors of orders at 65 um.
+    private static final double TYPICAL_ROUNDING = 0.1;
+
     private PlanChecks() {}
 
-    /** A window that the patch has too few samples for. */
-    static void check(CoherenceWindow window, HeightMap map) {
-        double pitch = coarsestPitch(map);
+    /** Refuses a window that the patch has too few samples for. */
+    static void requireSamples(CoherenceWindow window, HeightMap map) {
+        double pitch = Math.max(map.columns() > 1 ? map.pitchX() : 0, map.rows() > 1 ? map.pitchY() : 0);
         double coherenceLength = window.coherenceLength();
         if (coherenceLength < FEWEST_SAMPLES * pitch) {
             throw SettingException.of(
                     COHERENCE_LENGTH,
                     coherenceLength,
-                    String.format(
-                            Locale.ROOT,
-                            "is less than %.1f samples of the patch, which are %s apart; %s",
+                    format(
+                            "is less than %.0f samples of the patch, which are %s apart; %s",
                             FEWEST_SAMPLES,
                             Lengths.format(pitch),
                             pitch > COARSEST_PITCH
@@ -46,37 +59,11 @@ final class PlanChecks {
         }
     }
 
-    /** The larger distance of samples, of axes that have more than one; metres. */
-    static double coarsestPitch(HeightMap map) {
-        return Math.max(map.columns() > 1 ? map.pitchX() : 0, map.rows() > 1 ? map.pitchY() : 0);
-    }
-
-    /** A radius that was planned must not be cut short; one that was given is small enough already. */
-    static void checkRadius(int radius, CoherenceWindow window, double sigmaBins) {
-        if (radius > Neighborhood.MAXIMUM_RADIUS) {
-            throw SettingException.of(
-                    COHERENCE_LENGTH,
-                    window.coherenceLength(),
-                    String.format(
-                            Locale.ROOT,
-                            "has a spectrum %.1f DFT bins wide, which takes a neighborhood of radius %d, but at most %d"
-                                    + " can be summed; leave out ",
-                            sigmaBins,
-                            radius,
-                            Neighborhood.MAXIMUM_RADIUS),
-                    WAVELENGTH_STEP,
-                    " (the plan then interpolates a grid), give a larger ",
-                    COHERENCE_LENGTH,
-                    ", or fix a smaller ",
-                    RADIUS);
-        }
-    }
-
     /** Taylor's terms reach e^phase before they cancel, and float32 has seven digits. */
     static TaylorExpansion accurate(TaylorExpansion expansion, double tolerance) {
         double reachable = Math.ulp(1f) * expansion.largestTerm(expansion.maximumPhase());
         if (reachable > tolerance) {
-            throw taylor(expansion, String.format(Locale.ROOT, "reaches only %.1g in float32", reachable));
+            throw taylor(expansion, format("reaches only %.1g in float32", reachable));
         }
         return expansion;
     }
@@ -84,19 +71,109 @@ final class PlanChecks {
     /** A number of terms that was given may be inaccurate, but not overflow, squared, as a power. */
     static TaylorExpansion withinFloatRange(TaylorExpansion expansion) {
         if (Math.pow(expansion.largestTerm(expansion.maximumPhase()), 2) > Float.MAX_VALUE) {
-            throw taylor(
-                    expansion,
-                    String.format(Locale.ROOT, "with %d terms leaves the range of float32", expansion.terms()));
+            throw taylor(expansion, format("with %d terms leaves the range of float32", expansion.terms()));
         }
         return expansion;
     }
 
     private static SettingException taylor(TaylorExpansion expansion, String problem) {
-        String relief = String.format(
-                Locale.ROOT,
+        String relief = format(
                 " at this relief (%s, phases up to %.1f); use lowrank or chebyshev",
-                Lengths.format(2 * expansion.scale().halfRange()),
-                expansion.maximumPhase());
+                Lengths.format(2 * expansion.scale().halfRange()), expansion.maximumPhase());
         return SettingException.of(EXPANSION, ExpansionKind.TAYLOR, problem + relief);
+    }
+
+    /** What a plan takes too much of. */
+    static SettingException tooLarge(Plan plan, int rows, long heapLimit) {
+        return SettingException.of(
+                COHERENCE_LENGTH,
+                plan.window().coherenceLength(),
+                excess(plan, rows, heapLimit).orElseThrow() + "; crop the patch, or give a coarser ",
+                TOLERANCE,
+                ", fewer ",
+                TERMS,
+                ", a smaller ",
+                RADIUS,
+                ", a larger ",
+                WAVELENGTH_STEP,
+                " or another ",
+                COHERENCE_LENGTH);
+    }
+
+    /**
+     * What a plan takes too much of, continuing "coherence length 65 um ..."; nothing where it fits.
+     *
+     * @param rows of the patch
+     * @param heapLimit the most that Java's heap may take, bytes
+     */
+    static Optional<String> excess(Plan plan, int rows, long heapLimit) {
+        Optional<String> memory = MemoryNeed.of(plan, rows).excess(heapLimit);
+        long steps = plan.sampling().loopSteps(plan);
+        if (memory.isEmpty() && steps > MOST_LOOP_STEPS) {
+            return Optional.of(format(
+                    "takes %,d steps a pixel with %s, and graphics drivers end loops after 65,535",
+                    steps, plan.sampling().summary(plan.range())));
+        }
+        return memory.map(excess -> format("and %s in %d terms %s", plan.bins(), plan.expansion().terms(), excess));
+    }
+
+    /** What breaks the tolerance, one sentence each: what a user fixed, and shortfalls. Nothing for the thesis's choices. */
+    static List<Sentence> warnings(Plan plan) {
+        List<Sentence> lines = shortfalls(plan);
+        Expansion expansion = plan.expansion();
+        plan.accuracy().tolerance().ifPresent(tolerance -> {
+            if (expansion.error() > tolerance) {
+                lines.add(Sentence.of(
+                        format(
+                                "%d %s terms leave an error of %.1g, more than the tolerance %s; give more ",
+                                expansion.terms(), expansion.kind().label(), expansion.error(), tolerance),
+                        TERMS,
+                        ", or leave it out"));
+            }
+            if (plan.sampling() instanceof BinSampling) {
+                lines.add(Sentence.of(
+                        "equal steps of the wavelength, which were asked for, promise no tolerance; leave out ",
+                        WAVELENGTH_STEP));
+            }
+        });
+        return lines;
+    }
+
+    /** What cannot be promised whatever is chosen, and what is reached. */
+    static List<Sentence> shortfalls(Plan plan) {
+        List<Sentence> lines = new ArrayList<>();
+        plan.accuracy().tolerance().ifPresent(tolerance -> {
+            if (tolerance < ErrorBudget.FINEST_CERTAIN) {
+                lines.add(Sentence.of(format(
+                        "float32 keeps the tolerance %s in the median, but leaves errors of up to %s at the 95th"
+                                + " percentile of power, of which three times the tolerance is promised; method"
+                                + " reference goes further",
+                        Decimals.format(tolerance), Decimals.format(ErrorBudget.FLOAT32_PERCENTILE))));
+            }
+            double reachable = reachable(plan);
+            if (reachable > tolerance) {
+                lines.add(Sentence.of(format(
+                        "colors on flanks of orders far from the specular direction reach only %.0e, not the tolerance"
+                                + " %s: the spectrum of a coherence length of %s is narrower than float32 tells"
+                                + " frequencies apart; give a shorter one, or a wavelength each ('reflectance'), whose"
+                                + " frequencies are found in double precision",
+                        reachable, Decimals.format(tolerance), Lengths.format(plan.window().coherenceLength()))));
+            }
+        });
+        return lines;
+    }
+
+    /**
+     * Error of colors on flanks of orders. Orders of a wide window are narrow, and float32 tells where one is to half a unit in
+     * the last place of its frequency. Three deviations from an order's middle, where it has a ten thousandth of its power, that
+     * changes by six times the relative shift.
+     */
+    private static double reachable(Plan plan) {
+        double farthest = plan.range().longestUv() / CieTable.MINIMUM_WAVELENGTH;
+        return 6 * TYPICAL_ROUNDING * Math.ulp(1f) * farthest / plan.window().sigmaFrequency();
+    }
+
+    private static String format(String pattern, Object... values) {
+        return String.format(Locale.ROOT, pattern, values);
     }
 }

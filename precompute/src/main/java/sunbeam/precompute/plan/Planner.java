@@ -58,10 +58,9 @@ public final class Planner {
      * @throws sunbeam.precompute.setting.SettingException as {@link #plan(TableChoices, GaussianArea, VisibleRange)}
      */
     public Plan plan(TableChoices table, GaussianArea area, VisibleRange range, Roughness roughness) {
-        PlanChecks.check(area.window(), map);
+        PlanChecks.requireSamples(area.window(), map);
         ErrorBudget budget = new ErrorBudget(table.tolerance(), roughness.under(area.window(), range));
         Expansion expansion = expansion(table, range, budget);
-        PlanLimits limits = new PlanLimits(map.rows(), heapLimit);
         Plan plan = null;
         for (Sampling sampling : samplings(table, area, range, budget)) {
             plan = new Plan(
@@ -74,12 +73,11 @@ public final class Planner {
                     area.origin(),
                     area.average(),
                     sampling);
-            if (limits.hold(plan)) {
+            if (PlanChecks.excess(plan, map.rows(), heapLimit).isEmpty()) {
                 return plan;
             }
         }
-        limits.require(plan);
-        return plan;
+        throw PlanChecks.tooLarge(plan, map.rows(), heapLimit);
     }
 
     /** How rough the patch is, where that tells between two plans: where a grid is interpolated. */
@@ -91,7 +89,7 @@ public final class Planner {
 
     private List<Sampling> samplings(TableChoices table, GaussianArea area, VisibleRange range, ErrorBudget budget) {
         return table.fixesBins()
-                ? List.of(BinSampling.of(table, area.window(), range, map, cie))
+                ? List.of(BinSampling.of(table, area.window(), map, cie))
                 : new SamplingPlanner(map, heights, area, range, budget).choices();
     }
 
@@ -102,12 +100,12 @@ public final class Planner {
 
     /** What breaks a plan's tolerance, one line each: what the user fixed, and {@link #shortfalls}. */
     public List<Sentence> warnings(Plan plan) {
-        return new PlanWarnings(plan, map).lines();
+        return PlanChecks.warnings(plan);
     }
 
     /** Why a plan cannot promise its tolerance whatever the user fixes, and what it reaches; one line each. */
     public List<Sentence> shortfalls(Plan plan) {
-        return new PlanWarnings(plan, map).shortfalls();
+        return PlanChecks.shortfalls(plan);
     }
 
     /** The expansion that a plan has for a patch of which nothing else is known. */

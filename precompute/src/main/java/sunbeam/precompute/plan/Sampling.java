@@ -3,8 +3,6 @@ package sunbeam.precompute.plan;
 import java.util.List;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.optics.CoherenceWindow;
-import sunbeam.precompute.optics.HeightMap;
-import sunbeam.precompute.setting.Sentence;
 import sunbeam.precompute.shader.ArrayLayout;
 import sunbeam.precompute.shader.MethodUse;
 import sunbeam.precompute.shader.ShaderTables;
@@ -22,11 +20,6 @@ public sealed interface Sampling permits BinSampling, GridSampling, OrderSamplin
     /** "60 to 166", or one number where both are equal. */
     static String count(int fewest, int most) {
         return fewest == most ? Integer.toString(fewest) : fewest + " to " + most;
-    }
-
-    /** Parts that a user fixed and that break the plan's tolerance, one line each. */
-    default List<Sentence> warnings(Plan plan, double tolerance, HeightMap map) {
-        return List.of();
     }
 
     /**

@@ -2,6 +2,7 @@ package sunbeam.precompute.plan;
 
 import static sunbeam.precompute.plan.MethodSettings.ANCHOR;
 import static sunbeam.precompute.plan.MethodSettings.EXPANSION;
+import static sunbeam.precompute.plan.MethodSettings.PRESET;
 import static sunbeam.precompute.plan.MethodSettings.RADIUS;
 import static sunbeam.precompute.plan.MethodSettings.TERMS;
 import static sunbeam.precompute.plan.MethodSettings.WAVELENGTH_STEP;
@@ -20,7 +21,7 @@ import sunbeam.precompute.setting.Setting;
  * @param accuracy what it chooses for
  * @param expansion kind of expansion
  * @param terms number of its terms
- * @param neighborhood of bins that are summed around each frequency
+ * @param neighborhood of bins that are summed around each frequency: the thesis's
  * @param wavelengthStep of equal steps, metres
  */
 public record TableChoices(
@@ -31,9 +32,9 @@ public record TableChoices(
         OptionalDouble wavelengthStep) {
     /** The settings that these come from, but for the neighborhood's, which not all methods have. */
     public static final List<Setting<?>> SETTINGS =
-            List.of(MethodSettings.PRESET, MethodSettings.TOLERANCE, EXPANSION, TERMS, WAVELENGTH_STEP);
+            List.of(PRESET, MethodSettings.TOLERANCE, EXPANSION, TERMS, WAVELENGTH_STEP);
 
-    private static final int THESIS_RADIUS = 1;
+    private static final Neighborhood THESIS = new Neighborhood(1, Neighborhood.Anchor.FLOOR);
 
     public TableChoices {
         terms.ifPresent(TERMS.kind()::check);
@@ -43,7 +44,11 @@ public record TableChoices(
     /** Nothing fixed. */
     public static TableChoices of(Accuracy accuracy) {
         return new TableChoices(
-                accuracy, Optional.empty(), OptionalInt.empty(), Optional.empty(), OptionalDouble.empty());
+                accuracy,
+                Optional.empty(),
+                OptionalInt.empty(),
+                accuracy.isThesis() ? Optional.of(THESIS) : Optional.empty(),
+                OptionalDouble.empty());
     }
 
     /** Nothing fixed but a tolerance. */
@@ -66,38 +71,32 @@ public record TableChoices(
                 choices.find(WAVELENGTH_STEP).map(OptionalDouble::of).orElseGet(OptionalDouble::empty));
     }
 
-    /** Where anything of it was chosen. An anchor by itself has the thesis's radius or none. */
+    /** The thesis's, which choices override; others are planned. */
     private static Optional<Neighborhood> neighborhood(Choices choices, boolean thesis) {
-        if (!choices.has(RADIUS) && !choices.has(ANCHOR)) {
-            return Optional.empty();
+        if (thesis) {
+            return Optional.of(new Neighborhood(
+                    choices.get(RADIUS, THESIS.radiusX()), choices.get(ANCHOR, Neighborhood.Anchor.FLOOR)));
         }
-        if (!choices.has(RADIUS) && !thesis) {
-            throw choices.complaint(
-                    ANCHOR,
-                    "is the middle of a neighborhood of bins, but no radius is given; add for example ",
-                    RADIUS,
-                    " 3, or leave ",
-                    ANCHOR,
-                    " out");
+        for (Setting<?> setting : List.of(RADIUS, ANCHOR)) {
+            if (choices.has(setting)) {
+                throw choices.complaint(
+                        setting,
+                        "is of the thesis's bins, which a plan for a tolerance does not sum; leave it out, or give ",
+                        PRESET,
+                        " thesis");
+            }
         }
-        return Optional.of(new Neighborhood(
-                choices.get(RADIUS, THESIS_RADIUS),
-                choices.get(ANCHOR, thesis ? Neighborhood.Anchor.FLOOR : Neighborhood.Anchor.NEAREST)));
+        return Optional.empty();
     }
 
     /** Whether equal steps of the wavelength and a neighborhood of bins take the place of a planned sampling. */
     public boolean fixesBins() {
-        return accuracy.isThesis() || neighborhood.isPresent() || wavelengthStep.isPresent();
+        return neighborhood.isPresent() || wavelengthStep.isPresent();
     }
 
     /** The tolerance; the standard one where the thesis's choices stand in, for what a user leaves open beside them. */
     double tolerance() {
         return accuracy.tolerance().orElse(ErrorBudget.STANDARD);
-    }
-
-    /** The same with a neighborhood of bins. */
-    public TableChoices with(Neighborhood other) {
-        return new TableChoices(accuracy, expansion, terms, Optional.of(other), wavelengthStep);
     }
 
     /** The same at wavelengths so far apart, metres. */

@@ -71,11 +71,11 @@ class MethodsTest {
     }
 
     @Test
-    void anAnchorNeedsARadiusUnlessTheThesisGivesOne() {
+    void binsAreTheThesisS() {
         Choices anchor = Choices.none().with(ANCHOR, Anchor.NEAREST);
         assertThatThrownBy(() -> Methods.of(anchor))
                 .hasMessageStartingWith(
-                        "anchor nearest is the middle of a neighborhood of bins, but no radius is given");
+                        "anchor nearest is of the thesis's bins");
         FullMethod method = (FullMethod) Methods.of(anchor.over(THESIS));
         assertThat(method.table().neighborhood()).contains(new Neighborhood(1, Anchor.NEAREST));
         FullMethod wide = (FullMethod) Methods.of(THESIS.with(RADIUS, 3));

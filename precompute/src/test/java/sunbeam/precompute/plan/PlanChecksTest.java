@@ -10,15 +10,15 @@ import sunbeam.precompute.setting.SettingException;
 class PlanChecksTest {
     private static void check(double pitch) {
         HeightMap map = new HeightMap(16, 16, pitch, pitch, new double[256]);
-        PlanChecks.check(CoherenceWindow.ofCoherenceLength(5e-6), map);
+        PlanChecks.requireSamples(CoherenceWindow.ofCoherenceLength(5e-6), map);
     }
 
     @Test
     void aWindowOfFewSamplesIsToldHowLargeItMayBe() {
-        check(1.7e-6);
+        check(1.2e-6);
         assertThatThrownBy(() -> check(2e-6))
                 .isInstanceOf(SettingException.class)
-                .hasMessageContaining("give 5.6 um or more");
+                .hasMessageContaining("give 8 um or more");
     }
 
     @Test

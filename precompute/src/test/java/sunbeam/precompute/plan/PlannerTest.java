@@ -34,7 +34,7 @@ class PlannerTest {
     @Test
     void ordersThatTheWindowResolvesAreLookedAtOneByOne() {
         // 3.2 um under a window of 65 um: 0.03 bins.
-        Plan plan = plan(planner(64, 400e-9), request(Optional.empty(), 0, OptionalInt.empty(), 65e-6, 0));
+        Plan plan = plan(planner(64, 400e-9), request(Optional.empty(), 0, 65e-6, 0));
 
         assertThat(((OrderSampling) plan.sampling()).resolved()).isPresent();
     }
@@ -42,7 +42,7 @@ class PlannerTest {
     @Test
     void ordersThatTheWindowBlursAreResampled() {
         // 3.2 um under a window of 3.2 um: 0.64 bins, as the measured skins under sunlight's window.
-        Plan plan = plan(planner(64, 400e-9), request(Optional.empty(), 0, OptionalInt.empty(), 3.2e-6, 0));
+        Plan plan = plan(planner(64, 400e-9), request(Optional.empty(), 0, 3.2e-6, 0));
 
         assertThat(plan.sampling()).isInstanceOf(GridSampling.class);
     }
@@ -50,7 +50,7 @@ class PlannerTest {
     @Test
     void ordersThatTheWindowNeitherResolvesNorBlursAreSummed() {
         // 3.2 um under a window of 10 um: 0.2 bins.
-        Plan plan = plan(planner(64, 400e-9), request(Optional.empty(), 0, OptionalInt.empty(), 10e-6, 0));
+        Plan plan = plan(planner(64, 400e-9), request(Optional.empty(), 0, 10e-6, 0));
 
         OrderSampling orders = (OrderSampling) plan.sampling();
         assertThat(orders.resolved()).isEmpty();
@@ -73,39 +73,28 @@ class PlannerTest {
     @Test
     void aWindowNeedsSamples() {
         assertThatThrownBy(
-                        () -> plan(planner(64, 400e-9), request(Optional.empty(), 0, OptionalInt.empty(), 120e-9, 0)))
+                        () -> plan(planner(64, 400e-9), request(Optional.empty(), 0, 120e-9, 0)))
                 .isInstanceOf(SettingException.class)
                 .hasMessageContaining("coherence length 120 nm")
-                .hasMessageContaining("give 140 nm or more");
+                .hasMessageContaining("give 200 nm or more");
     }
 
     @Test
     void taylorIsRefusedWhereItCancelsInFloat32() {
         Optional<ExpansionKind> taylor = Optional.of(ExpansionKind.TAYLOR);
 
-        assertThat(plan(planner(64, 250e-9), request(taylor, 0, OptionalInt.empty(), 65e-6, 0))
+        assertThat(plan(planner(64, 250e-9), request(taylor, 0, 65e-6, 0))
                         .expansion()
                         .terms())
                 .as("design, section 4: 16 for the blaze at 1e-3; here the share of the expansion is 2e-5")
                 .isBetween(16, 24);
-        assertThatThrownBy(() -> plan(planner(64, 2e-6), request(taylor, 0, OptionalInt.empty(), 65e-6, 0)))
+        assertThatThrownBy(() -> plan(planner(64, 2e-6), request(taylor, 0, 65e-6, 0)))
                 .isInstanceOf(SettingException.class)
                 .hasMessageContaining("taylor reaches only")
                 .hasMessageContaining("use lowrank or chebyshev");
-        assertThatThrownBy(() -> plan(planner(64, 5e-6), request(taylor, 37, OptionalInt.empty(), 65e-6, 0)))
+        assertThatThrownBy(() -> plan(planner(64, 5e-6), request(taylor, 37, 65e-6, 0)))
                 .isInstanceOf(SettingException.class)
                 .hasMessageContaining("taylor with 37 terms leaves the range of float32");
-    }
-
-    @Test
-    void aWindowTooNarrowForANeighborhoodIsToldBefore() {
-        // 51.2 um under 1 um: 33 bins wide.
-        Request request = request(Optional.empty(), 0, OptionalInt.empty(), 1e-6, 5e-9);
-
-        assertThatThrownBy(() -> plan(planner(1024, 100e-9), request))
-                .isInstanceOf(SettingException.class)
-                .hasMessageContaining("32.6 DFT bins wide")
-                .hasMessageContaining("leave out wavelength step");
     }
 
     @ParameterizedTest
@@ -124,37 +113,28 @@ class PlannerTest {
     @Test
     void aPlannedPlanBreaksNoPromise() {
         for (double coherenceLength : new double[] {1e-6, 3.2e-6, 10e-6, 65e-6, 1e-3}) {
-            assertThat(warnings(request(Optional.empty(), 0, OptionalInt.empty(), coherenceLength, 0)))
+            assertThat(warnings(request(Optional.empty(), 0, coherenceLength, 0)))
                     .as("coherence length %s", coherenceLength)
                     .isEmpty();
         }
-        assertThat(warnings(request(Optional.of(ExpansionKind.CHEBYSHEV), 0, OptionalInt.of(4), 3.2e-6, 0)))
-                .isEmpty();
         assertThat(warnings(THESIS)).isEmpty();
     }
 
     @Test
     void whatBreaksTheToleranceIsNamed() {
-        assertThat(warnings(request(Optional.empty(), 2, OptionalInt.empty(), 3.2e-6, 0)))
+        assertThat(warnings(request(Optional.empty(), 2, 3.2e-6, 0)))
                 .singleElement()
                 .asString()
                 .contains("2 lowrank terms leave an error of", "more than the tolerance 0.001");
-        // 0.64 bins: exp(-x^2 / (2 0.64^2)) = 0.15 tolerance sqrt(1e-9) = 5e-9 at x = 3.9 bins, less half a bin,
-        // rounded up.
-        assertThat(warnings(request(Optional.empty(), 0, OptionalInt.of(0), 3.2e-6, 0)))
+        assertThat(warnings(request(Optional.empty(), 0, 65e-6, 5e-9)))
                 .singleElement()
                 .asString()
-                .contains("radius 0 cuts", "0.64 DFT bins wide", "radius 4");
-        assertThat(warnings(request(Optional.empty(), 0, OptionalInt.empty(), 65e-6, 5e-9)))
-                .singleElement()
-                .asString()
-                .as("3.14 x 0.707 nm x sqrt(2 / ln(2000)) at |(u, v)| = sqrt(2)")
-                .contains("wavelengths 5 nm apart", "wavelength step 1.1nm");
+                .contains("promise no tolerance; leave out wavelength step");
     }
 
     @Test
     void whatFloat32KeepsInTheMedianOnlyIsToldOf() {
-        Request ordinary = request(Optional.empty(), 0, OptionalInt.empty(), 65e-6, 0);
+        Request ordinary = request(Optional.empty(), 0, 65e-6, 0);
         assertThat(warnings(withTolerance(ordinary, 1e-5)))
                 .anySatisfy(line -> assertThat(line)
                         .contains("tolerance 1e-5 in the median", "4.2e-5 at the 95th percentile", "method reference"));
@@ -167,7 +147,7 @@ class PlannerTest {
 
     @Test
     void colorsOfWindowsThatFloat32CannotFollowAreToldOf() {
-        Request wide = request(Optional.empty(), 0, OptionalInt.empty(), 1e-3, 0);
+        Request wide = request(Optional.empty(), 0, 1e-3, 0);
         assertThat(warnings(withTolerance(wide, 1e-4)))
                 .singleElement()
                 .asString()
@@ -198,7 +178,7 @@ class PlannerTest {
 
     @Test
     void moreStepsThanDriversTakeAreRefusedBeforeAnythingIsComputed() {
-        Request asked = request(Optional.empty(), 0, OptionalInt.of(15), 65e-6, 0.05e-9);
+        Request asked = request(Optional.empty(), 0, 1e-6, 0.05e-9);
 
         assertThatThrownBy(() -> planner(64, 400e-9).plan(asked.table(), asked.area(), VisibleRange.all()))
                 .isInstanceOf(SettingException.class)
@@ -222,16 +202,13 @@ class PlannerTest {
     private static Request request(
             Optional<ExpansionKind> expansion,
             int terms,
-            OptionalInt radius,
             double coherenceLength,
             double wavelengthStep) {
         TableChoices table = new TableChoices(
                 Accuracy.STANDARD,
                 expansion,
                 terms == 0 ? OptionalInt.empty() : OptionalInt.of(terms),
-                radius.isEmpty()
-                        ? Optional.empty()
-                        : Optional.of(new Neighborhood(radius.getAsInt(), Neighborhood.Anchor.NEAREST)),
+                Optional.empty(),
                 wavelengthStep == 0 ? OptionalDouble.empty() : OptionalDouble.of(wavelengthStep));
         CoherenceWindow window = CoherenceWindow.ofCoherenceLength(coherenceLength);
         return new Request(table, GaussianArea.STANDARD.with(window));

@@ -22,7 +22,7 @@ import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.ModelError;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.patch.SamplingCheck;
-import sunbeam.precompute.plan.PlanReport;
+import sunbeam.precompute.plan.Plan;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.SettingException;
@@ -45,7 +45,7 @@ record Inspection(
         GratingPeriod period,
         HeightSpectrum spectrum,
         ScanLimit limit,
-        Optional<PlanReport> drawing,
+        Optional<Plan> drawing,
         String refusal) {
 
     /** @param planned whether a drawing is planned, too, which takes long */
@@ -53,7 +53,7 @@ record Inspection(
         ScanLimit limit = ScanLimit.of(Choices.none(), patch);
         GratingPeriod period = GratingPeriod.of(patch);
         HeightSpectrum.Edges edges = period.isExact() ? HeightSpectrum.Edges.PERIODIC : HeightSpectrum.Edges.TAPERED;
-        Optional<PlanReport> drawing = Optional.empty();
+        Optional<Plan> drawing = Optional.empty();
         String refusal = "";
         if (planned) {
             FullMethod standard = FullMethod.of(limit.choices());
@@ -74,9 +74,9 @@ record Inspection(
     }
 
     /** In the words of the options of the commands that draw. */
-    private static PlanReport plan(Patch patch, FullMethod method) {
+    private static Plan plan(Patch patch, FullMethod method) {
         return Choices.at(OptionOrigin.INSTANCE)
-                .located(() -> new PlanReport(method.tablePlan(Surface.withoutIdentity(patch), VisibleRange.all())));
+                .located(() -> method.tablePlan(Surface.withoutIdentity(patch), VisibleRange.all()));
     }
 
     String verdict() {
@@ -115,7 +115,7 @@ record Inspection(
     /** What is planned, or why nothing is; empty where nobody asks. */
     Optional<String> plan() {
         return refusal.isEmpty()
-                ? drawing.map(PlanReport::summary)
+                ? drawing.map(Plan::summary)
                 : Optional.of("none; a command that draws would refuse it: " + refusal);
     }
 
@@ -176,7 +176,7 @@ record Inspection(
         fields.put("verdict", verdict());
         fields.put("periods", period.isTold() ? List.of(fields(period)) : List.of());
         fields.put("periodNotTold", period.refusal().orElse(null));
-        fields.put("plan", drawing.map(PlanReport::summary).orElse(null));
+        fields.put("plan", drawing.map(Plan::summary).orElse(null));
         fields.put("cost", drawing.map(made -> made.cost(map.rows())).orElse(null));
         fields.put("planRefused", refusal);
         fields.put("faults", patch.faults().stream().map(ScanFault::line).toList());

@@ -12,7 +12,6 @@ import sunbeam.precompute.method.MethodType;
 import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.plan.MethodSettings;
 import sunbeam.precompute.plan.Plan;
-import sunbeam.precompute.plan.PlanReport;
 import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.text.Quoted;
 
@@ -52,8 +51,7 @@ public final class MethodOptions extends SettingOptions {
     /** Prints a plan with its reasons where they are asked for. */
     public void explain(Plan plan, PrintWriter out) {
         if (explain) {
-            PlanReport report = new PlanReport(plan);
-            print("plan: ", report.summary(), report.reasons(), out);
+            print("plan: ", plan.summary(), plan.reasons(), out);
         }
     }
 

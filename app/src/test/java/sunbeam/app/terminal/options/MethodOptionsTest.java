@@ -76,8 +76,8 @@ class MethodOptionsTest {
                 "--terms 1.5|--terms \"1.5\" is no whole number",
                 "--radius -1|--radius -1 is out of range; give 0 to 15",
                 "--wavelength-step 300nm|--wavelength-step 300 nm is out of range; give 1 pm to 200 nm",
-                "--anchor floor|--anchor floor is the middle of a neighborhood of bins, but no radius is given; add for"
-                        + " example --radius 3",
+                "--anchor floor|--anchor floor is of the thesis's bins, which a plan for a tolerance does not sum; leave it"
+                        + " out, or give --preset thesis",
                 "--method nmm --interpolation sinc|--interpolation sinc belongs to --method pq, not nmm; leave it out",
                 "--replicas 3|--replicas 3 belongs to --method pq or reference, not full; leave it out or use --method pq",
                 "--spacing 1um|--spacing 1 um belongs to --method gem, not full; leave it out or use --method gem",
