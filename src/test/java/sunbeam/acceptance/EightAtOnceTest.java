@@ -19,7 +19,7 @@ class EightAtOnceTest {
     Path root;
 
     @Test
-    void eachHasItsOutputAndOneMakesTheTable() throws Exception {
+    void eachHasItsOutputAndOneTableIsLeft() throws Exception {
         Workplace workplace = Workplace.in(root);
         List<RunningSunbeam> programs = new ArrayList<>();
         try {
@@ -29,12 +29,10 @@ class EightAtOnceTest {
                         .start());
             }
             Set<String> outputs = new TreeSet<>();
-            int waited = 0;
             for (RunningSunbeam program : programs) {
                 SunbeamResult result = program.end(Duration.ofMinutes(5));
                 assertThat(result.exitCode()).as("%s", result).isZero();
                 outputs.add(result.stdout().lines().reduce((one, last) -> last).orElseThrow());
-                waited += result.stderr().contains("waiting for it") ? 1 : 0;
             }
             assertThat(outputs).hasSize(PROGRAMS).contains("brdf-lamellar.png", "brdf-lamellar-8.png");
             assertThat(workplace.files()).containsExactlyElementsOf(outputs);
@@ -45,7 +43,6 @@ class EightAtOnceTest {
             assertThat(workplace.tables().stream()
                             .filter(file -> file.toString().endsWith(".part")))
                     .isEmpty();
-            assertThat(waited).isLessThan(PROGRAMS);
         } finally {
             for (RunningSunbeam program : programs) {
                 program.close();

@@ -77,7 +77,7 @@ class ThesisPresetTest {
     void withAWiderNeighborhoodTheErrorIsGone(String patch, String average) throws Exception {
         CsvFile exact = SharedData.reference("power", patch);
         String options =
-                "--window-origin centre --radius 3 --anchor nearest --expansion taylor --terms 50 --both-averages --average ";
+                "--preset thesis --window-origin centre --radius 3 --anchor nearest --expansion taylor --terms 50 --both-averages --average ";
 
         CsvFile ours = reflectance(patch, exact, (options + average).split(" ", -1));
 

@@ -63,10 +63,7 @@ public record Workplace(Path folder, Path caches) {
     /** The tables in the cache, sorted. */
     public List<Path> tables() throws IOException {
         Path cache = caches.resolve("sunbeam");
-        return names(cache).stream()
-                .filter(name -> !name.endsWith(".lock"))
-                .map(cache::resolve)
-                .toList();
+        return names(cache).stream().map(cache::resolve).toList();
     }
 
     private static List<String> names(Path directory) throws IOException {

@@ -10,6 +10,7 @@ public final class Verdict {
     // Beyond, the eye sees too little to name a color.
     private static final double VIOLET = 400e-9;
     private static final double RED = 700e-9;
+    private static final double FINEST_ANGLE = Math.sin(Math.toRadians(0.1));
     private static final double MICROMETRES = 1e6;
     private static final int DIGITS = 3;
 
@@ -71,6 +72,9 @@ public final class Verdict {
         String angles = red < 1
                 ? String.format(Locale.ROOT, "at %.0f to %.0f degrees", degrees(blue), degrees(red))
                 : String.format(Locale.ROOT, "from %.0f degrees on", degrees(blue));
+        if (red < FINEST_ANGLE) {
+            return "no visible order can be resolved, all lie within 0.1 degrees of the mirror direction; check the width";
+        }
         return "first-order colors " + angles + " under light from above";
     }
 

@@ -45,11 +45,12 @@ public record Chromaticity(double x, double y) {
         }
         double[] spectral = crossing(cie, dx, dy);
         if (!Double.isNaN(spectral[0])) {
-            return new Hue(spectral[0], 1 / spectral[1]);
+            // Light of one wavelength lies on the locus, but for what its computation errs by.
+            return new Hue(spectral[0], Math.min(1, 1 / spectral[1]));
         }
         double[] complement = crossing(cie, -dx, -dy);
         double reach = reach(dx, dy, ofWavelength(cie, BLUE_END * 1e-9), ofWavelength(cie, RED_END * 1e-9))[0];
-        return new Hue(-complement[0], 1 / reach);
+        return new Hue(-complement[0], Math.min(1, 1 / reach));
     }
 
     /** Wavelength in nm and the multiple of (dx, dy) that leads to it from white; NaN if none does. */

@@ -39,11 +39,6 @@ public record GratingPlane(double thetaI, double phiI, double azimuth) {
         return -(lightAlong() + Math.sin(thetaR));
     }
 
-    /** The third component, at most 0. */
-    public double w(double thetaR) {
-        return -(Math.cos(thetaI) + cosine(thetaR));
-    }
-
     /** The signed angle to the viewer for a u; NaN where no direction has it. */
     public double thetaR(double u) {
         double sine = -u - lightAlong();

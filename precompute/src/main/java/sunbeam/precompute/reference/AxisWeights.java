@@ -61,24 +61,6 @@ record AxisWeights(double[] real, double[] imaginary) {
         return weights;
     }
 
-    /** cos^2(pi x / W) exp(+2 pi i f x), over the sum of the cos^2, for the samples of one scan between its borders. */
-    static AxisWeights ofFade(double frequency, Axis axis) {
-        AxisWeights weights = new AxisWeights(new double[axis.count()], new double[axis.count()]);
-        double total = 0;
-        for (int i = 0; i < axis.count(); i++) {
-            total += fade(i, axis.count());
-        }
-        for (int i = 0; i < axis.count(); i++) {
-            weights.add(i, fade(i, axis.count()) / total, frequency * axis.step() * (i - 0.5 * (axis.count() - 1)));
-        }
-        return weights;
-    }
-
-    private static double fade(int index, int count) {
-        double cosine = Math.sin(Math.PI * (index + 0.5) / count);
-        return cosine * cosine;
-    }
-
     private void add(int index, double amount, double turns) {
         real[index] += amount * Math.cos(angle(turns));
         imaginary[index] += amount * Math.sin(angle(turns));

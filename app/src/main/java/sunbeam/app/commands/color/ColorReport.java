@@ -41,15 +41,11 @@ record ColorReport(
         List<String> lines = new ArrayList<>(List.of(verdict));
         purest.ifPresent(color -> lines.add(String.format(
                 Locale.ROOT,
-                "purest color at %.0f degrees in the plane of azimuth %.0f degrees: %s, %s; half of its light lies within"
-                        + " %.0f nm, from %.0f to %.0f nm",
+                "purest color at %.0f degrees in the plane of azimuth %.0f degrees: %s, %s",
                 color.view().thetaRDegrees(),
                 Math.rint(azimuthDegrees) + 0.0,
                 color.describeHue(),
-                color.hex(),
-                1e9 * spectra.get(0).width(),
-                1e9 * spectra.get(0).from(),
-                1e9 * spectra.get(0).to())));
+                color.hex())));
         return lines;
     }
 }

@@ -5,6 +5,7 @@ import java.awt.Font;
 import java.awt.Graphics2D;
 import java.awt.RenderingHints;
 import java.awt.Shape;
+import java.awt.font.TextLayout;
 import java.awt.geom.Ellipse2D;
 import java.awt.image.BufferedImage;
 import java.util.ArrayList;
@@ -98,11 +99,13 @@ final class ColorSheet {
 
     /** A line of text, smaller where it is too long. */
     private static void fitted(Graphics2D graphics, String text, Font font, int baseline) {
-        graphics.setFont(font);
-        while (graphics.getFontMetrics().stringWidth(text) > WIDTH - LEFT - RIGHT) {
-            graphics.setFont(font.deriveFont(graphics.getFont().getSize2D() - 0.5f));
+        TextLayout line = new TextLayout(text, font, graphics.getFontRenderContext());
+        float share = (WIDTH - LEFT - RIGHT) / line.getAdvance();
+        if (share < 1) {
+            Font smaller = font.deriveFont(share * font.getSize2D());
+            line = new TextLayout(text, smaller, graphics.getFontRenderContext());
         }
-        graphics.drawString(text, LEFT, baseline);
+        line.draw(graphics, LEFT, baseline);
     }
 
     /** The color is that of the strip below and of the tables: at the exposure that all share. */

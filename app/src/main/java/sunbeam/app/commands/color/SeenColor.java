@@ -79,7 +79,7 @@ record SeenColor(
         double bright = luminances.length == 0 ? 1 : luminances[(int) (BRIGHT * (luminances.length - 1))];
         return colors.stream()
                 .max(Comparator.comparingDouble(
-                        color -> Math.min(1, color.hue().purity()) * Math.cbrt(Math.min(1, color.xyz()[1] / bright))));
+                        color -> color.hue().purity() * Math.cbrt(Math.min(1, color.xyz()[1] / bright))));
     }
 
     /** The largest difference that errors of X, Y and Z by a share make, in any combination of signs. */
@@ -119,7 +119,7 @@ record SeenColor(
         }
         return String.format(
                 Locale.ROOT,
-                wavelength > 0 ? "%.0f nm, purity %.2f" : "purple, complement of %.0f nm, purity %.2f",
+                wavelength > 0 ? "dominant wavelength %.0f nm, purity %.2f" : "purple, complement of %.0f nm, purity %.2f",
                 Math.abs(wavelength),
                 hue.purity());
     }

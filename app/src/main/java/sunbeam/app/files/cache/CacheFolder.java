@@ -20,7 +20,6 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
-import java.util.function.Predicate;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import sunbeam.app.files.output.AtomicFile;
@@ -114,7 +113,7 @@ public final class CacheFolder {
      */
     public List<CacheEntry> entries() {
         List<CacheEntry> entries = new ArrayList<>();
-        for (Path file : files(CacheEntry::isOne)) {
+        for (Path file : files()) {
             try {
                 BasicFileAttributes attributes =
                         Files.readAttributes(file, BasicFileAttributes.class, LinkOption.NOFOLLOW_LINKS);
@@ -132,12 +131,12 @@ public final class CacheFolder {
         return entries;
     }
 
-    private List<Path> files(Predicate<Path> wanted) {
+    private List<Path> files() {
         if (!Files.isDirectory(path)) {
             return List.of();
         }
         try (Stream<Path> listed = Files.list(path)) {
-            return listed.filter(wanted).toList();
+            return listed.filter(CacheEntry::isOne).toList();
         } catch (IOException failure) {
             throw new UncheckedIOException("cannot list " + path, failure);
         }
@@ -227,16 +226,14 @@ public final class CacheFolder {
     }
 
     /**
-     * Deletes all tables that can be deleted, and the locks that nobody holds.
+     * Deletes all tables that can be deleted.
      *
      * @return those that were deleted
      */
     public List<CacheEntry> clear() {
-        List<CacheEntry> deleted = entries().stream()
+        return entries().stream()
                 .filter(entry -> entry.file().toFile().delete())
                 .toList();
-        files(CacheLock::isOne).forEach(CacheLock::deleteUnheld);
-        return deleted;
     }
 
     /**

@@ -10,7 +10,6 @@ import java.util.function.Consumer;
 import java.util.function.DoubleConsumer;
 import java.util.function.Function;
 import java.util.function.LongConsumer;
-import java.util.function.Supplier;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.OutputException;
 import sunbeam.app.files.output.Overwrite;
@@ -206,7 +205,7 @@ public final class DiffractionSetup {
             return freshTables(plan, use, colors).preceded(progress);
         }
         Function<Path, ShaderTables> reader = path -> ShaderTablesFile.read(path, key);
-        return keptOr(file.get(), reader, () -> {
+        return read(file.get(), reader).orElseGet(() -> {
             TableLabel label = label(plan);
             ShaderTables made = freshTables(plan, use, colors).preceded(progress);
             TableLabel tried = made.trial().isEmpty()
@@ -257,18 +256,6 @@ public final class DiffractionSetup {
         folder.used(path);
         folder.shrink(most, file);
         return pages;
-    }
-
-    /** What is in the file, else what is made, by one process at a time. */
-    private <T> T keptOr(Path file, Function<Path, T> reader, Supplier<T> made) {
-        Optional<T> kept = read(file, reader);
-        if (kept.isPresent()) {
-            return kept.get();
-        }
-        try (CacheLock lock = CacheLock.of(file, warning)) {
-            Optional<T> ofAnother = lock.waited() ? read(file, reader) : Optional.empty();
-            return ofAnother.orElseGet(made);
-        }
     }
 
     /** The Fourier table that a plan needs. It is made in less time than colors take that need it, and not kept. */

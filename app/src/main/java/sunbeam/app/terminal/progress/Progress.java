@@ -1,11 +1,13 @@
 package sunbeam.app.terminal.progress;
 
 import java.time.Duration;
+import java.util.Optional;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.LongSupplier;
 import me.tongfei.progressbar.ProgressBar;
 import me.tongfei.progressbar.ProgressBarBuilder;
 import me.tongfei.progressbar.ProgressBarStyle;
+import me.tongfei.progressbar.ProgressState;
 import sunbeam.app.terminal.ShutdownHook;
 
 /**
@@ -14,6 +16,7 @@ import sunbeam.app.terminal.ShutdownHook;
  */
 public final class Progress implements AutoCloseable {
     static final Duration DELAY = Duration.ofSeconds(2);
+    private static final double LEAST_DONE = 0.02;
     private static final int REDRAW_MILLISECONDS = 200;
 
     /** Of the process, as its standard error is. */
@@ -64,9 +67,19 @@ public final class Progress implements AutoCloseable {
                 .setInitialMax(total)
                 .setUpdateIntervalMillis(REDRAW_MILLISECONDS)
                 .setStyle(ProgressBarStyle.ASCII)
+                .setEtaFunction(Progress::left)
                 .setConsumer(line)
                 .build();
         return new Progress(line, bar, hook);
+    }
+
+    /** As long for each step as so far; unknown at the start, whose steps tell little. */
+    private static Optional<Duration> left(ProgressState state) {
+        double done = state.getNormalizedProgress();
+        Duration elapsed = state.getElapsedAfterStart();
+        return done < LEAST_DONE || elapsed.compareTo(DELAY) < 0
+                ? Optional.empty()
+                : Optional.of(Duration.ofSeconds(Math.round(elapsed.toSeconds() * (1 / done - 1))));
     }
 
     /** More steps are done. */
