@@ -7,8 +7,6 @@ import org.apache.commons.math3.complex.Complex;
 public enum ExpansionKind {
     /** Powers of the height: the thesis's choice (eq. 2.44). Its terms reach e^phase before they shrink. */
     TAYLOR(true),
-    /** Jacobi-Anger: Chebyshev polynomials with Bessel coefficients, of at most 2. */
-    CHEBYSHEV(true),
     /** The singular vectors of the kernel over the heights that occur and the phases that are needed. */
     LOWRANK(false);
 

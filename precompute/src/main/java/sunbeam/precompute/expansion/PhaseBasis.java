@@ -3,6 +3,7 @@ package sunbeam.precompute.expansion;
 import org.apache.commons.math3.linear.Array2DRowRealMatrix;
 import org.apache.commons.math3.linear.RealMatrix;
 import org.apache.commons.math3.linear.SingularValueDecomposition;
+import org.apache.commons.math3.special.BesselJ;
 import sunbeam.precompute.patch.HeightLevels;
 
 /**
@@ -87,10 +88,10 @@ final class PhaseBasis {
      * a_nk without the i, so that even k are real parts and odd k imaginary parts.
      */
     double[][] chebyshevSeries(int terms) {
-        int length = ChebyshevExpansion.orderWhereCoefficientsVanish(maximumPhase());
+        int length = orderWhereCoefficientsVanish(maximumPhase());
         double[][] series = new double[terms][length];
         for (int q = 0; q < nodes.count(); q++) {
-            double[] coefficients = ChebyshevExpansion.bessel(length, nodes.node(q));
+            double[] coefficients = bessel(length, nodes.node(q));
             for (int k = 0; k < length; k++) {
                 // (-i)^k is 1, -i, -1, i.
                 double sign = k % 4 == 0 || k % 4 == 3 ? 1 : -1;
@@ -101,5 +102,22 @@ final class PhaseBasis {
             }
         }
         return series;
+    }
+
+    // Beyond the turning point n = zeta, J_n falls faster than exponentially; 12 zeta^(1/3) orders later it is below
+    // 1e-17.
+    private static int orderWhereCoefficientsVanish(double zeta) {
+        return (int) Math.ceil(zeta + 12 * Math.cbrt(zeta) + 12);
+    }
+
+    /** Coefficients of exp(-i zeta s) over Chebyshev polynomials (Jacobi-Anger, DLMF 10.12.3): J_0 and 2 J_n(zeta). */
+    static double[] bessel(int count, double zeta) {
+        BesselJ.BesselJResult result = BesselJ.rjBesl(zeta, 0, count);
+        double[] values = result.getVals();
+        // Orders past the library's range of double numbers come back as not computed: they are zero.
+        for (int n = 1; n < count; n++) {
+            values[n] = n < result.getnVals() || result.getnVals() == count ? 2 * values[n] : 0;
+        }
+        return values;
     }
 }

@@ -48,7 +48,7 @@ public final class MethodSettings {
     public static final Setting<ExpansionKind> EXPANSION = new Setting<>(
             "expansion",
             Kinds.word("KIND", ExpansionKind.class),
-            "Expansion of exp(i k w h): taylor, chebyshev, lowrank.");
+            "Expansion of exp(i k w h): taylor or lowrank.");
 
     /** Number of the expansion's terms. */
     public static final Setting<Integer> TERMS =
@@ -58,13 +58,13 @@ public final class MethodSettings {
     public static final Setting<Integer> RADIUS = new Setting<>(
             "radius",
             Kinds.integer("R", 0, Neighborhood.MAXIMUM_RADIUS),
-            "Sum (2 R + 1) x (2 R + 1) DFT bins around each frequency.");
+            "With preset thesis: sum (2 R + 1) x (2 R + 1) DFT bins around each frequency.");
 
     /** The neighborhood's middle. */
     public static final Setting<Neighborhood.Anchor> ANCHOR = new Setting<>(
             "anchor",
             Kinds.word("BIN", Neighborhood.Anchor.class),
-            "The bin in their middle: floor (thesis) or nearest.");
+            "With preset thesis: the bin in their middle, floor (default) or nearest.");
 
     /** Metres. */
     public static final Setting<Double> WAVELENGTH_STEP = new Setting<>(

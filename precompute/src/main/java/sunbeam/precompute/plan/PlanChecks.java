@@ -78,7 +78,7 @@ final class PlanChecks {
 
     private static SettingException taylor(TaylorExpansion expansion, String problem) {
         String relief = format(
-                " at this relief (%s, phases up to %.1f); use lowrank or chebyshev",
+                " at this relief (%s, phases up to %.1f); use lowrank",
                 Lengths.format(2 * expansion.scale().halfRange()), expansion.maximumPhase());
         return SettingException.of(EXPANSION, ExpansionKind.TAYLOR, problem + relief);
     }

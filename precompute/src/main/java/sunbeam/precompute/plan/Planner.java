@@ -3,7 +3,6 @@ package sunbeam.precompute.plan;
 import java.util.List;
 import java.util.Optional;
 import sunbeam.precompute.color.CieTable;
-import sunbeam.precompute.expansion.ChebyshevExpansion;
 import sunbeam.precompute.expansion.Expansion;
 import sunbeam.precompute.expansion.ExpansionKind;
 import sunbeam.precompute.expansion.HeightScale;
@@ -123,14 +122,12 @@ public final class Planner {
             int terms = table.terms().orElse(THESIS_TERMS);
             return switch (kind) {
                 case TAYLOR -> PlanChecks.withinFloatRange(new TaylorExpansion(scale, terms, maximum));
-                case CHEBYSHEV -> new ChebyshevExpansion(scale, terms, maximum);
                 case LOWRANK -> LowRankExpansion.ofTerms(heights, scale, minimum, maximum, terms);
             };
         }
         double tolerance = budget.expansion();
         return switch (kind) {
             case TAYLOR -> PlanChecks.accurate(TaylorExpansion.within(scale, maximum, tolerance), budget.tolerance());
-            case CHEBYSHEV -> ChebyshevExpansion.within(scale, maximum, tolerance);
             case LOWRANK -> LowRankExpansion.within(heights, scale, minimum, maximum, tolerance);
         };
     }

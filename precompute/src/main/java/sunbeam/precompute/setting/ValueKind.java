@@ -42,6 +42,6 @@ public interface ValueKind<T> {
     /** The value as {@link #parse} reads it again. */
     String format(T value);
 
-    /** What may be written, for manuals and messages: "100 nm to 10 mm", "taylor, chebyshev, lowrank". */
+    /** What may be written, for manuals and messages: "100 nm to 10 mm", "taylor, lowrank". */
     String range();
 }

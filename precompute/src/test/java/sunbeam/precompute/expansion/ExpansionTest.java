@@ -37,15 +37,6 @@ class ExpansionTest {
         HeightLevels heights = heights(relief);
         HeightScale scale = HeightScale.midRange(heights);
         double maximum = scale.phase(380e-9, 2);
-        for (ChebyshevExpansion expansion :
-                List.of(ChebyshevExpansion.within(scale, maximum, 1e-3), new ChebyshevExpansion(scale, 7, maximum))) {
-            for (double share : SHARES) {
-                double zeta = share * maximum;
-                assertThat(measured(expansion, heights, zeta))
-                        .as("%d terms at %.1f", expansion.terms(), zeta)
-                        .isLessThanOrEqualTo(expansion.errorBound(zeta) + ROUNDING);
-            }
-        }
         for (LowRankExpansion expansion : List.of(
                 LowRankExpansion.within(heights, scale, 0, maximum, 1e-3),
                 LowRankExpansion.within(heights, scale, maximum / 4, maximum, 1e-5))) {
@@ -74,10 +65,6 @@ class ExpansionTest {
     void plannedTermsKeepTheToleranceAndOneFewerDoesNot() {
         HeightScale scale = new HeightScale(0, 400e-9);
         double maximum = scale.phase(380e-9, 2);
-        ChebyshevExpansion chebyshev = ChebyshevExpansion.within(scale, maximum, 1e-3);
-        assertThat(chebyshev.errorBound(maximum)).isLessThanOrEqualTo(1e-3);
-        assertThat(new ChebyshevExpansion(scale, chebyshev.terms() - 1, maximum).errorBound(maximum))
-                .isGreaterThan(1e-3);
         TaylorExpansion taylor = TaylorExpansion.within(scale, maximum, 1e-3);
         assertThat(taylor.errorBound(maximum)).isLessThanOrEqualTo(1e-3);
         assertThat(new TaylorExpansion(scale, taylor.terms() - 1, maximum).errorBound(maximum))
@@ -104,23 +91,11 @@ class ExpansionTest {
     @Test
     void besselCoefficientsAgreeWithTheLibrarysSingleValues() {
         for (double zeta : new double[] {0, 1e-9, 0.3, 6.2, 13.5, 83}) {
-            double[] all = ChebyshevExpansion.bessel(60, zeta);
+            double[] all = PhaseBasis.bessel(60, zeta);
             for (int n = 0; n < 60; n++) {
                 double expected = (n == 0 ? 1 : 2) * BesselJ.value(n, zeta);
                 assertThat(all[n]).as("2 J_%d(%g)", n, zeta).isCloseTo(expected, within(1e-14));
             }
         }
-    }
-
-    @Test
-    void theLowRankBasisNeedsFewerTermsThanHalfOfChebyshevs() {
-        HeightLevels heights = heights(819e-9);
-        HeightScale scale = HeightScale.midRange(heights);
-        double maximum = scale.phase(380e-9, 2);
-        int chebyshev = ChebyshevExpansion.within(scale, maximum, 1e-3).terms();
-        int lowRank = LowRankExpansion.within(heights, scale, 0, maximum, 1e-3).terms();
-        // Design section 4: 22 against 9; heights here are spread evenly, which is the worst case for the basis.
-        assertThat(chebyshev).isBetween(20, 24);
-        assertThat(lowRank).isLessThan(chebyshev);
     }
 }

@@ -7,10 +7,10 @@ import org.apache.commons.math3.complex.Complex;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import sunbeam.precompute.Surfaces;
-import sunbeam.precompute.expansion.ChebyshevExpansion;
 import sunbeam.precompute.expansion.Expansion;
 import sunbeam.precompute.expansion.HeightScale;
 import sunbeam.precompute.expansion.LowRankExpansion;
+import sunbeam.precompute.expansion.TaylorExpansion;
 import sunbeam.precompute.fourier.Band;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.HeightLevels;
@@ -31,7 +31,7 @@ class PowerFieldsTest {
         HeightScale scale = HeightScale.mean(heights);
         Expansion expansion = lowRank
                 ? LowRankExpansion.ofTerms(heights, scale, 0, MAXIMUM_PHASE, terms)
-                : new ChebyshevExpansion(scale, terms, MAXIMUM_PHASE);
+                : new TaylorExpansion(scale, terms, MAXIMUM_PHASE);
         Band band = Band.of(-3, 4);
         PatchIdentity patch = new PatchIdentity("random", map.columns(), map.rows(), 40e-9, 40e-9, "");
         FourierTable table = new TableBuilder(patch, heights, done -> {}).build(expansion, band, band);

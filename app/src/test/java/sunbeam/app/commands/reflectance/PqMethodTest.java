@@ -63,7 +63,7 @@ class PqMethodTest {
                 "--interpolation",
                 interpolation,
                 "--expansion",
-                "chebyshev",
+                "lowrank",
                 "--terms",
                 "24");
         for (int i = 0; i < orders.size(); i++) {
