@@ -46,9 +46,7 @@ public final class MethodSettings {
 
     /** Kind of expansion. */
     public static final Setting<ExpansionKind> EXPANSION = new Setting<>(
-            "expansion",
-            Kinds.word("KIND", ExpansionKind.class),
-            "Expansion of exp(i k w h): taylor or lowrank.");
+            "expansion", Kinds.word("KIND", ExpansionKind.class), "Expansion of exp(i k w h): taylor or lowrank.");
 
     /** Number of the expansion's terms. */
     public static final Setting<Integer> TERMS =

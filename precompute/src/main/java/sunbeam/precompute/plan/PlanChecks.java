@@ -114,7 +114,8 @@ final class PlanChecks {
                     "takes %,d steps a pixel with %s, and graphics drivers end loops after 65,535",
                     steps, plan.sampling().summary(plan.range())));
         }
-        return memory.map(excess -> format("and %s in %d terms %s", plan.bins(), plan.expansion().terms(), excess));
+        return memory.map(excess ->
+                format("and %s in %d terms %s", plan.bins(), plan.expansion().terms(), excess));
     }
 
     /** What breaks the tolerance, one sentence each: what a user fixed, and shortfalls. Nothing for the thesis's choices. */
@@ -157,7 +158,9 @@ final class PlanChecks {
                                 + " %s: the spectrum of a coherence length of %s is narrower than float32 tells"
                                 + " frequencies apart; give a shorter one, or a wavelength each ('reflectance'), whose"
                                 + " frequencies are found in double precision",
-                        reachable, Decimals.format(tolerance), Lengths.format(plan.window().coherenceLength()))));
+                        reachable,
+                        Decimals.format(tolerance),
+                        Lengths.format(plan.window().coherenceLength()))));
             }
         });
         return lines;

@@ -73,9 +73,7 @@ class MethodsTest {
     @Test
     void binsAreTheThesisS() {
         Choices anchor = Choices.none().with(ANCHOR, Anchor.NEAREST);
-        assertThatThrownBy(() -> Methods.of(anchor))
-                .hasMessageStartingWith(
-                        "anchor nearest is of the thesis's bins");
+        assertThatThrownBy(() -> Methods.of(anchor)).hasMessageStartingWith("anchor nearest is of the thesis's bins");
         FullMethod method = (FullMethod) Methods.of(anchor.over(THESIS));
         assertThat(method.table().neighborhood()).contains(new Neighborhood(1, Anchor.NEAREST));
         FullMethod wide = (FullMethod) Methods.of(THESIS.with(RADIUS, 3));

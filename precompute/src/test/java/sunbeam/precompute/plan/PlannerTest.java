@@ -72,8 +72,7 @@ class PlannerTest {
 
     @Test
     void aWindowNeedsSamples() {
-        assertThatThrownBy(
-                        () -> plan(planner(64, 400e-9), request(Optional.empty(), 0, 120e-9, 0)))
+        assertThatThrownBy(() -> plan(planner(64, 400e-9), request(Optional.empty(), 0, 120e-9, 0)))
                 .isInstanceOf(SettingException.class)
                 .hasMessageContaining("coherence length 120 nm")
                 .hasMessageContaining("give 200 nm or more");
@@ -200,10 +199,7 @@ class PlannerTest {
 
     /** Zero or empty for what is not fixed. */
     private static Request request(
-            Optional<ExpansionKind> expansion,
-            int terms,
-            double coherenceLength,
-            double wavelengthStep) {
+            Optional<ExpansionKind> expansion, int terms, double coherenceLength, double wavelengthStep) {
         TableChoices table = new TableChoices(
                 Accuracy.STANDARD,
                 expansion,

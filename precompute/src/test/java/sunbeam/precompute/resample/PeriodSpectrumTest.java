@@ -5,8 +5,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import sunbeam.precompute.Surfaces;
-import sunbeam.precompute.expansion.LowRankExpansion;
 import sunbeam.precompute.expansion.HeightScale;
+import sunbeam.precompute.expansion.LowRankExpansion;
 import sunbeam.precompute.fourier.Band;
 import sunbeam.precompute.fourier.ComplexVector;
 import sunbeam.precompute.optics.Direction;
@@ -74,8 +74,7 @@ class PeriodSpectrumTest {
             this.interpolation = interpolation;
             HeightScale scale = HeightScale.midRange(heights);
             double zeta = scale.phase(WAVELENGTH, -W);
-            LowRankExpansion expansion =
-                    LowRankExpansion.within(heights, scale, 0.5 * zeta, zeta, EXPANSION_TOLERANCE);
+            LowRankExpansion expansion = LowRankExpansion.within(heights, scale, 0.5 * zeta, zeta, EXPANSION_TOLERANCE);
             Band band = Band.of(-20, 20);
             spectrum = new PeriodSpectrum(map, heights, expansion, band, band, interpolation);
             double[] coefficients = expansion.coefficients(zeta);

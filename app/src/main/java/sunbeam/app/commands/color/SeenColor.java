@@ -119,7 +119,9 @@ record SeenColor(
         }
         return String.format(
                 Locale.ROOT,
-                wavelength > 0 ? "dominant wavelength %.0f nm, purity %.2f" : "purple, complement of %.0f nm, purity %.2f",
+                wavelength > 0
+                        ? "dominant wavelength %.0f nm, purity %.2f"
+                        : "purple, complement of %.0f nm, purity %.2f",
                 Math.abs(wavelength),
                 hue.purity());
     }
